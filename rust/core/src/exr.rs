@@ -11,7 +11,7 @@ use half::f16;
 
 use crate::base::{self, Progress};
 
-/// Values of one channel, row 0 on top; decoding returns owned ones.
+/// Values of one channel, row 0 on top; decoding returns owned values.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Values<'a> {
     /// 16-bit floats.
@@ -46,7 +46,7 @@ pub struct Part<'a> {
     pub attributes: Vec<(String, Attribute)>,
 }
 
-/// The bytes of a file with these parts, in this order.
+/// Encodes a file with these parts, in this order.
 pub fn encode(parts: &[Part<'_>], progress: &Progress) -> base::Result<Vec<u8>> {
     let layers: SmallVec<[Layer<AnyChannels<FlatSamples>>; 2]> =
         parts.iter().map(|part| layer(part, progress)).collect::<base::Result<_>>()?;
@@ -84,7 +84,7 @@ fn sort_headers(bytes: &mut [u8], headers: usize) {
     }
 }
 
-/// The attribute at the start of the rest of a header; `None` at its end.
+/// Returns the attribute at the start of the rest of a header; `None` at its end.
 fn first_attribute(header: &[u8]) -> Option<&[u8]> {
     let name = header.iter().position(|&byte| byte == 0).filter(|&length| length > 0)?;
     let kind = header[name + 1..].iter().position(|&byte| byte == 0)?;
@@ -93,7 +93,7 @@ fn first_attribute(header: &[u8]) -> Option<&[u8]> {
     header.get(..value + size as usize)
 }
 
-/// The parts of a file. Attributes of other types are left out.
+/// Decodes the parts of a file. Attributes of other types are omitted.
 pub fn decode(bytes: &[u8], progress: &Progress) -> base::Result<Vec<Part<'static>>> {
     check_size(bytes)?;
     let image = ::exr::prelude::read()
@@ -109,7 +109,7 @@ pub fn decode(bytes: &[u8], progress: &Progress) -> base::Result<Vec<Part<'stati
     Ok(image.layer_data.into_iter().map(part).collect())
 }
 
-/// A file in memory that fails once the caller has cancelled. The crate reads and writes it block by block.
+/// A stream in memory that fails once the caller has cancelled. The crate reads and writes it block by block.
 struct Watched<'a, S> {
     inner: S,
     progress: &'a Progress,
@@ -145,9 +145,9 @@ impl<S: Seek> Seek for Watched<'_, S> {
     }
 }
 
-/// Refuses headers that declare more data than their file can contain, before memory is allocated.
+/// Fails for headers that declare more data than their file can contain, before memory is allocated.
 fn check_size(bytes: &[u8]) -> base::Result<()> {
-    /// Greatest ratio of data to file size: deflate's greatest ratio is 1032, plus a margin.
+    /// Maximum ratio of data to file size: deflate's maximum of 1032, plus a margin.
     const MOST_EXPANSION: u128 = 1100;
     let meta = MetaData::read_from_buffered(Cursor::new(bytes), false).map_err(unreadable)?;
     let promised: u128 = meta
@@ -236,9 +236,9 @@ impl Values<'_> {
     }
 }
 
-/// A copy, which the crate needs to own.
+/// Copies values that the crate needs to own.
 fn copied<T: Copy>(values: &[T], progress: &Progress) -> base::Result<Vec<T>> {
-    /// Values between two looks for cancellation, milliseconds of copying.
+    /// Values between two checks for cancellation: milliseconds of copying.
     const TILE: usize = 1 << 20;
     let mut copy = Vec::with_capacity(values.len());
     for tile in values.chunks(TILE) {

@@ -1,4 +1,4 @@
-//! Kernels of nearfar, ordered by the data flow. They use no Python, no files and no clock.
+//! Kernels of nearfar, in the order of the data flow. They use no Python, no files and no clock.
 //!
 //! # Glossary
 //! - **near**, **far**: inside and outside the vertical cylinder of radius r₂ about the centre O.

@@ -1,9 +1,9 @@
-//! The GPU back end: what the ray tracer does, drawn by wgpu on Vulkan, Metal, DirectX 12 or OpenGL.
+//! GPU back end: the ray tracer's pictures, drawn by wgpu on Vulkan, Metal, DirectX 12 or OpenGL.
 //!
-//! A frame is drawn in two steps. The raster pass stores which face each pixel shows, and nothing else. Then a compute
-//! pass works out what is known of that face along the pixel's own ray (colour, range, numbers, position, normal), once
-//! for each pixel and in the wanted channels only, by the tracer's formulas. So pictures of both back ends differ by
-//! rounding alone, and what is hidden costs nothing but its depth.
+//! A frame is drawn in two steps. The raster pass stores only the face that each pixel shows. Then a compute pass
+//! evaluates that face along the pixel's own ray (colour, range, numbers, position, normal), once per pixel and only
+//! for the requested channels, by the tracer's formulas. So pictures of both back ends differ only by rounding, and
+//! hidden surfaces cost only their depth test.
 
 pub mod device;
 mod upload;
@@ -21,7 +21,7 @@ mod tests {
     use wgpu::naga::front::wgsl;
     use wgpu::naga::valid::{Capabilities, ValidationFlags, Validator};
 
-    /// Python returns this text to those who shade by themselves; it draws nothing here.
+    /// Python exports this text for custom shaders; nothing is drawn with it here.
     #[test]
     fn the_shader_for_view_vectors_is_valid() {
         let module = wgsl::parse_str(include_str!("../../../python/nearfar/stereo/view_vector.wgsl")).unwrap();

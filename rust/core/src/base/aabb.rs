@@ -2,17 +2,16 @@
 
 use glam::{DAffine3, DVec3, Vec3};
 
-/// Greatest distance, in metres along each axis from the scene's origin, of geometry and of ray starts. Beyond it,
-/// distances divided by small direction components overflow float32, and empty slots of the trees look as if a ray hit
-/// them.
+/// Maximum distance, in metres along each axis from the scene's origin, of geometry and of ray origins. Beyond it,
+/// distances divided by small direction components overflow float32, and empty slots of the trees would count as hit.
 pub const REACH: f64 = 1e30;
 
 /// An axis-aligned box; empty while `min > max`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aabb {
-    /// Least corner.
+    /// Minimum corner.
     pub min: Vec3,
-    /// Greatest corner.
+    /// Maximum corner.
     pub max: Vec3,
 }
 
@@ -25,7 +24,7 @@ impl Aabb {
         self.min.x > self.max.x
     }
 
-    /// Greatest absolute coordinate; 0 for the empty box.
+    /// Maximum absolute coordinate; 0 for the empty box.
     pub fn reach(&self) -> f32 {
         if self.is_empty() { 0.0 } else { self.min.abs().max(self.max.abs()).max_element() }
     }
@@ -42,24 +41,24 @@ impl Aabb {
         Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
-    /// The greatest float32 box inside a box with float64 sides: float32 numbers lie between the same sides of both. It
-    /// is inverted along an axis where no float32 number lies between the sides.
+    /// Returns the largest float32 box inside a box with float64 sides: both contain the same float32 numbers. It is
+    /// inverted along an axis where no float32 number lies between the sides.
     pub fn within(min: DVec3, max: DVec3) -> Self {
         Self { min: round_up(min), max: round_down(max) }
     }
 
-    /// Whether the boxes share a point; sides belong to their box. Empty boxes share none with boxes that are finite.
+    /// Returns whether the boxes share a point, sides included. An empty box shares none with a finite box.
     pub fn touches(&self, other: &Self) -> bool {
         self.min.cmple(other.max).all() && self.max.cmpge(other.min).all()
     }
 
-    /// Whether another box lies inside; the empty one does.
+    /// Returns whether another box lies inside this one; an empty box does.
     pub fn contains(&self, other: &Self) -> bool {
         other.is_empty() || (self.min.cmple(other.min).all() && self.max.cmpge(other.max).all())
     }
 
-    /// The smallest float32 box around the image of this box. It is tight for the transformed geometry only if the map
-    /// maps axes to axes.
+    /// Returns the smallest float32 box around the image of this box. It is tight for the transformed geometry only if
+    /// the transform maps axes to axes.
     pub fn transformed(&self, map: &DAffine3) -> Self {
         if self.is_empty() {
             return Self::EMPTY;
@@ -94,7 +93,7 @@ mod tests {
         for corner in 0..8 {
             let sign = |bit: u32| if corner >> bit & 1 == 1 { 1.0 } else { -1.0 };
             let p = map.transform_point3(DVec3::new(sign(0), sign(1), sign(2)));
-            // One rounding of float64 at 10⁴ is 2e-12; the box was widened by a float32 step, which is far larger.
+            // One float64 rounding at 10⁴ is 2e-12; the box was widened by a float32 step, which is far larger.
             assert!((p - image.min.as_dvec3()).min_element() >= -2e-12);
             assert!((image.max.as_dvec3() - p).min_element() >= -2e-12);
         }

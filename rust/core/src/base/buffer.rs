@@ -1,4 +1,4 @@
-//! Read-only arrays whose memory belongs to another owner: a Rust `Vec` or the caller's NumPy array.
+//! Read-only arrays owned by a Rust `Vec` or by the caller's NumPy array.
 
 use std::fmt;
 use std::ops::Deref;

@@ -34,20 +34,20 @@ pub enum Error {
 }
 
 impl Error {
-    /// The error for an argument outside its domain.
+    /// Creates the error for an argument outside its domain.
     pub fn value(argument: &'static str, expected: impl Into<String>, got: impl ToString) -> Self {
         Self::Value { argument, expected: expected.into(), got: got.to_string() }
     }
 }
 
-/// Formats a number for a message: with an exponent where plain digits would contain a long row of zeros.
+/// Formats a number for a message; uses an exponent where plain digits would contain a long row of zeros.
 pub fn number(value: f64) -> String {
     let size = value.abs();
     let plain = size == 0.0 || (1e-4..1e16).contains(&size) || !size.is_finite();
     if plain { value.to_string() } else { format!("{value:e}") }
 }
 
-/// The result type of kernels.
+/// Result type of kernels.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 #[cfg(test)]

@@ -1,13 +1,13 @@
-//! A number for each face of a mesh (its object or its material), in the smallest layout that suits the mesh.
+//! Map from the faces of a mesh to their object or material numbers, in the smallest suitable layout.
 
 use rayon::prelude::*;
 
 use super::mapped::mapped;
 use super::{Buffer, Error, Progress, Result};
 
-/// Least mean length of a run, in faces, at which `Ranges` replaces `PerFace`. A look-up in ranges is a binary search;
-/// a look-up in `PerFace` is one load. The 4 bytes per face that ranges save are a small part of a face's memory: 12
-/// bytes of indices and its share of the tree.
+/// Minimum mean length of a run, in faces, at which `Ranges` replaces `PerFace`. A look-up is a binary search in
+/// ranges, one load in `PerFace`. The 4 bytes per face that ranges save are a small part of a face's memory: 12 bytes
+/// of indices and its share of the tree.
 const FACES_PER_RUN: usize = 64;
 
 /// The object or material of each face; −1 stands for none.
@@ -27,7 +27,7 @@ pub enum FaceMap {
 }
 
 impl FaceMap {
-    /// The value of one face.
+    /// Returns the value of one face.
     #[inline]
     pub fn get(&self, face: u32) -> i32 {
         match self {
@@ -37,7 +37,7 @@ impl FaceMap {
         }
     }
 
-    /// Memory of the arrays, bytes.
+    /// Returns the memory of the arrays, bytes.
     pub fn bytes(&self) -> usize {
         match self {
             Self::Uniform(_) => 0,
@@ -46,7 +46,7 @@ impl FaceMap {
         }
     }
 
-    /// Runs of equal values as (first face, value), for a mesh of `face_count` faces.
+    /// Returns runs of equal values as (first face, value), for a mesh of `face_count` faces.
     pub fn runs(&self, face_count: usize) -> Box<dyn Iterator<Item = (usize, i32)> + '_> {
         match self {
             _ if face_count == 0 => Box::new(std::iter::empty()),
@@ -80,8 +80,7 @@ impl FaceMap {
         Self::from_runs(runs, face_count)
     }
 
-    /// The same map in a smaller layout where its runs are long enough; otherwise the `PerFace` array is kept, not
-    /// copied.
+    /// Converts to a smaller layout if the runs are long enough; otherwise keeps the `PerFace` array without a copy.
     pub fn compacted(self, face_count: usize) -> Self {
         let run_count = self.runs(face_count).take(face_count / FACES_PER_RUN + 2).count();
         if matches!(self, Self::PerFace(_)) && (run_count == 1 || run_count * FACES_PER_RUN <= face_count) {
@@ -90,7 +89,7 @@ impl FaceMap {
         self
     }
 
-    /// The map of the given faces, in the given order.
+    /// Returns the map of the given faces, in the given order.
     pub fn selected(&self, faces: &[u32], progress: &Progress) -> Result<Self> {
         match self {
             Self::Uniform(value) => Ok(Self::Uniform(*value)),
@@ -101,7 +100,7 @@ impl FaceMap {
         }
     }
 
-    /// The map of the given faces, which ascend. Ranges stay ranges, and are not searched for each face.
+    /// Returns the map of the given ascending faces. `Ranges` stay ranges, and are not searched for each face.
     pub(crate) fn ascending(&self, faces: &[u32], progress: &Progress) -> Result<Self> {
         let Self::Ranges { starts, values } = self else { return self.selected(faces, progress) };
         let (mut runs, mut rest): (Vec<(usize, i32)>, &[u32]) = (Vec::new(), faces);
@@ -118,7 +117,7 @@ impl FaceMap {
         Ok(Self::from_runs(runs.into_iter(), faces.len()))
     }
 
-    /// Replaces each value v by `numbers[v]`; −1 and values beyond the end of `numbers` stay.
+    /// Replaces each value v by `numbers[v]`; −1 and values beyond the end of `numbers` stay unchanged.
     pub(crate) fn renumbered(&self, numbers: &[i32]) -> Self {
         let number = |&value: &i32| usize::try_from(value).ok().and_then(|at| numbers.get(at)).map_or(value, |&n| n);
         match self {

@@ -1,16 +1,16 @@
-//! Long arrays computed from others, with checks whether the caller has cancelled.
+//! Cancellable maps and filters over long arrays.
 
 use rayon::prelude::*;
 
 use super::{Progress, Result};
 
-/// Number of rows between two checks: a few milliseconds.
+/// Rows between two checks for cancellation: a few milliseconds of work.
 const ROWS_PER_CHECK: usize = 1 << 20;
 
-/// Number of rows that one thread maps sooner than others wake up.
+/// Number of rows that one thread maps faster than it takes to wake the others.
 const SHORT: usize = 1 << 13;
 
-/// A value for each row, in order.
+/// Applies `of` to each row; the values keep the rows' order.
 pub fn mapped<A: Sync, B: Send>(rows: &[A], of: impl Fn(&A) -> B + Sync, progress: &Progress) -> Result<Vec<B>> {
     let mut values = Vec::with_capacity(rows.len());
     if rows.len() <= SHORT {
@@ -25,7 +25,7 @@ pub fn mapped<A: Sync, B: Send>(rows: &[A], of: impl Fn(&A) -> B + Sync, progres
     Ok(values)
 }
 
-/// The numbers below `count` that are chosen, ascending.
+/// Returns the chosen numbers below `count`, ascending.
 pub fn filtered(count: u32, is_chosen: impl Fn(u32) -> bool + Sync, progress: &Progress) -> Result<Vec<u32>> {
     let mut chosen = Vec::new();
     for start in (0..count).step_by(ROWS_PER_CHECK) {

@@ -1,11 +1,11 @@
-//! Refusal of results that are too large for memory. Rust ends the process when an allocation fails, so kernels test
-//! sizes that a caller chooses before they allocate.
+//! Refusal of results that are too large for memory. Rust aborts the process when an allocation fails, so kernels
+//! check caller-chosen sizes before they allocate.
 
 use std::hint::black_box;
 
 use super::{Error, Result};
 
-/// Fails if the system refuses an allocation of this many bytes. The test memory is freed again and its pages are never
+/// Fails if the system refuses an allocation of this many bytes. The probe is freed at once and its pages are never
 /// touched.
 pub fn room_for(bytes: u64) -> Result<()> {
     let refused = Error::Memory { bytes };

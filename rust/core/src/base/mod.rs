@@ -1,4 +1,4 @@
-//! Support for every stage: errors, threads, progress, random numbers, shared arrays, boxes, values per face.
+//! Support for all stages: errors, threads, progress, random numbers, shared arrays, boxes, values per face.
 
 pub mod aabb;
 pub mod buffer;

@@ -1,4 +1,4 @@
-//! nearfar's own thread pool. `NEARFAR_NUM_THREADS` sets its size; it is created on first use and again in a forked
+//! Thread pool of nearfar. `NEARFAR_NUM_THREADS` sets its size; it is created on first use, and again in a forked
 //! child.
 
 use std::process;
@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicPtr, Ordering};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::{Error, Result};
-/// Name of the environment variable that holds the number of threads.
+/// Environment variable that holds the number of threads.
 const VARIABLE: &str = "NEARFAR_NUM_THREADS";
 
 struct PoolEntry {
@@ -16,8 +16,8 @@ struct PoolEntry {
     pool: ThreadPool,
 }
 
-/// The pool of this process. It is an atomic pointer instead of a lock: a lock that another thread held during a fork
-/// would stay locked in the child process for ever.
+/// Pool of this process. An atomic pointer instead of a lock: a lock held by another thread during a fork would stay
+/// locked in the child process for ever.
 static CURRENT: AtomicPtr<PoolEntry> = AtomicPtr::new(ptr::null_mut());
 
 /// Runs `work` on the pool, so that every rayon call inside uses it.
@@ -25,7 +25,7 @@ pub fn install<R: Send>(work: impl FnOnce() -> R + Send) -> Result<R> {
     Ok(current()?.install(work))
 }
 
-/// Runs `work` on the pool, so that every rayon call inside uses it, while the calling thread does something else.
+/// Runs `work` on the pool, so that every rayon call inside uses it, while the calling thread runs `meanwhile`.
 /// Returns after both.
 pub fn beside<'s, R>(work: impl FnOnce() + Send + 's, meanwhile: impl FnOnce() -> R) -> Result<R> {
     Ok(current()?.in_place_scope(|scope: &rayon::Scope<'s>| {
@@ -34,7 +34,7 @@ pub fn beside<'s, R>(work: impl FnOnce() + Send + 's, meanwhile: impl FnOnce() -
     }))
 }
 
-/// Number of threads of the pool.
+/// Returns the number of threads of the pool.
 pub fn thread_count() -> Result<usize> {
     Ok(current()?.current_num_threads())
 }
@@ -69,7 +69,8 @@ fn build() -> Result<ThreadPool> {
         .map_err(|error| Error::value(VARIABLE, "a number of threads that the system grants", error))
 }
 
-/// The requested number of threads. 0 leaves the choice to rayon: the number of cores available to this process.
+/// Parses the requested number of threads. 0 leaves the choice to rayon: the number of cores available to this
+/// process.
 fn requested(value: Option<&str>) -> Result<usize> {
     match value.map(str::trim) {
         None | Some("") => Ok(0),

@@ -13,7 +13,7 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// No unit is done and the total is unknown.
+    /// Creates a progress with no finished units and an unknown total.
     pub fn new() -> Self {
         Self::default()
     }
@@ -39,7 +39,7 @@ impl Progress {
         self.cancelled.store(true, Ordering::Relaxed);
     }
 
-    /// Finished units and total units.
+    /// Returns finished units and total units.
     pub fn state(&self) -> (u64, u64) {
         (self.done.load(Ordering::Relaxed), self.total.load(Ordering::Relaxed))
     }

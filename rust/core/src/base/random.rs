@@ -1,5 +1,5 @@
 //! Random numbers as a pure function of (seed, cell, index). There is no state, so results depend neither on the order
-//! of the draws nor on the number of threads.
+//! of draws nor on the number of threads.
 //!
 //! The mixing function is SplitMix64's finaliser (Steele, Lea, Flood: Fast splittable pseudorandom number generators,
 //! 2014); it runs after each word is combined with the state.
@@ -16,20 +16,20 @@ fn mix(mut z: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// 64 random bits of one draw.
+/// Returns 64 random bits for one draw.
 pub fn bits(seed: u64, cell: u64, index: u64) -> u64 {
     [cell, index].iter().fold(mix(seed.wrapping_add(GOLDEN)), |state, &word| mix((state ^ word).wrapping_add(GOLDEN)))
 }
 
-/// A float64 in [0, 1) with 53 random bits.
+/// Returns a float64 in [0, 1) with 53 random bits.
 pub fn uniform(seed: u64, cell: u64, index: u64) -> f64 {
     (bits(seed, cell, index) >> 11) as f64 * (1.0 / (1u64 << 53) as f64)
 }
 
-/// Number of draws in one task.
+/// Number of draws per task.
 const TILE: usize = 1 << 14;
 
-/// `uniform` of many indices.
+/// Writes `uniform` for many indices.
 pub fn fill_uniform(seed: u64, cell: u64, index: &[u64], draws: &mut [f64], progress: &Progress) -> Result<()> {
     index.par_chunks(TILE).zip(draws.par_chunks_mut(TILE)).try_for_each(|(index, draws)| {
         for (&index, draw) in index.iter().zip(draws) {

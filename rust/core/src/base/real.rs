@@ -4,13 +4,13 @@ use num_traits::Float;
 
 /// float32 or float64.
 pub trait Real: Float + Default + Send + Sync + 'static {
-    /// Greatest relative error of rounding a float64 to this type.
+    /// Maximum relative error of rounding a float64 to this type.
     const SLACK: f64;
-    /// Converts to float64, without error.
+    /// Converts to float64, exactly.
     fn wide(self) -> f64;
     /// Rounds a float64 once to this type.
     fn narrow(value: f64) -> Self;
-    /// a b + c; rounded once if `FUSED`, otherwise twice.
+    /// Returns a b + c; rounded once if `FUSED`, otherwise twice.
     fn fuse<const FUSED: bool>(a: Self, b: Self, c: Self) -> Self;
 }
 

@@ -1,6 +1,6 @@
-//! Compiles one kernel for several vector widths and chooses among them at run time; prefetching.
+//! Compilation of one kernel for several vector widths, run-time dispatch, and prefetching.
 
-/// Prefetches values that are read soon. The processor would start an ordinary load only after the hundreds of
+/// Prefetches values that are read soon. Out-of-order execution alone would start the load only after the hundreds of
 /// instructions before it.
 #[inline(always)]
 pub(crate) fn prefetch<P>(values: &[P]) {
@@ -15,7 +15,7 @@ pub(crate) fn prefetch<P>(values: &[P]) {
 }
 
 /// Wraps `#[inline(always)]` kernels in functions that run them with the widest vectors of this machine. The functions
-/// may have generic types.
+/// may be generic in types.
 ///
 /// - `fn name(…) = kernel;`: all widths give the same bits, because Rust fuses a multiplication with an addition only
 ///   where code asks for it.

@@ -1,13 +1,13 @@
-//! A stable sort that the caller may cancel. Those of other crates run to their end, for seconds from 10⁷ values on.
+//! A stable, cancellable sort. Other crates' sorts cannot be cancelled and take seconds from 10⁷ values on.
 
 use std::cmp::Ordering;
 
 use super::{Progress, Result};
 
-/// Number of values that are sorted or merged between two checks whether the caller has cancelled.
+/// Values sorted or merged between two checks for cancellation.
 const VALUES_PER_CHECK: usize = 1 << 16;
 
-/// A float64 number in the total order of IEEE 754.
+/// A float64 in the total order of IEEE 754.
 #[derive(Clone, Copy, Debug)]
 pub struct Ordered(pub f64);
 
@@ -45,7 +45,7 @@ pub fn sort_by_key<T: Copy + Send + Sync, K: Ord>(
     sort(values, &mut room, &key, progress)
 }
 
-/// Sorts `values`; `room` holds the same ones, and anything afterwards.
+/// Sorts `values`. `room` must hold a copy of them; its contents afterwards are unspecified.
 fn sort<T: Copy + Send + Sync, K: Ord>(
     values: &mut [T],
     room: &mut [T],
@@ -63,7 +63,7 @@ fn sort<T: Copy + Send + Sync, K: Ord>(
     merge([c, d], values, key, progress)
 }
 
-/// Merges two sorted parts; of equal keys those of the first part come first.
+/// Merges two sorted parts; values of the first part come first among equal keys.
 fn merge<T: Copy + Send + Sync, K: Ord>(
     [a, b]: [&[T]; 2],
     to: &mut [T],
@@ -74,7 +74,7 @@ fn merge<T: Copy + Send + Sync, K: Ord>(
         merge_run([a, b], to, key);
         return progress.check();
     }
-    // Half of the longer part, and as much of the other one as comes before its second half.
+    // Half of the longer part, and the values of the other part that belong before the second half.
     let (i, j) = if a.len() >= b.len() {
         let pivot = key(&a[a.len() / 2]);
         (a.len() / 2, b.partition_point(|value| key(value) < pivot))

@@ -1,15 +1,15 @@
-//! The curve of points that the morph shows in one direction, and its polyline.
+//! Curve of points that the morph shows in one direction, and its polyline.
 
 use glam::{DVec2, DVec3};
 
 use crate::morph::Morph;
 
-/// Greatest number of steps of the root search. Bisection alone needs one step for each of a float64's 53 bits of
+/// Maximum number of steps of the root search. Bisection alone needs one step for each of a float64's 53 bits of
 /// precision.
 const STEPS: usize = 80;
-/// Greatest number of halvings of a stretch beyond the number that the tolerance requires.
+/// Maximum number of halvings of a stretch beyond the number that the tolerance requires.
 const SPARE_HALVINGS: u32 = 8;
-/// Greatest number of chords of a stretch, multiplied by the square root of the tolerance in radians. Where the picture
+/// Maximum number of chords of a stretch, multiplied by the square root of the tolerance in radians. Where the picture
 /// folds, the curve jumps and no chord meets the tolerance.
 pub(super) const MAX_CHORDS: f64 = 64.0;
 /// Ratio of a chord's end to its start, both as distances from the user, above which the chord is halved on a
@@ -17,11 +17,11 @@ pub(super) const MAX_CHORDS: f64 = 64.0;
 const LONG_CHORD: f64 = 4.0;
 /// s at which a vertical curve is cut, as a multiple of r₂ + |v⊥|.
 const UPRIGHT_END: f64 = 1e4;
-/// Share of the tolerance that a chord may miss by at the tested points. Between them the error may reach the full
+/// Fraction of the tolerance that a chord may use at the tested points. Between them the error may reach the full
 /// tolerance.
 const CHORD_SHARE: f64 = 0.75;
 
-/// The curve of points that the morph shows in one direction. Symbols are those of the module `bend`.
+/// Curve of points that the morph shows in one direction. Symbols are those of the module `bend`.
 #[derive(Clone, Copy, Debug)]
 pub struct RayCurve<'a> {
     morph: &'a Morph,
@@ -47,11 +47,12 @@ pub struct Stretch {
 }
 
 impl<'a> RayCurve<'a> {
-    /// The curve in a direction, a unit vector.
+    /// Creates the curve in a direction, a unit vector.
     pub fn new(morph: &'a Morph, direction: DVec3) -> Self {
         let v = morph.center - morph.user;
         let along = v.dot(direction);
-        // The projection is removed twice: after one subtraction a part along d of the size of its rounding may remain.
+        // The projection is subtracted twice: after one subtraction a part along d of the size of its rounding may
+        // remain.
         let once = v - direction * along;
         let rest = once - direction * once.dot(direction);
         let beside = rest.length();
@@ -59,26 +60,26 @@ impl<'a> RayCurve<'a> {
         Self { morph, direction, along, beside, across }
     }
 
-    /// The point at s along the user's ray and y beside it, in metres.
+    /// Returns the point at s along the user's ray and y beside it, in metres.
     pub fn point(&self, s: f64, y: f64) -> DVec3 {
         self.morph.user + self.direction * s + self.across * y
     }
 
-    /// The point where the centre's parallel ray leaves r₂: its s, and its distance from O. `None` for a vertical
-    /// direction.
+    /// Returns the point where the centre's parallel ray leaves r₂: its s, and its distance from O. `None` for a
+    /// vertical direction.
     pub fn end(&self) -> Option<(f64, f64)> {
         let slope = on_ground(self.direction).length();
         let from_center = self.morph.r2 / slope;
         from_center.is_finite().then_some((self.along + from_center, from_center))
     }
 
-    /// The curve's last point before r₂, on the centre's ray, at a distance from O.
+    /// Returns the curve's last point before r₂, on the centre's ray, at a distance from O.
     pub fn last(&self, from_center: f64) -> DVec3 {
         self.morph.center + self.direction * from_center
     }
 
-    /// s of the curve's start: at U, or at O if a strength below 1 leaves U less than half of the view. For just half of
-    /// it, points between U and O have no direction, and the curve starts at the one that it leaves.
+    /// Returns s of the curve's start: at U, or at O if a strength below 1 gives U's view a weight below ½. At exactly
+    /// ½, points between U and O have no direction, and the curve starts where it leaves that segment.
     pub fn start(&self) -> f64 {
         let away = on_ground(self.morph.user - self.morph.center).length();
         let weight = self.morph.weight(away);
@@ -91,10 +92,10 @@ impl<'a> RayCurve<'a> {
         }
     }
 
-    /// The stretches of the curve from its start to r₂, in order of s. There are three if the ray of a user between the
-    /// radii crosses r₁.
+    /// Returns the stretches of the curve from its start to r₂, in order of s. There are three if the ray of a user
+    /// between the radii crosses r₁.
     pub fn stretches(&self) -> Vec<Stretch> {
-        // Vertical curves have no end; they are cut far beyond both radii.
+        // Vertical curves never reach r₂; they are cut far beyond both radii.
         let end = self.end().map_or(UPRIGHT_END * (self.morph.r2 + self.beside), |(s, _)| s);
         let start = self.start();
         if self.beside == 0.0 || end <= start {
@@ -118,7 +119,7 @@ impl<'a> RayCurve<'a> {
         stretches
     }
 
-    /// The interval of s in which the user's ray lies inside r₁ and is the curve.
+    /// Returns the interval of s in which the user's ray lies inside r₁ and coincides with the curve.
     fn within_r1(&self) -> Option<(f64, f64)> {
         if self.morph.strength < 1.0 {
             return None;
@@ -127,13 +128,14 @@ impl<'a> RayCurve<'a> {
         within_cylinder(p, d, self.morph.r1).filter(|&(_, leave)| leave > 0.0)
     }
 
-    /// y(s), found from a first guess. Where the picture folds there are several roots; the search finds one of them.
+    /// Returns y(s), found from an initial guess. Where the picture folds there are several roots; the search finds
+    /// one of them.
     pub fn offset(&self, s: f64, guess: f64) -> f64 {
         self.search(s, guess, f64::EPSILON)
     }
 
-    /// Like `offset`, but the search ends when a step is below `precision` |v⊥|. The error after Newton's last step is
-    /// about the square of that step.
+    /// Same as `offset`, but the search ends when a step is below `precision` |v⊥|. The error after Newton's last step
+    /// is about the square of that step.
     #[inline]
     pub fn search(&self, s: f64, guess: f64, precision: f64) -> f64 {
         let (mut low, mut high) = (0.0, self.beside);
@@ -158,7 +160,7 @@ impl<'a> RayCurve<'a> {
         y
     }
 
-    /// The equation for y multiplied by |P−U| |P−O|, and its derivative by y.
+    /// Returns the equation for y multiplied by |P−U| |P−O|, and its derivative by y.
     #[inline]
     fn residual(&self, s: f64, y: f64) -> (f64, f64) {
         let Morph { r1, r2, strength, .. } = *self.morph;
@@ -170,13 +172,13 @@ impl<'a> RayCurve<'a> {
         let value = w * y * b + (1.0 - w) * z * a;
         let fades = w > 0.0 && w < strength;
         let turn = if fades { -strength * from_axis.dot(on_ground(self.across)) / (rho * (r2 - r1)) } else { 0.0 };
-        // Where a length is 0 the value is 0 as well, and the slope is not used.
+        // If a length is 0, the value is 0 as well, and the slope is not used.
         let slope = w * (b + y * z / b) + (1.0 - w) * (a + y * z / a) + turn * (y * b - z * a);
         (value, slope)
     }
 
-    /// Upper bound of the angle between d and the direction in which the morph shows a point of the curve's plane: the
-    /// tangent of the angle. Infinite for angles of 90° or more.
+    /// Returns an upper bound of the angle between d and the direction in which the morph shows a point of the curve's
+    /// plane: the tangent of the angle. Infinite for angles of 90° or more.
     #[inline]
     pub fn miss(&self, s: f64, y: f64) -> f64 {
         let w = self.morph.weight(on_ground(self.point(s, y) - self.morph.center).length());
@@ -187,8 +189,8 @@ impl<'a> RayCurve<'a> {
         if along > 0.0 { across.abs() / along } else { f64::INFINITY }
     }
 
-    /// Appends the points of a polyline whose chords miss the direction by at most a tolerance in radians. The first
-    /// point lies at `stretch.from`, the last at `stretch.to`.
+    /// Appends the points of a polyline whose chords deviate from the direction by at most a tolerance in radians. The
+    /// first point lies at `stretch.from`, the last at `stretch.to`.
     fn flatten(&self, stretch: &Stretch, tolerance: f64, points: &mut Vec<DVec3>) {
         let at = |s: f64, guess: f64| (s, self.offset(s, guess));
         let first = at(stretch.from, 0.0);
@@ -219,16 +221,16 @@ impl<'a> RayCurve<'a> {
                 || self.is_flat(a, middle, levels - 1, tolerance) && self.is_flat(middle, b, levels - 1, tolerance))
     }
 
-    /// Midpoint of a chord. The curve's bending falls with the distance from the user, so long chords are halved on a
-    /// logarithmic scale of s, which begins at |v⊥|.
+    /// Returns the midpoint of a chord. The curvature falls with the distance from the user, so long chords are halved
+    /// on a logarithmic scale of s, which begins at |v⊥|.
     fn middle(&self, a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
         let near = a.0.max(self.beside);
         let s = if b.0 > LONG_CHORD * near { (near * b.0).sqrt() } else { 0.5 * (a.0 + b.0) };
         (s, a.1 + (b.1 - a.1) * (s - a.0) / (b.0 - a.0))
     }
 
-    /// The curve as a polyline: its start (U for users inside r₁ at full strength), its bends, and the point where it leaves r₂. From
-    /// that point it continues along d.
+    /// Returns the curve as a polyline: its start (U for users inside r₁ at full strength), its bends, and the point
+    /// where it leaves r₂. From there it continues along d.
     pub fn polyline(&self, tolerance: f64) -> Vec<DVec3> {
         if self.morph.r2 == 0.0 {
             return vec![self.morph.center];
@@ -253,13 +255,13 @@ impl<'a> RayCurve<'a> {
     }
 }
 
-/// The horizontal components.
+/// Returns the horizontal components.
 pub(crate) fn on_ground(p: DVec3) -> DVec2 {
     DVec2::new(p.x, p.z)
 }
 
-/// The interval in which a ray lies inside a vertical cylinder, in units of the direction's length. `start` is relative
-/// to the axis.
+/// Returns the interval in which a ray lies inside a vertical cylinder, in units of the direction's length. `start` is
+/// relative to the axis.
 pub(crate) fn within_cylinder(start: DVec2, direction: DVec2, radius: f64) -> Option<(f64, f64)> {
     let (a, b) = (direction.length_squared(), start.dot(direction));
     let c = start.length_squared() - radius * radius;

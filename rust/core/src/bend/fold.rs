@@ -1,4 +1,4 @@
-//! The fold margin: how far the user may move before two neighbouring surface points change sides in the picture.
+//! Fold margin: how far the user may move before two neighbouring surface points change sides in the picture.
 
 use glam::{DMat3, DVec3};
 
@@ -6,26 +6,27 @@ use super::curve::on_ground;
 use crate::base::{Error, Result};
 use crate::morph::{Kind, Morph};
 
-/// Numbers of samples in distance, azimuth and elevation, before the worst samples are refined.
+/// Number of samples in distance, azimuth and elevation, before the worst samples are refined.
 const GRID: [usize; 3] = [13, 25, 31];
 /// Number of the worst samples that are refined.
 const FOLLOWED: usize = 6;
-/// Tolerance of the margin, as a share of r₂ − r₁.
+/// Tolerance of the margin, relative to r₂ − r₁.
 const MARGIN_PRECISION: f64 = 1e-4;
 
-/// Greatest distance of the user from the centre, metres; products of greater lengths overflow.
+/// Maximum distance of the user from the centre, metres; products of longer lengths overflow.
 const FARTHEST: f64 = 1e30;
 
-/// Metres that the user may still move horizontally, away from the axis, before the determinant of the morph's Jacobian
-/// changes its sign somewhere between the radii. It is negative where the sign has changed already, and −∞ where it
-/// changes even for a user on the axis. The user's height stays as given.
+/// Returns the metres that the user may still move horizontally, away from the axis, before the determinant of the
+/// morph's Jacobian changes its sign somewhere between the radii. It is negative if the sign has changed already, and
+/// −∞ if it changes even for a user on the axis. The user's height stays as given.
 ///
 /// For `Kind::Cylinder` at full strength the margin is r₁ − |(U−O)_h|: a user beyond r₁ stands outside cylinders on
-/// which points must stay. Where w is constant, as within r₁, nothing folds: M = w (1 − d_U d_Uᵀ)/A + (1−w) (1 − d_O d_Oᵀ)/B
-/// has no negative eigenvalue and m = w d_U + (1−w) d_O is the gradient of the distance, so that a step v with M v ∥ m
-/// and m·v = 0 has v·M v = 0 and is along both directions, hence 0. Each cylinder has one w, and its points are told apart
-/// by their directions if U stands inside, at about O's height. So a user within r₁ folds nothing at any strength. Points
-/// nearer to the axis than U are shown at the blend's distance, and fold as a blend does. Without strength nothing folds.
+/// which points must stay. Where w is constant, as within r₁, nothing folds: M = w (1 − d_U d_Uᵀ)/A + (1−w) (1 − d_O
+/// d_Oᵀ)/B has no negative eigenvalue and m = w d_U + (1−w) d_O is the gradient of the distance, so that a step v with
+/// M v ∥ m and m·v = 0 has v·M v = 0 and is parallel to both directions, hence 0. On each cylinder w is constant, and
+/// its points differ in direction if U stands inside, at about O's height. So no strength folds the picture of a user
+/// within r₁. Points nearer to the axis than U are shown at the blend's distance, and fold as a blend does. At
+/// strength 0 nothing folds.
 pub fn margin(morph: &Morph) -> Result<f64> {
     if morph.strength == 0.0 {
         return Ok(f64::INFINITY);
@@ -47,8 +48,8 @@ pub fn margin(morph: &Morph) -> Result<f64> {
         let moved = Morph::new(user, morph.center, morph.r1, morph.r2, morph.kind)?.with_strength(morph.strength)?;
         Ok(least_determinant(&moved) <= 0.0)
     };
-    // A user at (r₂ − r₁)/s from the axis always folds the picture: on the line through U and O, behind O, the distance
-    // shown falls as ρ grows.
+    // A user at (r₂ − r₁)/s from the axis always folds the picture: on the line through U and O, behind O, the
+    // displayed distance falls as ρ grows.
     let (mut sound, mut folded) = (0.0, width / morph.strength);
     match morph.kind {
         Kind::Blend if folds(0.0)? => return Ok(f64::NEG_INFINITY),
@@ -66,14 +67,14 @@ pub fn margin(morph: &Morph) -> Result<f64> {
     Ok(0.5 * (sound + folded) - away)
 }
 
-/// The least determinant of the Jacobian between the radii, with `Kind::Cylinder` where points are shown at the blend's
-/// distance. Its scale does not depend on the distance.
+/// Returns the minimum determinant of the Jacobian between the radii; for `Kind::Cylinder`, where points are shown at
+/// the blend's distance. Its scale does not depend on the distance.
 fn least_determinant(morph: &Morph) -> f64 {
     let offset = morph.user - morph.center;
     let away = on_ground(offset).length();
     let Morph { r1, r2, strength, .. } = *morph;
     if strength > 0.5 && away > r1 && 3.0 * away >= r1 + r2 - (r2 - r1) * (1.0 / strength - 1.0) {
-        // On the line from U to O the two see a point in opposite directions, and the distance shown changes with
+        // On the line from U to O the two see a point in opposite directions, and the displayed distance changes with
         // 2w − 1 + s (|U−O| − 2ρ)/(r₂−r₁). Next to the user this vanishes at 3 |U−O| = 2 r₂ − (r₂−r₁)/s.
         return 0.0;
     }
@@ -92,7 +93,7 @@ fn least_determinant(morph: &Morph) -> f64 {
     followed.fold(f64::INFINITY, f64::min)
 }
 
-/// Follows the determinant downhill, axis by axis, until the step is below 10⁻⁴ of the range.
+/// Minimises the determinant axis by axis, until the step is below 10⁻⁴ of the range.
 fn follow(morph: &Morph, mut value: f64, mut place: [f64; 3]) -> f64 {
     let mut step = 1.0 / GRID[0] as f64;
     while step > 1e-4 {
@@ -114,8 +115,9 @@ fn follow(morph: &Morph, mut value: f64, mut place: [f64; 3]) -> f64 {
     value
 }
 
-/// Determinant of the Jacobian at a place: `depth` is the share of the way from r₁ to r₂, `turn` the share of half a
-/// turn from the user's side, `lift` the share of 86° (1.5 rad) up or down as seen from the centre.
+/// Returns the determinant of the Jacobian at a position: `depth` is the fraction of the way from r₁ to r₂, `turn` the
+/// fraction of half a turn from the user's side, `lift` the fraction of 86° (1.5 rad) up or down as seen from the
+/// centre.
 fn determinant(morph: &Morph, [depth, turn, lift]: [f64; 3]) -> f64 {
     let farthest = match morph.kind {
         Kind::Blend => morph.r2,

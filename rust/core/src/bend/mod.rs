@@ -1,4 +1,4 @@
-//! The inverse of the morph for one direction: the curve of points that the morph shows there.
+//! Inverse of the morph for one direction: the curve of points that the morph shows there.
 //!
 //! U is the user's eye, O the centre, w the weight of the user's view, v = O − U, and d a unit direction. The
 //! directions from U and O to a point and the line U O are coplanar, so the points that the morph shows in direction d
@@ -14,8 +14,8 @@
 //!
 //! With a strength below 1, w is constant within r₁ instead of 1, and the curve bends there too. On it w sin α = (1−w)
 //! sin β, where α and β are the angles from d to the directions in which U and O see P. If w > ½, w |cos α| > (1−w)
-//! |cos β|, so the blend points along d where U sees P ahead, and the curve starts at U. If w < ½, it starts at O, by the
-//! same reason.
+//! |cos β|, so the blend points along d where U sees P ahead, and the curve starts at U. If w < ½, it starts at O for
+//! the same reason.
 
 mod curve;
 mod fold;

@@ -7,10 +7,10 @@ use super::curve::RayCurve;
 use crate::base::{Error, Progress, Result, memory::room_for};
 use crate::morph::Morph;
 
-/// Least tolerance in radians. A polyline with this tolerance has some thousand points.
+/// Minimum tolerance in radians. A polyline with this tolerance has a few thousand points.
 const LEAST_TOLERANCE: f64 = 1e-9;
 
-/// Polylines of many rays, each padded with NaN to the longest. Returns rows × `longest` points, and `longest`.
+/// Returns the polylines of many rays, each padded with NaN to the longest: rows × `longest` points, and `longest`.
 /// Directions may have any length above 0.
 pub fn bend_rays(
     morph: &Morph,

@@ -13,7 +13,7 @@ fn angle(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b))
 }
 
-/// Angle between the curve's direction and the direction in which the morph shows a point of the curve.
+/// Returns the angle between the curve's direction and the direction in which the morph shows a point of the curve.
 fn shown_miss(morph: &Morph, point: DVec3, direction: DVec3) -> f64 {
     angle(morph.apply(point) - morph.user, direction)
 }

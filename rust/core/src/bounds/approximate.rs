@@ -1,31 +1,31 @@
-//! Bounding spheres that need one or a few passes over the points.
+//! Approximate bounding spheres, from one or a few passes over the points.
 
 use super::scan::Cloud;
 use super::sphere::Sphere;
 use crate::base::{Real, Result};
 
-/// Number of points between two checks whether the caller has cancelled.
+/// Points between two checks for cancellation.
 const POINTS_PER_CHECK: usize = 1 << 16;
 
-/// The sphere about the mean of the points.
+/// Returns the sphere about the mean of the points.
 pub(super) fn average<T: Real>(cloud: &Cloud<'_, T>) -> Result<Sphere> {
     let center = cloud.mean()?;
     Ok(Sphere { center, radius: cloud.farthest(center)?.0 })
 }
 
-/// The sphere about the middle of the bounding box.
+/// Returns the sphere about the middle of the bounding box.
 pub(super) fn min_max<T: Real>(cloud: &Cloud<'_, T>) -> Result<Sphere> {
     let center = (cloud.bounds[0] + cloud.bounds[1]) * 0.5;
     Ok(Sphere { center, radius: cloud.farthest(center)?.0 })
 }
 
-/// The smaller of the two spheres above.
+/// Returns the smaller of the two spheres above.
 pub(super) fn best<T: Real>(cloud: &Cloud<'_, T>) -> Result<Sphere> {
     let (one, other) = (average(cloud)?, min_max(cloud)?);
     Ok(if one.radius <= other.radius { one } else { other })
 }
 
-/// Ritter's sphere: it starts from two distant points and grows to contain each point outside, in order.
+/// Returns Ritter's sphere: it starts from two distant points and grows to contain each outside point, in order.
 pub(super) fn ritter<T: Real>(cloud: &Cloud<'_, T>) -> Result<Sphere> {
     let (_, one) = cloud.farthest(cloud.at(&cloud.points[0]))?;
     let (apart, other) = cloud.farthest(one)?;

@@ -1,4 +1,4 @@
-//! The bounding sphere of points, and of groups of points.
+//! Bounding spheres of points and of groups of points.
 
 use rayon::prelude::*;
 
@@ -11,7 +11,7 @@ use crate::base::{Error, Progress, Real, Result};
 /// two.
 const PLAIN_EXTENTS: std::ops::Range<f64> = 1e-140..1e140;
 
-/// The bounding sphere of points. No point lies outside by more than the rounding of the radius.
+/// Returns the bounding sphere of points. No point lies outside by more than the rounding of the radius.
 pub fn bounding_sphere<T: Real>(points: &[[T; 3]], method: SphereMethod, progress: &Progress) -> Result<Sphere> {
     let cloud = Cloud::new(points, progress)?;
     let extent = cloud.extent();
@@ -28,13 +28,12 @@ pub fn bounding_sphere<T: Real>(points: &[[T; 3]], method: SphereMethod, progres
     let small = Cloud::new(&scaled, progress)?;
     let sphere = small.placed(&of(&small, method)?)?;
     let center = cloud.origin + sphere.center / scale;
-    // Measured distances would need squares, which overflow here. The rounding of the centre is added to the radius
-    // instead.
+    // Squares of distances would overflow here, so the rounding of the centre is added to the radius instead.
     let moved = ((center - cloud.origin) - sphere.center / scale).abs().max_element();
     Ok(Sphere { center, radius: sphere.radius / scale + 2.0 * moved })
 }
 
-/// The sphere in the cloud's own frame.
+/// Returns the sphere in the cloud's own frame.
 fn of<T: Real>(cloud: &Cloud<'_, T>, method: SphereMethod) -> Result<Sphere> {
     match method {
         SphereMethod::Exact => exact::smallest(cloud),
@@ -45,7 +44,7 @@ fn of<T: Real>(cloud: &Cloud<'_, T>, method: SphereMethod) -> Result<Sphere> {
     }
 }
 
-/// The bounding spheres of groups of points; group n is `points[offsets[n]..offsets[n + 1]]`.
+/// Returns the bounding spheres of groups of points; group n is `points[offsets[n]..offsets[n + 1]]`.
 pub fn bounding_spheres<T: Real>(
     points: &[[T; 3]],
     offsets: &[i64],

@@ -1,6 +1,6 @@
-//! The smallest bounding sphere: starting from a few points, the farthest point outside is added until none is outside.
+//! Smallest bounding sphere: starting from a few points, the farthest outside point is added until none is outside.
 //!
-//! Gärtner: Fast and robust smallest enclosing balls, 1999. Points deep inside are put aside once: a point inside by a
+//! Gärtner: Fast and robust smallest enclosing balls, 1999. Points deep inside are set aside: a point inside by a
 //! distance d stays inside while the centre moves less than d.
 
 use glam::DVec3;
@@ -10,11 +10,11 @@ use super::sphere::Sphere;
 use super::support::Support;
 use crate::base::{Progress, Real, Result};
 
-/// Number of points up to which all points are kept. Of more points, those deep inside the sphere are put aside.
+/// Number of points up to which all are scanned in each step. For more points, those deep inside are set aside.
 const ALL_KEPT: usize = 1 << 12;
-/// Thickness of the shell in which points are kept, as a share of the radius.
+/// Thickness of the shell in which points are kept, relative to the radius.
 const SHELL: f64 = 0.05;
-/// Number of steps without a smaller sphere after which the search ends; the remaining error is rounding.
+/// Steps without a smaller sphere after which the search ends; the remaining error is rounding.
 const STALLED_STEPS: usize = 24;
 /// Relative rounding error of distances.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;

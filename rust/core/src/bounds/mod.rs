@@ -1,4 +1,4 @@
-//! Bounding spheres: the smallest, and larger ones that cost less; the solid angles of spheres.
+//! Bounding spheres (the smallest, and faster, larger ones) and the solid angles of spheres.
 
 mod approximate;
 mod bounding;

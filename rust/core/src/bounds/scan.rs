@@ -7,29 +7,29 @@ use super::sphere::Sphere;
 use crate::base::simd::{prefetch, vectorized};
 use crate::base::{Error, Progress, Real, Result};
 
-/// Number of points in one task. It is fixed, so that results do not depend on the number of threads.
+/// Number of points per task: fixed, so that results do not depend on the number of threads.
 const TILE: usize = 1 << 12;
 /// Number of points that one vector operation processes.
 const LANES: usize = 8;
 
-/// Number of blocks by which the prefetch runs ahead of the computation.
+/// Prefetch distance, blocks.
 const PREFETCHED_BLOCKS: usize = 12;
 
 /// Number of directions along which extreme points are found: three axes and four space diagonals.
 const DIRECTIONS: usize = 7;
-/// Number of axes; they are the first directions.
+/// Number of axes; they come first among the directions.
 const AXES: usize = 3;
-/// Stride in blocks: only every eighth block is projected on the diagonals.
+/// Stride in blocks: only every eighth block is projected onto the diagonals.
 const DIAGONAL_STRIDE: usize = 8;
 
-/// Least and greatest value along each direction.
+/// Minimum and maximum along each direction.
 #[derive(Clone, Copy, Debug)]
 pub struct Extremes {
     low: [f64; DIRECTIONS],
     high: [f64; DIRECTIONS],
 }
 
-/// A point's coordinates along the directions; those along diagonals are not normalised.
+/// Projects a point onto the directions; the diagonals are not normalised.
 #[inline(always)]
 fn along<T: Real>(&[x, y, z]: &[T; 3]) -> [f64; DIRECTIONS] {
     let (x, y, z) = (x.wide(), y.wide(), z.wide());
@@ -37,32 +37,31 @@ fn along<T: Real>(&[x, y, z]: &[T; 3]) -> [f64; DIRECTIONS] {
 }
 
 vectorized! {
-    /// Greatest squared distance from a centre, and the index of the point that has it.
+    /// Returns the maximum squared distance from a centre, and the index of its point.
     fn farthest<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> (f64, usize) = farthest_kernel;
     /// Appends, relative to the origin, the points whose squared distance from a centre exceeds a limit.
     fn beyond<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3, limit: f64, found: &mut Vec<[f64; 3]>)
         = beyond_kernel;
-    /// Sum of the points, relative to the origin.
+    /// Returns the sum of the points, relative to the origin.
     fn sum<T: Real>(points: &[[T; 3]], origin: DVec3) -> DVec3 = sum_kernel;
-    /// Least and greatest value along each direction; NaN if a coordinate is not finite.
+    /// Returns the minimum and maximum along each direction; NaN if a coordinate is not finite.
     fn extremes<T: Real>(points: &[[T; 3]]) -> Extremes = extremes_kernel;
 }
 
-/// Finite points, relative to the first of them. This keeps all digits of differences between neighbours, however far
-/// from zero the points lie.
+/// Finite points, relative to the first of them, so that differences between neighbours keep all digits far from zero.
 pub(super) struct Cloud<'a, T> {
     pub points: &'a [[T; 3]],
-    /// Where the caller may cancel.
+    /// Progress and cancellation.
     pub progress: &'a Progress,
     pub origin: DVec3,
-    /// Least and greatest coordinates, relative to the origin.
+    /// Minimum and maximum coordinates, relative to the origin.
     pub bounds: [DVec3; 2],
-    /// Points that are least or greatest along a direction, relative to the origin.
+    /// Extreme points along each direction, relative to the origin.
     pub extremes: Vec<DVec3>,
 }
 
 impl<'a, T: Real> Cloud<'a, T> {
-    /// Scans all points; refuses an empty array and points that are not finite.
+    /// Scans all points; fails for an empty array and for points that are not finite.
     pub fn new(points: &'a [[T; 3]], progress: &'a Progress) -> Result<Self> {
         let Some(first) = points.first() else {
             return Err(Error::value("points", "at least one point", "none"));
@@ -79,7 +78,7 @@ impl<'a, T: Real> Cloud<'a, T> {
             let got = points[index].map(T::wide);
             return Err(Error::value("points", "finite coordinates", format!("{got:?} at index {index}")));
         }
-        // A tile stores its extreme values only; the point is searched in the tile that has the most extreme value.
+        // Tiles store only extreme values; the point itself is searched in the tile with the most extreme value.
         let point = |is_extreme: &dyn Fn(&[f64; DIRECTIONS]) -> bool, tile: Option<usize>| {
             let from = tile.unwrap_or(0) * TILE;
             let near = points[from..].iter().take(TILE);
@@ -107,7 +106,7 @@ impl<'a, T: Real> Cloud<'a, T> {
         DVec3::from_array(point.map(T::wide)) - self.origin
     }
 
-    /// Greatest distance from a centre, and the first point that has it.
+    /// Returns the maximum distance from a centre, and the first point that has it.
     pub fn farthest(&self, center: DVec3) -> Result<(f64, DVec3)> {
         farthest_of(self.points, self.origin, center, self.progress)
     }
@@ -117,7 +116,7 @@ impl<'a, T: Real> Cloud<'a, T> {
         Ok(tiles.into_iter().sum::<DVec3>() / self.points.len() as f64)
     }
 
-    /// Points farther than a distance from a centre, in order.
+    /// Returns the points farther than a distance from a centre, in order.
     pub fn beyond(&self, center: DVec3, distance: f64) -> Result<Vec<[f64; 3]>> {
         let tile = |_: usize, points: &[[T; 3]]| {
             let mut found = Vec::new();
@@ -138,7 +137,7 @@ impl<'a, T: Real> Cloud<'a, T> {
     }
 }
 
-/// Greatest distance from a centre, and the first point that has it; both relative to the origin.
+/// Returns the maximum distance from a centre, and the first point that has it; both relative to the origin.
 pub(super) fn farthest_of<T: Real>(
     points: &[[T; 3]],
     origin: DVec3,
@@ -155,7 +154,7 @@ pub(super) fn farthest_of<T: Real>(
     Ok((squared.sqrt(), DVec3::from_array(points[index].map(T::wide)) - origin))
 }
 
-/// Results of a kernel for each tile, in order.
+/// Collects a kernel's result for each tile, in order.
 fn each_tile<T: Sync, R: Send>(
     points: &[[T; 3]],
     progress: &Progress,
@@ -165,13 +164,13 @@ fn each_tile<T: Sync, R: Send>(
     points.par_chunks(TILE).enumerate().map(tile).collect()
 }
 
-/// The lesser value; NaN if the first is NaN.
+/// Returns the smaller value; NaN if the first is NaN.
 #[inline(always)]
 fn lesser(a: f64, b: f64) -> f64 {
     if a.is_nan() || a < b { a } else { b }
 }
 
-/// The coordinates of a block, sorted by axis.
+/// Transposes a block to rows of x, y and z.
 #[inline(always)]
 fn gather<T: Real>(block: &[[T; 3]; LANES]) -> [[f64; LANES]; 3] {
     let mut lanes = [[0.0; LANES]; 3];
@@ -284,7 +283,7 @@ fn squares<T: Real>(block: &[[T; 3]; LANES], origin: [f64; 3], center: [f64; 3])
 fn farthest_kernel<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> (f64, usize) {
     let (origin, center) = (origin.to_array(), center.to_array());
     let (blocks, rest) = points.as_chunks::<LANES>();
-    // The greatest value of each lane and its block; of equal values the first.
+    // Maximum of each lane and its block; the first of equal values.
     let (mut most, mut which) = ([f64::NEG_INFINITY; LANES], [0.0; LANES]);
     let mut number = 0.0;
     for (n, block) in blocks.iter().enumerate() {

@@ -15,16 +15,16 @@ const TILE: usize = 1 << 12;
 pub struct Seen {
     /// Unit vector from the eye to the centre.
     pub direction: DVec3,
-    /// Sine of half the angle that the sphere subtends.
+    /// Sine of half the subtended angle.
     pub sine: f64,
-    /// Cosine of the same angle.
+    /// Cosine of half the subtended angle.
     pub cosine: f64,
 }
 
 impl Seen {
-    /// `None` if the eye is inside the sphere or on it. `offset` leads from the eye to the centre.
+    /// Creates the view of a sphere; `None` if the eye is in or on it. `offset` points from the eye to the centre.
     pub fn new(offset: DVec3, radius: f64) -> Option<Self> {
-        // Scaled, because the squares of lengths beyond 10±¹⁵⁴ overflow or underflow.
+        // Scaled, because squares of lengths beyond 10±¹⁵⁴ overflow or underflow.
         let scale = offset.abs().max_element().max(radius);
         if scale == 0.0 {
             return None;
@@ -39,13 +39,13 @@ impl Seen {
         })
     }
 
-    /// σ = 2π (1 − cos μ) in steradians, with μ half the subtended angle, in a form without cancellation.
+    /// Returns σ = 2π (1 − cos μ) in steradians, with μ half the subtended angle, in a form without cancellation.
     pub fn solid_angle(&self) -> f64 {
         2.0 * PI * (self.sine * self.sine / (1.0 + self.cosine))
     }
 }
 
-/// Checks spheres, and writes the results of `of` tile by tile.
+/// Checks spheres and writes the results of `of` tile by tile.
 pub fn each_tile(
     centers: &[[f64; 3]],
     radii: &[f64],
@@ -60,7 +60,7 @@ pub fn each_tile(
     })
 }
 
-/// Refuses spheres that are not finite; `first` is the index of the first sphere, for the message.
+/// Fails for spheres that are not finite; `first` is the index of the first sphere, for the message.
 pub fn check(centers: &[[f64; 3]], radii: &[f64], eye: DVec3, first: usize) -> Result<()> {
     for (n, (center, &radius)) in centers.iter().zip(radii).enumerate() {
         let at = first + n;
@@ -75,7 +75,7 @@ pub fn check(centers: &[[f64; 3]], radii: &[f64], eye: DVec3, first: usize) -> R
     Ok(())
 }
 
-/// Solid angles in steradians; 4π if the eye is in or on the sphere.
+/// Writes solid angles in steradians; 4π if the eye is in or on the sphere.
 pub fn solid_angles(
     centers: &[[f64; 3]],
     radii: &[f64],

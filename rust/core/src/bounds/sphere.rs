@@ -1,4 +1,4 @@
-//! Spheres, and the methods that find a bounding sphere.
+//! Spheres, and methods for bounding spheres.
 
 use glam::DVec3;
 
@@ -11,12 +11,13 @@ pub struct Sphere {
     pub radius: f64,
 }
 
-/// Method that finds a bounding sphere of points.
+/// Method for the bounding sphere of points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SphereMethod {
     /// The smallest sphere.
     Exact,
-    /// Two distant points, then each point that lies outside. Ritter: An efficient bounding sphere, 1990.
+    /// Starts from two distant points and grows to contain each outside point. Ritter: An efficient bounding sphere,
+    /// 1990.
     Ritter,
     /// The sphere about the mean of the points.
     Average,

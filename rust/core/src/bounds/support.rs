@@ -1,4 +1,4 @@
-//! The smallest sphere about a few points, found by trying all possible supports.
+//! Smallest sphere about a few points, by trying all possible supports.
 
 use glam::DVec3;
 
@@ -12,19 +12,19 @@ pub(super) struct Support {
 }
 
 impl Support {
-    /// The sphere of radius 0 about one point.
+    /// Creates the sphere of radius 0 about one point.
     pub fn point(point: DVec3) -> Self {
         Self { points: [point; 4], count: 1, center: point, radius: 0.0 }
     }
 
-    /// The points of the support.
+    /// Returns the points of the support.
     pub fn points(&self) -> &[DVec3] {
         &self.points[..self.count]
     }
 
-    /// The smallest sphere about this support and a new point outside the sphere; the new point lies on its surface. Of
-    /// all spheres that a subset of the points determines, it takes the one whose radius needs the least increase to
-    /// contain all points. So a degenerate subset, whose sphere is not defined, is never chosen.
+    /// Returns the smallest sphere about this support and a new point outside the sphere; the new point lies on its
+    /// surface. Among the spheres determined by subsets of the points, it takes the one whose radius needs the smallest
+    /// increase to contain all points. So a degenerate subset, whose sphere is undefined, is never chosen.
     pub fn with(&self, new: DVec3) -> Self {
         let old = self.points();
         let mut best = Self { radius: f64::INFINITY, ..Self::point(new) };
@@ -49,12 +49,12 @@ impl Support {
     }
 }
 
-/// The greater value; NaN if either is NaN.
+/// Returns the larger value; NaN if either is NaN.
 fn worse(a: f64, b: f64) -> f64 {
     if a.is_nan() || a > b { a } else { b }
 }
 
-/// The point equidistant from one to four points: in their plane if there are three, on their line if there are two.
+/// Returns the point equidistant from one to four points: in their plane if there are three, on their line if two.
 pub(super) fn equidistant(points: &[DVec3]) -> DVec3 {
     let from = points[0];
     match *points {

@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::base::Progress;
 
-/// Radius of the smallest sphere that contains all points, over all spheres that two to four points determine.
+/// Radius of the smallest enclosing sphere, by brute force over all spheres that two to four points determine.
 fn slowly(points: &[[f64; 3]]) -> f64 {
     let points: Vec<DVec3> = points.iter().map(|&point| point.into()).collect();
     let mut least = f64::INFINITY;

@@ -1,4 +1,4 @@
-//! Binary trees over boxes, which obvhs builds in steps that take a fraction of a second.
+//! Binary trees over boxes, built by obvhs in cancellable steps of a fraction of a second.
 
 use glam::Vec3;
 use obvhs::aabb;
@@ -9,16 +9,15 @@ use rayon::prelude::*;
 
 use crate::base::{Aabb, Progress, Result};
 
-/// Greatest number of boxes that are clustered at once: a tenth of a second on one core, during which the caller cannot
-/// cancel.
+/// Maximum number of boxes clustered at once: a tenth of a second on one core, without a check for cancellation.
 const PART: usize = 1 << 18;
-/// Number of passes of the optimizer; pass k moves 1 / (2 k + 1) as many nodes as the first.
+/// Number of passes of the optimizer; pass k moves 1 / (2 k + 1) of the first pass's nodes.
 const PASSES: usize = 16;
-/// Greatest number of nodes that the first pass moves in a tree of several parts. The optimizer chooses those with the
-/// largest boxes, which are near the parts' roots.
+/// Maximum number of nodes that the first pass moves in a tree of several parts. The optimizer selects the nodes with
+/// the largest boxes, which are near the parts' roots.
 const NEAR_ROOTS: usize = 1 << 16;
 
-/// Builds the tree. Leaves hold one box each, or as many as pay if `leaf_boxes` is greater.
+/// Builds the tree. Leaves hold one box each, or up to `leaf_boxes` where that lowers the cost.
 pub(super) fn build(boxes: &[Aabb], leaf_boxes: u32, progress: &Progress) -> Result<Bvh2> {
     if boxes.is_empty() {
         return Ok(Bvh2::default());
@@ -47,13 +46,13 @@ pub(super) fn build(boxes: &[Aabb], leaf_boxes: u32, progress: &Progress) -> Res
     Ok(tree)
 }
 
-/// A box by its centre.
+/// A box and its centre.
 struct Member {
     center: Vec3,
     number: u32,
 }
 
-/// Halves the boxes at the median of their greatest extent until each part can be clustered at once.
+/// Splits the boxes at the median along the longest axis until each part can be clustered at once.
 fn split<'a>(members: &'a mut [Member], parts: &mut Vec<&'a [Member]>, progress: &Progress) -> Result<()> {
     if members.len() <= PART {
         parts.push(members);
@@ -70,14 +69,14 @@ fn split<'a>(members: &'a mut [Member], parts: &mut Vec<&'a [Member]>, progress:
     split(high, parts, progress)
 }
 
-/// Clusters boxes, scaled.
+/// Builds a tree over scaled boxes by clustering.
 fn cluster(boxes: impl ExactSizeIterator<Item = Aabb>, scale: f32) -> Bvh2 {
     let boxes: Vec<_> = boxes.map(|b| aabb::Aabb::new((b.min * scale).into(), (b.max * scale).into())).collect();
     let numbers = (0..boxes.len() as u32).collect();
     PlocBuilder::with_capacity(boxes.len()).build(PlocSearchDistance::Medium, &boxes, numbers, SortPrecision::U64, 3)
 }
 
-/// One tree over all trees. It numbers the boxes in the order of the trees.
+/// Joins trees under one root. Boxes are renumbered in the order of the trees.
 fn joined(mut trees: Vec<Bvh2>, progress: &Progress) -> Result<Bvh2> {
     if trees.len() == 1 {
         return Ok(trees.remove(0));
@@ -96,7 +95,7 @@ fn joined(mut trees: Vec<Bvh2>, progress: &Progress) -> Result<Bvh2> {
     }
     for (leaf, number) in leaves {
         progress.check()?;
-        // A tree's root takes the leaf's place; its other nodes follow all nodes before.
+        // A tree's root takes the leaf's place; its other nodes are appended.
         let (first_box, first_node) = (first_box[number as usize], all.nodes.len() as u32 - 1);
         let moved = |node: &Bvh2Node| {
             let first = if node.is_leaf() { first_box } else { first_node };
@@ -116,7 +115,7 @@ fn bounds(node: &Bvh2Node) -> Aabb {
     Aabb { min: node.aabb().min.into(), max: node.aabb().max.into() }
 }
 
-/// Moves nodes to where they make the tree cheaper; `share` of all nodes in the first pass.
+/// Reinserts nodes where they reduce the tree's cost; `share` of all nodes in the first pass.
 fn optimize(tree: &mut Bvh2, share: f32, progress: &Progress) -> Result<()> {
     let mut optimizer = ReinsertionOptimizer::default();
     for pass in 0..PASSES {
@@ -126,13 +125,13 @@ fn optimize(tree: &mut Bvh2, share: f32, progress: &Progress) -> Result<()> {
     progress.check()
 }
 
-/// A power of two that scales boxes so that their areas neither overflow nor underflow in float32; usually 1.
+/// Returns a power of two that scales boxes so that their areas neither overflow nor underflow in float32; usually 1.
 fn scale_for(boxes: &[Aabb]) -> f32 {
     let greatest = boxes.iter().map(|b| b.min.abs().max(b.max.abs()).max_element()).fold(0.0, f32::max);
     if greatest == 0.0 || (1e-9..1e12).contains(&greatest) {
         return 1.0;
     }
-    // A power of two scales exactly, so only boxes far smaller than the greatest lose digits.
+    // Powers of two scale exactly, so only boxes far smaller than the largest lose digits.
     (-f64::from(greatest).log2().floor()).exp2().clamp(1e-38, 1e38) as f32
 }
 

@@ -7,10 +7,9 @@ use crate::base::{Aabb, Error, Result};
 
 /// Number of triangles in a block.
 pub(crate) const LANES: usize = 4;
-/// Greatest number of blocks in a leaf.
+/// Maximum number of blocks in a leaf.
 const MAX_BLOCKS: usize = 8;
-/// Bits of a leaf's reference that hold the number of its first block. Three more bits hold the number of blocks less
-/// one.
+/// Bits of a leaf reference for the number of its first block. Three more bits hold the number of blocks minus one.
 const START_BITS: u32 = 28;
 
 /// Up to four triangles. Unused lanes repeat the last triangle.
@@ -23,7 +22,7 @@ pub(crate) struct Block {
     pub(crate) faces: [u32; LANES],
 }
 
-/// The blocks of a leaf, decoded from its reference.
+/// Returns the blocks of a leaf, decoded from its reference.
 #[inline(always)]
 pub(crate) fn leaf_blocks(reference: u32) -> std::ops::Range<usize> {
     let start = (reference & ((1 << START_BITS) - 1)) as usize;
@@ -42,7 +41,7 @@ pub(crate) fn check_count(faces: usize) -> Result<()> {
 /// Appends the blocks of some triangles and returns the slot that refers to them.
 pub(crate) fn push_leaf(blocks: &mut Vec<Block>, faces: &[u32], corners: &impl Fn(u32) -> [Vec3; 3]) -> Slot {
     if faces.len() > LANES * MAX_BLOCKS {
-        // More triangles than a leaf can hold share one box: no tree can separate them.
+        // More triangles than a leaf can hold share one box, so no tree can separate them.
         let part = faces.len().div_ceil(WIDTH).max(LANES * MAX_BLOCKS);
         let parts: Vec<Slot> = faces.chunks(part).map(|part| push_leaf(blocks, part, corners)).collect();
         let bounds = parts.iter().fold(Aabb::EMPTY, |all, part| all.union(&part.bounds));
@@ -67,7 +66,7 @@ pub(crate) fn push_leaf(blocks: &mut Vec<Block>, faces: &[u32], corners: &impl F
 }
 
 impl Block {
-    /// The same faces with other corners.
+    /// Returns the same faces with other corners.
     pub(crate) fn moved(&self, corners: &impl Fn(u32) -> [Vec3; 3]) -> Self {
         let mut block = self.clone();
         for (lane, &face) in self.faces.iter().enumerate() {
@@ -78,7 +77,7 @@ impl Block {
         block
     }
 
-    /// The bounding box of all triangles.
+    /// Returns the bounding box of all triangles.
     pub(crate) fn bounds(&self) -> Aabb {
         let mut bounds = Aabb::EMPTY;
         for corner in &self.corners {
@@ -87,7 +86,7 @@ impl Block {
         bounds
     }
 
-    /// The faces without repetitions.
+    /// Returns the faces without the repetitions of unused lanes.
     pub(crate) fn distinct_faces(&self) -> &[u32] {
         let last = self.faces[LANES - 1];
         let count = self.faces.iter().position(|&face| face == last).map_or(LANES, |at| at + 1);

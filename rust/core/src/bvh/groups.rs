@@ -1,7 +1,7 @@
 //! Groups of triangles with equal boxes.
 //!
-//! The builder's clustering takes quadratic time when thousands of boxes are equal. So each distinct box enters the
-//! builder once, and its leaf holds all triangles with that box, except exact copies.
+//! The builder's clustering takes quadratic time for thousands of equal boxes. So each distinct box enters the builder
+//! once, and its leaf holds all triangles with that box, except exact copies.
 
 use rayon::prelude::*;
 
@@ -12,7 +12,7 @@ use crate::base::{Aabb, FaceMap, Progress, Result};
 /// Number of groups in one task.
 const TILE: usize = 1 << 16;
 
-/// The arrays of a mesh that decide whether two faces are copies.
+/// Mesh arrays that decide whether two faces are copies.
 #[derive(Clone, Copy)]
 pub struct MeshArrays<'a> {
     /// Vertex positions.
@@ -37,12 +37,12 @@ impl MeshArrays<'_> {
         bounds
     }
 
-    /// The data that decides whether two faces are copies: the corners with their attributes in a canonical order, and
-    /// the material. Attributes count because a cut-out may depend on them.
+    /// Returns the data that decides whether two faces are copies: the corners with their attributes in a canonical
+    /// order, and the material. Attributes count because a cut-out may depend on them.
     fn identity(&self, face: u32) -> Identity {
         let mut corners = self.faces[face as usize].map(|v| {
             let v = v as usize;
-            // Adding zero turns −0.0 into 0.0, which is the same position.
+            // Adding zero turns −0.0 into 0.0, the same position.
             let place = self.positions[v].map(|x| (x + 0.0).to_bits());
             let uv = self.uvs.map_or([0; 2], |uvs| uvs[v].map(f32::to_bits));
             (place, uv, self.colors.map_or([0; 4], |colors| colors[v]))
@@ -58,14 +58,14 @@ pub(crate) struct Groups {
     pub(crate) boxes: Vec<Aabb>,
     /// All faces without copies; the faces of a group are consecutive and ascending.
     faces: Vec<u32>,
-    /// First entry of each group in `faces`, and the number of all.
+    /// First entry of each group in `faces`; the last entry is the total.
     starts: Vec<u32>,
-    /// The faces that are left out because they are copies: (the face that stands for them, the copy), ascending.
+    /// Omitted copies as (the face kept in the tree, the copy), ascending.
     pub(crate) copies: Vec<(u32, u32)>,
 }
 
 impl Groups {
-    /// Groups the faces of a mesh. Groups are numbered in the order of their least faces.
+    /// Groups the faces of a mesh. Groups are numbered in the order of their lowest faces.
     pub(crate) fn new(mesh: MeshArrays<'_>, progress: &Progress) -> Result<Self> {
         let count = mesh.faces.len() as u32;
         // Sorted by a hash of the box, then by face, so that equal boxes are consecutive.
@@ -102,7 +102,8 @@ impl Groups {
     }
 }
 
-/// Splits faces of equal hash into groups of equal boxes: (least face, 1 + index of its list, or 0 for a single face).
+/// Splits faces of equal hash into groups of equal boxes: (lowest face, 1 + index of its list, or 0 for a single
+/// face).
 fn split_run(
     mesh: MeshArrays<'_>,
     run: &[(u32, u32)],
@@ -121,7 +122,7 @@ fn split_run(
     let mut members: Vec<_> = run.iter().map(|&(_, face)| (key(face), mesh.identity(face), face)).collect();
     members.sort_unstable();
     for group in members.chunk_by(|a, b| a.0 == b.0) {
-        // Of several copies only the lowest face is kept: it wins ties, so no ray can ever report the others.
+        // Only the lowest face of several copies is kept: it wins ties, so no ray can report the others.
         let mut list: Vec<u32> = Vec::new();
         for alike in group.chunk_by(|a, b| a.1 == b.1) {
             list.push(alike[0].2);

@@ -1,4 +1,5 @@
-//! Both kinds of trees. obvhs builds binary trees; `Wide` converts them to eight children per node.
+//! Trees over triangles and over instances. obvhs builds binary trees; `Wide` converts them to eight children per
+//! node.
 
 use std::sync::Arc;
 
@@ -16,7 +17,8 @@ pub struct Bvh {
     pub(crate) wide: Wide,
     pub(crate) blocks: Vec<Block>,
     pub(crate) bounds: Aabb,
-    /// Faces that no ray can report, because a copy of them is in the tree: (the face in the tree, the copy), ascending.
+    /// Faces that no ray can report because a copy of them is in the tree: (the face in the tree, the copy),
+    /// ascending.
     copies: Arc<Vec<(u32, u32)>>,
 }
 
@@ -27,7 +29,7 @@ pub struct Tlas {
     pub(crate) bounds: Aabb,
 }
 
-/// Greatest number of boxes in a leaf: the number of lanes of a block.
+/// Maximum number of boxes in a leaf: the number of lanes of a block.
 const LEAF_BOXES: u32 = 4;
 
 impl Bvh {
@@ -52,7 +54,7 @@ impl Bvh {
         Ok(bvh)
     }
 
-    /// The same tree over triangles whose corners have moved; it stays good while they move little.
+    /// Returns the tree refitted to moved corners; its quality degrades only if they move far.
     pub fn refitted(&self, corners: impl Fn(u32) -> [Vec3; 3] + Sync) -> Self {
         let blocks: Vec<Block> = self.blocks.par_iter().map(|block| block.moved(&corners)).collect();
         let wide = self.wide.refitted(|leaf| {
@@ -62,7 +64,7 @@ impl Bvh {
         Self { bounds: wide.bounds(), wide, blocks, copies: Arc::clone(&self.copies) }
     }
 
-    /// Adds the copies of some faces of the tree at the end; returns whether there were any.
+    /// Appends the copies of the given faces; returns whether there were any.
     pub(crate) fn add_copies(&self, faces: &mut Vec<u32>) -> bool {
         let before = faces.len();
         if self.copies.is_empty() {
@@ -77,7 +79,7 @@ impl Bvh {
         faces.len() > before
     }
 
-    /// The blocks of a leaf; empty for `NO_CHILD`, which a ray with NaN may appear to hit.
+    /// Returns the blocks of a leaf; empty for `NO_CHILD`, which a ray with NaN may appear to hit.
     #[inline(always)]
     pub(crate) fn leaf(&self, leaf: u32) -> &[Block] {
         self.blocks.get(leaf_blocks(leaf)).unwrap_or_default()
@@ -129,7 +131,7 @@ impl Tlas {
         Ok(tlas)
     }
 
-    /// The instance of a leaf; `None` for `NO_CHILD`, which a ray with NaN may appear to hit.
+    /// Returns the instance of a leaf; `None` for `NO_CHILD`, which a ray with NaN may appear to hit.
     #[inline(always)]
     pub(crate) fn instance(&self, leaf: u32) -> Option<u32> {
         self.order.get((leaf & !LEAF) as usize).copied()

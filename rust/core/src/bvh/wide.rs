@@ -1,4 +1,4 @@
-//! Trees with eight children per node. One vector holds the same plane of all eight children's boxes.
+//! Trees with eight children per node, stored so that one vector holds the same plane of all eight boxes.
 
 use obvhs::bvh2::Bvh2;
 use rayon::prelude::*;
@@ -11,20 +11,20 @@ pub(crate) const WIDTH: usize = 8;
 pub(crate) const LEAF: u32 = 1 << 31;
 /// Marks an unused child slot; no ray hits its box.
 pub(crate) const NO_CHILD: u32 = u32::MAX;
-/// Number of nodes of a binary tree above which threads share its conversion.
+/// Binary node count above which the conversion is parallel.
 const LARGE: usize = 1 << 17;
-/// Levels of a large tree that one thread converts: below them are hundreds of subtrees, which threads share.
+/// Levels of a large tree that one thread converts; hundreds of subtrees below are converted in parallel.
 const TOP_LEVELS: usize = 3;
-/// Number of nodes between two checks whether the caller has cancelled.
+/// Nodes between two checks for cancellation.
 const NODES_PER_CHECK: usize = 1 << 10;
 
 /// Boxes and references of up to eight children.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct Node {
-    /// Planes of the children's boxes: least x, greatest x, least y, …
+    /// Planes of the children's boxes: minimum x, maximum x, minimum y, …
     pub(crate) planes: [[f32; WIDTH]; 6],
-    /// Number of a node, or reference to a leaf with the bit `LEAF`.
+    /// Node number, or leaf reference with the bit `LEAF`.
     pub(crate) children: [u32; WIDTH],
 }
 
@@ -54,18 +54,18 @@ impl Node {
 #[derive(Default)]
 pub(crate) struct Wide {
     pub(crate) nodes: Vec<Node>,
-    /// Greatest number of stack entries of a depth-first traversal.
+    /// Maximum number of stack entries of a depth-first traversal.
     pub(crate) stack: usize,
 }
 
-/// An inner node of the binary tree, or a leaf, that becomes a child of a wide node.
+/// Child of a future wide node: an inner node of the binary tree, or a leaf.
 pub(crate) struct Slot {
     pub(crate) bounds: Aabb,
     /// A node to open, or a finished leaf.
     pub(crate) content: Content,
 }
 
-/// The content of a `Slot`.
+/// Content of a `Slot`.
 pub(crate) enum Content {
     /// Number of a node of the binary tree.
     Inner(u32),
@@ -76,9 +76,10 @@ pub(crate) enum Content {
 }
 
 impl Wide {
-    /// Converts a binary tree, and returns what its leaves contain. Each wide node opens the child with the largest box
-    /// until it has eight children, as Embree does. `leaf` converts a leaf of the binary tree: it appends the contents
-    /// to a list and returns a slot, whose references are `LEAF` plus places in that list and bits above them.
+    /// Converts a binary tree; also returns the contents of its leaves. Each wide node opens the child with the
+    /// largest box until it has eight children, as Embree does. `leaf` converts a leaf of the binary tree: it appends
+    /// the contents to a list and returns a slot, whose references are `LEAF`, an index into that list and higher
+    /// bits.
     pub(crate) fn convert<B: Send>(
         tree: &Bvh2,
         leaf: impl Fn(&[u32], &mut Vec<B>) -> Slot + Sync,
@@ -101,7 +102,7 @@ impl Wide {
         Ok((Self { nodes: all.nodes, stack: all.depth * (WIDTH - 1) + 1 }, all.contents))
     }
 
-    /// The same tree with other boxes; `leaf` returns the box of a leaf's contents.
+    /// Returns the tree with refitted boxes; `leaf` returns the box of a leaf's contents.
     pub(crate) fn refitted(&self, leaf: impl Fn(u32) -> Aabb + Sync) -> Self {
         let of_leaves = self.nodes.par_iter().map(|node| {
             let mut fitted = node.clone();
@@ -113,7 +114,7 @@ impl Wide {
             fitted
         });
         let mut nodes: Vec<Node> = of_leaves.collect();
-        // Children follow their parents.
+        // Children follow their parents, so this loop runs bottom-up.
         for number in (0..nodes.len()).rev() {
             for slot in 0..WIDTH {
                 let child = nodes[number].children[slot];
@@ -133,7 +134,7 @@ impl Wide {
         (0..WIDTH).fold(Aabb::EMPTY, |all, slot| all.union(&root.bounds(slot)))
     }
 
-    /// Checks that each child lies inside its slot's box and is referred to once; the error describes the fault. `leaf`
+    /// Checks that each child lies inside its slot's box and is referenced once; the error describes the fault. `leaf`
     /// returns the box of a leaf's contents.
     pub(crate) fn validate(&self, mut leaf: impl FnMut(u32) -> Aabb) -> Result<(), String> {
         let mut references = vec![0u32; self.nodes.len()];
@@ -167,7 +168,7 @@ impl Wide {
     }
 }
 
-/// A part of a tree that one thread converts. Its numbers of nodes and places in the contents begin at 0.
+/// A part of a tree converted by one thread. Its node numbers and content positions begin at 0.
 struct Piece<B> {
     nodes: Vec<Node>,
     contents: Vec<B>,
@@ -175,7 +176,7 @@ struct Piece<B> {
     below: Vec<Below>,
 }
 
-/// A subtree that is left to another thread: its root in the binary tree, and the node and slot that refer to it.
+/// A subtree left to another thread: its root in the binary tree, and the node and slot that refer to it.
 struct Below {
     root: u32,
     place: (u32, usize),
@@ -183,7 +184,7 @@ struct Below {
 }
 
 impl<B> Piece<B> {
-    /// Converts the subtree of a node of the binary tree; inner nodes below so many levels are left out.
+    /// Converts a subtree of the binary tree; inner nodes below the given number of levels are left out.
     fn new(
         tree: &Bvh2,
         root: u32,

@@ -11,8 +11,8 @@
 
 use glam::DVec3;
 
-/// Direction through a point of a face: u to the right, v down, each from −1 to 1. It is not normalised; its longest
-/// component is ±1.
+/// Returns the direction through a point of a face: u to the right, v down, each from −1 to 1. It is not normalised;
+/// its longest component is ±1.
 #[inline]
 pub fn direction_from_face(face: u8, u: f64, v: f64) -> DVec3 {
     match face {
@@ -25,7 +25,7 @@ pub fn direction_from_face(face: u8, u: f64, v: f64) -> DVec3 {
     }
 }
 
-/// Components of a vector to the right, downwards and outwards of a face.
+/// Returns the components of a vector to the right, downwards and outwards of a face.
 #[inline]
 pub fn along_face(face: u8, d: DVec3) -> (f64, f64, f64) {
     match face {
@@ -38,8 +38,8 @@ pub fn along_face(face: u8, d: DVec3) -> (f64, f64, f64) {
     }
 }
 
-/// Face, u and v of a direction of any length: the inverse of `direction_from_face`. Of equal components the axis that
-/// comes first in the alphabet decides the face.
+/// Returns the face, u and v of a direction of any length: the inverse of `direction_from_face`. Ties between
+/// components go to the alphabetically first axis.
 #[inline]
 pub fn face_from_direction(d: DVec3) -> (u8, f64, f64) {
     // Tables instead of branches: the processor would mispredict branches on random directions.

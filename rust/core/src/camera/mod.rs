@@ -1,4 +1,4 @@
-//! Cameras: position, orientation and projection of a view; its rays; depth buffers; the orientation of cube-map faces.
+//! Cameras: position, orientation and projection of a view; rays; depth buffers; orientation of cube-map faces.
 
 mod cube_face;
 mod depth;

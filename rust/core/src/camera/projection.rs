@@ -1,11 +1,11 @@
-//! Projections: which directions the points of an image have.
+//! Projections: mappings from image points to ray directions.
 
 use glam::DVec2;
 
 use crate::base::{Error, Result};
 
-/// The four bounds of a view: tangents of half angles for a perspective view, metres for an orthographic view. They
-/// need not be symmetric; in the symmetric case left and down are negative.
+/// Bounds of a view: tangents of half angles for a perspective view, metres for an orthographic view. They need not be
+/// symmetric; in the symmetric case left and down are negative.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fov {
     /// Leftmost x.
@@ -30,7 +30,7 @@ pub enum Projection {
 }
 
 impl Fov {
-    /// The point of the image plane at the fractions s from the left and t from the top.
+    /// Returns the image-plane point at the fractions s from the left and t from the top.
     #[inline]
     pub(super) fn at(&self, s: f64, t: f64) -> DVec2 {
         DVec2::new(self.left + (self.right - self.left) * s, self.up + (self.down - self.up) * t)

@@ -1,8 +1,8 @@
-//! The rays of a view. Values that depend on the camera alone are computed once.
+//! Rays of a view. Values that depend only on the camera are computed once.
 
 use glam::DVec3;
 
-/// The rays of a view as functions of the image position.
+/// Rays of a view as functions of the image position.
 #[derive(Clone, Copy, Debug)]
 pub struct Rays {
     pub(super) start: DVec3,
@@ -13,7 +13,7 @@ pub struct Rays {
     pub(super) pixel_size: f64,
 }
 
-/// Width of a pixel across its ray, as a function of the distance along the ray.
+/// Pixel width across its ray, as a linear function of the distance along the ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Footprint {
     /// Width at the ray's start, metres.
@@ -23,7 +23,7 @@ pub struct Footprint {
 }
 
 impl Footprint {
-    /// Width across the ray at a distance, metres.
+    /// Returns the width across the ray at a distance, metres.
     #[inline]
     pub fn at(&self, distance: f32) -> f32 {
         self.width + self.spread * distance
@@ -31,15 +31,17 @@ impl Footprint {
 }
 
 impl Rays {
-    /// Start (relative to the camera's position) and unit direction of the ray through image position (x, y).
+    /// Returns the start (relative to the camera's position) and unit direction of the ray through image position (x,
+    /// y).
     #[inline]
     pub fn at(&self, x: f64, y: f64) -> (DVec3, DVec3) {
         let start = self.start + self.start_steps[0] * x + self.start_steps[1] * y;
         (start, self.longer(x, y).normalize())
     }
 
-    /// Footprint of a square of `scale` × `scale` pixels at image position (x, y). A pixel of size p at 1 m distance,
-    /// seen at angle θ off the axis, covers the solid angle p² cos³ θ; the footprint is the square root of that.
+    /// Returns the footprint of a square of `scale` × `scale` pixels at image position (x, y). A pixel of size p at 1
+    /// m distance, seen at angle θ off the axis, covers the solid angle p² cos³ θ; the footprint is the square root of
+    /// that.
     #[inline]
     pub fn footprint(&self, x: f64, y: f64, scale: f64) -> Footprint {
         let size = (self.pixel_size * scale) as f32;
@@ -50,8 +52,8 @@ impl Rays {
         Footprint { width: 0.0, spread: size / (secant * secant.sqrt()) }
     }
 
-    /// Least angle in radians between the rays of neighbouring pixels at image position (x, y). Away from the axis it
-    /// falls with cos² θ, because the tangent of θ grows with 1/cos² θ. For perspective views.
+    /// Returns the minimum angle in radians between the rays of neighbouring pixels at image position (x, y). It falls
+    /// with cos² θ off the axis, because the tangent of θ grows with 1/cos² θ. For perspective views.
     #[inline]
     pub fn pixel_angle(&self, x: f64, y: f64) -> f64 {
         self.pixel_size / self.longer(x, y).length_squared()

@@ -11,7 +11,7 @@ use crate::base::{Error, Progress, Result, memory::room_for};
 /// Number of points in one task.
 const TILE: usize = 1 << 12;
 
-/// A view: position in the scene's world and orientation camera→world. It looks along −z, with y up.
+/// A view: world position and orientation camera→world. It looks along −z, with y up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// World position, metres.
@@ -26,7 +26,7 @@ pub struct Camera {
     pub height: u32,
 }
 
-/// Greatest width or height of an image, pixels.
+/// Maximum width or height of an image, pixels.
 pub const MAX_SIZE: u32 = 1 << 16;
 
 impl Camera {
@@ -55,8 +55,8 @@ impl Camera {
         Ok(Self { position, orientation: orientation.normalize(), projection, width, height })
     }
 
-    /// Start (relative to `position`) and direction (not normalised) of the ray through image position (x, y) in
-    /// pixels; (0.5, 0.5) is the centre of the top left pixel.
+    /// Returns the start (relative to `position`) and direction (not normalised) of the ray through image position (x,
+    /// y) in pixels; (0.5, 0.5) is the centre of the top left pixel.
     #[inline]
     pub fn ray(&self, x: f64, y: f64) -> (DVec3, DVec3) {
         let (s, t) = (x / f64::from(self.width), y / f64::from(self.height));
@@ -69,7 +69,7 @@ impl Camera {
         }
     }
 
-    /// All rays of the view. Values that depend on the camera alone are computed once.
+    /// Returns all rays of the view; values that depend only on the camera are computed once.
     pub fn rays(&self) -> Rays {
         let (start, direction) = self.ray(0.0, 0.0);
         let (right, down) = (self.ray(1.0, 0.0), self.ray(0.0, 1.0));
@@ -83,7 +83,7 @@ impl Camera {
         }
     }
 
-    /// World starts and unit directions of the rays through all pixel centres, in row-major order.
+    /// Writes world starts and unit directions of the rays through all pixel centres, in row-major order.
     pub fn pixel_rays(&self, starts: &mut [[f64; 3]], directions: &mut [[f64; 3]], progress: &Progress) -> Result<()> {
         let (rays, width) = (self.rays(), self.width as usize);
         let rows = starts.par_chunks_mut(width).zip(directions.par_chunks_mut(width)).enumerate();
@@ -101,7 +101,7 @@ impl Camera {
         room_for(2 * size_of::<DVec3>() as u64 * u64::from(self.width) * u64::from(self.height))
     }
 
-    /// `project` of many points; NaN for points behind the camera.
+    /// Writes `project` of many points; NaN for points behind the camera.
     pub fn project_all(&self, points: &[[f64; 3]], places: &mut [[f64; 3]], progress: &Progress) -> Result<()> {
         points.par_chunks(TILE).zip(places.par_chunks_mut(TILE)).try_for_each(|(points, places)| {
             for (point, place) in points.iter().zip(places) {
@@ -111,8 +111,8 @@ impl Camera {
         })
     }
 
-    /// Image position (x, y) of a world point in pixels, and its distance along the viewing axis; `None` behind the
-    /// camera.
+    /// Returns the image position (x, y) of a world point in pixels, and its distance along the viewing axis; `None`
+    /// behind the camera.
     pub fn project(&self, point: DVec3) -> Option<DVec3> {
         let offset = point - self.position;
         let axes = match self.projection {
@@ -136,8 +136,8 @@ impl Camera {
         (depth > 0.0).then(|| DVec3::new(s * f64::from(self.width), t * f64::from(self.height), depth))
     }
 
-    /// Size of a pixel, the geometric mean of its sides: metres for parallel rays, otherwise tangent units (metres at
-    /// 1 m distance).
+    /// Returns the size of a pixel, the geometric mean of its sides: metres for parallel rays, otherwise tangent units
+    /// (metres at 1 m distance).
     pub fn pixel_size(&self) -> f64 {
         let pixels = f64::from(self.width) * f64::from(self.height);
         match self.projection {
@@ -146,8 +146,8 @@ impl Camera {
         }
     }
 
-    /// A lower bound of the angle between neighbouring pixels, in radians: pixels at the view's corner are the finest.
-    /// Metres for parallel rays.
+    /// Returns a lower bound of the angle between neighbouring pixels, in radians: pixels at the view's corner are the
+    /// finest. Metres for parallel rays.
     pub fn least_pixel_angle(&self) -> f64 {
         let (width, height) = (f64::from(self.width), f64::from(self.height));
         match self.projection {

@@ -1,4 +1,4 @@
-//! Environment maps: the colour around a point and, if requested, the range and the objects.
+//! Environment maps: colour around a point and, if requested, range and objects.
 
 use glam::{DVec3, Vec3};
 
@@ -21,7 +21,7 @@ pub struct EnvironmentMap {
 }
 
 impl EnvironmentMap {
-    /// Checks that each channel fills six faces.
+    /// Creates a map; checks that each channel fills six faces.
     pub fn new(
         size: u32,
         color: Buffer<[f32; 3]>,
@@ -39,7 +39,7 @@ impl EnvironmentMap {
         }
     }
 
-    /// Linear RGB in a direction.
+    /// Returns the linear RGB in a direction.
     #[inline]
     pub fn color(&self, direction: Vec3) -> [f32; 3] {
         let taps = Taps::new(direction.as_dvec3(), self.size);
@@ -50,7 +50,7 @@ impl EnvironmentMap {
         sum.as_vec3().to_array()
     }
 
-    /// Range and object of the texel that a direction passes through; ∞ and −1 for channels that the map lacks.
+    /// Returns range and object of the texel that a direction hits; ∞ and −1 for missing channels.
     pub fn surface(&self, direction: Vec3) -> (f32, i32) {
         let texel = texel_from_direction(direction.as_dvec3(), self.size) as usize;
         let range = self.range.as_ref().map_or(f32::INFINITY, |range| range[texel]);
@@ -58,8 +58,8 @@ impl EnvironmentMap {
         (range, object)
     }
 
-    /// Greatest range of the texels around a direction: points farther away are hidden. Infinite if the map has no
-    /// range.
+    /// Returns the maximum range of the texels around a direction; points farther away are hidden. Infinite if the map
+    /// has no range.
     pub fn farthest(&self, direction: Vec3) -> f32 {
         let Some(range) = &self.range else { return f32::INFINITY };
         let taps = Taps::new(direction.as_dvec3(), self.size);

@@ -1,4 +1,4 @@
-//! The values of a cube map's six faces.
+//! Values of a cube map's six faces.
 
 use super::texels::MAX_SIZE;
 use crate::base::{Error, Result};
@@ -20,7 +20,7 @@ impl<T> Clone for CubeFaces<'_, T> {
 impl<T> Copy for CubeFaces<'_, T> {}
 
 impl<'a, T: Copy> CubeFaces<'a, T> {
-    /// Checks that the values fill the faces.
+    /// Creates faces; checks that the values fill them.
     pub fn new(values: &'a [T], size: u32, channels: usize) -> Result<Self> {
         check_size(size)?;
         let expected = 6 * size as usize * size as usize * channels;
@@ -52,7 +52,7 @@ pub(super) fn check_size(size: u32) -> Result<()> {
     Err(Error::value("faces", format!("1 to {MAX_SIZE} texels across a face"), size))
 }
 
-/// Whether a number is not NaN. Minima and maxima skip NaN, which stands for an unknown value.
+/// Returns whether a number is not NaN. Minima and maxima skip NaN, which marks an unknown value.
 #[inline(always)]
 #[allow(clippy::eq_op)]
 pub(super) fn is_known<T: PartialEq + Copy>(value: T) -> bool {

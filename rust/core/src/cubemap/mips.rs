@@ -1,4 +1,4 @@
-//! The next mipmap level of a cube map, with half as many texels across a face.
+//! Next mipmap level of a cube map, with half as many texels across a face.
 //!
 //! A texel of the next level covers 2 × 2 texels or, if the size is odd, parts of 3 × 3. Means are weighted by the
 //! solid angles of the covered parts, so the mean over the sphere does not change.
@@ -15,17 +15,17 @@ use crate::base::{Error, Progress, Real, Result};
 pub enum Reduction {
     /// Mean weighted by solid angle.
     Mean,
-    /// The least of all texels that are covered, wholly or in part.
+    /// Minimum of all texels that are covered, wholly or in part.
     Min,
-    /// The greatest of all texels that are covered, wholly or in part.
+    /// Maximum of all texels that are covered, wholly or in part.
     Max,
 }
 
-/// The rows or columns that one row or column of the next level covers.
+/// Rows or columns covered by one row or column of the next level.
 struct Covered {
     /// The first covered row or column.
     first: u32,
-    /// The covered interval of each of them.
+    /// Covered interval of each of them.
     pieces: Vec<[f64; 2]>,
 }
 
@@ -37,7 +37,7 @@ fn covered(index: u32, size: u32, next: u32) -> Covered {
     Covered { first, pieces }
 }
 
-/// Width of a face of the next level, texels.
+/// Returns the width of a face of the next level, texels.
 pub fn next_size(size: u32) -> u32 {
     (size / 2).max(1)
 }
@@ -86,7 +86,7 @@ pub fn next_level<T: Real>(
     })
 }
 
-/// One row of the next level, for one channel and an even size.
+/// Writes one row of the next level, for one channel and an even size.
 fn halve<T: Real>(texels: &[T], weights: &[f64], reduction: Reduction, out: &mut [T]) {
     let (above, below) = texels.split_at(texels.len() / 2);
     match reduction {
@@ -99,7 +99,7 @@ fn halve<T: Real>(texels: &[T], weights: &[f64], reduction: Reduction, out: &mut
     }
 }
 
-/// Solid angles of the two rows of texels that a row of the next level covers, for an even size.
+/// Returns the solid angles of the two rows of texels that a row of the next level covers, for an even size.
 fn pair_of_rows(row: u32, size: u32, edges: &[f64]) -> Vec<f64> {
     let mut angles = vec![0.0; 2 * size as usize];
     let (above, below) = angles.split_at_mut(size as usize);
@@ -108,7 +108,7 @@ fn pair_of_rows(row: u32, size: u32, edges: &[f64]) -> Vec<f64> {
     angles
 }
 
-/// Weights of the parts that each texel of a row covers, in the order in which they are read.
+/// Returns the weights of the covered parts of a row's texels, in the order in which they are read.
 fn weigh(across: &[Covered], down: &Covered) -> Vec<f64> {
     let mut weights = Vec::new();
     for column in across {

@@ -1,4 +1,4 @@
-//! Cube maps: six square faces of texels. `lookup` reads values in directions and cones; `layouts` converts cube maps
+//! Cube maps: six square faces of texels. `lookup` reads values by direction and by cone; `layouts` converts cube maps
 //! to and from pictures without faces. This folder holds the code that both share, and mipmap levels.
 
 mod environment;

@@ -6,10 +6,11 @@ use super::faces::check_size;
 use crate::base::simd::vectorized;
 use crate::base::{Error, Progress, Result};
 
-/// Least face width, in texels, at which half the solid angles of all triangles are below 0.01 sr.
+/// Minimum face width, in texels, at which half the solid angles of all triangles are below 0.01 sr.
 const FINE_SIZE: u32 = 32;
 
-/// Solid angle in steradians of a rectangle between two positions across and two down a face, all within −1 to 1.
+/// Returns the solid angle in steradians of a rectangle between two positions across and two down a face, all within
+/// −1 to 1.
 ///
 /// The rectangle is two triangles (van Oosterom and Strackee, "The solid angle of a plane triangle", 1983, Eq. 8). The
 /// triple product of corners at distance 1 from the centre is Δu Δv, so small rectangles lose no digits. Four lengths,
@@ -19,7 +20,7 @@ pub(super) fn solid_angle(u: [f64; 2], v: [f64; 2]) -> f64 {
     2.0 * (one.atan() + other.atan())
 }
 
-/// Tangents of half the solid angles of both triangles. Exchanging u and v gives the same bits.
+/// Returns the tangents of half the solid angles of both triangles. Exchanging u and v gives the same bits.
 #[inline(always)]
 fn tangents(u: [f64; 2], v: [f64; 2]) -> [f64; 2] {
     let (uu, vv) = (u[0] * u[1] + 1.0, v[0] * v[1] + 1.0);
@@ -35,8 +36,8 @@ fn tangents(u: [f64; 2], v: [f64; 2]) -> [f64; 2] {
     ]
 }
 
-/// Solid angles of the rectangles between neighbouring positions across, all between the same two positions down. Each
-/// tangent must be below 0.01.
+/// Writes the solid angles of the rectangles between neighbouring positions across, all between the same two positions
+/// down. Each tangent must be below 0.01.
 #[inline(always)]
 fn fine_row(edges: &[f64], down: [f64; 2], out: &mut [f64]) {
     let (left, right) = (&edges[..out.len()], &edges[1..out.len() + 1]);
@@ -52,12 +53,13 @@ fn fine_row(edges: &[f64], down: [f64; 2], out: &mut [f64]) {
 
 vectorized! { fn fine_row_wide(edges: &[f64], down: [f64; 2], out: &mut [f64]) = fine_row; }
 
-/// Positions of the lines between the columns of a face, including its first and last edge.
+/// Returns the positions of the lines between the columns of a face, including its first and last edge.
 pub(super) fn edges(size: u32) -> Vec<f64> {
     (0..=size).map(|index| edge_of(index, size)).collect()
 }
 
-/// Solid angles of a row of texels, given the lines between columns. Mirrored rows and columns are equal bit for bit.
+/// Writes the solid angles of a row of texels, given the lines between columns. Mirrored rows and columns are
+/// bit-equal.
 pub(super) fn row_of_angles(row: u32, size: u32, edges: &[f64], out: &mut [f64]) {
     let near = row.min(size - 1 - row) as usize;
     let down = [edges[near], edges[near + 1]];
@@ -75,13 +77,13 @@ pub(super) fn row_of_angles(row: u32, size: u32, edges: &[f64], out: &mut [f64])
     }
 }
 
-/// Position of the line before a row or column, −1 to 1.
+/// Returns the position of the line before a row or column, −1 to 1.
 #[inline]
 pub(super) fn edge_of(index: u32, size: u32) -> f64 {
     f64::from(index) * 2.0 / f64::from(size) - 1.0
 }
 
-/// Writes the solid angles of the texels of one face, row by row. All six faces have the same.
+/// Writes the solid angles of the texels of one face, row by row. All six faces have the same values.
 pub fn solid_angles(size: u32, out: &mut [f64], progress: &Progress) -> Result<()> {
     check_size(size)?;
     let count = (size as usize).pow(2);

@@ -185,7 +185,7 @@ proptest! {
     }
 }
 
-/// Angle between a direction and a texel: the least angle to the texel's four sides, found by halving intervals.
+/// Angle between a direction and a texel: the minimum angle to the texel's four sides, found by halving intervals.
 fn angle_to_texel(d: DVec3, texel: u32, size: u32) -> f64 {
     if texel_from_direction(d, size) == texel {
         return 0.0;

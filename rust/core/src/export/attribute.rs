@@ -1,4 +1,4 @@
-//! Arrays as bytes, with the descriptions that glTF needs to read them.
+//! Arrays as bytes, with the descriptions that glTF readers need.
 
 use bytemuck::Pod;
 use meshopt::{decode_filter_oct, encode_index_buffer, encode_vertex_buffer_level};
@@ -13,15 +13,15 @@ const UNSIGNED_SHORT: u32 = 5123;
 const UNSIGNED_INT: u32 = 5125;
 const FLOAT: u32 = 5126;
 
-/// meshoptimizer's default; it concerns only version 1.
+/// Compression level: meshoptimizer's default, used only by version 1 of the codec.
 const CODEC_LEVEL: i32 = 2;
 /// `EXT_meshopt_compression` requires version 0.
 const CODEC_VERSION: Option<i32> = Some(0);
 
-/// Greatest number of vertices that 16-bit corners distinguish: 65535 ends strips in some graphics interfaces.
+/// Maximum number of vertices for 16-bit corners: index 65535 restarts strips in some graphics APIs.
 const MOST_SHORT: usize = u16::MAX as usize;
 
-/// Meaning and type of an array.
+/// Semantic and type of an array.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Attribute {
     Position,
@@ -43,12 +43,12 @@ pub(super) struct Layout {
     pub component: u32,
     pub shape: &'static str,
     pub normalized: bool,
-    /// Bytes of a row.
+    /// Bytes per row.
     pub stride: usize,
 }
 
 impl Attribute {
-    /// Name in a primitive or a placement; empty for corners.
+    /// Returns the attribute name in a primitive or an instancing extension; empty for corners.
     pub fn name(self) -> &'static str {
         match self {
             Self::Position => "POSITION",
@@ -86,7 +86,7 @@ impl Attribute {
         Layout { component, shape, normalized, stride }
     }
 
-    /// The filter with which the array is compressed.
+    /// Returns the filter with which the array is compressed.
     pub fn filter(self) -> &'static str {
         match self {
             Self::Position | Self::Uv => "EXPONENTIAL",
@@ -103,14 +103,14 @@ pub(super) struct Stream {
     /// Number of rows.
     pub count: usize,
     pub bytes: Vec<u8>,
-    /// Least and greatest position.
+    /// Minimum and maximum position.
     pub extent: Option<[[f32; 3]; 2]>,
-    /// Greatest error of a position on an axis.
+    /// Maximum error of a position per axis.
     pub error: f64,
 }
 
 impl Stream {
-    /// Rows of numbers.
+    /// Encodes rows of numbers.
     pub fn rows<T: Pod>(attribute: Attribute, rows: &[T], compressed: bool) -> Result<Self> {
         let bytes = if compressed {
             encode_vertex_buffer_level(rows, CODEC_LEVEL, CODEC_VERSION).map_err(refused)?
@@ -120,7 +120,7 @@ impl Stream {
         Ok(Self { attribute, count: rows.len(), bytes, extent: None, error: 0.0 })
     }
 
-    /// Corners of triangles between `vertex_count` vertices.
+    /// Encodes corners of triangles between `vertex_count` vertices.
     fn corners(corners: &[u32], vertex_count: usize, compressed: bool) -> Result<Self> {
         let short = vertex_count <= MOST_SHORT;
         let bytes = match (compressed, short) {
@@ -132,13 +132,13 @@ impl Stream {
         Ok(Self { attribute, count: corners.len(), bytes, extent: None, error: 0.0 })
     }
 
-    /// Bytes of the array without compression.
+    /// Returns the bytes of the array without compression.
     pub fn raw_bytes(&self) -> usize {
         self.count * self.attribute.layout().stride
     }
 }
 
-/// The arrays of a primitive; the last one holds the corners.
+/// Encodes the arrays of a primitive; the last one holds the corners.
 pub(super) fn streams(primitive: &Primitive, corners: &[u32], compressed: bool) -> Result<Vec<Stream>> {
     let mut streams = vec![points(Attribute::Position, &primitive.positions, primitive.grid, compressed)?];
     let extent = extent(&primitive.positions);
@@ -160,7 +160,7 @@ pub(super) fn streams(primitive: &Primitive, corners: &[u32], compressed: bool) 
     Ok(streams)
 }
 
-/// Points of a grid.
+/// Encodes points of a grid.
 fn points<const N: usize>(attribute: Attribute, points: &[[i32; N]], grid: Grid, compressed: bool) -> Result<Stream>
 where
     [u32; N]: Pod,
@@ -185,7 +185,7 @@ fn extent(points: &[[i32; 3]]) -> [[i32; 3]; 2] {
     extent
 }
 
-/// The normals that the OCTAHEDRAL filter makes of its coordinates, with length 1.
+/// Returns the unit normals that the OCTAHEDRAL filter decodes from its coordinates.
 fn unit_normals(mut coordinates: Vec<[i8; 4]>) -> Vec<[f32; 3]> {
     decode_filter_oct(&mut coordinates);
     let unit =

@@ -1,4 +1,4 @@
-//! How finely the textures of a scene are seen, which decides how small their files may be.
+//! Required resolution of a scene's textures, which decides how small their files may be.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -12,15 +12,15 @@ use super::placement::scale;
 use crate::base::{Error, FaceMap, Progress, Result};
 use crate::scene::{Instance, Material, Mesh, Scene};
 
-/// Number of faces in one task.
+/// Number of faces per task.
 const TILE: usize = 1 << 14;
 
-/// For each texture the least number of texels per radian at which a face shows it; infinite if none does. A face has as
-/// many texels per metre as in the direction in which they are finest, and is seen from the distance of its object:
-/// `distances` has the least one of each object in metres, and last that of faces without an object.
+/// Returns, for each texture, the minimum number of texels per radian over the faces that show it; infinite if none
+/// does. A face counts with its texels per metre in the direction in which they are densest, and with the distance of
+/// its object: `distances` has the minimum distance of each object in metres, and last that of faces without an
+/// object.
 ///
-/// A mesh of several placements is read once. Placements that stretch it by different amounts on their axes count as if
-/// they stretched it by the greatest.
+/// A mesh with several placements is read once. Non-uniformly scaled placements count with their maximum scale.
 pub fn texels_per_radian(scene: &Scene, distances: &[f64], progress: &Progress) -> Result<Vec<f64>> {
     if distances.is_empty() {
         return Err(Error::value("distances", "a distance of faces without an object", "none"));
@@ -41,16 +41,16 @@ pub fn texels_per_radian(scene: &Scene, distances: &[f64], progress: &Progress) 
     Ok(least.0.into_iter().map(|bits| f64::from_bits(bits.into_inner())).collect())
 }
 
-/// A mesh with textures, and from how near its placements are seen.
+/// A mesh with textures, and the distances of its placements.
 struct View<'a> {
     mesh: &'a Mesh,
-    /// Least distance of those that are one object each, divided by their scale.
+    /// Minimum distance over placements with a single object, divided by their scale.
     whole: f64,
-    /// Greatest scale of those whose faces have objects of their own, 0 if there are none.
+    /// Maximum scale over placements whose faces have their own objects; 0 if there are none.
     scale: f64,
 }
 
-/// The textured meshes of a scene that are seen from a finite distance.
+/// Returns the textured meshes of a scene that are seen from a finite distance.
 fn views<'a>(scene: &'a Scene, distances: &[f64]) -> Vec<View<'a>> {
     let mut places: HashMap<*const Mesh, usize> = HashMap::new();
     let mut views: Vec<View<'a>> = Vec::new();
@@ -80,7 +80,7 @@ fn textures_of(scene: &Scene, material: i32) -> impl Iterator<Item = usize> {
     material.into_iter().flat_map(Material::textures).map(|texture| texture as usize)
 }
 
-/// The object of all faces of an instance, if there is one.
+/// Returns the object of all faces of an instance, if there is one.
 fn object_of(instance: &Instance) -> Option<i32> {
     match instance.mesh.objects {
         FaceMap::Uniform(object) => Some(instance.object.unwrap_or(object)),
@@ -93,7 +93,7 @@ fn distance_of(distances: &[f64], object: i32) -> f64 {
     distances[usize::try_from(object).map_or(last, |object| object.min(last))]
 }
 
-/// Bits of the least number of texels that was found for each texture. They sort like the numbers, because none is
+/// Bits of the minimum number of texels found so far for each texture. They sort like the numbers, because none is
 /// negative.
 struct Least(Vec<AtomicU64>);
 
@@ -135,9 +135,9 @@ impl Least {
     }
 }
 
-/// Texels per metre of a face in the direction in which they are finest: the greatest singular value of the map from
-/// its plane to the image, J = T E⁻¹ with the edges E and T of the face there. JᵀJ has the eigenvalues of A B⁻¹, with
-/// A = TᵀT and B = EᵀE. `None` for faces without area; 0 where texture coordinates are not finite.
+/// Returns the texels per metre of a face in the direction in which they are densest: the maximum singular value of
+/// the map from its plane to the image, J = T E⁻¹ with the edges E and T of the face there. JᵀJ has the eigenvalues of
+/// A B⁻¹, with A = TᵀT and B = EᵀE. `None` for faces without area; 0 if texture coordinates are not finite.
 fn texels_per_metre(corners: [DVec3; 3], texels: [[f64; 2]; 3]) -> Option<f64> {
     let [p, q] = [corners[1] - corners[0], corners[2] - corners[0]];
     let [s, t] = [1, 2].map(|i| [texels[i][0] - texels[0][0], texels[i][1] - texels[0][1]]);
@@ -165,7 +165,8 @@ mod tests {
 
     const FACES: u64 = 40;
 
-    /// Random triangles with two textured materials, one of which glows, and one without, and objects of their own or none.
+    /// Random triangles with two textured materials, one of them emissive, and one without; with their own objects or
+    /// none.
     fn mesh(seed: u64, objects: FaceMap) -> Arc<Mesh> {
         let number = |cell: u64, row: u64| (4.0 * uniform(seed, cell, row) - 2.0) as f32;
         let positions = (0..3 * FACES).map(|row| [0, 1, 2].map(|cell| number(cell, row))).collect();
@@ -194,7 +195,7 @@ mod tests {
         Scene::new(DVec3::ZERO, standing, moving, Arc::new(materials), Arc::new(textures)).unwrap()
     }
 
-    /// The definition, face by face in the scene: the image's fastest change over all directions in the face's plane.
+    /// Computes the definition face by face: the image's fastest change over all directions in the face's plane.
     fn one_by_one(scene: &Scene, distances: &[f64]) -> Vec<f64> {
         let mut least = vec![f64::INFINITY; scene.textures.len()];
         for instance in scene.instances() {
@@ -232,7 +233,8 @@ mod tests {
         for distances in [[3.0, 5.0, 2.0, 9.0, 4.0, 7.0], [far, 50.0, 20.0, far, far, 30.0], [0.0; 6]] {
             let found = texels_per_radian(&scene, &distances, &Progress::new()).unwrap();
             let expected = one_by_one(&scene, &distances);
-            // No direction of 20,000 is farther from the fastest one than 2e-4, but edges of slivers are almost alike.
+            // The nearest of 20,000 directions is within 2e-4 of the fastest one, but edges of slivers are almost
+            // parallel.
             let is_close = |(a, b): (&f64, &f64)| a == b || (b <= a && (a - b) / a < 1e-3);
             assert!(found.iter().zip(&expected).all(is_close), "{found:?}, expected {expected:?}");
             assert_eq!(found[2], far, "nothing shows this texture");

@@ -1,4 +1,4 @@
-//! A GLB: lists of views, accessors, meshes and nodes, and the bytes that they describe.
+//! GLB writer: buffer views, accessors, meshes and nodes, and the bytes that they describe.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -21,10 +21,10 @@ const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 const MAGIC: &[u8; 4] = b"glTF";
 const VERSION: u32 = 2;
 
-/// Buffer that a view lies in. The numbers of buffers are known when all of them are.
+/// Buffer of a view. Buffer numbers are assigned when all buffers are known.
 #[derive(Clone, Copy, Debug)]
 enum Source {
-    /// The file's own chunk.
+    /// The file's own binary chunk.
     Chunk,
     /// A buffer with a URI.
     External(usize),
@@ -39,18 +39,18 @@ struct View {
     count: usize,
 }
 
-/// The parts of a GLB.
+/// Parts of a GLB.
 #[derive(Debug, Default)]
 pub(super) struct Document {
     compressed: bool,
     chunk: Vec<u8>,
-    /// URI and number of bytes of each external buffer.
+    /// URI and size in bytes of each external buffer.
     external: Vec<(String, usize)>,
     views: Vec<View>,
     accessors: Vec<Value>,
     meshes: Vec<Value>,
     nodes: Vec<Value>,
-    /// Numbers in the file of materials, with or without their textures.
+    /// Material numbers in the file, by material and whether it has its textures.
     materials: BTreeMap<(i32, bool), usize>,
     extensions: BTreeSet<&'static str>,
 }
@@ -60,7 +60,7 @@ impl Document {
         Self { compressed, ..Self::default() }
     }
 
-    /// Adds a mesh, which lies in an external buffer if `uri` is given; returns its number.
+    /// Adds a mesh, in an external buffer if `uri` is given; returns its number.
     pub fn add_mesh(&mut self, mesh: &EncodedMesh, uri: Option<&str>) -> usize {
         let external = uri.map(|uri| (uri, self.external.len()));
         let mut place = 0;
@@ -93,7 +93,7 @@ impl Document {
         self.meshes.len() - 1
     }
 
-    /// Adds a node that shows a mesh.
+    /// Adds a node with a mesh.
     pub fn add_node(&mut self, mesh: usize, name: Option<&str>, to_scene: &DAffine3) {
         let mut node = json!({ "mesh": mesh });
         if let Some(name) = name {
@@ -105,7 +105,7 @@ impl Document {
         self.nodes.push(node);
     }
 
-    /// Adds a node that shows a mesh at several placements, given as arrays.
+    /// Adds a node with a mesh at several placements, given as arrays.
     pub fn add_placements(&mut self, mesh: usize, placements: &[Stream]) {
         let mut attributes = Map::new();
         for stream in placements {
@@ -122,7 +122,7 @@ impl Document {
         self.describe(stream, Source::Chunk, start)
     }
 
-    /// Adds a view and an accessor of an array.
+    /// Adds a view and an accessor for an array.
     fn describe(&mut self, stream: &Stream, source: Source, offset: usize) -> usize {
         let (attribute, count) = (stream.attribute, stream.count);
         if attribute == Attribute::ShortNormal {
@@ -143,7 +143,7 @@ impl Document {
         self.accessors.len() - 1
     }
 
-    /// The file's bytes. All nodes are children of the first one, which the scene's origin moves.
+    /// Returns the file's bytes. All nodes are children of the first one, which translates by the scene's origin.
     pub fn encode(mut self, origin: DVec3, surfaces: &Surfaces) -> Result<Vec<u8>> {
         let mut numbered: Vec<((i32, bool), usize)> =
             self.materials.iter().map(|(&key, &number)| (key, number)).collect();
@@ -188,7 +188,7 @@ impl Document {
         file(&document.to_string(), &self.chunk)
     }
 
-    /// Entries of the document's buffers and views. Compressed views have a second place in a buffer without bytes, which
+    /// Returns the document's buffers and views. Compressed views also refer to a fallback buffer without bytes, which
     /// the extension demands for the decompressed arrays.
     fn buffers(&self) -> (Vec<Value>, Vec<Value>) {
         let has_chunk = usize::from(!self.chunk.is_empty());
@@ -226,7 +226,7 @@ fn entry_at(buffer: usize, offset: usize, length: usize) -> Value {
     json!({ "buffer": buffer, "byteOffset": offset, "byteLength": length })
 }
 
-/// Adds what vertex attributes and corners need besides their place; placements need nothing.
+/// Adds the buffer target and stride that vertex attributes and corners need; placements need nothing.
 fn describe_use(entry: &mut Value, attribute: Attribute) {
     match attribute.kind() {
         Kind::Corners => entry["target"] = json!(ELEMENT_ARRAY_BUFFER),
@@ -238,7 +238,7 @@ fn describe_use(entry: &mut Value, attribute: Attribute) {
     }
 }
 
-/// The extension of a compressed view.
+/// Returns the extension object of a compressed view.
 fn compression(view: &View, (buffer, offset, length): (usize, usize, usize)) -> Value {
     let mode = if view.attribute.kind() == Kind::Corners { "TRIANGLES" } else { "ATTRIBUTES" };
     let mut entry = entry_at(buffer, offset, length);
@@ -251,7 +251,7 @@ fn compression(view: &View, (buffer, offset, length): (usize, usize, usize)) -> 
     entry
 }
 
-/// A GLB of a document and a chunk of bytes.
+/// Assembles a GLB from a document and a chunk of bytes.
 fn file(document: &str, chunk: &[u8]) -> Result<Vec<u8>> {
     let mut text = document.as_bytes().to_vec();
     text.resize(text.len().next_multiple_of(ALIGNMENT), b' ');

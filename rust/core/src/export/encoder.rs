@@ -1,4 +1,4 @@
-//! The files of a scene.
+//! Encoding of a scene as files.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -38,35 +38,36 @@ pub struct SharedMesh {
 /// A file.
 #[derive(Clone, Debug)]
 pub struct Glb {
-    /// Its bytes.
+    /// Bytes of the file.
     pub bytes: Vec<u8>,
-    /// Counts and bytes of its content; shared meshes in buffers of their own are counted there, except for the triangles drawn.
+    /// Counts and bytes of its content. Shared meshes in external buffers are counted there, except for drawn
+    /// triangles.
     pub statistics: Statistics,
 }
 
 impl SharedMesh {
-    /// The bytes of the buffer that files refer to by its URI.
+    /// Returns the bytes of the buffer that files refer to by its URI.
     pub fn bytes(&self) -> Vec<u8> {
         self.encoded.bytes()
     }
 
-    /// Groups with placements of the mesh, ascending.
+    /// Returns the groups with placements of the mesh, ascending.
     pub fn groups(&self) -> &[u16] {
         &self.groups
     }
 
-    /// Sizes, counts and errors; nothing of it is drawn before it is placed.
+    /// Returns sizes, counts and errors; its triangles count as drawn only in the files that place it.
     pub fn statistics(&self) -> &Statistics {
         &self.encoded.statistics
     }
 }
 
 impl Export {
-    /// Divides a scene and encodes the meshes that have several placements.
+    /// Divides a scene and encodes the meshes with several placements.
     ///
     /// `groups` has the group of each object, and last that of faces without an object; all are below `count`. `names`
-    /// are the objects' names; those of moving objects become names of nodes. `images` are the URIs of the images of
-    /// all textures, `None` to leave a texture out.
+    /// are the objects' names; those of moving objects become node names. `images` are the URIs of the images of all
+    /// textures, `None` to omit a texture.
     pub fn new(
         scene: &Scene,
         groups: &[u16],
@@ -90,12 +91,13 @@ impl Export {
         Ok(Self { scene: scene.clone(), settings, names, surfaces, plan, shared })
     }
 
-    /// Meshes with several placements.
+    /// Returns the meshes with several placements.
     pub fn shared(&self) -> &[SharedMesh] {
         &self.shared
     }
 
-    /// The file of a group. `uris` names the buffers of shared meshes; those without a URI are written into the file.
+    /// Returns the file of a group. `uris` names the buffers of shared meshes; meshes without a URI are written into
+    /// the file.
     pub fn glb(&self, group: u16, uris: &[Option<String>], progress: &Progress) -> Result<Glb> {
         let contents = self
             .plan
@@ -119,7 +121,7 @@ impl Export {
         file.finish()
     }
 
-    /// The merged mesh of a group, and the meshes of its moving objects where they are not shared.
+    /// Encodes the merged mesh of a group, and the meshes of its moving objects that are not shared.
     fn encode(&self, contents: &Contents, progress: &Progress) -> Result<(EncodedMesh, Vec<Option<EncodedMesh>>)> {
         let merged: Vec<Part<'_>> = contents
             .merged
@@ -155,7 +157,7 @@ impl Export {
         Part { mesh: &instance.mesh, frame, faces: own.faces.as_deref() }
     }
 
-    /// Faces of a moving object with their grid, and the factor by which placements extend errors.
+    /// Returns the faces of a moving object with their grid, and the factor by which placements increase errors.
     fn moving_part<'a>(&'a self, own: &'a OwnFaces) -> (Part<'a>, Grid, f64) {
         let part = self.own_part(own);
         let stretch = greatest_stretch(&self.scene.instance(own.instance).to_scene.matrix3);
@@ -164,7 +166,7 @@ impl Export {
     }
 }
 
-/// A file that is being written.
+/// A file being written.
 struct FileWriter<'a> {
     export: &'a Export,
     document: Document,
@@ -181,7 +183,7 @@ impl FileWriter<'_> {
         }
     }
 
-    /// Adds the shared meshes that a group needs; returns their numbers in the file. Those without faces have none.
+    /// Adds the shared meshes that a group needs; returns their numbers in the file. Meshes without faces get none.
     fn add_shared(&mut self, contents: &Contents, uris: &[Option<String>]) -> BTreeMap<usize, usize> {
         let placed = contents.placed.iter().map(|&(shared, _)| shared);
         let moving = contents.moving.iter().filter_map(|moving| match moving.body {
@@ -215,7 +217,7 @@ impl FileWriter<'_> {
             let mut placements = Vec::new();
             for instance in instances {
                 let to_scene = &self.export.scene.instance(instance).to_scene;
-                // Viewers turn mirrored nodes back, but not mirrored placements of an instanced mesh.
+                // Viewers flip the winding of mirrored nodes, but not of mirrored placements of an instanced mesh.
                 let trs = Some(Trs::of(to_scene)).filter(|_| self.export.settings.compressed && !plan.turned);
                 let error = trs.map(|trs| trs.error(to_scene, &bounds));
                 match trs.zip(error).filter(|&(_, error)| error <= self.export.settings.step / 2.0) {
@@ -279,7 +281,7 @@ impl FileWriter<'_> {
     }
 }
 
-/// Placements as arrays.
+/// Encodes placements as arrays.
 fn placement_streams(placements: &[Trs]) -> Result<[Stream; 3]> {
     let translations: Vec<[f32; 3]> = placements.iter().map(|trs| trs.translation).collect();
     let rotations: Vec<[f32; 4]> = placements.iter().map(|trs| trs.rotation).collect();

@@ -1,4 +1,4 @@
-//! Faces that become one primitive: those of one material whose vertices have the same attributes.
+//! Grouping of faces into primitives: faces of one material whose vertices have the same attributes.
 
 use std::collections::BTreeMap;
 
@@ -8,11 +8,11 @@ use super::surfaces::Surfaces;
 use crate::base::{Progress, Result};
 use crate::scene::{Instance, Mesh};
 
-/// Number of faces in one task.
+/// Number of faces per task.
 const TILE: usize = 1 << 16;
 
-/// Most faces of one primitive. Larger ones are divided, so that several threads share the work, cancelling takes less
-/// than a second, and viewers get meshes that all of them can draw.
+/// Maximum number of faces per primitive. Larger ones are divided, so that several threads share the work, cancelling
+/// takes less than a second, and all viewers can draw the meshes.
 const MOST_FACES: usize = 1 << 18;
 
 /// Material and attributes of a primitive.
@@ -28,12 +28,12 @@ pub(super) struct Key {
     pub lit: bool,
 }
 
-/// The frame that vertices are written in.
+/// Coordinate frame of the written vertices.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Frame<'a> {
-    /// The scene, where an instance places them.
+    /// Scene coordinates; the instance places the vertices.
     Scene(&'a Instance),
-    /// The mesh's own. `turned` faces show their other side, because a mirrored placement turns them back.
+    /// Mesh coordinates. `turned` faces are flipped, because a mirrored placement flips them back.
     Own {
         /// Whether the placement is a mirror.
         turned: bool,
@@ -58,18 +58,18 @@ pub(super) struct Piece<'a> {
 }
 
 impl Part<'_> {
-    /// Number of faces.
+    /// Returns the number of faces.
     pub fn count(&self) -> usize {
         self.faces.map_or(self.mesh.faces.len(), <[u32]>::len)
     }
 
-    /// Number of the face at a place of the list.
+    /// Returns the number of the face at a position of the list.
     fn face(&self, place: usize) -> u32 {
         self.faces.map_or(place as u32, |faces| faces[place])
     }
 }
 
-/// The faces of all parts by primitive, in the order of keys, parts and faces.
+/// Groups the faces of all parts by primitive, in the order of keys, parts and faces.
 pub(super) fn primitives<'a>(
     parts: &[Part<'a>],
     surfaces: &Surfaces,
@@ -87,7 +87,7 @@ pub(super) fn primitives<'a>(
     Ok(divided.collect())
 }
 
-/// The faces of a part by primitive.
+/// Groups the faces of a part by primitive.
 fn by_key(part: &Part<'_>, surfaces: &Surfaces, progress: &Progress) -> Result<BTreeMap<Key, Vec<u32>>> {
     let sorted = |start: usize| -> Result<Vec<(Key, u32)>> {
         progress.check()?;
@@ -117,7 +117,7 @@ fn key_of(mesh: &Mesh, face: u32, surfaces: &Surfaces) -> Key {
     }
 }
 
-/// Pieces divided into primitives of at most `MOST_FACES` faces.
+/// Divides pieces into primitives of at most `MOST_FACES` faces.
 fn divided(pieces: Vec<Piece<'_>>) -> Vec<Vec<Piece<'_>>> {
     let (mut primitives, mut open, mut room) = (Vec::new(), Vec::new(), MOST_FACES);
     for mut piece in pieces {

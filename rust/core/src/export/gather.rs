@@ -1,4 +1,4 @@
-//! The vertices and faces of a primitive, rounded.
+//! Quantised vertices and faces of a primitive.
 //!
 //! Normals are rounded to 8 bits by octahedral coordinates: Meyer, Süßmuth, Sußner, Stamminger, Greiner: On
 //! floating-point normal vectors, 2010.
@@ -14,36 +14,36 @@ use super::surfaces::Surfaces;
 use crate::base::{Progress, Result};
 use crate::scene::srgb::linear_from_srgb;
 
-/// Greatest angle in degrees between a normal and the one in the file. The angle is greatest at a corner of a cell of
-/// the octahedral grid; the corners of all cells are at most 1.273° from the bytes that the cell's centre decodes to.
+/// Maximum angle in degrees between a normal and its decoded value. The angle is largest at a corner of a cell of the
+/// octahedral grid; the corners of all cells are at most 1.273° from the value that the cell's centre decodes to.
 pub const NORMAL_ERROR_DEG: f64 = 1.28;
 
 const NORMAL_BITS: i32 = 8;
 
 const WHITE: [u16; 4] = [u16::MAX; 4];
 
-/// Linear 16-bit values of the 256 sRGB codes: those are at least 20 of these apart, so all codes come back.
+/// Linear 16-bit values of the 256 sRGB codes. They are at least 20 apart, so all codes are recovered.
 static LINEAR: LazyLock<[u16; 256]> =
     LazyLock::new(|| linear_from_srgb().map(|linear| (f64::from(linear) * 65535.0).round() as u16));
 
-/// A primitive with rounded vertices.
+/// A primitive with quantised vertices.
 #[derive(Clone, Debug)]
 pub(super) struct Primitive {
     pub grid: Grid,
-    /// Points of the grid.
+    /// Positions as grid points.
     pub positions: Vec<[i32; 3]>,
     /// Octahedral coordinates as the OCTAHEDRAL filter stores them.
     pub normals: Option<Vec<[i8; 4]>>,
-    /// Points of a grid, v downwards, and the grid.
+    /// Texture coordinates as points of a grid, v downwards, and the grid.
     pub uvs: Option<(Vec<[i32; 2]>, Grid)>,
     /// Linear colours.
     pub colors: Option<Vec<[u16; 4]>>,
     pub faces: Vec<[u32; 3]>,
-    /// Number of faces that are left out because they have no area on the grid.
+    /// Number of omitted faces without area on the grid.
     pub dropped: usize,
 }
 
-/// Rounds the faces of some pieces to a primitive.
+/// Quantises the faces of some pieces to a primitive.
 pub(super) fn gather(
     key: Key,
     pieces: &[Piece<'_>],
@@ -108,7 +108,7 @@ impl Gatherer {
             let unit = |normal: DVec3| normal.normalize_or_zero().as_vec3().extend(0.0).to_array();
             match piece.frame {
                 Frame::Scene(instance) if !instance.in_place => {
-                    // Normals belong to planes, which the inverse transpose of the placement's matrix transforms.
+                    // Normals are transformed by the inverse transpose of the placement's matrix.
                     let matrix = instance.to_object.matrix3.transpose();
                     self.normals.extend(numbering.vertices().map(|vertex| unit(matrix * own(vertex))));
                 }
@@ -131,7 +131,7 @@ impl Gatherer {
     /// Adds a face unless it has no area.
     fn add_face(&mut self, face: [u32; 3]) {
         let [a, b, c] = face.map(|vertex| I64Vec3::from_array(self.positions[vertex as usize].map(i64::from)));
-        // Exact: edges have at most 25 bits.
+        // Exact, because edges have at most 25 bits.
         let across = (b - a).cross(c - a);
         if across == I64Vec3::ZERO {
             self.dropped += 1;
@@ -141,9 +141,9 @@ impl Gatherer {
         self.faces.push(face);
     }
 
-    /// A face that shows the side of its normals, and with its own normal at corners that have none. Files order the
-    /// corners of faces inconsistently; nearfar lights a face from the side of its normals, but viewers of glTF from the
-    /// side from which its corners go round counter-clockwise.
+    /// Orients a face to the side of its normals, and gives corners without a normal the face's own. Files order
+    /// corners inconsistently; nearfar lights a face from the side of its normals, but glTF viewers from the side on
+    /// which its corners are counter-clockwise.
     fn lit(&mut self, face: [u32; 3], mut plane: DVec3) -> [u32; 3] {
         let normal = |&[x, y, z, _]: &[f32; 4]| Vec3::new(x, y, z);
         let normals = face.map(|vertex| normal(&self.normals[vertex as usize]));
@@ -161,7 +161,7 @@ impl Gatherer {
         })
     }
 
-    /// A copy of a vertex with another normal.
+    /// Copies a vertex with another normal.
     fn copied(&mut self, vertex: u32, normal: [f32; 4]) -> u32 {
         let row = vertex as usize;
         self.positions.push(self.positions[row]);
@@ -179,19 +179,18 @@ impl Gatherer {
         let Self { key, grid, positions, normals, uvs, colors, faces, dropped } = self;
         let normals = key.lit.then(|| meshopt::encode_filter_oct(&normals, NORMAL_BITS));
         let uvs = key.textured.then(|| rounded_uvs(&uvs, key.material, surfaces));
-        // White is the neutral colour, which merged meshes have where a part has none.
+        // White is the neutral colour, which merged meshes have where a part has no colours.
         let colors = Some(colors).filter(|colors| colors.iter().any(|&color| color != WHITE));
         Primitive { grid, positions, normals, uvs, colors, faces, dropped }
     }
 }
 
-/// The face with its corners in the opposite order.
+/// Flips a face.
 fn other_side([a, b, c]: [u32; 3]) -> [u32; 3] {
     [a, c, b]
 }
 
-/// Texture coordinates with v downwards on the grid of a material; 0 for those that are not finite, as `Texture` reads
-/// them.
+/// Rounds texture coordinates, v downwards, to the grid of a material; 0 if not finite, as `Texture` reads them.
 fn rounded_uvs(uvs: &[[f32; 2]], material: i32, surfaces: &Surfaces) -> (Vec<[i32; 2]>, Grid) {
     let finite = |x: f64| if x.is_finite() { x } else { 0.0 };
     let downwards = |&[u, v]: &[f32; 2]| [finite(f64::from(u)), finite(1.0 - f64::from(v))];

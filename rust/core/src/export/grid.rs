@@ -1,26 +1,26 @@
-//! The grid that positions and texture coordinates are rounded to. Its points are multiples of a power of two, which
-//! float32 and the EXPONENTIAL filter of `EXT_meshopt_compression` hold exactly: a mantissa of 24 bits with a sign, and
-//! an exponent for each number. Farther numbers are multiples of greater powers, so rounding depends on nothing but the
-//! number, and equal corners of different meshes stay equal.
+//! Quantisation grid of positions and texture coordinates. Its points are multiples of a power of two, which float32
+//! and the EXPONENTIAL filter of `EXT_meshopt_compression` represent exactly: a signed 24-bit mantissa and an exponent
+//! per number. Larger numbers are multiples of larger powers, so rounding depends only on the number, and equal
+//! corners of different meshes stay equal.
 
-/// Greatest mantissa.
+/// Maximum mantissa.
 const MOST_MANTISSA: i32 = (1 << 23) - 1;
 
-/// Greatest number of steps: products of differences stay exact in 64 bits.
+/// Maximum number of steps: products of differences stay exact in 64 bits.
 const MOST: i32 = 1 << 29;
 
-/// Least and greatest exponent that the extension allows, without the exponents of far numbers.
+/// Minimum and maximum exponent of the extension, with a reserve for large numbers.
 const EXPONENTS: std::ops::RangeInclusive<i32> = -100..=94;
 
-/// The multiples of 2^exponent; beyond 2²³ of them, of the least greater power that fits the mantissa.
+/// Multiples of 2^exponent; beyond 2²³ steps, multiples of the smallest larger power that fits the mantissa.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Grid {
     exponent: i32,
 }
 
 impl Grid {
-    /// The coarsest grid whose step is at most `step`, a positive number; or the finest coarser one that holds numbers up
-    /// to `reach`.
+    /// Creates the coarsest grid whose step is at most `step`, a positive number; coarser if needed to represent
+    /// numbers up to `reach`.
     pub fn new(step: f64, reach: f64) -> Self {
         let mut grid = Self { exponent: exponent(step).clamp(*EXPONENTS.start(), *EXPONENTS.end()) };
         while grid.exponent < *EXPONENTS.end() && reach > f64::from(MOST) * grid.step() {
@@ -29,17 +29,17 @@ impl Grid {
         grid
     }
 
-    /// Distance of neighbouring points near 0.
+    /// Returns the distance of neighbouring points near 0.
     pub fn step(self) -> f64 {
         power(self.exponent)
     }
 
-    /// Greatest error of numbers that round to at most this many steps.
+    /// Returns the maximum error of numbers that round to at most this many steps.
     pub fn error(self, steps: i32) -> f64 {
         power(self.exponent + shift(steps)) / 2.0
     }
 
-    /// The nearest point as a number of steps, limited to those that the grid holds; 0 for NaN.
+    /// Returns the nearest point as a number of steps, clamped to the grid's range; 0 for NaN.
     #[inline]
     pub fn round(self, x: f64) -> i32 {
         let near = ((x * power(-self.exponent)).round_ties_even() as i32).clamp(-MOST, MOST);
@@ -50,13 +50,13 @@ impl Grid {
         ((x * power(-self.exponent - shift)).round_ties_even() as i32).clamp(-(MOST >> shift), MOST >> shift) << shift
     }
 
-    /// The value of a point.
+    /// Returns the value of a point.
     #[inline]
     pub fn value(self, steps: i32) -> f32 {
         (f64::from(steps) * self.step()) as f32
     }
 
-    /// A point as the EXPONENTIAL filter stores it: exponent in the upper 8 bits, mantissa in the lower 24.
+    /// Returns a point in the EXPONENTIAL filter's format: exponent in the upper 8 bits, mantissa in the lower 24.
     #[inline]
     pub fn packed(self, steps: i32) -> u32 {
         let shift = shift(steps);
@@ -64,18 +64,18 @@ impl Grid {
     }
 }
 
-/// Number of lower bits of a number that do not fit in the mantissa. Rounding has made them 0.
+/// Returns the number of low bits that do not fit in the mantissa. Rounding has made them 0.
 #[inline]
 fn shift(steps: i32) -> i32 {
     (9 - steps.unsigned_abs().leading_zeros() as i32).max(0)
 }
 
-/// Exponent of the greatest power of two that is at most a positive, normal number.
+/// Returns the exponent of the largest power of two that is at most a positive, normal number.
 fn exponent(x: f64) -> i32 {
     (x.to_bits() >> 52) as i32 - 1023
 }
 
-/// 2^exponent, for exponents of normal numbers.
+/// Returns 2^exponent, for exponents of normal numbers.
 #[inline]
 fn power(exponent: i32) -> f64 {
     f64::from_bits(((exponent + 1023) as u64) << 52)

@@ -18,7 +18,7 @@ pub(super) const ALIGNMENT: usize = 4;
 #[derive(Clone, Debug)]
 pub(super) struct EncodedPrimitive {
     pub key: Key,
-    /// Attributes of vertices, and last the corners.
+    /// Vertex attributes, and last the corners.
     pub streams: Vec<Stream>,
 }
 
@@ -30,7 +30,7 @@ pub(super) struct EncodedMesh {
 }
 
 impl EncodedMesh {
-    /// Encodes the faces of some parts. The error of positions counts in their frame. Reports as many units as the parts have faces.
+    /// Encodes the faces of some parts. Position errors are measured in their frame. Reports one unit per face.
     pub fn new(
         parts: &[Part<'_>],
         grid: Grid,
@@ -70,7 +70,7 @@ impl EncodedMesh {
         Ok(mesh)
     }
 
-    /// All arrays one after the other, each aligned.
+    /// Returns all arrays concatenated, each aligned.
     pub fn bytes(&self) -> Vec<u8> {
         let mut bytes = Vec::new();
         for stream in self.primitives.iter().flat_map(|primitive| &primitive.streams) {
@@ -80,7 +80,7 @@ impl EncodedMesh {
     }
 }
 
-/// Appends an array and fills it up to the alignment; returns where it begins.
+/// Appends an array, padded to the alignment; returns its start.
 pub(super) fn append(bytes: &mut Vec<u8>, array: &[u8]) -> usize {
     let start = bytes.len();
     bytes.extend_from_slice(array);

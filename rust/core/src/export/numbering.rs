@@ -1,12 +1,12 @@
-//! Numbers of the vertices that some faces of a mesh use.
+//! Compact renumbering of the vertices that some faces of a mesh use.
 
-/// The used vertices of a mesh, numbered in their order. A bit for each vertex and a count for each 64 of them take a
-/// fraction of the memory of a table with an entry for each vertex.
+/// Used vertices of a mesh, numbered in their order. A bit per vertex and a count per 64 vertices take a fraction of
+/// the memory of a table with an entry per vertex.
 #[derive(Debug, Default)]
 pub(super) struct Numbering {
     /// First vertex of the first word.
     start: u32,
-    /// A bit for each vertex.
+    /// One bit per vertex.
     used: Vec<u64>,
     /// Number of used vertices before each word.
     before: Vec<u32>,
@@ -32,14 +32,14 @@ impl Numbering {
         Self { start, before: before.collect(), used }
     }
 
-    /// The number of a used vertex.
+    /// Returns the number of a used vertex.
     #[inline]
     pub fn number(&self, vertex: u32) -> u32 {
         let word = ((vertex - self.start) / 64) as usize;
         self.before[word] + (self.used[word] & ((1 << (vertex % 64)) - 1)).count_ones()
     }
 
-    /// The used vertices, ascending.
+    /// Returns the used vertices, ascending.
     pub fn vertices(&self) -> impl Iterator<Item = u32> + '_ {
         self.used.iter().enumerate().flat_map(|(place, &word)| {
             let first = self.start + 64 * place as u32;

@@ -1,10 +1,10 @@
-//! Placements as translation, rotation and scale, and how far they stretch rounding errors.
+//! Placements as translation, rotation and scale, and their amplification of rounding errors.
 
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 use crate::base::Aabb;
 
-/// A placement as float32 translation, unit quaternion (x, y, z, w) and scale, applied in the opposite order.
+/// Placement as float32 translation, unit quaternion (x, y, z, w) and scale; the scale is applied first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Trs {
     pub translation: [f32; 3],
@@ -13,7 +13,7 @@ pub(super) struct Trs {
 }
 
 impl Trs {
-    /// The nearest parts of a placement. Of a sheared placement the shear is lost.
+    /// Decomposes a placement; shear is lost.
     pub fn of(to_scene: &DAffine3) -> Self {
         let (scale, rotation, translation) = to_scene.to_scale_rotation_translation();
         Self {
@@ -23,32 +23,34 @@ impl Trs {
         }
     }
 
-    /// The placement of these parts.
+    /// Returns the placement composed of these parts.
     fn affine(&self) -> DAffine3 {
         let rotation = DQuat::from_array(self.rotation.map(f64::from)).normalize();
         let (scale, translation) = (self.scale.map(f64::from), self.translation.map(f64::from));
         DAffine3::from_scale_rotation_translation(DVec3::from_array(scale), rotation, DVec3::from_array(translation))
     }
 
-    /// Greatest distance on an axis by which points of a box are placed elsewhere.
+    /// Returns the maximum displacement per axis of a box's points.
     pub fn error(&self, to_scene: &DAffine3, bounds: &Aabb) -> f64 {
         displacement(to_scene, &self.affine(), bounds)
     }
 }
 
-/// Whether a placement is translation, rotation and scale without shear, up to a displacement of a box's points.
+/// Returns whether a placement is translation, rotation and scale without shear, within a displacement of a box's
+/// points.
 pub(super) fn is_trs(to_scene: &DAffine3, bounds: &Aabb, tolerance: f64) -> bool {
     let (scale, rotation, translation) = to_scene.to_scale_rotation_translation();
     let again = DAffine3::from_scale_rotation_translation(scale, rotation.normalize(), translation);
     displacement(to_scene, &again, bounds) <= tolerance
 }
 
-/// Whether a placement is a mirror.
+/// Returns whether a placement is a mirror.
 pub(super) fn is_mirrored(to_scene: &DAffine3) -> bool {
     to_scene.matrix3.determinant() < 0.0
 }
 
-/// Greatest difference on an axis between two placements of a box. It is affine in the point, so greatest at a corner.
+/// Returns the maximum difference per axis between two placements of a box. It is affine in the point, so largest at a
+/// corner.
 fn displacement(a: &DAffine3, b: &DAffine3, bounds: &Aabb) -> f64 {
     let ends = [bounds.min.as_dvec3(), bounds.max.as_dvec3()];
     let corner = |i: usize| DVec3::new(ends[i & 1].x, ends[i >> 1 & 1].y, ends[i >> 2 & 1].z);
@@ -56,20 +58,21 @@ fn displacement(a: &DAffine3, b: &DAffine3, bounds: &Aabb) -> f64 {
     (0..8).map(|i| distance(corner(i))).fold(0.0, f64::max)
 }
 
-/// Greatest factor by which a placement lengthens a line, or a little more for a sheared one: the root of the greatest
-/// eigenvalue of MᵀM, which its greatest row sum bounds.
+/// Returns the maximum factor by which a placement lengthens a line, or slightly more with shear: the square root of
+/// the largest eigenvalue of MᵀM, bounded by its maximum row sum.
 pub(super) fn scale(matrix: &DMat3) -> f64 {
     stretch(&(matrix.transpose() * *matrix)).sqrt()
 }
 
-/// Greatest error on an axis of the scene for errors of at most 1 on each axis of the mesh: the greatest sum of a row's
+/// Returns the maximum error per scene axis for errors of at most 1 on each axis of the mesh: the maximum row sum of
 /// absolute values.
 pub(super) fn stretch(matrix: &DMat3) -> f64 {
     (matrix.x_axis.abs() + matrix.y_axis.abs() + matrix.z_axis.abs()).max_element()
 }
 
-/// A bound of `stretch` for all poses that differ by rotations: an error vector has at most √3, the matrix extends it by
-/// at most the root of the greatest eigenvalue of MᵀM, which its greatest row sum bounds.
+/// Returns a bound of `stretch` for all poses that differ by rotations: an error vector has a length of at most √3,
+/// and the matrix extends it by at most the square root of the largest eigenvalue of MᵀM, bounded by its maximum row
+/// sum.
 pub(super) fn greatest_stretch(matrix: &DMat3) -> f64 {
     (3.0 * stretch(&(matrix.transpose() * *matrix))).sqrt()
 }

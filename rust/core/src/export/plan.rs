@@ -1,4 +1,4 @@
-//! Which file holds what: merged faces, placements of shared meshes, and moving objects, by group.
+//! Assignment of a scene to files: merged faces, placements of shared meshes, and moving objects, by group.
 
 use std::collections::{BTreeMap, HashMap};
 use std::ptr;
@@ -13,16 +13,16 @@ use crate::scene::{Instance, Mesh, Scene};
 #[derive(Clone, Debug)]
 pub(super) struct SharedPlan {
     pub mesh: Arc<Mesh>,
-    /// Whether its faces are turned, for mirrored placements.
+    /// Whether its faces are flipped, for mirrored placements.
     pub turned: bool,
     pub grid: Grid,
-    /// Greatest factor by which a placement extends an error on an axis.
+    /// Maximum factor by which a placement increases an error per axis.
     pub stretch: f64,
     /// Groups with a placement, ascending.
     pub groups: Vec<u16>,
 }
 
-/// Faces of an instance, which are not shared.
+/// Faces of an instance that are not shared.
 #[derive(Clone, Debug)]
 pub(super) struct OwnFaces {
     /// Number of the instance.
@@ -36,11 +36,11 @@ pub(super) struct OwnFaces {
 pub(super) enum Body {
     /// Number of a shared mesh.
     Shared(usize),
-    /// Faces of its own.
+    /// Unshared faces.
     Own(OwnFaces),
 }
 
-/// A moving instance, or an object's part of one.
+/// A moving instance, or the part of one that belongs to an object.
 #[derive(Clone, Debug)]
 pub(super) struct Moving {
     /// Number of the instance.
@@ -69,7 +69,7 @@ pub(super) struct Plan {
     pub merged_grid: Grid,
 }
 
-/// A mesh, and whether its faces are turned.
+/// A mesh, and whether its faces are flipped.
 type Shape = (*const Mesh, bool);
 
 /// An instance with its number and the object of all its faces, if there is one.
@@ -85,8 +85,8 @@ impl Placed<'_> {
         (ptr::from_ref(&*self.instance.mesh), is_mirrored(&self.instance.to_scene))
     }
 
-    /// Whether the instance can place a shared mesh: sheared placements are no valid nodes, and instances with several
-    /// objects may belong to several groups.
+    /// Returns whether the instance can place a shared mesh: sheared placements are no valid nodes, and instances with
+    /// several objects may belong to several groups.
     fn can_share(&self, step: f64) -> bool {
         let (to_scene, bounds) = (&self.instance.to_scene, self.instance.mesh.bounds());
         self.object.is_some() && (self.moves || is_trs(to_scene, &bounds, step / 2.0))
@@ -131,7 +131,7 @@ impl Plan {
     }
 }
 
-/// The group of an object by its number.
+/// Returns the function from an object's number to its group.
 fn group_function(groups: &[u16], count: usize) -> Result<impl Fn(i32) -> u16 + '_> {
     let Some(last) = groups.len().checked_sub(1) else {
         return Err(Error::value("groups", "a group for faces without an object", "none"));
@@ -142,7 +142,7 @@ fn group_function(groups: &[u16], count: usize) -> Result<impl Fn(i32) -> u16 + 
     Ok(move |object| groups[usize::try_from(object).map_or(last, |object| object.min(last))])
 }
 
-/// All instances with faces, in order.
+/// Returns all instances with faces, in order.
 fn placed_instances(scene: &Scene) -> Vec<Placed<'_>> {
     let standing = scene.standing.instances().len();
     let placed = |(number, instance): (usize, &'_ Instance)| {
@@ -161,7 +161,7 @@ fn placed_instances(scene: &Scene) -> Vec<Placed<'_>> {
         .collect()
 }
 
-/// Meshes with several placements, in the order of their first ones.
+/// Returns the meshes with several placements, in the order of their first ones.
 fn shared_meshes(placed: &[Placed<'_>], step: f64, group_of: &impl Fn(i32) -> u16) -> Vec<SharedPlan> {
     let mut users: HashMap<Shape, Vec<&Placed<'_>>> = HashMap::new();
     for one in placed.iter().filter(|one| one.can_share(step)) {
@@ -185,7 +185,7 @@ fn shared_meshes(placed: &[Placed<'_>], step: f64, group_of: &impl Fn(i32) -> u1
     several.into_iter().map(plan).collect()
 }
 
-/// Numbers of an instance's faces by what they belong to; `None` for all of them.
+/// Face numbers of an instance for one key; `None` for all faces.
 type Faces = Option<Vec<u32>>;
 
 fn by_group(one: &Placed<'_>, group_of: &impl Fn(i32) -> u16) -> Vec<(u16, Faces)> {
@@ -202,7 +202,7 @@ fn by_object(one: &Placed<'_>) -> Vec<(i32, Faces)> {
     }
 }
 
-/// Faces of a mesh that gives the objects, by a key of the object.
+/// Divides the faces of a mesh whose face map names the objects, by a key of the object.
 fn divided<K: Ord + Copy>(mesh: &Mesh, key_of: &impl Fn(i32) -> K) -> Vec<(K, Faces)> {
     let mut divided: BTreeMap<K, Vec<u32>> = BTreeMap::new();
     let mut open = None;

@@ -1,4 +1,4 @@
-//! Sizes, counts and errors of what was encoded.
+//! Sizes, counts and errors of encoded geometry.
 
 /// Kind of the bytes of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,7 +15,7 @@ pub enum Kind {
     Corners,
     /// Placements of shared meshes.
     Placements,
-    /// The JSON document with the headers and padding of the file.
+    /// JSON document, headers and padding of the file.
     Document,
 }
 
@@ -24,7 +24,7 @@ impl Kind {
     pub const ALL: [Self; 7] =
         [Self::Positions, Self::Normals, Self::Uvs, Self::Colors, Self::Corners, Self::Placements, Self::Document];
 
-    /// The kind's public name.
+    /// Returns the kind's public name.
     pub fn name(self) -> &'static str {
         match self {
             Self::Positions => "positions",
@@ -38,7 +38,7 @@ impl Kind {
     }
 }
 
-/// Sizes, counts and errors of what was encoded.
+/// Sizes, counts and errors of encoded geometry.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Statistics {
     pub(super) bytes: [u64; Kind::ALL.len()],
@@ -52,12 +52,12 @@ pub struct Statistics {
     pub drawn: u64,
     /// Triangles left out because they have no area after rounding.
     pub dropped: u64,
-    /// Greatest error of a position on each axis in metres.
+    /// Maximum error of a position per axis, metres.
     pub position_error: f64,
 }
 
 impl Statistics {
-    /// Bytes of a kind.
+    /// Returns the bytes of a kind.
     pub fn bytes(&self, kind: Kind) -> u64 {
         self.bytes[kind as usize]
     }
@@ -66,7 +66,7 @@ impl Statistics {
         self.bytes[kind as usize] += bytes as u64;
     }
 
-    /// Adds what else was encoded.
+    /// Adds the statistics of other geometry.
     pub(super) fn add(&mut self, other: &Self) {
         self.bytes.iter_mut().zip(other.bytes).for_each(|(sum, bytes)| *sum += bytes);
         self.raw_bytes += other.raw_bytes;

@@ -1,4 +1,4 @@
-//! Materials with the images that the caller has named.
+//! Materials, with images referenced by URIs from the caller.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::Arc;
@@ -9,21 +9,21 @@ use super::grid::Grid;
 use crate::base::{Error, Result};
 use crate::scene::{Alpha, Material, Scene, Texture};
 
-/// Greatest error of a texture coordinate in texels of the longer side, for coordinates up to 2²³ steps of its grid:
-/// 2¹¹ periods of a texture of up to 1024 texels. Farther ones have about the precision of float32.
+/// Maximum error of a texture coordinate, in texels of the longer side, for coordinates up to 2²³ steps of its grid:
+/// 2¹¹ periods of a texture of up to 1024 texels. Larger ones have about the precision of float32.
 pub const UV_ERROR_TEXELS: f64 = 1.0 / 8.0;
 
-/// Greatest step of texture coordinates. A texture of up to 1024 texels gets it, larger ones get finer steps.
+/// Maximum step of texture coordinates, used for textures of up to 1024 texels; larger ones get finer steps.
 const MOST_UV_STEP: f64 = 1.0 / 4096.0;
 
 const REPEAT: u32 = 10497;
 const LINEAR: u32 = 9729;
 const LINEAR_MIPMAP_LINEAR: u32 = 9987;
 
-/// Extension that textures with WebP images need.
+/// Extension for textures with WebP images.
 const WEBP: &str = "EXT_texture_webp";
 
-/// Extensions of materials, without which a viewer shows their colours otherwise, and all else the same.
+/// Optional material extensions: a viewer without them shows other colours, and all else the same.
 const UNLIT: &str = "KHR_materials_unlit";
 const STRENGTH: &str = "KHR_materials_emissive_strength";
 pub(super) const OPTIONAL: [&str; 2] = [UNLIT, STRENGTH];
@@ -31,19 +31,20 @@ pub(super) const OPTIONAL: [&str; 2] = [UNLIT, STRENGTH];
 /// Materials of a scene and URIs of its textures.
 #[derive(Debug)]
 pub(super) struct Surfaces {
-    /// As they are drawn with the images that there are.
+    /// Materials as drawn with the available images.
     materials: Vec<Material>,
     textures: Arc<Vec<Texture>>,
     images: Vec<Option<String>>,
-    /// For each material the first one that is drawn alike; they may differ in what is not drawn.
+    /// First material that is drawn alike, for each material; they may differ in properties that are not drawn.
     alike: Vec<i32>,
 }
 
-/// The document's lists for materials, and the extensions that they use.
+/// Lists of the document for materials, and the extensions that they use.
 pub(super) type Described = (BTreeMap<&'static str, Vec<Value>>, BTreeSet<&'static str>);
 
 impl Surfaces {
-    /// `images` are the URIs of the textures' images; materials without one are drawn without a texture.
+    /// Creates the materials. `images` are the URIs of the textures' images; without one a material is drawn
+    /// untextured.
     pub fn new(scene: &Scene, images: Vec<Option<String>>) -> Result<Self> {
         if images.len() != scene.textures.len() {
             let expected = format!("a URI or none for each of {} textures", scene.textures.len());
@@ -64,7 +65,7 @@ impl Surfaces {
         Ok(Self { materials, textures: Arc::clone(&scene.textures), images, alike })
     }
 
-    /// The first material that is drawn like this one; −1 for none.
+    /// Returns the first material that is drawn like this one; −1 for none.
     #[inline]
     pub fn drawn(&self, material: i32) -> i32 {
         usize::try_from(material).ok().and_then(|number| self.alike.get(number)).map_or(-1, |&first| first)
@@ -75,24 +76,26 @@ impl Surfaces {
         usize::try_from(number).ok().and_then(|number| self.materials.get(number)).copied().unwrap_or_default()
     }
 
-    /// Whether a material has a texture whose image has a URI.
+    /// Returns whether a material has a texture whose image has a URI.
     #[inline]
     pub fn is_textured(&self, material: i32) -> bool {
         self.material(material).textures().next().is_some()
     }
 
-    /// Texels of the longest side of a material's textures; 1 without one.
+    /// Returns the texels of the longest side of a material's textures; 1 without one.
     pub fn texels(&self, material: i32) -> f64 {
         let textures = self.material(material).textures().map(|texture| &self.textures[texture as usize]);
         textures.map(|texture| f64::from(texture.width.max(texture.height))).fold(1.0, f64::max)
     }
 
-    /// The grid of a material's texture coordinates up to `reach`. Half its step is at most an eighth of a texel.
+    /// Returns the grid of a material's texture coordinates up to `reach`. Half its step is at most an eighth of a
+    /// texel.
     pub fn uv_grid(&self, material: i32, reach: f64) -> Grid {
         Grid::new((2.0 * UV_ERROR_TEXELS / self.texels(material)).min(MOST_UV_STEP), reach)
     }
 
-    /// The document's lists for materials, each with or without its textures, in this order, and their extensions.
+    /// Returns the document's lists for materials, each with or without its textures, in this order, and their
+    /// extensions.
     pub fn describe(&self, used: &[(i32, bool)]) -> Described {
         let (mut images, mut textures, mut materials) = (Vec::new(), Vec::new(), Vec::new());
         let mut numbers: BTreeMap<u32, usize> = BTreeMap::new();
@@ -127,7 +130,7 @@ impl Surfaces {
     }
 }
 
-/// A material as it is drawn with the images that there are. Emission that lacks its image is left out: the factor alone
+/// Returns a material as drawn with the available images. Emission without its image is omitted: the factor alone
 /// would let dark parts glow.
 fn drawn_with(material: &Material, images: &[Option<String>]) -> Material {
     let is_there = |texture: &u32| images[*texture as usize].is_some();
@@ -160,14 +163,14 @@ fn material_entry(material: &Material, texture: Option<usize>) -> Value {
     let mut entry = json!({ "pbrMetallicRoughness": surface, "doubleSided": true });
     if let Alpha::Mask { cutoff } = material.alpha {
         entry["alphaMode"] = json!("MASK");
-        // Like 0, cutoffs below 0, which glTF does not allow, cut nothing out.
+        // Cutoffs below 0, which glTF does not allow, cut nothing out, like 0.
         entry["alphaCutoff"] = json!(cutoff.max(0.0));
     }
     entry
 }
 
-/// Adds the emission to a material's entry; returns whether it has a strength of its own, because glTF allows factors
-/// from 0 to 1. Products in float64 round to the same float32.
+/// Adds the emission to a material's entry; returns whether it uses `KHR_materials_emissive_strength`, because glTF
+/// limits factors to 0 to 1. Products in float64 round to the same float32.
 fn add_emission(entry: &mut Value, material: &Material, texture: Option<usize>) -> bool {
     if !material.emits() {
         return false;
@@ -256,7 +259,7 @@ mod tests {
         assert_eq!(bright["extensions"], json!({ STRENGTH: { "emissiveStrength": 3.0 } }));
         assert_eq!(bright["emissiveTexture"], json!({ "index": 0 }));
         assert_eq!(unlit["extensions"], json!({ UNLIT: {} }));
-        // Without its image, what it would light up is not known.
+        // Without its image, the lit parts are unknown.
         let without = Surfaces::new(&scene, vec![None]).unwrap();
         assert_eq!(without.drawn(2), 0);
     }

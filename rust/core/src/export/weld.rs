@@ -1,4 +1,4 @@
-//! Equal vertices merged, and faces and vertices in an order that compresses well and draws fast.
+//! Welding of equal vertices, and reordering of faces and vertices for compression and drawing speed.
 //!
 //! The order of faces is meshoptimizer's: Kapoulkine, after Forsyth: Linear-speed vertex cache optimisation, 2006.
 
@@ -9,11 +9,11 @@ use super::gather::Primitive;
 /// Marks vertices that no face uses.
 const UNUSED: u32 = u32::MAX;
 
-/// A primitive whose vertices all differ and stand in the order of their first use, with its corners.
+/// A primitive with distinct vertices in the order of their first use, and its corners.
 #[derive(Clone, Debug)]
 pub(super) struct Welded {
     pub primitive: Primitive,
-    /// Number of the vertex of each corner.
+    /// Vertex number of each corner.
     pub corners: Vec<u32>,
 }
 
@@ -36,7 +36,7 @@ pub(super) fn weld(mut primitive: Primitive) -> Option<Welded> {
     Some(Welded { primitive, corners })
 }
 
-/// Number of different vertices that corners use, and for each vertex the number among them.
+/// Returns the number of distinct vertices that corners use, and the number of each vertex among them.
 fn alike(primitive: &Primitive, corners: &[u32]) -> (usize, Vec<u32>) {
     let mut streams = vec![VertexStream::new(primitive.positions.as_ptr())];
     streams.extend(primitive.normals.as_ref().map(|normals| VertexStream::new(normals.as_ptr())));
@@ -45,7 +45,7 @@ fn alike(primitive: &Primitive, corners: &[u32]) -> (usize, Vec<u32>) {
     generate_vertex_remap_multi(primitive.positions.len(), &streams, Some(corners))
 }
 
-/// Takes the vertices in an order.
+/// Reorders the vertices.
 fn reorder(primitive: &mut Primitive, order: &[u32]) {
     fn rows<T: Copy>(values: &mut Vec<T>, order: &[u32]) {
         *values = order.iter().map(|&vertex| values[vertex as usize]).collect();

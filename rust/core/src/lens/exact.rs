@@ -1,10 +1,9 @@
-//! f(r) = r (1 + k₁r² + k₂r⁴ + …) with twice the digits of float64. Near a fold, and where terms cancel, the plain
-//! value is wrong by many roundings, and a root found with it by many more.
+//! f(r) = r (1 + k₁r² + k₂r⁴ + …) with twice the precision of float64. Near a fold, and where terms cancel, plain
+//! float64 is wrong by many roundings, and a root found with it by many more.
 //!
-//! Sums and products without error are Knuth's and Dekker's. With fused multiply-add one instruction gives the same
-//! bits.
+//! Error-free sums and products are Knuth's and Dekker's. With fused multiply-add one instruction gives the same bits.
 
-/// a + b, rounded, and the rounding error.
+/// Returns a + b, rounded, and the rounding error.
 #[inline(always)]
 pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -12,7 +11,7 @@ pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, (a - (sum - part)) + (b - part))
 }
 
-/// a · b, rounded, and the rounding error.
+/// Returns a · b, rounded, and the rounding error.
 #[inline(always)]
 pub(super) fn two_product<const FUSED: bool>(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
@@ -23,7 +22,7 @@ pub(super) fn two_product<const FUSED: bool>(a: f64, b: f64) -> (f64, f64) {
     (product, ((ah * bh - product) + ah * bl + al * bh) + al * bl)
 }
 
-/// Veltkamp's split: two floats of 26 bits each whose sum is `a`.
+/// Veltkamp's split: returns two floats of 26 bits each whose sum is `a`.
 #[inline(always)]
 fn halves(a: f64) -> (f64, f64) {
     const FACTOR: f64 = 134_217_729.0; // 2²⁷ + 1
@@ -32,7 +31,7 @@ fn halves(a: f64) -> (f64, f64) {
     (high, a - high)
 }
 
-/// f(r) as a float and a remainder.
+/// Returns f(r) as a float and a remainder.
 #[inline(always)]
 pub(super) fn distorted<const FUSED: bool>(k: &[f64], r: f64) -> (f64, f64) {
     let (square, square_rest) = two_product::<FUSED>(r, r);
@@ -48,7 +47,7 @@ pub(super) fn distorted<const FUSED: bool>(k: &[f64], r: f64) -> (f64, f64) {
     (product, lost_too + (rest + lost) * r)
 }
 
-/// f(r) − wanted, correct to one rounding unless it is below 10⁻³⁰ of the terms of f.
+/// Returns f(r) − wanted, correct to one rounding unless it is below 10⁻³⁰ of the terms of f.
 pub(super) fn residual(k: &[f64], r: f64, wanted: f64) -> f64 {
     let (high, rest) = distorted::<false>(k, r);
     (high - wanted) + rest

@@ -1,4 +1,5 @@
-//! f, f′ and f⁻¹ of many radii. Vector kernels process blocks of radii; the remaining radii are solved one by one.
+//! Batch evaluation of f, f′ and f⁻¹. Vector kernels process blocks of radii; the remaining radii are solved one by
+//! one.
 
 use std::cmp::Ordering;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
@@ -13,7 +14,7 @@ use crate::base::error::number;
 use crate::base::simd::vectorized;
 use crate::base::{Error, Progress, Real, Result};
 
-/// Number of radii in one task: fixed, and small enough to fit in the first-level cache.
+/// Number of radii per task: fixed, and small enough for the first-level cache.
 const TILE: usize = 1 << 10;
 /// Number of radii that a kernel processes together.
 pub(super) const LANES: usize = 32;
@@ -34,20 +35,20 @@ pub enum InverseMethod {
 }
 
 impl RadialLens {
-    /// f(r) of radii of either sign. Radii beyond r_max give NaN, or an error if `refuse`.
+    /// Writes f(r) of radii of either sign. Radii beyond r_max give NaN, or an error if `refuse`.
     pub fn distort_all<T: Real>(&self, r: &[T], to: &mut [T], refuse: bool, progress: &Progress) -> Result<()> {
         let whole = each_tile(r, to, progress, |tile| self.distort_blocks(tile))?;
         if whole || !refuse { Ok(()) } else { Err(refused(r, to, self.radial.r_max)) }
     }
 
-    /// f′(r) of radii of either sign. The error is at most 2 (n + 1) roundings of the sum of the terms' absolute
-    /// values, for n coefficients.
+    /// Writes f′(r) of radii of either sign. The error is at most 2 (n + 1) roundings of the sum of the terms'
+    /// absolute values, for n coefficients.
     pub fn derivative_all<T: Real>(&self, r: &[T], to: &mut [T], refuse: bool, progress: &Progress) -> Result<()> {
         let whole = each_tile(r, to, progress, |tile| slope_tile(&self.radial.slope, self.radial.r_max, tile))?;
         if whole || !refuse { Ok(()) } else { Err(refused(r, to, self.radial.r_max)) }
     }
 
-    /// f⁻¹(x) of distorted radii of either sign. Radii beyond f(r_max) give NaN, or an error if `refuse`.
+    /// Writes f⁻¹(x) of distorted radii of either sign. Radii beyond f(r_max) give NaN, or an error if `refuse`.
     pub fn undistort_all<T: Real>(
         &self,
         x: &[T],
@@ -69,14 +70,14 @@ impl RadialLens {
         if whole || !refuse { Ok(()) } else { Err(refused(x, to, self.radial.x_max)) }
     }
 
-    /// Replaces each radius by f of it. The number of radii is a multiple of `LANES`.
+    /// Replaces each radius by its image under f. The number of radii is a multiple of `LANES`.
     pub(super) fn distort_blocks(&self, tile: &mut [f64]) {
         distort_tile(&self.radial.k, self.radial.r_max, tile);
     }
 
-    /// Replaces each radius by f⁻¹ of it, by Newton's method or from the table. The number of radii is a multiple of
-    /// `LANES`. Radii up to a share `slack` beyond f(r_max) count as f(r_max), because rounding may have moved them
-    /// there.
+    /// Replaces each radius by its image under f⁻¹, by Newton's method or from the table. The number of radii is a
+    /// multiple of `LANES`. Radii up to a relative `slack` beyond f(r_max) count as f(r_max), because rounding may
+    /// have moved them there.
     pub(super) fn undistort_blocks(&self, tile: &mut [f64], exact: bool, slack: f64) {
         let mut hard = Vec::new();
         match self.table() {
@@ -93,12 +94,12 @@ impl RadialLens {
     }
 }
 
-/// Whether x is beyond `end` or NaN.
+/// Returns whether x is beyond `end` or NaN.
 fn is_beyond(x: f64, end: f64) -> bool {
     x.is_nan() || x.abs() > end
 }
 
-/// The error for the first radius that has no image.
+/// Returns the error for the first radius without an image.
 fn refused<T: Real>(from: &[T], to: &[T], end: f64) -> Error {
     let index = to.iter().position(|value| value.wide().is_nan()).unwrap_or(0);
     let expected = if end < FARTHEST {
@@ -109,7 +110,7 @@ fn refused<T: Real>(from: &[T], to: &[T], end: f64) -> Error {
     Error::value("r", expected, format!("{} at index {index}", number(from[index].wide())))
 }
 
-/// Runs a kernel over float64 copies of tiles. Returns whether all results are numbers.
+/// Runs a kernel over float64 copies of tiles. Returns whether no result is NaN.
 fn each_tile<T: Real>(
     from: &[T],
     to: &mut [T],
@@ -158,7 +159,7 @@ fn distort_blocks<const FUSED: bool>(k: &[f64], r_max: f64, tile: &mut [f64]) {
     }
 }
 
-/// `exact::distorted` of a block minus `wanted`, with the same operations.
+/// Same as `exact::distorted` minus `wanted`, for a block, with the same operations.
 #[inline(always)]
 fn distorted_block<const FUSED: bool>(k: &[f64], r: &[f64; LANES], wanted: &[f64; LANES], to: &mut [f64; LANES]) {
     let (mut square, mut square_rest) = ([0.0; LANES], [0.0; LANES]);
@@ -216,7 +217,7 @@ fn fixed_point_blocks<const FUSED: bool>(k: &[f64], steps: u32, tile: &mut [f64]
     }
 }
 
-/// Values of the table's cubics at |x| for a block. They are meaningless beyond the last interval.
+/// Evaluates the table's cubics at |x| for a block; results beyond the last interval are undefined.
 #[inline(always)]
 pub(super) fn cubic_block(table: &Table, x: &[f64; LANES], to: &mut [f64; LANES]) {
     const MANTISSA: u64 = (1 << (f64::MANTISSA_DIGITS - 1)) - 1;
@@ -261,7 +262,7 @@ fn table_blocks<const FUSED: bool>(table: &Table, tile: &mut [f64], hard: &mut V
     }
 }
 
-/// From the table's value, one plain step of Newton's method, then one step with the residual in twice the digits.
+/// Refines the table's value: one plain Newton step, then one with a residual of twice the precision.
 #[inline(always)]
 fn newton_blocks<const FUSED: bool>(k: &[f64], slope: &[f64], table: &Table, tile: &mut [f64], hard: &mut Vec<u32>) {
     for (number, block) in tile.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
@@ -293,8 +294,7 @@ fn newton_blocks<const FUSED: bool>(k: &[f64], slope: &[f64], table: &Table, til
         for n in 0..LANES {
             let (first, second) = ((r[n] - start[n]).abs(), (off[n] * inverse[n]).abs());
             let root = r[n] - off[n] * inverse[n];
-            // The last step uses the slope at the start, so its error is 2 second² / first: at most a quarter of an
-            // ulp.
+            // The last step uses the slope at the start, so its error is 2 second² / first: at most a quarter ulp.
             let right = second * second <= 1e-17 * (root * first) || second <= 1e-14 * root && first <= 1e-9 * root;
             settled[n] = right && x[n] < table.start_end;
             all &= settled[n];

@@ -1,10 +1,10 @@
-//! How much a lens enlarges the directions around one, at the eye and on the panel behind it.
+//! Magnification of a lens around a direction, at the eye and on the panel.
 //!
-//! Here r = tan α / tan ω is the radius of a direction, r′ = f⁻¹(r) that of its pixel, and tan α′ = tan ω · r′.
+//! r = tan α / tan ω is the radius of a direction, r′ = f⁻¹(r) that of its pixel, and tan α′ = tan ω · r′.
 
 use super::radial::RadialLens;
 
-/// Factor of lengths and areas for each direction of a block.
+/// Scale factor of lengths or areas for each direction of a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Magnification {
     /// sin α′ / sin α: lengths around the axis. 1 beyond the lens's fold.
@@ -24,7 +24,7 @@ impl RadialLens {
         for (to, &tangent) in to.iter_mut().zip(tangents) {
             let (r, square) = (*to, *to * *to);
             let secant = 1.0 + tangent * tangent;
-            // r / r′ and f′(r′) as sums of even powers: nothing is divided by 0 on the axis.
+            // r / r′ and f′(r′) as sums of even powers, so that nothing is divided by 0 on the axis.
             let shrinks = 1.0 + self.radial.k.iter().rev().fold(0.0, |sum, c| (sum + c) * square);
             *to = match kind {
                 Magnification::Across if r.is_nan() => 1.0,

@@ -1,27 +1,27 @@
-//! The warp mesh of a headset's runtime: exact at its vertices and linear between them.
+//! Warp mesh of a headset's runtime: exact at its vertices, linear between them.
 
 use super::polynomial::{derivative, range};
 use super::radial::RadialLens;
 use super::warp::WarpView;
 use crate::base::{Error, Progress, Result};
 
-/// Greatest number of intervals into which a cell's range of radii is divided.
+/// Maximum number of intervals into which a cell's range of radii is divided.
 const PARTS: f64 = 16.0;
 
-/// A grid over the target picture, the picture that the warp produces.
+/// Grid over the target picture, the output of the warp.
 #[derive(Clone, Debug)]
 pub struct WarpMesh {
     /// Positions in the target picture as fractions from its top left corner, row by row.
     pub places: Vec<[f64; 2]>,
     /// For each lens, positions in the source picture as fractions.
     pub sources: Vec<Vec<[f64; 2]>>,
-    /// Two triangles for each cell inside the lens's reach, counter-clockwise with y up.
+    /// Two triangles for each cell within the lens's reach, counter-clockwise with y up.
     pub faces: Vec<[u32; 3]>,
     /// Upper bound of the error of a source position, in pixels of the source picture.
     pub error: f64,
 }
 
-/// A mesh of `columns` × `rows` cells for a source picture of `width` × `height` pixels.
+/// Creates a mesh of `columns` × `rows` cells for a source picture of `width` × `height` pixels.
 pub fn warp_mesh(
     lenses: &[RadialLens],
     view: &WarpView,
@@ -67,7 +67,7 @@ pub fn warp_mesh(
     Ok(WarpMesh { places, sources, faces, error })
 }
 
-/// Whether a cell can show a part of the picture, if its positions may be wrong by `off`.
+/// Returns whether a cell may show a part of the picture if its positions are wrong by up to `off`.
 fn shows(corners: [[f64; 2]; 4], off: [f64; 2]) -> bool {
     (0..2).all(|axis| {
         let ends = corners.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), corner| {
@@ -78,9 +78,9 @@ fn shows(corners: [[f64; 2]; 4], off: [f64; 2]) -> bool {
 }
 
 impl RadialLens {
-    /// Upper bound of the error in a cell's triangles, in units of the lens.
+    /// Returns an upper bound of the error in a cell's triangles, in units of the lens.
     ///
-    /// The error of linear interpolation on a triangle is at most R²/2 times the greatest second derivative along any
+    /// The error of linear interpolation on a triangle is at most R²/2 times the maximum second derivative along any
     /// line, with R the circumradius (Waldron 1998). The diagonal of a cell is 2R.
     fn bend_of_cell(&self, view: &WarpView, [a, b, c, d]: [[f64; 2]; 4]) -> f64 {
         let length = |[x, y]: [f64; 2]| x.hypot(y);
@@ -99,18 +99,19 @@ impl RadialLens {
         diagonal * diagonal / 8.0 * bends.fold(0.0, f64::max)
     }
 
-    /// Greatest second derivative along lines of p ↦ p f(|p|)/|p| plus the tangential terms, between two radii.
+    /// Returns the maximum second derivative along lines of p ↦ p f(|p|)/|p| plus the tangential terms, between two
+    /// radii.
     fn bend(&self, low: f64, high: f64) -> f64 {
         let [a, b] = self.curvatures(low, high);
         greatest(a, b) + 6.0 * self.tangential[0].hypot(self.tangential[1])
     }
 
-    /// The same bound for the inverse map, between two distorted radii.
+    /// Returns the same bound for the inverse map, between two distorted radii.
     fn bend_back(&self, low: f64, high: f64) -> f64 {
         let p = self.tangential[0].hypot(self.tangential[1]);
         if p > 0.0 {
-            // The tangential terms move images by up to 3|p|r². Within reach f′ > 6|p|r, so both functions below rise
-            // with r.
+            // The tangential terms move images by up to 3|p|r². Within reach f′ > 6|p|r, so both functions below
+            // increase with r.
             let low = self.radius_of(|r| self.distort(r) + 3.0 * p * r * r, low)[0];
             let high = self.radius_of(|r| self.distort(r) - 3.0 * p * r * r, high)[1];
             let [slope, factor] = self.least_slopes(low, high);
@@ -125,7 +126,7 @@ impl RadialLens {
         greatest([a[0].min(0.0) * scale, a[1].max(0.0) * scale], [b[0].min(0.0) * other, b[1].max(0.0) * other])
     }
 
-    /// Two close radii within reach between which a function that rises from 0 passes a value.
+    /// Returns two close radii within reach between which a function that increases from 0 passes a value.
     fn radius_of(&self, rising: impl Fn(f64) -> f64, value: f64) -> [f64; 2] {
         let (mut low, mut high) = (0.0, value.min(self.reach));
         while high < self.reach && rising(high) < value {
@@ -138,7 +139,7 @@ impl RadialLens {
         [low, high]
     }
 
-    /// Ranges of f″ and (f′r − f)/r² between two radii.
+    /// Returns the ranges of f″ and (f′r − f)/r² between two radii.
     fn curvatures(&self, low: f64, high: f64) -> [[f64; 2]; 2] {
         let mut f = vec![0.0; 2 * self.radial.k.len() + 2];
         let mut around = f.clone();
@@ -150,7 +151,7 @@ impl RadialLens {
         [derivative(&derivative(&f)), around].map(|each| range(&each, low, high).into())
     }
 
-    /// Least f′ and least f/r between two radii.
+    /// Returns the minimum f′ and the minimum f/r between two radii.
     fn least_slopes(&self, low: f64, high: f64) -> [f64; 2] {
         let mut factor = vec![1.0];
         factor.extend(&self.radial.k);
@@ -158,9 +159,9 @@ impl RadialLens {
     }
 }
 
-/// Greatest length of the second derivative along lines at an angle to the radius with squared cosine c. Its radial
-/// part is A c + B (1−c), its tangential part 2 √(c (1−c)) B, for A and B in ranges. Its square is convex in A and in
-/// B, so the ends of the ranges suffice.
+/// Returns the maximum length of the second derivative along lines at an angle to the radius with squared cosine c.
+/// Its radial part is A c + B (1−c), its tangential part 2 √(c (1−c)) B, for A and B in ranges. Its square is convex
+/// in A and in B, so the ends of the ranges suffice.
 fn greatest(a: [f64; 2], b: [f64; 2]) -> f64 {
     let square = |a: f64, b: f64, c: f64| (b + (a - b) * c).powi(2) + 4.0 * c * (1.0 - c) * b * b;
     let mut most = 0.0f64;

@@ -1,4 +1,4 @@
-//! Lenses of headsets: the radial distortion polynomial and its inverse.
+//! Headset lenses: the radial distortion polynomial and its inverse.
 //!
 //! r_d = f(r) = r (1 + k₁r² + k₂r⁴ + …) with r = tan α / tan ω. Here α is the angle from the axis and ω half the
 //! horizontal field of view, so that r = 1 at the screen's edge (Liebisch 2021, Eq. 4.10). Decentred lenses add Brown's

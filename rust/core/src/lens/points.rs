@@ -17,12 +17,13 @@ use crate::base::{Error, Progress, Real, Result};
 pub(super) const TILE: usize = 1 << 9;
 /// Relative rounding error of a radius: two squares, their sum, its root, and the scaling of points.
 pub(super) const ROUNDINGS: f64 = 8.0 * f64::EPSILON;
-/// Greatest number of steps of Newton's method; from a good start it needs five.
+/// Maximum number of steps of Newton's method; from a good start it needs five.
 const NEWTON_STEPS: u32 = 40;
-/// Number of parts of the path from the disc's middle along which Newton's method continues if it fails from its start.
+/// Number of parts of the path from the disc's centre along which Newton's method continues if it fails from its
+/// start.
 const PATH_PARTS: u32 = 64;
 
-/// The points of a task as arrays: x, y, radius, and image radius, which becomes a scale factor.
+/// Points of a task as arrays: x, y, radius, and image radius, which becomes a scale factor.
 #[repr(align(64))]
 pub(super) struct PointTile {
     x: [f64; TILE],
@@ -75,7 +76,7 @@ fn scale_all(tile: &mut PointTile, count: usize) {
 }
 
 impl RadialLens {
-    /// Images of points. Points outside the disc of radius `reach` give NaN, or an error if `refuse`.
+    /// Writes the images of points. Points outside the disc of radius `reach` give NaN, or an error if `refuse`.
     pub fn distort_points<T: Real>(
         &self,
         points: &[[T; 2]],
@@ -88,8 +89,8 @@ impl RadialLens {
         self.each_point(points, to, refuse, progress, radii, tilted)
     }
 
-    /// The points whose images are given. Images of no point within the disc of radius `reach` give NaN, or an error if
-    /// `refuse`.
+    /// Writes the points with the given images. Images of no point within the disc of radius `reach` give NaN, or an
+    /// error if `refuse`.
     pub fn undistort_points<T: Real>(
         &self,
         points: &[[T; 2]],
@@ -102,8 +103,8 @@ impl RadialLens {
         self.each_point(points, to, refuse, progress, radii, tilted)
     }
 
-    /// Moves points along their radii to what `radii` makes of these. With tangential terms `tilted` gives the result for
-    /// a point, its radius, and what `radii` made of that.
+    /// Moves points along their radii to the radii that `radii` computes. With tangential terms `tilted` gives the
+    /// result, from the point, its radius and the radius computed by `radii`.
     fn each_point<T: Real>(
         &self,
         points: &[[T; 2]],
@@ -139,14 +140,14 @@ impl RadialLens {
         }
     }
 
-    /// Displacement of a point by the tangential terms.
+    /// Returns the displacement of a point by the tangential terms.
     fn tangential_at(&self, p: DVec2) -> DVec2 {
         let [p1, p2] = self.tangential;
         let (square, product) = (p.length_squared(), 2.0 * p.x * p.y);
         DVec2::new(p1 * product + p2 * (square + 2.0 * p.x * p.x), p1 * (square + 2.0 * p.y * p.y) + p2 * product)
     }
 
-    /// Image of a point, and the Jacobian there.
+    /// Returns the image of a point, and the Jacobian there.
     fn shown(&self, p: DVec2) -> (DVec2, DMat2) {
         let square = p.length_squared();
         let factor = 1.0 + square * polynomial::value(&self.radial.k, square);
@@ -173,7 +174,7 @@ impl RadialLens {
         if let Some(found) = self.descend(start, shown) {
             return found;
         }
-        // The root at the disc's middle is known; the target moves from there in parts.
+        // The root at the disc's centre is known; the target moves from there in steps.
         let mut at = DVec2::ZERO;
         for part in 1..=PATH_PARTS {
             match self.descend(at, shown * (f64::from(part) / f64::from(PATH_PARTS))) {
@@ -202,7 +203,7 @@ impl RadialLens {
                     break;
                 }
                 share *= 0.5;
-                // No part of the step reduces the residual: the point is a root up to rounding, or it lies at the
+                // No fraction of the step reduces the residual: the point is a root up to rounding, or it lies at the
                 // disc's border.
                 if share < 1e-3 {
                     return self.is_root(at, image, wanted).then_some(at);
@@ -212,7 +213,7 @@ impl RadialLens {
         self.is_root(at, image, wanted).then_some(at)
     }
 
-    /// Whether the residual is below a hundred float64 roundings of the largest term.
+    /// Returns whether the residual is below a hundred float64 roundings of the largest term.
     fn is_root(&self, at: DVec2, image: DVec2, wanted: DVec2) -> bool {
         let square = at.length_squared();
         let terms = self.radial.k.iter().rev().fold(0.0, |sum, c| (sum + c.abs()) * square) + 1.0;

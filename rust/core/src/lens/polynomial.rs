@@ -1,22 +1,22 @@
-//! Polynomials, as coefficients in ascending order of power: values, roots, bounds.
+//! Polynomials with coefficients in ascending order of power: values, roots, bounds.
 
-/// Value by Horner's rule.
+/// Evaluates by Horner's rule.
 pub(super) fn value(coefficients: &[f64], x: f64) -> f64 {
     coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c)
 }
 
-/// Coefficients of the derivative.
+/// Returns the coefficients of the derivative.
 pub(super) fn derivative(coefficients: &[f64]) -> Vec<f64> {
     coefficients.iter().enumerate().skip(1).map(|(power, c)| power as f64 * c).collect()
 }
 
-/// The least x > 0 at which a polynomial that is positive at 0 ceases to be positive, within rounding. A point where it
-/// only touches zero counts.
+/// Returns the smallest x > 0 at which a polynomial that is positive at 0 ceases to be positive, within rounding. A
+/// double zero counts.
 pub(super) fn first_zero(coefficients: &[f64]) -> Option<f64> {
     zeros(coefficients).first().copied()
 }
 
-/// All x > 0 where a polynomial changes its sign or touches zero, ascending. Between neighbouring zeros of the
+/// Returns all x > 0 where a polynomial changes its sign or touches zero, ascending. Between neighbouring zeros of the
 /// derivative it is monotone, so each sign change there is exactly one zero, which bisection finds.
 fn zeros(coefficients: &[f64]) -> Vec<f64> {
     let degree = coefficients.iter().rposition(|&c| c != 0.0).unwrap_or(0);
@@ -39,17 +39,17 @@ fn zeros(coefficients: &[f64]) -> Vec<f64> {
     found
 }
 
-/// Greatest zero that is searched for.
+/// Upper limit of the search for zeros.
 const GREATEST_ZERO: f64 = 1e100;
 
-/// Fujiwara's bound on the zeros: twice the greatest of the roots of coefficient quotients.
+/// Returns Fujiwara's bound on the zeros: twice the largest of the roots of coefficient quotients.
 fn beyond_all_zeros(own: &[f64]) -> f64 {
     let degree = own.len() - 1;
     let root = |i: usize| (own[i] / own[degree]).abs().powf(1.0 / (degree - i) as f64);
     (2.0 * (0..degree).map(root).fold(f64::MIN_POSITIVE, f64::max)).min(GREATEST_ZERO)
 }
 
-/// −1, 0 or 1; 0 if the absolute value is below the possible rounding error.
+/// Returns −1, 0 or 1; 0 if the absolute value is below the possible rounding error.
 fn sign(own: &[f64], x: f64) -> f64 {
     let (value, size) = own.iter().rev().fold((0.0, 0.0), |(sum, size), c| (sum * x + c, size * x + c.abs()));
     // The error of Horner's rule is at most 2n roundings of the sum of the terms' absolute values.
@@ -57,7 +57,7 @@ fn sign(own: &[f64], x: f64) -> f64 {
     if value.abs() <= blur && size.is_finite() { 0.0 } else { f64::signum(value) }
 }
 
-/// The last float before the sign change between two positions.
+/// Returns the last float before the sign change between two positions.
 fn halve(own: &[f64], mut from: f64, mut to: f64) -> f64 {
     let before = value(own, from).signum();
     loop {
@@ -73,14 +73,14 @@ fn halve(own: &[f64], mut from: f64, mut to: f64) -> f64 {
     }
 }
 
-/// Bounds of a polynomial's values on [low, high] with low ≥ 0. The positive terms and the negative terms are each
-/// monotone in x, so the ends bound their sums. The bounds are tight on short intervals.
+/// Returns bounds of a polynomial's values on [low, high] with low ≥ 0. The positive terms and the negative terms are
+/// each monotone in x, so the ends bound their sums. The bounds are tight on short intervals.
 pub(super) fn range(coefficients: &[f64], low: f64, high: f64) -> (f64, f64) {
     let part = |sign: f64, x: f64| coefficients.iter().rev().fold(0.0, |sum, c| sum * x + (sign * c).max(0.0));
     (part(1.0, low) - part(-1.0, high), part(1.0, high) - part(-1.0, low))
 }
 
-/// Greatest absolute value that the bounds of `range` allow.
+/// Returns the maximum absolute value that the bounds of `range` allow.
 pub(super) fn size(coefficients: &[f64], low: f64, high: f64) -> f64 {
     let (least, greatest) = range(coefficients, low, high);
     least.abs().max(greatest.abs())
@@ -91,7 +91,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// Coefficients of the product of (1 − x / root).
+    /// Returns the coefficients of the product of (1 − x / root).
     fn from_roots(roots: &[f64]) -> Vec<f64> {
         roots.iter().fold(vec![1.0], |product, root| {
             let mut next = vec![0.0; product.len() + 1];

@@ -1,4 +1,4 @@
-//! A lens: its polynomial, its fold, and the table of its inverse.
+//! A lens: its distortion polynomial, its fold, and the table of its inverse.
 
 use std::sync::OnceLock;
 
@@ -8,7 +8,7 @@ use super::table::Table;
 use crate::base::error::number;
 use crate::base::{Error, Result};
 
-/// Greatest number of coefficients of a lens.
+/// Maximum number of coefficients of a lens.
 const MAX_COEFFICIENTS: usize = 64;
 /// Accepted radii at which the first term may be as large as r: powers of these radii neither overflow nor underflow.
 const UNIT_RADII: std::ops::Range<f64> = 1e-30..1e30;
@@ -23,7 +23,7 @@ pub struct RadialLens {
 }
 
 impl RadialLens {
-    /// A lens from k₁, k₂, … and p₁, p₂ of Brown's model (0 for a centred lens).
+    /// Creates a lens from k₁, k₂, … and p₁, p₂ of Brown's model (0 for a centred lens).
     pub fn new(k: &[f64], tangential: [f64; 2]) -> Result<Self> {
         if let Some(bad) = k.iter().find(|c| c.is_nan() || c.abs() > FARTHEST) {
             return Err(Error::value("k", format!("coefficients of at most {}", number(FARTHEST)), number(*bad)));
@@ -43,38 +43,38 @@ impl RadialLens {
         Ok(Self { radial, tangential, reach, table: OnceLock::new() })
     }
 
-    /// Radius at which f folds (f′ = 0); +∞ if f never folds.
+    /// Returns the radius at which f folds (f′ = 0); +∞ if f never folds.
     pub fn r_max(&self) -> f64 {
         self.radial.r_max
     }
 
-    /// Radius of a disc in which no two points have the same image: r_max, or less with tangential terms.
+    /// Returns the radius of a disc in which no two points have the same image: r_max, or less with tangential terms.
     pub fn reach(&self) -> f64 {
         self.reach
     }
 
-    /// f(r) for 0 ≤ r ≤ r_max.
+    /// Returns f(r) for 0 ≤ r ≤ r_max.
     pub fn distort(&self, r: f64) -> f64 {
         self.radial.distort(r)
     }
 
-    /// f(r_max), or the greatest distorted radius that is searched for.
+    /// Returns f(r_max), or the limit of the search if that is smaller.
     pub fn x_max(&self) -> f64 {
         self.radial.x_max
     }
 
-    /// The r ≥ 0 with f(r) = x; NaN beyond f(r_max).
+    /// Returns the r ≥ 0 with f(r) = x; NaN beyond f(r_max).
     pub fn undistort(&self, x: f64) -> f64 {
         if x <= self.radial.x_max { self.radial.undistort(x) } else { f64::NAN }
     }
 
-    /// Greatest error of `InverseMethod::Table` as a share of r, and the x at which that table ends. Beyond it,
+    /// Returns the maximum relative error of `InverseMethod::Table`, and the x at which that table ends. Beyond it,
     /// Newton's method computes the inverse.
     pub fn table_bound(&self) -> (f64, f64) {
         self.table().map_or((0.0, f64::INFINITY), |table| (table.bound, table.end))
     }
 
-    /// The table, created on first use. A lens without coefficients has none.
+    /// Returns the table, created on first use; `None` for a lens without coefficients.
     pub(super) fn table(&self) -> Option<&Table> {
         (!self.radial.k.is_empty()).then(|| self.table.get_or_init(|| Table::new(&self.radial)))
     }

@@ -1,9 +1,9 @@
-//! The disc in which the lens map is injective.
+//! Disc in which the lens map is injective.
 
 use super::polynomial;
 use super::solve::Radial;
 
-/// Radius of a disc in which the lens map is provably injective.
+/// Returns the radius of a disc in which the lens map is provably injective.
 ///
 /// A map of a convex set is injective where the symmetric part of its Jacobian is positive definite. Here the radial
 /// part has the eigenvalues f(r)/r and f′(r), and the eigenvalues of the tangential part, 4 (p₁y + p₂x) ± 2|p|r, are

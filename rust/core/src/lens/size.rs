@@ -9,14 +9,15 @@ use super::radial::RadialLens;
 use crate::base::{Error, Progress, Result};
 use crate::bounds::{Seen, each_tile};
 
-/// Half angle, as a share of the distance to 90° and to the fold, below which an area is computed from the mean of the
-/// lens's magnification at seven points. The error of this mean is 10⁻¹⁴ of it; the sum around the edge would lose more
-/// digits by cancellation.
+/// Half angle, relative to the distance to 90° and to the fold, below which an area is computed from the mean of the
+/// lens's magnification at seven points. The relative error of this mean is 10⁻¹⁴; the sum around the edge would lose
+/// more digits by cancellation.
 const SMALL_ANGLE: f64 = 2e-3;
-/// The sum around the edge is refined until its relative change is below `AREA_TOLERANCE` or it has `MOST_PARTS` parts.
+/// The sum around the edge is refined until its relative change is below `AREA_TOLERANCE` or it has `MOST_PARTS`
+/// parts.
 const AREA_TOLERANCE: f64 = 1e-13;
 const MOST_PARTS: usize = 1 << 12;
-/// Number of spheres between two checks whether the caller has cancelled.
+/// Spheres between two checks for cancellation.
 const SPHERES_PER_CHECK: usize = 1 << 6;
 
 /// A view through a lens.
@@ -34,8 +35,8 @@ pub struct Sizes<'a> {
     pub exact: bool,
 }
 
-/// Solid angles in steradians of the images of spheres. Spheres that extend to 90° from the axis or to the lens's fold
-/// keep their undistorted solid angle.
+/// Writes the solid angles in steradians of the images of spheres. Spheres that extend to 90° from the axis or to the
+/// lens's fold keep their undistorted solid angle.
 pub fn corrected_solid_angles(
     sizes: &Sizes<'_>,
     centers: &[[f64; 3]],
@@ -60,7 +61,7 @@ pub fn corrected_solid_angles(
 }
 
 impl Sizes<'_> {
-    /// `corrected_solid_angles` of a few spheres that were checked before.
+    /// Same as `corrected_solid_angles`, for a few spheres that were already checked.
     pub fn each(&self, centers: &[[f64; 3]], radii: &[f64], to: &mut [f64]) {
         let spheres = centers.chunks(LANES / 2).zip(radii.chunks(LANES / 2));
         for ((centers, radii), to) in spheres.zip(to.chunks_mut(LANES / 2)) {
@@ -68,7 +69,7 @@ impl Sizes<'_> {
         }
     }
 
-    /// Half a block of spheres: the two edges of each fill a block.
+    /// Processes half a block of spheres: the two edges of each sphere fill a block.
     fn of(&self, centers: &[[f64; 3]], radii: &[f64], to: &mut [f64]) {
         let mut caps = [const { None }; LANES / 2];
         let mut roots = [0.0; LANES];
@@ -102,7 +103,7 @@ impl Sizes<'_> {
     }
 }
 
-/// The directions that a sphere covers: those within μ of its centre, which lies α from the axis.
+/// Spherical cap covered by a sphere: directions within μ of its centre, which lies α from the axis.
 struct Cap<'a> {
     lens: &'a RadialLens,
     /// tan ω
@@ -133,20 +134,21 @@ impl<'a> Cap<'a> {
         self.cos_alpha * self.cos_mu + self.sin_alpha * self.sin_mu
     }
 
-    /// tan(α + μ) / tan ω and tan(α − μ) / tan ω.
+    /// Returns tan(α + μ) / tan ω and tan(α − μ) / tan ω.
     fn edges(&self) -> [f64; 2] {
         let (one, other) = (self.sin_alpha * self.cos_mu, self.cos_alpha * self.sin_mu);
         [(one + other) / self.cos_far() / self.scale, (one - other) / self.cos_near() / self.scale]
     }
 
-    /// Whether the lens's magnification is nearly constant over the sphere.
+    /// Returns whether the lens's magnification is nearly constant over the sphere.
     fn is_small(&self) -> bool {
         let [far, near] = self.edges();
         let room = self.lens.x_max() - far;
         self.sin_mu < SMALL_ANGLE * self.cos_far() && far - near < SMALL_ANGLE * room
     }
 
-    /// (α⁺ − α⁻) / 2μ with α± = atan(tan ω · f⁻¹(tan(α ± μ) / tan ω)), where a and b are the two values of f⁻¹.
+    /// Returns (α⁺ − α⁻) / 2μ with α± = atan(tan ω · f⁻¹(tan(α ± μ) / tan ω)), where a and b are the two values of
+    /// f⁻¹.
     fn stretch(&self, a: f64, b: f64) -> f64 {
         // tan(α+μ) − tan(α−μ) = sin 2μ / (cos(α+μ) cos(α−μ)), and a − b is this divided by tan ω and by the divided
         // difference of f. In this form nothing cancels, however small the sphere is.
@@ -156,8 +158,8 @@ impl<'a> Cap<'a> {
         angle / (2.0 * self.sin_mu.atan2(self.cos_mu))
     }
 
-    /// Area of the image: ∮ (1 − cos α′) dφ around its edge, by the trapezoidal rule with 2ⁿ equal steps of ψ. Symmetry
-    /// allows half the circle.
+    /// Returns the area of the image: ∮ (1 − cos α′) dφ around its edge, by the trapezoidal rule with 2ⁿ equal steps
+    /// of ψ. By symmetry, half the circle suffices.
     fn area(&self) -> f64 {
         let mut parts = 8;
         let mut sum =
@@ -175,8 +177,8 @@ impl<'a> Cap<'a> {
         }
     }
 
-    /// Sum of (1 − cos α′) dφ/dψ = Q (x dy/dψ − y dx/dψ) over some ψ, with Q = (1 − cos α′) / sin² α, which is smooth
-    /// on the axis.
+    /// Returns the sum of (1 − cos α′) dφ/dψ = Q (x dy/dψ − y dx/dψ) over some ψ, with Q = (1 − cos α′) / sin² α,
+    /// which is smooth on the axis.
     fn around(&self, from: f64, step: f64, count: usize) -> f64 {
         let mut sum = 0.0;
         for first in (0..count).step_by(LANES) {
@@ -199,16 +201,16 @@ impl<'a> Cap<'a> {
         sum
     }
 
-    /// tan² of the angle from the axis, for a direction given by its components away from the axis, around it, and
-    /// along the cap's centre.
+    /// Returns tan² of the angle from the axis, for a direction given by its components away from the axis, around it,
+    /// and along the cap's centre.
     fn tan_square(&self, away: f64, around: f64, along: f64) -> f64 {
         let out = along * self.sin_alpha + away * self.cos_alpha;
         let ahead = along * self.cos_alpha - away * self.sin_alpha;
         (out * out + around * around) / (ahead * ahead)
     }
 
-    /// Mean of sin α′ dα′ / (sin α dα) over the cap, by Radon's rule for discs, which is exact for polynomials of
-    /// degree 5.
+    /// Returns the mean of sin α′ dα′ / (sin α dα) over the cap, by Radon's rule for discs, which is exact for
+    /// polynomials of degree 5.
     fn mean_magnification(&self) -> f64 {
         // An area-preserving map from the disc to the cap: sin(θ/2) = share · sin(μ/2).
         let half = self.sin_mu / (2.0 * (1.0 + self.cos_mu)).sqrt() * (2.0f64 / 3.0).sqrt();
@@ -233,7 +235,7 @@ impl<'a> Cap<'a> {
     }
 }
 
-/// (f(a) − f(b)) / (a − b), as sums of aⁱbʲ.
+/// Returns (f(a) − f(b)) / (a − b), as sums of aⁱbʲ.
 pub(super) fn divided_difference(k: &[f64], a: f64, b: f64) -> f64 {
     let (mut sum, mut power, mut total) = (1.0, 1.0, 1.0);
     for c in k {

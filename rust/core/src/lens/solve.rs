@@ -1,9 +1,9 @@
-//! One root of f(r) = x: Newton's method inside a bracket that contains the root.
+//! One root of f(r) = x: Newton's method within a bracket.
 
 use super::exact::residual;
 use super::polynomial;
 
-/// Greatest radius and greatest coefficient. With these limits neither fourth derivatives nor the halves of products
+/// Maximum radius and maximum coefficient. With these limits neither fourth derivatives nor the halves of products
 /// overflow.
 pub(super) const FARTHEST: f64 = 1e290;
 /// Number of Newton steps after which bisection alternates with Newton's method.
@@ -16,7 +16,7 @@ pub(super) struct Radial {
     pub k: Vec<f64>,
     /// 1, 3k₁, 5k₂, …: coefficients of f′ in r².
     pub slope: Vec<f64>,
-    /// Radius at which f stops rising; +∞ for lenses without a fold.
+    /// Radius at which f stops increasing; +∞ for lenses without a fold.
     pub r_max: f64,
     /// f(r_max), rounded, or FARTHEST.
     pub x_max: f64,
@@ -40,17 +40,17 @@ impl Radial {
         Self { k, slope, r_max, x_max, unit }
     }
 
-    /// f(r), correct to one rounding.
+    /// Returns f(r), correct to one rounding.
     pub fn distort(&self, r: f64) -> f64 {
         residual(&self.k, r, 0.0)
     }
 
-    /// f′(r).
+    /// Returns f′(r).
     pub fn derivative(&self, r: f64) -> f64 {
         polynomial::value(&self.slope, r * r)
     }
 
-    /// The r ≥ 0 with f(r) = x, for 0 ≤ x ≤ f(r_max).
+    /// Returns the r ≥ 0 with f(r) = x, for 0 ≤ x ≤ f(r_max).
     pub fn undistort(&self, x: f64) -> f64 {
         if self.k.is_empty() || x == 0.0 || !x.is_finite() {
             return x;
@@ -97,7 +97,7 @@ impl Radial {
         }
     }
 
-    /// The one of two neighbouring floats with the smaller residual.
+    /// Returns the one of two neighbouring floats with the smaller residual.
     fn better(&self, one: f64, other: f64, x: f64) -> f64 {
         if residual(&self.k, one, x).abs() <= residual(&self.k, other, x).abs() { one } else { other }
     }

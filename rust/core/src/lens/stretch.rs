@@ -1,5 +1,5 @@
-//! σ′/σ of many spheres from the table of f⁻¹ (Liebisch 2021, Eq. 4.10–4.12), with σ and σ′ the solid angles without
-//! and with the lens.
+//! Ratios σ′/σ of many spheres from the table of f⁻¹ (Liebisch 2021, Eq. 4.10–4.12), with σ and σ′ the solid angles
+//! without and with the lens.
 
 use super::inverse::{LANES, cubic_block};
 use super::radial::RadialLens;
@@ -9,7 +9,7 @@ use crate::base::simd::vectorized;
 
 /// Number of spheres in a block.
 pub const STRETCHED: usize = LANES;
-/// Greatest squared argument for which the polynomials below hold.
+/// Maximum squared argument for which the polynomials below hold.
 const GREATEST_SQUARE: f64 = 0.2;
 /// Minimax polynomials (Remez) of atan(√t)/√t and asin(√t)/√t for t from 0 to GREATEST_SQUARE. Their error is below
 /// 2.4·10⁻¹².
@@ -34,23 +34,23 @@ const ASIN: [f64; 8] = [
     0.028_520_557_448_714_78,
 ];
 
-/// Spheres as seen from an eye, as arrays of equal length. The length is a multiple of STRETCHED; entries that pad the
-/// last block are meaningless.
+/// Spheres seen from an eye, as arrays of equal length. The length is a multiple of STRETCHED; padding entries of the
+/// last block are ignored.
 #[derive(Clone, Copy, Debug)]
 pub struct Spheres<'a> {
     /// Sine of the angle between the centre and the lens's axis, at least 0.
     pub sin_alpha: &'a [f64],
     /// Cosine of the same angle.
     pub cos_alpha: &'a [f64],
-    /// Sine of half the angle that the sphere subtends.
+    /// Sine of half the subtended angle.
     pub sin_mu: &'a [f64],
     /// Cosine of the same angle.
     pub cos_mu: &'a [f64],
 }
 
 impl RadialLens {
-    /// (α⁺ − α⁻) / 2μ of each sphere, with a relative error of at most 10⁻⁸; 1 for spheres that extend to 90° or to the
-    /// lens's fold.
+    /// Returns (α⁺ − α⁻) / 2μ of each sphere, with a relative error of at most 10⁻⁸; 1 for spheres that extend to 90°
+    /// or to the lens's fold.
     pub fn stretches<'a>(&self, tan_omega: f64, spheres: &Spheres<'a>, to: &mut [f64]) {
         let Some(table) = self.table() else {
             to.fill(1.0);
@@ -70,7 +70,7 @@ impl RadialLens {
         }
     }
 
-    /// The stretch of one sphere of a block, by Newton's method.
+    /// Computes the stretch of one sphere of a block, by Newton's method.
     fn stretch_one(&self, tan_omega: f64, block: &SphereBlock<'_>, n: usize) -> f64 {
         let (sa, ca, sm, cm) = (block.sin_alpha[n], block.cos_alpha[n], block.sin_mu[n], block.cos_mu[n]);
         let (cos_far, cos_near) = (ca * cm - sa * sm, ca * cm + sa * sm);
@@ -106,7 +106,8 @@ vectorized! {
     fn stretch(lens: &LensBend<'_>, block: &SphereBlock<'_>, to: &mut [f64; LANES]) = stretch_block;
 }
 
-/// Stretches of a block. 0 marks spheres beyond the range of the table or the polynomials, which the caller solves.
+/// Computes the stretches of a block. 0 marks spheres beyond the range of the table or the polynomials, which the
+/// caller solves.
 #[inline(always)]
 fn stretch_block(lens: &LensBend<'_>, block: &SphereBlock<'_>, to: &mut [f64; LANES]) {
     let SphereBlock { sin_alpha, cos_alpha, sin_mu, cos_mu } = block;

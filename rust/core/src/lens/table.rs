@@ -1,4 +1,4 @@
-//! f⁻¹ as cubics between nodes, with an error bound.
+//! Piecewise cubic table of f⁻¹, with an error bound.
 //!
 //! Nodes are floats whose mantissas end in zeros, so the bits of x are the number of its interval followed by its
 //! position in the interval. The distance between nodes grows with x, while the curvature of f⁻¹ falls.
@@ -6,41 +6,40 @@
 use super::polynomial::{derivative, range, size};
 use super::solve::Radial;
 
-/// Greatest error of the table as a share of r. It keeps the error below 10⁻⁹ for radii of headsets, up to 2.
+/// Maximum relative error of the table. It keeps the error below 10⁻⁹ for headset radii, up to 2.
 const TOLERANCE: f64 = 5e-10;
-/// Greatest error of a start value for Newton's method, as a share of r.
+/// Maximum relative error of a start value for Newton's method.
 const START_TOLERANCE: f64 = 1e-5;
 /// Range of log₂ x, in units of the lens, that has nodes. One interval lies below it.
 const OCTAVES: std::ops::Range<i32> = -8..4;
-/// log₂ of the number of intervals in an octave; the table uses the least number that meets the tolerance.
+/// log₂ of the number of intervals per octave; the table uses the smallest number that meets the tolerance.
 const FINENESS: std::ops::RangeInclusive<u32> = 5..=9;
-/// Radius up to which a table should meet its tolerance: a share of r_max or, without a fold, a multiple of the lens's
-/// unit.
+/// Radius up to which a table should meet its tolerance: relative to r_max or, without a fold, to the lens's unit.
 const WANTED_RANGE: (f64, f64) = (0.9, 4.0);
 
 const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
 
-/// Cubics that approximate f⁻¹.
+/// Piecewise cubic approximation of f⁻¹.
 #[derive(Clone, Debug)]
 pub(super) struct Table {
-    /// c₀ + t (c₁ + t (c₂ + t c₃)) for t from 0 to 1 in each interval; there is at least one.
+    /// c₀ + t (c₁ + t (c₂ + t c₃)) for t from 0 to 1 in each interval; at least one.
     pub cubics: Vec<[f64; 4]>,
     /// End of the first interval, a power of two.
     pub first: f64,
     /// Bits of `first`, shifted. The interval that begins at `first` has number 1.
     pub base: u64,
-    /// Number of bits by which the bits of x are shifted to give an interval number.
+    /// Right shift that turns the bits of x into an interval number.
     pub shift: u32,
-    /// Below this x the error is at most START_TOLERANCE.
+    /// End of the range of x in which the error is at most START_TOLERANCE.
     pub start_end: f64,
-    /// Below this x the error is at most TOLERANCE.
+    /// End of the range of x in which the error is at most TOLERANCE.
     pub end: f64,
-    /// Upper bound of the error of all cubics below `end`, as a share of r.
+    /// Upper bound of the relative error of all cubics below `end`.
     pub bound: f64,
 }
 
 impl Table {
-    /// A table with the number of nodes that the tolerance requires.
+    /// Creates a table with the number of nodes that the tolerance requires.
     pub fn new(lens: &Radial) -> Self {
         let (share, multiple) = WANTED_RANGE;
         let wanted = if lens.r_max.is_finite() { share * lens.r_max } else { multiple * lens.unit };
@@ -90,7 +89,7 @@ impl Table {
     }
 }
 
-/// f⁻¹ and its slope at a node.
+/// Value and slope of f⁻¹ at a node.
 struct InverseNode {
     x: f64,
     r: f64,
@@ -104,14 +103,14 @@ impl InverseNode {
     }
 }
 
-/// Hermite's cubic between two nodes.
+/// Returns the Hermite cubic between two nodes.
 fn cubic(from: &InverseNode, to: &InverseNode) -> [f64; 4] {
     let width = to.x - from.x;
     let (rise, one, other) = (to.r - from.r, width * from.slope, width * to.slope);
     [from.r, one, 3.0 * rise - 2.0 * one - other, one + other - 2.0 * rise]
 }
 
-/// f′ to f⁗ as polynomials in r.
+/// Derivatives f′ to f⁗ as polynomials in r.
 struct Derivatives([Vec<f64>; 4]);
 
 impl Derivatives {
@@ -128,8 +127,8 @@ impl Derivatives {
         Self([first, second, third, fourth])
     }
 
-    /// Greatest error of Hermite's cubic as a share of r: x² (h−x)² max |g⁗| / 24 with g = f⁻¹ and h the interval's
-    /// width, plus four roundings of the result. g⁗ = −(15 f″³ − 10 f′f″f‴ + f′²f⁗) / f′⁷.
+    /// Returns the maximum relative error of the Hermite cubic: x² (h−x)² max |g⁗| / 24 with g = f⁻¹ and h the
+    /// interval's width, plus four roundings of the result. g⁗ = −(15 f″³ − 10 f′f″f‴ + f′²f⁗) / f′⁷.
     fn bound(&self, from: &InverseNode, to: &InverseNode) -> f64 {
         let Self([first, second, third, fourth]) = self;
         // Nodes are correct to one rounding; the interval is widened by more than that.
@@ -139,8 +138,8 @@ impl Derivatives {
         let above = 15.0 * two.powi(3) + 10.0 * steepness * two * three + steepness * steepness * four;
         let below = range(first, low, high).0.max(0.0).powi(7);
         let width = to.x - from.x;
-        // x² (h−x)² is at most h⁴/16, divided by the least r. For an interval from zero, x² (h−x)²/x is at most 4h³/27,
-        // and r ≥ x / max f′.
+        // x² (h−x)² is at most h⁴/16, divided by the minimum r. For an interval from zero, x² (h−x)²/x is at most
+        // 4h³/27, and r ≥ x / max f′.
         let greatest =
             if from.x > 0.0 { width.powi(4) / 16.0 / from.r } else { 4.0 / 27.0 * width.powi(3) * steepness };
         greatest / 24.0 * above / below + 4.0 * f64::EPSILON

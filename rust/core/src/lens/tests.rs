@@ -1,4 +1,4 @@
-//! Tests of f⁻¹ against f in twice the digits, for the vector kernels and for the scalar search.
+//! Tests of f⁻¹ against f in twice the precision, for the vector kernels and for the scalar search.
 
 use proptest::prelude::*;
 
@@ -6,7 +6,7 @@ use super::exact::residual;
 use super::*;
 use crate::base::Progress;
 
-/// Whether r is the root: its residual is below two ulps, or its neighbours lie on both sides of the root.
+/// Returns whether r is the root: its residual is below two ulps, or its neighbours lie on both sides of the root.
 fn is_root(k: &[f64], r: f64, x: f64) -> bool {
     let ulp = x.abs() * f64::EPSILON;
     residual(k, r, x).abs() <= 2.0 * ulp || residual(k, r.next_down(), x) <= 0.0 && residual(k, r.next_up(), x) >= 0.0

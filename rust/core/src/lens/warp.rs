@@ -1,4 +1,4 @@
-//! Warped pictures: distortion as a lens shows it, and the inverse distortion that a lens undoes.
+//! Warped pictures: a lens's distortion, or its inverse, which the lens undoes.
 
 use std::ops::Range;
 
@@ -21,9 +21,9 @@ pub enum WarpFilter {
 
 /// The type of a picture's values.
 pub trait WarpPixel: Copy + Send + Sync {
-    /// Converts to float64, without error.
+    /// Converts to float64, exactly.
     fn wide(self) -> f64;
-    /// The nearest value of this type.
+    /// Rounds to this type.
     fn nearest(value: f64) -> Self;
 }
 
@@ -41,7 +41,7 @@ macro_rules! pixel {
         }
     )*};
 }
-// Casts saturate, so a cubic's overshoot stays black or white.
+// Casts saturate, so a cubic's overshoot is clamped to black or white.
 pixel! {
     u8: v => v.round_ties_even() as u8;
     u16: v => v.round_ties_even() as u16;
@@ -71,29 +71,30 @@ pub struct WarpView {
     pub to: Fov,
     /// Tangent at which r = 1.
     pub tan_omega: f64,
-    /// If true, a pixel at r is shown at f(r), as the lens does it; otherwise at f⁻¹(r), so that the lens undoes it.
+    /// If true, a pixel at r moves to f(r), as through the lens; otherwise to f⁻¹(r), so that the lens undoes it.
     pub distort: bool,
 }
 
 impl WarpView {
-    /// Pixels per unit of r in a picture with that field of view: across and down.
+    /// Returns pixels per unit of r in a picture with that field of view: across and down.
     pub(super) fn density(&self, fov: &Fov, width: usize, height: usize) -> [f64; 2] {
         [width as f64 / (fov.right - fov.left), height as f64 / (fov.up - fov.down)].map(|each| each * self.tan_omega)
     }
 
-    /// Position in units of the lens, y up, of a point given as fractions from the target picture's top left corner.
+    /// Returns the position in units of the lens, y up, of a point given as fractions from the target picture's top
+    /// left corner.
     pub(super) fn place(&self, across: f64, down: f64) -> [f64; 2] {
         let Fov { left, right, down: bottom, up } = self.to;
         [(left + across * (right - left)) / self.tan_omega, (up - down * (up - bottom)) / self.tan_omega]
     }
 
-    /// Fractions from the source picture's top left corner of a position in units of the lens.
+    /// Returns a position in units of the lens as fractions from the source picture's top left corner.
     pub(super) fn share(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let Fov { left, right, down, up } = self.from;
         [(x * self.tan_omega - left) / (right - left), (up - y * self.tan_omega) / (up - down)]
     }
 
-    /// Position in the source picture of each point of the target picture; NaN if there is none.
+    /// Returns the source position of each point of the target picture; NaN if there is none.
     pub(super) fn sources(
         &self,
         lens: &RadialLens,
@@ -116,7 +117,7 @@ impl WarpView {
 }
 
 /// Produces the target picture row by row. `lenses` holds one lens, or one per channel. Pixels without a source are
-/// `fill`.
+/// set to `fill`.
 #[expect(clippy::too_many_arguments, reason = "a picture, a view, and where the result goes")]
 pub fn warp<P: WarpPixel>(
     lenses: &[RadialLens],
@@ -174,7 +175,7 @@ fn mix<P: WarpPixel>(
     }
 }
 
-/// Mixes pixels with weights that are a function of the fractional position.
+/// Interpolates pixels with weights that depend on the fractional position.
 #[inline(always)]
 fn mix_by<P: WarpPixel, const N: usize>(
     weights: impl Fn(f64) -> [f64; N],
@@ -196,14 +197,15 @@ fn mix_by<P: WarpPixel, const N: usize>(
 }
 
 impl<P: WarpPixel> Image<'_, P> {
-    /// Column and row of a position given as fractions, 0 at the first centres; `None` outside the picture.
+    /// Returns the column and row of a position given as fractions, 0 at the first centres; `None` outside the
+    /// picture.
     #[inline(always)]
     fn place(&self, [across, down]: [f64; 2]) -> Option<[f64; 2]> {
         let within = (0.0..=1.0).contains(&across) && (0.0..=1.0).contains(&down);
         within.then_some([across * self.width as f64 - 0.5, down * self.height as f64 - 0.5])
     }
 
-    /// Values of some channels at a position. Beyond the outermost centres the outermost pixels are repeated.
+    /// Interpolates some channels at a position. Beyond the outermost centres the outermost pixels are repeated.
     #[inline(always)]
     fn mix<const N: usize>(&self, [x, y]: [f64; 2], first: usize, [across, down]: [[f64; N]; 2], to: &mut [P]) {
         let (mut columns, mut rows) = ([0; N], [0; N]);
@@ -225,20 +227,20 @@ impl<P: WarpPixel> Image<'_, P> {
     }
 }
 
-/// Index of the n-th of the N pixels around a position.
+/// Returns the index of the n-th of the N pixels around a position.
 #[inline(always)]
 fn neighbour<const N: usize>(at: f64, n: usize, size: usize) -> usize {
     let number = at.floor() as isize + n as isize - (N as isize / 2 - 1);
     number.clamp(0, size as isize - 1) as usize
 }
 
-/// Weights of the pixels at 0 and 1.
+/// Returns the weights of the pixels at 0 and 1.
 #[inline(always)]
 fn linear_weights(t: f64) -> [f64; 2] {
     [1.0 - t, t]
 }
 
-/// Weights of the pixels at −1, 0, 1 and 2: Keys (1981), a = −1/2.
+/// Returns the weights of the pixels at −1, 0, 1 and 2: Keys (1981), a = −1/2.
 #[inline(always)]
 fn cubic_weights(t: f64) -> [f64; 4] {
     let (square, cube) = (t * t, t * t * t);

@@ -1,18 +1,18 @@
-//! The exponential function and the logarithm in plain arithmetic, which lets the compiler vectorise them and gives
-//! the same bits on every machine, unless operations are fused.
+//! Exponential function and logarithm in plain arithmetic, which the compiler can vectorise and which gives the same
+//! bits on every machine, unless operations are fused.
 
 use crate::base::Real;
 
-/// Greatest |t|: little beyond ±700 the exponential overflows, and the logistic function is 0 or 1 to 300 digits.
+/// Maximum |t|: shortly beyond ±700 the exponential overflows, and the logistic function is 0 or 1 to 300 digits.
 const FARTHEST: f64 = 700.0;
 
-/// 1.5 · 2⁵². Adding it to a number leaves the nearest whole number in the lowest bits.
+/// 1.5 · 2⁵². Adding it to a number leaves the nearest integer in the low bits.
 const WHOLE: f64 = 6_755_399_441_055_744.0;
 /// ln 2 as the sum of two parts; products of the first part with numbers of up to 11 bits are exact.
 const LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
 
-/// e^t for |t| ≤ 700, with an error of at most 2 units in the last place. t = n ln 2 + r with |r| ≤ ln 2/2; the first
-/// omitted term of Taylor's series of e^r is below 2⁻⁵⁷.
+/// Returns e^t for |t| ≤ 700, with an error of at most 2 ulp. t = n ln 2 + r with |r| ≤ ln 2/2; the first omitted term
+/// of the Taylor series of e^r is below 2⁻⁵⁷.
 #[inline(always)]
 pub(super) fn exp<const FUSED: bool>(t: f64) -> f64 {
     const TAYLOR: [f64; 14] = [
@@ -46,14 +46,13 @@ pub(super) fn exp<const FUSED: bool>(t: f64) -> f64 {
     sum * f64::from_bits(shifted.to_bits().wrapping_add(1023) << 52)
 }
 
-/// ln x for 0 ≤ x < ∞, with an error of at most 3 units in the last place. x = 2ⁿ m with √½ ≤ m < √2, and
-/// ln m = 2 artanh s = 2 (s + s³/3 + s⁵/5 + …) with s = (m − 1)/(m + 1), |s| < 0.172; the first omitted term is below
-/// 2⁻⁵⁷ of the first.
+/// Returns ln x for 0 ≤ x < ∞, with an error of at most 3 ulp. x = 2ⁿ m with √½ ≤ m < √2, and ln m = 2 artanh s =
+/// 2 (s + s³/3 + s⁵/5 + …) with s = (m − 1)/(m + 1), |s| < 0.172; the first omitted term is below 2⁻⁵⁷ of the first.
 #[inline(always)]
 pub(super) fn ln<const FUSED: bool>(x: f64) -> f64 {
-    /// Scales numbers below the normal ones to normal ones.
+    /// Factor that scales subnormal numbers to normal ones.
     const LIFT: f64 = (1u64 << 54) as f64;
-    /// Bits that, added to those of a number from √½ on, leave its exponent in the topmost ones.
+    /// Bits that, added to those of a number of at least √½, leave its exponent in the top bits.
     const FROM_ROOT: u64 = 1.0f64.to_bits() - std::f64::consts::FRAC_1_SQRT_2.to_bits();
     const SERIES: [f64; 11] = [
         1.0,
@@ -94,8 +93,7 @@ mod tests {
         for n in -14_000..=14_000 {
             let t = f64::from(n) * 0.049_987;
             let (found, expected) = (exp::<FUSED>(t), t.exp());
-            // Two roundings of n ln 2 and one for each of the last terms: below 2 units in the last place; libm's own
-            // error is 1.
+            // Two roundings of n ln 2 and one for each of the last terms: below 2 ulp; libm's own error is 1 ulp.
             assert!((found / expected - 1.0).abs() <= 3.0 * f64::EPSILON, "{t}: {found} {expected}");
         }
         assert_eq!(exp::<FUSED>(0.0), 1.0);
@@ -107,7 +105,7 @@ mod tests {
         let near_one = (-100..=100).map(|n| 1.0 + f64::from(n) * 1e-5);
         for x in places.chain(near_one).chain([f64::from_bits(1), 3e-320, f64::MAX]) {
             let (found, expected) = (ln::<FUSED>(x), x.ln());
-            // s has three roundings, the sum and its product one each; libm's own error is 1 unit in the last place.
+            // s has three roundings, the sum and its product one each; libm's own error is 1 ulp.
             assert!((found - expected).abs() <= 4.0 * f64::EPSILON * expected.abs(), "{x:e}: {found} {expected}");
         }
         assert_eq!(ln::<FUSED>(1.0), 0.0);

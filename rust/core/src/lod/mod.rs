@@ -1,7 +1,8 @@
-//! Levels of detail: `simplify` makes coarser surfaces, `fit` finds curves with four parameters of a level's quality as
-//! a function of its size, `select` chooses each object's level by these curves.
+//! Levels of detail: `simplify` makes coarser surfaces, `fit` fits four-parameter curves to a level's quality as a
+//! function of its size, `select` chooses each object's level by these curves.
 //!
-//! Liebisch: Level of Detail Selection for Foveated Rendering in Virtual Reality, TU Graz 2021; y = d + (a−d)/(1+(x/c)^b).
+//! Liebisch: Level of Detail Selection for Foveated Rendering in Virtual Reality, TU Graz 2021. Curves: y = d +
+//! (a−d)/(1+(x/c)^b).
 
 mod budget;
 mod elementary;

@@ -1,4 +1,4 @@
-//! Many pairs of images compared at once.
+//! Comparison of many pairs of images at once.
 
 use rayon::prelude::*;
 
@@ -16,27 +16,27 @@ pub struct Comparison {
     pub window: Window,
     /// Constants of the measure.
     pub constants: Similarity,
-    /// Images are made smaller by this first.
+    /// Factor by which images are shrunk before the comparison.
     pub shrink: usize,
-    /// Whether windows that reach beyond the image count too.
+    /// Whether windows that extend beyond the image count too.
     pub all: bool,
-    /// Whether windows see only what masks name.
+    /// Whether windows ignore pixels outside the masks.
     pub hidden: bool,
-    /// Whether the ranges of the images' values are wanted.
+    /// Whether to compute the range of the images' values.
     pub ranges: bool,
 }
 
-/// Images of one size and type, pair by pair, with a mask each or none at all.
+/// Pairs of images of one size and type, optionally with one mask per pair.
 pub struct Stacks<'a, P> {
-    /// The true ones.
+    /// Reference images.
     pub references: Vec<Plane<'a, P>>,
-    /// Those that are compared with them.
+    /// Test images, compared with the references.
     pub tests: Vec<Plane<'a, P>>,
-    /// Masks of the images' size after shrinking.
+    /// Masks of the shrunk images' size.
     pub masks: Option<Vec<Plane<'a, u8>>>,
 }
 
-/// Two images and what is looked at of them.
+/// A pair of images and its mask.
 struct Job<'a, P> {
     pair: Pair<'a, P>,
     mask: Option<Plane<'a, u8>>,
@@ -60,7 +60,7 @@ where
         (0..count).map(job).collect()
     }
 
-    /// Sums of each pair's similarity; and where wanted the maps, one behind the other.
+    /// Returns the similarity sums of each pair; writes consecutive maps if requested.
     pub fn compare(
         &self,
         comparison: &Comparison,
@@ -84,12 +84,12 @@ where
         }
     }
 
-    /// Mean of each pair's squared differences, and where wanted the range of its values.
+    /// Returns the mean squared difference of each pair, with the range of values if `ranges`.
     pub fn mean_squared_errors(&self, ranges: bool, progress: &Progress) -> Result<Vec<SquaredError>> {
         self.jobs()?.iter().map(|job| mean_squared_error(&job.pair, ranges, progress)).collect()
     }
 
-    /// Means of each pair's similarity and of its second factor at each of `scales`.
+    /// Returns the means of each pair's similarity and contrast factor at each of `scales` scales.
     pub fn multiscale(&self, comparison: &Comparison, scales: usize, progress: &Progress) -> Result<Vec<Scales>> {
         let Comparison { window, constants, ranges, .. } = comparison;
         let one = |job: &Job<'_, P>| multiscale(&job.pair, window, *constants, scales, *ranges, progress);

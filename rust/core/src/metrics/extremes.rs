@@ -1,15 +1,15 @@
-//! The least and the greatest value of images, found while their pixels are compared.
+//! Value ranges of images, computed during the comparison.
 
 use super::lanes::LANES;
 use super::plane::Pixel;
 use crate::base::Real;
 
-/// The least and the greatest value of some pixels; of none, nothing is less or greater.
+/// Minimum and maximum of some pixels. An empty range has `least > greatest`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ValueRange {
-    /// The least value.
+    /// Minimum.
     pub least: f64,
-    /// The greatest value.
+    /// Maximum.
     pub greatest: f64,
 }
 
@@ -24,14 +24,14 @@ impl ValueRange {
         Self { least: self.least.min(other.least), greatest: self.greatest.max(other.greatest) }
     }
 
-    /// Takes up a value; one that is no number changes nothing.
+    /// Extends the range by a value; NaN is ignored.
     #[inline(always)]
     pub(super) fn include(&mut self, value: f64) {
         *self = self.and(Self { least: value, greatest: value });
     }
 }
 
-/// Least and greatest values lane by lane, so that rows of pixels are compared in whole vectors.
+/// Minimum and maximum per lane, so that rows of pixels are compared in whole vectors.
 #[derive(Clone, Copy, Debug)]
 pub struct Extremes<P> {
     pub(super) least: [P; LANES],
@@ -45,7 +45,7 @@ impl<P: Pixel> Default for Extremes<P> {
 }
 
 impl<P: Pixel> Extremes<P> {
-    /// Takes up a pixel in a lane. Comparisons in this order leave out NaN.
+    /// Extends a lane's range by a pixel. The order of the comparisons ignores NaN.
     #[inline(always)]
     pub(super) fn include(&mut self, lane: usize, pixel: P) {
         self.least[lane] = if pixel < self.least[lane] { pixel } else { self.least[lane] };
@@ -54,7 +54,7 @@ impl<P: Pixel> Extremes<P> {
 
     pub(super) fn range(&self) -> ValueRange {
         let mut range = ValueRange::default();
-        // Lanes that saw nothing hold the type's bounds the other way round.
+        // Unused lanes hold the type's bounds in reverse order.
         for (&least, &greatest) in self.least.iter().zip(&self.greatest).filter(|(least, greatest)| least <= greatest) {
             range.include(least.real().wide());
             range.include(greatest.real().wide());

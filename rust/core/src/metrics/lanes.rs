@@ -1,10 +1,10 @@
-//! Rows of lanes. Metrics fuse multiplications and additions where the machine can: half the instructions, and one
-//! rounding less. Machines without it round once more; everything else about the results is the same.
+//! Rows of lanes. Metrics use fused multiply-add if the machine has it: half the instructions and one rounding less.
+//! Results are otherwise the same on all machines.
 
-/// Pixels side by side.
+/// Number of pixels per vector operation.
 pub(super) const LANES: usize = 32;
 
-/// The first of a row of lanes.
+/// Returns the first lanes of a row.
 #[inline(always)]
 pub(super) fn lanes<R>(values: &[R]) -> &[R; LANES] {
     &values.as_chunks::<LANES>().0[0]

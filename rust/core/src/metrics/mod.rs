@@ -1,5 +1,5 @@
-//! Quality of a picture against a reference: structural similarity, squared differences, visible
-//! objects, torn neighbourhoods.
+//! Image quality against a reference: structural similarity, squared differences, object completion, and
+//! discontinuities of neighbourhoods.
 
 mod batch;
 mod object_completion;

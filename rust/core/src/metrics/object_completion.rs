@@ -1,19 +1,19 @@
-//! Visible objects of the true picture. CloVR (2024), Eq. 1–2.
+//! Object completion: visible objects compared with the reference. CloVR (2024), Eq. 1–2.
 
 use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
-/// Pixels that are looked at together, and a part of them where they differ.
+/// Pixels compared at once; a block with several objects is counted pixel by pixel.
 const BLOCK: usize = 32;
 const SUBBLOCK: usize = 4;
-/// Pixels of one task.
+/// Pixels per task.
 const PIXELS_PER_TASK: usize = 1 << 14;
-/// Objects with numbers below this are counted in an array.
+/// Objects with smaller numbers are counted in an array.
 const DENSE: usize = 1 << 20;
 
-/// The share of the reference's objects that are visible at all (OVC), and the mean share of each one's pixels that are
-/// (OFC). None where the reference shows no object. Negative numbers are none.
+/// Returns the fraction of the reference's objects that are visible (OVC), and the mean fraction of each object's
+/// pixels that are visible (OFC); `None` if the reference shows no object. Negative numbers are no objects.
 pub fn object_completion(reference: &[i32], test: &[i32]) -> Option<(f64, f64)> {
     let (wanted, found) = rayon::join(|| PixelCounts::of(reference), || PixelCounts::of(test));
     let (mut objects, mut visible, mut shares) = (0u64, 0u64, 0.0);
@@ -26,23 +26,23 @@ pub fn object_completion(reference: &[i32], test: &[i32]) -> Option<(f64, f64)> 
     (objects > 0).then(|| (visible as f64 / objects as f64, shares / objects as f64))
 }
 
-/// Pixels of each object.
+/// Pixel count of each object.
 #[derive(Default)]
 struct PixelCounts {
-    /// By number.
+    /// Counts by object number.
     dense: Vec<u64>,
-    /// Of the objects with great numbers: an array up to the greatest would not fit.
+    /// Counts of objects with large numbers, for which an array would not fit.
     sparse: BTreeMap<usize, u64>,
 }
 
-/// Pixels in a row that show one object.
+/// A run of pixels with the same object.
 struct Run {
     id: i32,
     pixels: u64,
 }
 
 impl Run {
-    /// Takes up pixels that all show the same.
+    /// Extends the run if all pixels have its object.
     #[inline(always)]
     fn goes_on<const COUNT: usize>(&mut self, ids: &[i32; COUNT]) -> bool {
         let alike = ids.iter().fold(0, |differs, id| differs | (id ^ self.id)) == 0;
@@ -53,13 +53,13 @@ impl Run {
 
 impl PixelCounts {
     fn of(ids: &[i32]) -> Self {
-        // One array of counts for each thread, because making and adding them costs as much as counting; whole numbers
-        // add up to the same in any parts.
+        // One array of counts per thread, because creating and adding arrays costs as much as counting. Integer sums
+        // do not depend on the partition.
         let each = ids.len().div_ceil(rayon::current_num_threads()).max(PIXELS_PER_TASK);
         ids.par_chunks(each).map(|ids| Self::default().count(ids)).reduce(Self::default, Self::and)
     }
 
-    /// Adds pixels run by run: most of a picture's pixels show what their neighbour shows.
+    /// Adds pixels run by run: most pixels show the same object as their neighbour.
     fn count(mut self, ids: &[i32]) -> Self {
         let (blocks, rest) = ids.as_chunks::<BLOCK>();
         let mut run = Run { id: -1, pixels: 0 };
@@ -114,7 +114,7 @@ impl PixelCounts {
         dense.or_else(|| self.sparse.get(&object).copied()).unwrap_or(0)
     }
 
-    /// Objects that have pixels, in order, and how many.
+    /// Returns the objects with pixels, in order, and their counts.
     fn each(&self) -> impl Iterator<Item = (usize, u64)> + '_ {
         let dense = self.dense.iter().copied().enumerate().filter(|&(_, pixels)| pixels > 0);
         dense.chain(self.sparse.iter().map(|(&object, &pixels)| (object, pixels)))

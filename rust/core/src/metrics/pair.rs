@@ -1,4 +1,4 @@
-//! Two images that are compared, row by row.
+//! Pairs of images, compared row by row.
 
 use std::ops::Range;
 
@@ -10,26 +10,26 @@ use super::pixel_rows::{EXTREME_LANES, PixelRows, extend, sum_and_difference, su
 use super::plane::{Plane, Region};
 use crate::base::{Real, Result};
 
-/// Rows of one task.
+/// Rows per task.
 const ROWS: usize = 64;
 
 /// Two images to be compared.
 #[derive(Clone, Copy)]
 pub struct Pair<'a, P> {
-    /// One of them.
+    /// Reference image.
     pub reference: Plane<'a, P>,
-    /// The other one, of the same size.
+    /// Test image, of the same size.
     pub test: Plane<'a, P>,
 }
 
 impl<'a, P: PixelRows> Pair<'a, P> {
-    /// Two images of one size.
+    /// Creates a pair; fails if the sizes differ.
     pub fn new(reference: Plane<'a, P>, test: Plane<'a, P>) -> Result<Self> {
         reference.expect_size("test", [test.height, test.width])?;
         Ok(Self { reference, test })
     }
 
-    /// Sum and difference of both along neighbouring pixels of a row, less their levels; and where wanted their extremes.
+    /// Writes sums and differences of neighbouring pixels of a row, minus their levels; updates `extremes` if given.
     #[inline]
     pub(super) fn load(
         &self,
@@ -57,14 +57,14 @@ impl<'a, P: PixelRows> Pair<'a, P> {
         }
     }
 
-    /// Takes up the values of both along a row, where they are wanted.
+    /// Extends `extremes`, if given, by the values of both images along a row.
     pub(super) fn extend_row(&self, row: usize, columns: Range<usize>, extremes: Option<&mut Extremes<P>>) {
         if let Some(extremes) = extremes {
             self.extend(&Region { rows: [row, row + 1], columns: [columns.start, columns.end] }, extremes);
         }
     }
 
-    /// The same in any precision and for any columns.
+    /// Same as `load`, for any precision and any columns.
     pub(super) fn gather<R: Real>(
         &self,
         row: usize,
@@ -79,7 +79,7 @@ impl<'a, P: PixelRows> Pair<'a, P> {
         }
     }
 
-    /// Takes up the values of both in a part.
+    /// Extends `extremes` by the values of both images in a region.
     pub(super) fn extend(&self, part: &Region, extremes: &mut Extremes<P>) {
         let ([first, end], [top, bottom]) = (part.columns, part.rows);
         if part.is_empty() {
@@ -97,7 +97,7 @@ impl<'a, P: PixelRows> Pair<'a, P> {
         }
     }
 
-    /// The least and the greatest value of both.
+    /// Returns the range of the values of both images.
     pub(super) fn range(&self) -> ValueRange {
         let (height, width) = (self.reference.height, self.reference.width);
         let band = |n: usize| {
@@ -109,12 +109,12 @@ impl<'a, P: PixelRows> Pair<'a, P> {
         (0..height.div_ceil(ROWS)).into_par_iter().map(band).reduce(ValueRange::default, ValueRange::and)
     }
 
-    /// About the means of both in a part, or of what a mask names of it.
+    /// Returns approximate means of both images in a region, restricted to the mask if there is one.
     pub(super) fn levels(&self, part: &Region, mask: Option<&Plane<'_, u8>>) -> [f64; 2] {
         [&self.reference, &self.test].map(|image| image.level(part, mask))
     }
 
-    /// The squared difference of one pixel.
+    /// Returns the squared difference of one pixel.
     #[inline(always)]
     pub(super) fn square(&self, row: usize, column: usize) -> f64 {
         let difference = self.reference.at(row, column).wide() - self.test.at(row, column).wide();

@@ -5,12 +5,13 @@ use super::lanes::LANES;
 use super::plane::Pixel;
 use crate::base::simd::vectorized;
 
-/// Lanes of the kernel that finds extremes as well: its last block goes back, and a narrower one goes back less far.
+/// Lanes of the kernel that also finds extremes: its last block overlaps the previous one, and narrow blocks overlap
+/// less.
 pub(super) const EXTREME_LANES: usize = LANES / 2;
 
-/// Pixels of which rows are compared.
+/// Pixel types with row kernels.
 pub trait PixelRows: Pixel {
-    /// Sum of the squared differences of few pixels.
+    /// Returns the sum of the squared differences of a short run of pixels.
     fn squares(x: &[Self], y: &[Self]) -> f64;
 }
 
@@ -25,7 +26,7 @@ macro_rules! pixel_rows {
 pixel_rows!(u8: byte_squares; u16: short_squares; f32: real_squares; f64: real_squares);
 
 vectorized! {
-    /// Sum and difference of two rows of pixels less their levels.
+    /// Writes sums and differences of two rows of pixels minus their levels.
     pub(super) fn sum_and_difference<P: Pixel>(
         x: &[P],
         y: &[P],
@@ -33,7 +34,7 @@ vectorized! {
         s: &mut [P::Real],
         d: &mut [P::Real],
     ) = spread;
-    /// The same, and the extremes of both rows, of at least `EXTREME_LANES` pixels.
+    /// Same, with the extremes of both rows, which have at least `EXTREME_LANES` pixels.
     pub(super) fn sum_difference_and_extremes<P: Pixel>(
         x: &[P],
         y: &[P],
@@ -42,12 +43,12 @@ vectorized! {
         d: &mut [P::Real],
         seen: &mut Extremes<P>,
     ) = spread_and_extend;
-    /// Takes up (rows, width) pixels; rows begin `step` values apart.
+    /// Extends `extremes` by (rows, width) pixels; rows begin `step` values apart.
     pub(super) fn extend<P: Pixel>(values: &[P], step: usize, size: [usize; 2], extremes: &mut Extremes<P>)
         = extend_kernel;
 }
 
-/// Without rounding: 2¹⁴ squares of 8 bits fit into 32.
+/// Exact: 2¹⁴ squares of 8 bits fit into 32 bits.
 #[inline(always)]
 fn byte_squares(x: &[u8], y: &[u8]) -> f64 {
     let mut sum = 0u32;
@@ -58,7 +59,7 @@ fn byte_squares(x: &[u8], y: &[u8]) -> f64 {
     f64::from(sum)
 }
 
-/// Without rounding: 2¹⁴ squares of 16 bits need 46.
+/// Exact: 2¹⁴ squares of 16 bits need 46 bits.
 #[inline(always)]
 fn short_squares(x: &[u16], y: &[u16]) -> f64 {
     let mut sum = 0u64;
@@ -114,7 +115,7 @@ fn spread_and_extend<P: Pixel>(
     let length = x.len().min(y.len()).min(s.len()).min(d.len());
     let (x, y, s, d) = (&x[..length], &y[..length], &mut s[..length], &mut d[..length]);
     let (seen_least, seen_greatest) = (first(&mut seen.least), first(&mut seen.greatest));
-    // Copies, which stay in registers.
+    // Local copies stay in registers.
     let (mut least, mut greatest) = (*seen_least, *seen_greatest);
     let mut block = |x: &[P; EXTREME_LANES],
                      y: &[P; EXTREME_LANES],
@@ -124,7 +125,7 @@ fn spread_and_extend<P: Pixel>(
             let (a, b) = (x[i].real() - levels[0], y[i].real() - levels[1]);
             s[i] = a + b;
             d[i] = a - b;
-            // A NaN is left out, and with it the pixel beside it, which nothing that counts sees.
+            // NaN is ignored together with the pixel compared with it, which no counted window sees.
             let (low, high) = if x[i] < y[i] { (x[i], y[i]) } else { (y[i], x[i]) };
             least[i] = if low < least[i] { low } else { least[i] };
             greatest[i] = if high > greatest[i] { high } else { greatest[i] };
@@ -133,7 +134,7 @@ fn spread_and_extend<P: Pixel>(
     let images = x.as_chunks().0.iter().zip(y.as_chunks().0);
     let lines = s.as_chunks_mut().0.iter_mut().zip(d.as_chunks_mut().0);
     images.zip(lines).for_each(|((x, y), (s, d))| block(x, y, s, d));
-    // The last block goes back to pixels that were taken up already, which changes nothing.
+    // The last block overlaps pixels that are already included, which changes nothing.
     if let (Some(x), Some(y), Some(s), Some(d)) =
         (x.last_chunk(), y.last_chunk(), s.last_chunk_mut(), d.last_chunk_mut())
     {
@@ -154,7 +155,7 @@ fn extend_kernel<P: Pixel>(values: &[P], step: usize, [rows, width]: [usize; 2],
         rows.for_each(|row| row.iter().enumerate().for_each(|(i, &pixel)| seen.include(i, pixel)));
         return;
     }
-    // Copies, which stay in registers as long as no lane is chosen at run time.
+    // Local copies stay in registers as long as no lane is indexed at run time.
     let (mut least, mut greatest) = (seen.least, seen.greatest);
     let mut include = |block: &[P; LANES]| {
         for i in 0..LANES {
@@ -164,7 +165,7 @@ fn extend_kernel<P: Pixel>(values: &[P], step: usize, [rows, width]: [usize; 2],
     };
     for row in rows {
         row.as_chunks::<LANES>().0.iter().for_each(&mut include);
-        // Pixels that were taken up already change nothing.
+        // Pixels that are already included change nothing.
         if !width.is_multiple_of(LANES) {
             row.last_chunk::<LANES>().into_iter().for_each(&mut include);
         }

@@ -1,14 +1,14 @@
-//! One channel of an image as it lies in memory, of any number type.
+//! One channel of an image in memory, of any number type.
 
 use crate::base::{Error, Real, Result};
 
-/// Numbers that pixels are made of, and the precision that they are computed in.
+/// Pixel number type, and the precision in which it is computed.
 pub trait Pixel: Copy + PartialOrd + Send + Sync {
-    /// Float32 holds every 8- and 16-bit difference exactly.
+    /// Precision of computations; float32 holds every 8- and 16-bit difference exactly.
     type Real: RoundingLimits;
-    /// Nothing is less.
+    /// Smallest value of the type.
     const LEAST: Self;
-    /// Nothing is greater.
+    /// Largest value of the type.
     const GREATEST: Self;
     /// The value.
     fn real(self) -> Self::Real;
@@ -16,16 +16,16 @@ pub trait Pixel: Copy + PartialOrd + Send + Sync {
 
 /// Limits within which a precision keeps the digits of similarity.
 pub trait RoundingLimits: Real {
-    /// Greatest change of either factor of the measure, in roundings of a pixel less its level: 1e-6 in float32 and
-    /// 5e-13 in float64. The mean asks for so few, because the roundings of even areas are all alike.
+    /// Maximum change of either factor of the measure, in roundings of a pixel minus its level: 1e-6 in float32 and
+    /// 5e-13 in float64. It is that small for the mean, because uniform areas all round alike.
     const REACH: f64;
-    /// Greatest distance of a window from the level, in units of √c₁ or √c₂.
+    /// Maximum distance of a window from the level, in units of √c₁ or √c₂.
     const FARTHEST: f64;
-    /// Greatest level: its square, and the product of two such squares, are finite.
+    /// Maximum level: its square, and the product of two such squares, are finite.
     const GREATEST: f64;
-    /// Greatest divisor: far from the greatest number.
+    /// Maximum divisor, far below overflow.
     const DIVISOR: f64;
-    /// Least constant: the product of both keeps all digits.
+    /// Minimum constant: the product of both keeps all digits.
     const LEAST: f64;
 }
 
@@ -66,20 +66,20 @@ pixel!(
     f64 => f64, NEG_INFINITY to INFINITY
 );
 
-/// One channel of an image: values that lie steps apart.
+/// One channel of an image: values at fixed strides.
 #[derive(Clone, Copy, Debug)]
 pub struct Plane<'a, P> {
     values: &'a [P],
-    /// Pixels down.
+    /// Height, pixels.
     pub height: usize,
-    /// Pixels across.
+    /// Width, pixels.
     pub width: usize,
     row_step: usize,
     column_step: usize,
 }
 
 impl<'a, P: Pixel> Plane<'a, P> {
-    /// Takes the values as they lie: (height, width) pixels, and how many values the next row and the next column are away.
+    /// Creates a plane of (height, width) pixels with strides, in values, to the next row and the next column.
     pub fn new(values: &'a [P], [height, width]: [usize; 2], [row_step, column_step]: [usize; 2]) -> Result<Self> {
         if let Some(&length) = [height, width].iter().find(|&&length| u32::try_from(length).is_err()) {
             return Err(Error::value("image", "fewer than 2³² pixels each way", length));
@@ -93,7 +93,7 @@ impl<'a, P: Pixel> Plane<'a, P> {
         Ok(Self { values, height, width, row_step, column_step })
     }
 
-    /// A stack of images of one size, in order: the last two of all axes are theirs.
+    /// Splits a stack of images of one size, in order; the last two axes are the images'.
     pub fn stack(values: &'a [P], shape: &[usize], steps: &[usize]) -> Result<Vec<Self>> {
         let (Some((outer, &size)), Some((outer_steps, &steps))) = (shape.split_last_chunk(), steps.split_last_chunk())
         else {
@@ -114,33 +114,32 @@ impl<'a, P: Pixel> Plane<'a, P> {
         (0..outer.iter().product()).map(image).collect()
     }
 
-    /// A pixel's value.
+    /// Returns a pixel's value in computing precision.
     #[inline(always)]
     pub fn at(&self, row: usize, column: usize) -> P::Real {
         self.pixel(row, column).real()
     }
 
-    /// A pixel as it lies in memory.
+    /// Returns a pixel as stored.
     #[inline(always)]
     pub(super) fn pixel(&self, row: usize, column: usize) -> P {
         self.values[row * self.row_step + column * self.column_step]
     }
 
-    /// Neighbouring pixels of a row, where they lie side by side.
+    /// Returns neighbouring pixels of a row; `None` if they are not contiguous.
     #[inline(always)]
     pub fn run(&self, row: usize, columns: std::ops::Range<usize>) -> Option<&'a [P]> {
         let start = row * self.row_step;
         (self.column_step == 1).then(|| &self.values[start + columns.start..start + columns.end])
     }
 
-    /// Values from a pixel on and how many of them a row takes, where neighbours lie side by side.
+    /// Returns the values from a pixel on and the row stride; `None` if the pixels of a row are not contiguous.
     pub(super) fn rows_from(&self, row: usize, column: usize) -> Option<(&'a [P], usize)> {
         (self.column_step == 1).then(|| (&self.values[row * self.row_step + column..], self.row_step))
     }
 
-    /// Returns about the mean of a part of the image, from a few of its pixels that are finite. With a mask it takes only
-    /// pixels that the mask names, or the first such pixel if it names none of the few, so that the level depends on no
-    /// other pixel.
+    /// Returns an approximate mean of a region, from a few of its pixels that are finite. With a mask it uses only
+    /// masked pixels, or the first one if the few contain none, so that the level depends on no other pixel.
     pub(super) fn level(&self, part: &Region, mask: Option<&Plane<'_, u8>>) -> f64 {
         let is_asked = |&(row, column): &(usize, usize)| mask.is_none_or(|mask| mask.names(row, column));
         let mut few = part.samples().filter(is_asked).peekable();
@@ -151,7 +150,7 @@ impl<'a, P: Pixel> Plane<'a, P> {
         if count > 0.0 { sum / count } else { 0.0 }
     }
 
-    /// Refuses another size.
+    /// Fails if the size differs.
     pub(super) fn expect_size(&self, argument: &'static str, [height, width]: [usize; 2]) -> Result<()> {
         if [height, width] == [self.height, self.width] {
             return Ok(());
@@ -162,22 +161,22 @@ impl<'a, P: Pixel> Plane<'a, P> {
 }
 
 impl Plane<'_, u8> {
-    /// Whether a mask names a pixel.
+    /// Returns whether a mask contains a pixel.
     #[inline(always)]
     pub(super) fn names(&self, row: usize, column: usize) -> bool {
         self.values[row * self.row_step + column * self.column_step] != 0
     }
 
-    /// Number of pixels that a mask names.
+    /// Returns the number of pixels in a mask.
     pub(super) fn count(&self) -> usize {
         let row = |row| (0..self.width).filter(|&column| self.names(row, column)).count();
         (0..self.height).map(row).sum()
     }
 
-    /// The first and the last column of a row that a mask names.
+    /// Returns the first and the last column of a row in a mask.
     pub(super) fn first_and_last(&self, row: usize, [from, end]: [usize; 2]) -> Option<(usize, usize)> {
         if let Some(run) = self.run(row, from..end) {
-            // Most rows name nothing, which the machine sees in whole vectors.
+            // Most rows are empty; this test is vectorised.
             if run.iter().fold(0, |any, value| any | value) == 0 {
                 return None;
             }
@@ -188,13 +187,13 @@ impl Plane<'_, u8> {
         Some((first, (first..end).rfind(|&column| self.names(row, column))?))
     }
 
-    /// Returns the row and column of the first pixel of a part that a mask names.
+    /// Returns the row and column of the first masked pixel of a region.
     fn first(&self, part: &Region) -> Option<(usize, usize)> {
         let in_row = |row| self.first_and_last(row, part.columns).map(|(first, _)| (row, first));
         (part.rows[0]..part.rows[1]).find_map(in_row)
     }
 
-    /// The smallest part that holds all pixels of a part that a mask names.
+    /// Returns the smallest region that contains all masked pixels of a region.
     pub(super) fn bounds(&self, part: Region) -> Region {
         let mut bounds = Region { rows: [part.rows[1], part.rows[0]], columns: [part.columns[1], part.columns[0]] };
         for row in part.rows[0]..part.rows[1] {
@@ -209,9 +208,9 @@ impl Plane<'_, u8> {
 /// Rectangle of an image.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Region {
-    /// First row, and that after the last.
+    /// First row and end.
     pub rows: [usize; 2],
-    /// The same of columns.
+    /// First column and end.
     pub columns: [usize; 2],
 }
 
@@ -224,25 +223,25 @@ impl Region {
         (self.rows[0]..self.rows[1]).contains(&row)
     }
 
-    /// Whether a pixel lies in it.
+    /// Returns whether the region contains a pixel.
     pub fn holds(&self, row: usize, column: usize) -> bool {
         self.holds_row(row) && (self.columns[0]..self.columns[1]).contains(&column)
     }
 
-    /// A few of its pixels, evenly spread.
+    /// Returns a few of its pixels, evenly spaced.
     fn samples(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
         const EACH: usize = 4;
         let pick = |[from, to]: [usize; 2], i: usize| from + (2 * i + 1) * (to - from) / (2 * EACH);
         (0..EACH * EACH).map(move |i| (pick(self.rows, i / EACH), pick(self.columns, i % EACH)))
     }
 
-    /// Part of it within rows.
+    /// Clips the region to rows.
     pub fn within_rows(&self, rows: [usize; 2]) -> Self {
         Self { rows: [self.rows[0].max(rows[0]), self.rows[1].min(rows[1])], columns: self.columns }
     }
 }
 
-/// Index of a line mirrored at its ends: d c b a | a b c d | d c b a.
+/// Mirrors an index at the ends of a line: d c b a | a b c d | d c b a.
 pub(super) fn mirror(i: i64, length: usize) -> usize {
     let length = length as i64;
     let there = i.rem_euclid(2 * length);

@@ -1,4 +1,4 @@
-//! Mean squared error, on pixels as they are.
+//! Mean squared error of raw pixel values.
 
 use rayon::prelude::*;
 
@@ -8,19 +8,18 @@ use super::pixel_rows::PixelRows;
 use super::plane::Region;
 use crate::base::{Progress, Result};
 
-/// Pixels that one task sums up: fixed, so that sums do not depend on the number of threads, and few enough for the
-/// sums of whole numbers.
+/// Pixels per task: fixed, so that sums do not depend on the number of threads, and few enough for integer sums.
 const TILE: usize = 1 << 14;
 
-/// Bytes of an image below which one thread is as fast as all.
+/// Image size in bytes below which one thread is as fast as all.
 const SERIAL_BYTES: usize = 1 << 22;
 
-/// Mean of the squared differences of two images, and the range of their values.
+/// Mean squared difference of two images, and the range of their values.
 #[derive(Clone, Copy, Debug)]
 pub struct SquaredError {
-    /// In float64; exact for whole numbers.
+    /// Mean in float64; exact for integers.
     pub mean: f64,
-    /// Of both images, where it is wanted.
+    /// Range of both images' values, if requested.
     pub range: ValueRange,
 }
 
@@ -48,7 +47,7 @@ pub fn mean_squared_error<P: PixelRows>(pair: &Pair<'_, P>, range: bool, progres
         progress.check().map(|()| (sum, extremes.range()))
     };
     let tasks = height.div_ceil(rows);
-    // The same sums in the same order on one thread or many: waking threads takes as long as reading a few megabytes.
+    // Same sums in the same order on one thread or many: waking threads takes as long as reading a few megabytes.
     let sums: Vec<(f64, ValueRange)> = if height.saturating_mul(width).saturating_mul(size_of::<P>()) < SERIAL_BYTES {
         (0..tasks).map(task).collect::<Result<_>>()?
     } else {

@@ -1,19 +1,19 @@
-//! The block kernel of `Kind::Blend`: Eq. 1–3 in the points' own precision, as a small shift of each point.
+//! Block kernel of `Kind::Blend`: Eq. 1–3 in the points' own precision, as a small shift of each point.
 //!
 //! With A = |P−U|, B = |P−O|, v = U−O, e = (A−B)², h = w(1−w)/(AB) and n² = 1 − h(|v|²−e), the squared length of the
 //! blend of both directions, Q = P + α (P−O) + β v. Here α = h(e + (|v|²−e)/(1+n))/n and β = 1 − w(w + (1−w)B/A)/n.
 //!
-//! Both terms have the size of |v|, so rounding is relative to the user's offset, not to the distance. For points near
-//! a radius, near the user or near opposition, rounding leaves n or the choice of zone in doubt.
+//! Both terms are of the size of |v|, so rounding is relative to the user's offset, not to the distance. Points near a
+//! radius, near the user or near opposition are in doubt: rounding affects n or the choice of zone.
 
 use super::lanes::{BLOCK, BlendLimits, BlockCoordinates, gather, scatter};
 use super::point::Morph;
 use crate::base::Real;
 
-/// Greatest r₂/(r₂−r₁). Rounding of a float32 weight w grows by this factor; above the limit the morph uses float64.
+/// Maximum r₂/(r₂−r₁). Rounding of a float32 weight w grows by this factor; above the limit the morph uses float64.
 const GREATEST_STEEPNESS: f64 = 16.0;
 
-/// Whether the kernel may be used: no length overflows or loses digits, and points within r₁ stay.
+/// Returns whether the kernel may be used: no length overflows or loses digits, and points within r₁ do not move.
 pub(super) fn applies<T: BlendLimits>(morph: &Morph) -> bool {
     let [least, greatest] = T::LENGTHS;
     if morph.strength < 1.0 {
@@ -95,7 +95,7 @@ pub(super) fn block<T: Real>(c: &Constants<T>, points: &[[T; 3]; BLOCK], shown: 
     doubts
 }
 
-/// Chooses the original, the blended or the shifted position of each point, by its zone.
+/// Selects the original, the blended or the shifted position of each point, by its zone.
 #[inline(always)]
 fn blend<T: Real>(
     c: &Constants<T>,

@@ -1,11 +1,11 @@
-//! The block kernel of `Kind::Cylinder`, of strengths below 1, and of blends outside the limits of the kernel `blend`:
-//! the scalar form in float64, without branches. Points with nearly opposed directions are in doubt.
+//! Block kernel of `Kind::Cylinder`, of strengths below 1, and of blends outside the limits of the kernel `blend`: the
+//! scalar form in float64, without branches. Points with nearly opposed directions are in doubt.
 
 use super::lanes::{BLOCK, BlockCoordinates, gather, scatter};
 use super::point::{Kind, Morph};
 use crate::base::Real;
 
-/// Length of a blend of unit vectors below which the scalar form decides.
+/// Length of a blend of unit vectors below which the scalar code decides.
 const SHORTEST_BLEND: f64 = 1e-6;
 
 /// Morphs a block. Returns one bit for each point in doubt.
@@ -47,7 +47,7 @@ pub(super) fn block<T: Real>(morph: &Morph, points: &[[T; 3]; BLOCK], shown: &mu
         moved[0][i] = T::narrow(if shifts { sx } else { qx });
         moved[1][i] = T::narrow(if shifts { sy } else { qy });
         moved[2][i] = T::narrow(if shifts { sz } else { qz });
-        // Where a length is 0 the comparison is with NaN and fails, which marks the point as doubtful.
+        // If a length is 0, the comparison is with NaN and fails, which marks the point as doubtful.
         doubtful[i] = !((w == 1.0) | shifts | (length > SHORTEST_BLEND));
         let stays = w == 1.0;
         moved[0][i] = if stays { coordinates[0][i] } else { moved[0][i] };

@@ -1,4 +1,4 @@
-//! Blocks of points, sorted by coordinate.
+//! Blocks of points as arrays of coordinates.
 
 use crate::base::Real;
 
@@ -7,9 +7,9 @@ pub(super) const BLOCK: usize = 64;
 
 /// Limits within which a floating-point type is precise enough for the blend kernel.
 pub(super) trait BlendLimits: Real {
-    /// Upper bound of the relative error of squared distances that two roundings of each coordinate cause.
+    /// Upper bound of the relative error of squared distances caused by two roundings of each coordinate.
     const DOUBT: f64;
-    /// Lengths between these bounds have squares that neither overflow nor lose digits.
+    /// Range of lengths whose squares neither overflow nor lose digits.
     const LENGTHS: [f64; 2];
 }
 
@@ -23,7 +23,7 @@ impl BlendLimits for f64 {
     const LENGTHS: [f64; 2] = [1e-50, 1e50];
 }
 
-/// Coordinates of a block, sorted by axis.
+/// Coordinates of a block, one array per axis.
 pub(super) type BlockCoordinates<T> = [[T; BLOCK]; 3];
 
 #[inline(always)]

@@ -1,19 +1,19 @@
-//! The morph of one point.
+//! Morph of a single point.
 
 use glam::{DVec2, DVec3};
 
 use crate::base::{Error, Result};
 
-/// Rule for the distance at which a point is shown in its morphed direction.
+/// Rule for the distance at which a point is shown along its morphed direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// The blend of its distances from the user and from the centre (2022).
+    /// Blend of its distances from the user and from the centre (2022).
     Blend,
-    /// The distance at which the direction leaves the vertical cylinder on which the point lies (CloVR).
+    /// Distance at which the direction leaves the vertical cylinder through the point (CloVR).
     Cylinder,
 }
 
-/// The morph for one position of the user.
+/// The morph for one user position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Morph {
     /// The user's eye U.
@@ -44,7 +44,7 @@ pub struct Morphed {
     pub opposed: bool,
 }
 
-/// Least length of a usable blend of two unit vectors; shorter blends have fewer than four correct digits.
+/// Minimum length of a usable blend of two unit vectors; shorter blends have fewer than four correct digits.
 const OPPOSED: f64 = 1e-12;
 
 impl Morph {
@@ -65,7 +65,7 @@ impl Morph {
         Ok(Self { user, center, r1, r2, kind, strength: 1.0, offset: user - center })
     }
 
-    /// The same morph with another strength, 0 to 1. Without any, nothing is near: w = 0 everywhere.
+    /// Returns the morph with another strength, 0 to 1. At 0, nothing is near: w = 0 everywhere.
     pub fn with_strength(self, strength: f64) -> Result<Self> {
         if !(0.0..=1.0).contains(&strength) {
             return Err(Error::value("strength", "a number from 0 to 1", strength));
@@ -74,12 +74,12 @@ impl Morph {
         Ok(Self { strength, r1, r2, ..self })
     }
 
-    /// Morphed position Q of a point.
+    /// Returns the morphed position Q of a point.
     pub fn apply(&self, point: DVec3) -> DVec3 {
         self.examine(point).point
     }
 
-    /// Weight w of the user's view at distance ρ from the axis.
+    /// Returns the weight w of the user's view at distance ρ from the axis.
     #[inline]
     pub fn weight(&self, rho: f64) -> f64 {
         if self.r2 == 0.0 {
@@ -88,7 +88,7 @@ impl Morph {
         self.strength * ((self.r2 - rho) / (self.r2 - self.r1)).clamp(0.0, 1.0)
     }
 
-    /// Morphed position of a point, its weight, and whether its directions were opposed.
+    /// Returns the morphed position of a point, its weight, and whether its directions were opposed.
     pub fn examine(&self, point: DVec3) -> Morphed {
         let from_center = point - self.center;
         let rho = DVec2::new(from_center.x, from_center.z).length();
@@ -110,8 +110,8 @@ impl Morph {
         Morphed { point: self.center + (self.offset + distance * direction), weight, opposed }
     }
 
-    /// Distance from the user, along a unit direction, at which a point beyond r₂ (w = 0) is shown. The centre sees the
-    /// point in the same direction at distance `from_center`.
+    /// Returns the distance from the user, along a unit direction, at which a point beyond r₂ (w = 0) is shown. The
+    /// centre sees the point in the same direction at distance `from_center`.
     pub fn far_distance(&self, direction: DVec3, from_center: f64) -> f64 {
         if self.kind == Kind::Blend || !from_center.is_finite() {
             return from_center;
@@ -132,9 +132,9 @@ fn blended_direction(from_user: DVec3, from_center: DVec3, weight: f64) -> (DVec
     (seen_by_user, seen_by_user != DVec3::ZERO)
 }
 
-/// Distance from `start` (relative to the axis) along a unit direction to the exit from the cylinder of radius ρ.
-/// `None` if the start lies outside or the direction never leaves. It is the larger root of a t² + 2 b t + c, in the
-/// form that does not cancel.
+/// Returns the distance from `start` (relative to the axis) along a unit direction to the exit from the cylinder of
+/// radius ρ; `None` if the start lies outside or the direction never leaves. It is the larger root of a t² + 2 b t +
+/// c, computed without cancellation.
 fn leave_cylinder(start: DVec3, direction: DVec3, rho: f64) -> Option<f64> {
     let (start, direction) = (DVec2::new(start.x, start.z), DVec2::new(direction.x, direction.z));
     let start_rho = start.length();

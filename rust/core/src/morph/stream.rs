@@ -1,4 +1,4 @@
-//! The morph of long arrays. Vector kernels morph blocks of points; points in doubt are morphed one by one.
+//! Morph of long arrays. Vector kernels morph blocks of points; points in doubt are morphed one by one.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -13,8 +13,8 @@ use crate::base::{Progress, Real, Result};
 
 /// Number of points in one task.
 const TILE: usize = 1 << 14;
-/// Number of blocks by which the prefetch runs ahead of the computation. Without it the loads of the next block would
-/// wait behind the hundreds of instructions of this block. It saves a fifth of the time.
+/// Prefetch distance, blocks. Without it the loads of the next block would wait behind the hundreds of instructions of
+/// this block. It saves a fifth of the time.
 const PREFETCHED_BLOCKS: usize = 4;
 
 vectorized! {
@@ -30,9 +30,9 @@ vectorized! {
 }
 
 impl Morph {
-    /// Morphs float32 points. Where directions are not opposed, the error is at most half a float32 step of the result
-    /// plus 2⁻²⁴ (6 + 3 r₂/(r₂−r₁)) |U−O|. At full strength points inside r₁ keep their bits; points beyond r₂ are U + P − O, rounded
-    /// once. Points with NaN give NaN. Returns the number of opposed points. Both slices have the same length.
+    /// Morphs float32 points. Unless directions are opposed, the error is at most half a float32 step of the result
+    /// plus 2⁻²⁴ (6 + 3 r₂/(r₂−r₁)) |U−O|. At full strength points inside r₁ are unchanged; points beyond r₂ are U + P
+    /// − O, rounded once. NaN points give NaN. Returns the number of opposed points. Both slices have the same length.
     pub fn apply_all_f32(&self, points: &[[f32; 3]], shown: &mut [[f32; 3]], progress: &Progress) -> Result<u64> {
         apply_all(self, points, shown, progress)
     }
@@ -82,7 +82,7 @@ fn in_tiles<T: BlendLimits>(
             count += resolve(morph, kernel(block, shown), block, shown);
         }
         if let Some(&first) = rest.first() {
-            // The rest is padded to a block: a point's result does not depend on its position in the block.
+            // The rest is padded to a block; a point's result does not depend on its position in the block.
             let mut block = [first; BLOCK];
             let mut shown = block;
             block[..rest.len()].copy_from_slice(rest);
@@ -96,7 +96,7 @@ fn in_tiles<T: BlendLimits>(
     Ok(opposed.into_inner())
 }
 
-/// Morphs the points of a block that are in doubt one by one. Returns the number of opposed points.
+/// Morphs the doubtful points of a block one by one. Returns the number of opposed points.
 fn resolve<T: Real>(morph: &Morph, mut doubts: u64, points: &[[T; 3]], shown: &mut [[T; 3]]) -> u64 {
     let mut opposed = 0;
     while doubts != 0 {

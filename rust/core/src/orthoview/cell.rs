@@ -1,4 +1,4 @@
-//! Cells, and the cameras that look at them.
+//! Cells, and the orthographic cameras that look at them.
 
 use glam::DVec3;
 
@@ -7,21 +7,21 @@ use crate::base::{Error, Result};
 use crate::camera::{Camera, Fov, Projection};
 use crate::render::{Limits, Segment};
 
-/// Roundings of the greatest coordinate by which surfaces may lie beyond a cell's sides: those of a corner, of a ray's
-/// start and of its length, which is up to √3 sides.
+/// Safety factor for surfaces beyond a cell's sides, in roundings of the largest coordinate: those of a corner, of a
+/// ray's start and of its length, which is up to √3 sides.
 const MARGIN: f64 = 8.0;
 
 /// A cubic cell of the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cell {
-    /// The least corner, metres.
+    /// Minimum corner, metres.
     pub corner: DVec3,
-    /// The side, metres.
+    /// Side length, metres.
     pub side: f64,
 }
 
 impl Cell {
-    /// Checks a cell.
+    /// Creates a cell; checks corner and side.
     pub fn new(corner: DVec3, side: f64) -> Result<Self> {
         if !corner.is_finite() || !side.is_finite() || side <= 0.0 {
             return Err(Error::value("cell", "a finite corner and a side above 0", format!("{corner}, {side}")));
@@ -29,22 +29,22 @@ impl Cell {
         Ok(Self { corner, side })
     }
 
-    /// Metres by which a scene's surfaces in the cell may be off: kernels round positions relative to its origin to
-    /// float32, and distances as well.
+    /// Returns the possible error of a scene's surfaces in the cell, metres: kernels round positions relative to its
+    /// origin, and distances, to float32.
     pub fn margin(&self, origin: DVec3) -> f64 {
         let far = self.corner + self.side;
         let reach = (self.corner - origin).abs().max((far - origin).abs()).max_element();
         MARGIN * f64::from(f32::EPSILON) * reach
     }
 
-    /// The least and the greatest corner within which surfaces of a scene are seen, world positions. Surfaces on the
-    /// cell's sides are.
+    /// Returns the minimum and maximum corner of the volume in which surfaces count, world positions; surfaces on the
+    /// cell's sides do.
     pub fn seen(&self, origin: DVec3) -> (DVec3, DVec3) {
         let margin = self.margin(origin);
         (self.corner - margin, self.corner + self.side + margin)
     }
 
-    /// `seen` as half-spaces (n, d), n·x + d ≥ 0.
+    /// Returns the volume of `seen` as half-spaces (n, d), n·x + d ≥ 0.
     pub fn limits(&self, origin: DVec3) -> Result<Limits> {
         let (low, high) = self.seen(origin);
         let planes: [[f64; 4]; 6] = std::array::from_fn(|n| {
@@ -58,14 +58,14 @@ impl Cell {
     }
 }
 
-/// A picture of a cell along parallel rays, which covers it tightly.
+/// An orthographic picture of a cell, which covers it tightly.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sight {
     /// Width and height, pixels.
     pub pixels: usize,
     /// Unit vectors to the right, upwards and towards the viewer.
     axes: [DVec3; 3],
-    /// Extents of the cell along them, metres.
+    /// Extents of the cell along these axes, metres.
     pub extents: DVec3,
     /// The cell's centre.
     center: DVec3,
@@ -73,23 +73,23 @@ pub struct Sight {
 }
 
 impl Sight {
-    /// The picture of a cell with the axes of a frame.
+    /// Creates the picture of a cell with the axes of a frame.
     pub fn new(cell: &Cell, frame: Frame, pixels: usize) -> Self {
         let center = cell.corner + cell.side / 2.0;
         Self { pixels, axes: frame.axes(), extents: frame.extents() * cell.side, center, frame }
     }
 
-    /// The direction of all rays.
+    /// Returns the direction of all rays.
     pub fn direction(&self) -> DVec3 {
         -self.axes[2]
     }
 
-    /// The larger side of a pixel, metres.
+    /// Returns the larger side of a pixel, metres.
     pub fn pixel(&self) -> f64 {
         self.extents.x.max(self.extents.y) / self.pixels as f64
     }
 
-    /// The camera, which lies where the range of depths begins.
+    /// Returns the camera, located at the front of the depth range.
     pub fn camera(&self) -> Result<Camera> {
         let half = self.extents / 2.0;
         let fov = Fov { left: -half.x, right: half.x, down: -half.y, up: half.y };
@@ -97,7 +97,7 @@ impl Sight {
         Camera::new(eye, self.frame.orientation(), Projection::Orthographic(fov), size, size)
     }
 
-    /// Pixels to the right and downwards, and metres behind the front, of a world point.
+    /// Converts a world point to pixels to the right and downwards, and metres behind the front.
     #[inline]
     pub fn place(&self, point: DVec3) -> DVec3 {
         let offset = point - self.center;
@@ -108,14 +108,14 @@ impl Sight {
         DVec3::new(x, y, self.extents.z / 2.0 - toward)
     }
 
-    /// The world point of a pixel's centre at a number of metres behind the front.
+    /// Returns the world point of a pixel's centre at a depth behind the front, metres.
     #[inline]
     pub fn middle(&self, pixel: usize, depth: f64) -> DVec3 {
         let (column, row) = (pixel % self.pixels, pixel / self.pixels);
         self.point(DVec3::new(column as f64 + 0.5, row as f64 + 0.5, depth))
     }
 
-    /// The world point of pixels to the right and downwards, and metres behind the front.
+    /// Converts pixels to the right and downwards, and metres behind the front, to a world point.
     #[inline]
     fn point(&self, place: DVec3) -> DVec3 {
         let ([right, up, toward], pixels) = (self.axes, self.pixels as f64);

@@ -1,9 +1,9 @@
-//! Which neighbouring pixels of a view show one surface.
+//! Connectivity of neighbouring pixels of a view: whether they show one surface.
 //!
-//! The points P₁ and P₂ of two neighbours, p̂ the unit vector between them, and their normals n₁ and n₂: they are
-//! connected if their depths differ by less than τ₁, if |n₁·p̂| and |n₂·p̂| are less than τ₂, and if n₁ mirrored in the
-//! plane across p̂, n₁ − 2 (n₁·p̂) p̂, has a cosine with n₂ above τ₃: on a sphere both are equal. Within a block of 2 × 2
-//! pixels, what is connected to the same pixel is connected.
+//! Let P₁ and P₂ be the points of two neighbours, p̂ the unit vector between them, and n₁ and n₂ their normals. They
+//! are connected if their depths differ by less than τ₁, if |n₁·p̂| and |n₂·p̂| are less than τ₂, and if n₁ mirrored
+//! in the plane perpendicular to p̂, n₁ − 2 (n₁·p̂) p̂, has a cosine with n₂ above τ₃: on a sphere both are equal.
+//! Within a block of 2 × 2 pixels, connectivity is transitive.
 
 use glam::Vec3;
 use rayon::prelude::*;
@@ -14,28 +14,28 @@ use super::normals;
 use super::view::{View, Views};
 use crate::base::{Error, Result};
 
-/// The bounds τ₁, τ₂ and τ₃.
+/// Bounds τ₁, τ₂ and τ₃.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
-    /// Greatest difference of depths, in widths of the larger side of a pixel.
+    /// Maximum difference of depths, in widths of the larger side of a pixel.
     pub depth: f32,
-    /// Greatest cosine between a normal and the vector between the points.
+    /// Maximum cosine between a normal and the vector between the points.
     pub slope: f32,
-    /// Least cosine between one normal, mirrored, and the other one.
+    /// Minimum cosine between one normal, mirrored, and the other one.
     pub bend: f32,
 }
 
-/// Steps to the neighbours whose connections a pixel holds, as (columns, rows), by the number of the bit.
+/// Steps to the neighbours whose connections a pixel stores, as (columns, rows), by bit number.
 const NEIGHBOURS: [(i64, i64); 4] = [(1, 0), (0, 1), (1, 1), (-1, 1)];
 
-/// The pixel of a block that holds the connection of a pair, and its bit; the pixels of a block are numbered by rows.
+/// Pixel of a block that stores the connection of a pair, and its bit; pixels of a block are numbered row by row.
 const HOLDERS: [(usize, u8); 6] = [(0, 0), (0, 1), (1, 1), (2, 0), (0, 2), (1, 3)];
 
-/// The pixels of each of these pairs.
+/// Pixels of each pair.
 const PAIRS: [(usize, usize); 6] = [(0, 1), (0, 2), (1, 3), (2, 3), (0, 3), (1, 2)];
 
-/// For each pixel of each view four bits: whether it is connected with its neighbour to the right, below, below to the
-/// right, and below to the left.
+/// Returns four bits per pixel of each view: whether it is connected with its neighbour to the right, below, below
+/// right, and below left.
 pub fn connected(views: &Views, bounds: &Bounds) -> Vec<u8> {
     let each = views.directions.par_iter().zip(views.views());
     let bits: Vec<Vec<u8>> = each
@@ -44,8 +44,8 @@ pub fn connected(views: &Views, bounds: &Bounds) -> Vec<u8> {
     bits.concat()
 }
 
-/// Whether each pixel of some views of `size` × `size` pixels is a surfel, a piece of a plane: more than four of its eight
-/// neighbours are connected with it. Others are balls.
+/// Returns whether each pixel of some views of `size` × `size` pixels is a surfel, a piece of a plane: more than four
+/// of its eight neighbours are connected with it. Other pixels are balls.
 pub fn surfels(bits: &[u8], size: usize) -> Result<Vec<bool>> {
     if size == 0 || !bits.len().is_multiple_of(size * size) {
         return Err(Error::value("bits", format!("views of {size} × {size} pixels"), bits.len()));
@@ -54,17 +54,17 @@ pub fn surfels(bits: &[u8], size: usize) -> Result<Vec<bool>> {
     Ok(bits.par_chunks(size * size).flat_map_iter(of_view).collect())
 }
 
-/// Whether a pixel with a number of connected neighbours is a surfel.
+/// Returns whether a pixel with a number of connected neighbours is a surfel.
 pub(super) fn is_surfel(neighbours: u8) -> bool {
     neighbours > MOST_OF_BALL
 }
 
-/// Number of neighbours that are connected with each pixel of a view.
+/// Counts the connected neighbours of each pixel of a view.
 pub(super) fn neighbours(bits: &[u8], size: usize) -> Vec<u8> {
     let mut counts = vec![0u8; bits.len()];
     for (pixel, &own) in bits.iter().enumerate() {
         for (_, step) in (0..).zip(NEIGHBOURS).filter(|(bit, _)| own >> bit & 1 == 1) {
-            // Bits that lead out of the picture are none of ours.
+            // Bits that lead out of the picture are ignored.
             let Some(other) = neighbour(pixel, step, size) else { continue };
             counts[pixel] += 1;
             counts[other] += 1;
@@ -73,7 +73,7 @@ pub(super) fn neighbours(bits: &[u8], size: usize) -> Vec<u8> {
     counts
 }
 
-/// The pixel some columns and rows away; `None` beyond the border.
+/// Returns the pixel some columns and rows away; `None` beyond the border.
 #[inline]
 fn neighbour(pixel: usize, (columns, rows): (i64, i64), size: usize) -> Option<usize> {
     let (column, row) = ((pixel % size) as i64 + columns, (pixel / size) as i64 + rows);
@@ -81,10 +81,10 @@ fn neighbour(pixel: usize, (columns, rows): (i64, i64), size: usize) -> Option<u
     (inside.contains(&column) && inside.contains(&row)).then(|| row as usize * size + column as usize)
 }
 
-/// Greatest number of connected neighbours of a ball.
+/// Maximum number of connected neighbours of a ball.
 const MOST_OF_BALL: u8 = 4;
 
-/// The connections of pairs themselves.
+/// Returns the direct connections of pairs.
 fn pairs(view: &View, frame: Frame, format: &Format, bounds: &Bounds) -> Vec<u8> {
     let size = format.size;
     let judge = Judge::new(view, frame, format, bounds);
@@ -95,13 +95,13 @@ fn pairs(view: &View, frame: Frame, format: &Format, bounds: &Bounds) -> Vec<u8>
     (0..format.pixels()).map(of_pixel).collect()
 }
 
-/// The points and normals of a view's pixels, along the axes of the view.
+/// Points and normals of a view's pixels, along the axes of the view.
 struct Judge<'a> {
     view: &'a View,
     bounds: &'a Bounds,
-    /// Width and height of a pixel and length of a step, in sides of the cell.
+    /// Width and height of a pixel and length of a depth step, in sides of the cell.
     pitch: Vec3,
-    /// Greatest difference of depths, in sides of the cell.
+    /// Maximum difference of depths, in sides of the cell.
     most: f32,
     normals: Vec<Vec3>,
 }
@@ -134,7 +134,7 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// The connections of pairs, and of those that are connected through other pixels of a block.
+/// Returns the connections of pairs, including those through other pixels of a block.
 fn closed(pairs: &[u8], size: usize) -> Vec<u8> {
     let closures: [u8; 64] = std::array::from_fn(|bits| closure(bits as u8));
     let mut all = pairs.to_vec();
@@ -149,7 +149,7 @@ fn closed(pairs: &[u8], size: usize) -> Vec<u8> {
     all
 }
 
-/// The pairs of a block that are connected directly or through its other pixels; bit n stands for the n-th of `PAIRS`.
+/// Returns the pairs of a block that are connected directly or through its other pixels; bit n stands for `PAIRS[n]`.
 fn closure(bits: u8) -> u8 {
     let mut group = [0, 1, 2, 3];
     for (_, (one, other)) in (0..).zip(PAIRS).filter(|(n, _)| bits >> n & 1 == 1) {

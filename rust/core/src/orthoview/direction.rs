@@ -1,17 +1,17 @@
-//! The canonical directions, and the axes of their views.
+//! Canonical directions, and the axes of their views.
 
 use glam::{DMat3, DQuat, DVec3, IVec3};
 
 use crate::base::{Error, Result};
 
-/// A side from which a cell is seen: −1, 0 or 1 along each axis, not all of them 0. A view looks against it.
+/// A side from which a cell is seen: −1, 0 or 1 along each axis, not all 0. A view looks against it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Direction(IVec3);
 
-/// The axes of a view in whole numbers, whose lengths are those that their sums of squares say.
+/// Axes of a view as integer vectors, not normalised.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Frame {
-    /// To the right; it is horizontal, so across the y axis.
+    /// Right axis; horizontal, perpendicular to y.
     pub right: IVec3,
     /// Upwards in the picture.
     pub up: IVec3,
@@ -19,7 +19,7 @@ pub struct Frame {
     pub toward: IVec3,
 }
 
-/// Sum of the magnitudes of a vector's coordinates: the extent of a cube of side 1 along it, times its length.
+/// Returns the sum of a vector's absolute coordinates: the extent of a unit cube along it, times its length.
 fn extent(axis: IVec3) -> i32 {
     axis.abs().element_sum()
 }
@@ -29,7 +29,7 @@ fn unit(axis: IVec3) -> DVec3 {
 }
 
 impl Direction {
-    /// The direction of three numbers.
+    /// Creates a direction from three numbers.
     pub fn new(numbers: [i8; 3]) -> Result<Self> {
         let vector = IVec3::from_array(numbers.map(i32::from));
         if vector == IVec3::ZERO || vector.abs().max_element() > 1 {
@@ -38,7 +38,7 @@ impl Direction {
         Ok(Self(vector))
     }
 
-    /// The axes of its views: right = y × toward, or x for views along y, and up = toward × right.
+    /// Returns the axes of its views: right = y × toward, or x for views along y, and up = toward × right.
     pub fn frame(self) -> Frame {
         let toward = self.0;
         let right = if toward.x == 0 && toward.z == 0 { IVec3::X } else { IVec3::new(toward.z, 0, -toward.x) };
@@ -47,34 +47,34 @@ impl Direction {
 }
 
 impl Frame {
-    /// Extents of a cube of side 1 to the right, upwards and towards the viewer.
+    /// Returns the extents of a unit cube to the right, upwards and towards the viewer.
     pub fn extents(&self) -> DVec3 {
         let along = |axis: IVec3| f64::from(extent(axis)) / axis.as_dvec3().length();
         DVec3::new(along(self.right), along(self.up), along(self.toward))
     }
 
-    /// Unit vectors to the right, upwards and towards the viewer.
+    /// Returns the unit vectors to the right, upwards and towards the viewer.
     pub fn axes(&self) -> [DVec3; 3] {
         [unit(self.right), unit(self.up), unit(self.toward)]
     }
 
-    /// The orientation of a camera that looks against `toward`.
+    /// Returns the orientation of a camera that looks against `toward`.
     pub fn orientation(&self) -> DQuat {
         let [right, up, toward] = self.axes();
         DQuat::from_mat3(&DMat3::from_cols(right, up, toward))
     }
 
-    /// Column and row, in the parent's picture of 2 size × 2 size pixels, of the first pixel of a child. They are whole
-    /// numbers if the size is a multiple of 4.
+    /// Returns column and row of a child's first pixel in the parent's picture of 2 size × 2 size pixels; integers if
+    /// the size is a multiple of 4.
     pub fn place(&self, octant: IVec3, size: usize) -> (usize, usize) {
         let (size, doubled) = (size as i32, 2 * octant - IVec3::ONE);
-        // The child's centre lies at doubled/2 sides from the parent's, and an axis of `size` pixels has the extent of a
-        // child along it: the lengths of the axes cancel.
+        // The child's centre lies at doubled/2 sides from the parent's, and an axis of `size` pixels has the extent of
+        // a child along it: the lengths of the axes cancel.
         let offset = |axis: IVec3| size * doubled.dot(axis) / (2 * extent(axis));
         ((size / 2 + offset(self.right)) as usize, (size / 2 - offset(self.up)) as usize)
     }
 
-    /// Steps from the front of the parent's range to that of a child's range, which has `steps` steps.
+    /// Returns the steps from the front of the parent's depth range to that of a child's, which has `steps` steps.
     pub fn steps_before(&self, octant: IVec3, steps: u32) -> u32 {
         let parts = extent(self.toward);
         let before = parts - (2 * octant - IVec3::ONE).dot(self.toward);
@@ -86,7 +86,7 @@ impl Frame {
 mod tests {
     use super::*;
 
-    /// All 26 directions.
+    /// Returns all 26 directions.
     pub fn all() -> Vec<Direction> {
         let numbers = (0..27).map(|n: i8| [n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1]);
         numbers.filter_map(|numbers| Direction::new(numbers).ok()).collect()

@@ -1,24 +1,24 @@
-//! The size of views and the bits of their numbers.
+//! Format of views: size, depth steps and normal bits.
 
 use crate::base::{Error, Result};
 
-/// The size of views and the bits of their numbers.
+/// Format of views: size, depth steps and normal bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Format {
     /// Width and height of a view, pixels; a multiple of 4.
     pub size: usize,
     /// Number of steps that a cell's depth is divided into.
     pub steps: u32,
-    /// Bits of each of a normal's two numbers.
+    /// Bits of each of a normal's two components.
     pub normal_bits: u32,
 }
 
-/// Greatest size of a view, pixels.
+/// Maximum size of a view, pixels.
 const MOST_SIZE: usize = 4096;
 
 impl Format {
-    /// Checks a format. Codes of `depth_bits` bits stand for as many steps as they can, such that sixths of a range are
-    /// whole steps: then children lie on whole steps of their parents' ranges.
+    /// Creates a format. Codes of `depth_bits` bits give the maximum number of steps that is a multiple of 6: then
+    /// children lie on whole steps of their parents' ranges.
     pub fn new(size: usize, depth_bits: u32, normal_bits: u32) -> Result<Self> {
         if size == 0 || !size.is_multiple_of(4) || size > MOST_SIZE {
             return Err(Error::value("size", format!("a multiple of 4, at most {MOST_SIZE}"), size));
@@ -33,7 +33,7 @@ impl Format {
         Ok(Self { size, steps: most / 6 * 6, normal_bits: normal_bits / 2 })
     }
 
-    /// Number of a view's pixels.
+    /// Returns the number of a view's pixels.
     pub fn pixels(&self) -> usize {
         self.size * self.size
     }

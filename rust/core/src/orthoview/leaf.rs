@@ -13,7 +13,7 @@ use super::view::{View, Views};
 use crate::base::{Progress, Result};
 use crate::scene::Scene;
 
-/// How the surfaces of a leaf are found.
+/// Method that finds the surfaces of a leaf.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
     /// Triangle by triangle.
@@ -22,13 +22,12 @@ pub enum Way {
     Rays,
 }
 
-/// Triangles for each pixel of a picture up to which drawing them one by one takes less time than rays; measured by the
-/// benchmark `orthoview.views`.
+/// Triangles per pixel up to which rasterisation is faster than rays; measured by the benchmark `orthoview.views`.
 const TRIANGLES_A_PIXEL: f64 = 0.5;
 
 impl Views {
-    /// The views of a cell of a scene, with those of what lies behind if `behind` is true. Surfaces beyond its sides are
-    /// not seen, nor is what moves. Without a `way` the faster one is taken.
+    /// Creates the views of a cell of a scene, with a second layer if `behind`. Surfaces beyond the cell's sides and
+    /// moving instances are excluded. Without a `way` the faster one is used.
     pub fn of_cell(
         scene: &Scene,
         cell: &Cell,
@@ -59,7 +58,7 @@ impl Views {
     }
 }
 
-/// A view and, if there are lines to see it along, that of what lies behind.
+/// Draws a view and, if there are lines of sight, its second layer.
 fn layers<S: Surfaces>(
     draw: impl Fn(Option<&Start>) -> Result<S>,
     lines: Option<&Lines<'_>>,
@@ -80,16 +79,15 @@ fn layers<S: Surfaces>(
     Ok((view, Some(behind)))
 }
 
-/// Length of a step of a picture's depth, metres.
+/// Returns the length of a depth step of a picture, metres.
 fn step(sight: &Sight, format: &Format) -> f64 {
     sight.extents.z / f64::from(format.steps)
 }
 
-/// The view of some surfaces: of those that are seen along one of the lines, if there are lines. Where the caller has
-/// cancelled, some are missing.
+/// Encodes a view; with `lines`, only surfaces visible along them. After a cancellation the view is incomplete.
 ///
-/// It is one function for both layers, because the compiler inlines a sampler that is called at one place: a leaf takes a
-/// tenth less time so.
+/// One function for both layers, because the compiler inlines a sampler with a single call site, which saves a tenth
+/// of a leaf's time.
 #[inline(never)]
 fn coded<S: Surfaces>(surfaces: &S, lines: Option<&Lines<'_>>, drawing: &Drawing<'_>, format: &Format) -> View {
     let Drawing { sight, progress, .. } = *drawing;

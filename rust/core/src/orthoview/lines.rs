@@ -1,4 +1,4 @@
-//! Lines along which viewers may see a cell's surfaces past those in front of them.
+//! Lines of sight along which viewers may see a cell's surfaces past those in front of them.
 
 use glam::DVec3;
 
@@ -10,24 +10,24 @@ use crate::render::{Limits, Segment};
 use crate::scene::Scene;
 use crate::trace::{All, AlphaFilter, Ray, any_hits};
 
-/// Two directions are the same above this cosine.
+/// Cosine above which two directions count as equal.
 const SAME: f64 = 1.0 - 1e-9;
 
-/// The lines half-way between a view's direction and others at most 90° from it, towards the viewer. They stand for all
-/// those along which the view is looked at; those that have a view of their own are left out.
+/// Lines half-way between a view's direction and others at most 90° from it, towards the viewer. They represent all
+/// lines along which the view is used; lines that have their own view are omitted.
 pub struct Lines<'a> {
     scene: &'a Scene,
     sight: &'a Sight,
-    /// Relative to the scene's origin.
+    /// Limits of the cell, relative to the scene's origin.
     limits: Limits,
-    /// Metres by which surfaces may be off.
+    /// Possible error of surface positions, metres.
     margin: f64,
-    /// Unit vectors; those nearest to the view's direction first, because they most often see something.
+    /// Unit vectors, those nearest to the view's direction first, because they most often reach the viewer.
     lines: Vec<DVec3>,
 }
 
 impl<'a> Lines<'a> {
-    /// The lines of one of some directions, within a cell. The scene must have been built.
+    /// Creates the lines of one direction among others, within a cell. The scene must have been built.
     pub fn new(
         scene: &'a Scene,
         cell: &Cell,
@@ -45,19 +45,19 @@ impl<'a> Lines<'a> {
         Ok(Self { scene, sight, limits, margin: cell.margin(scene.origin), lines })
     }
 
-    /// Whether a pixel's surface, which faces the view, is seen along one of the lines. `step` is the length of a step of
-    /// its depth, metres.
+    /// Returns whether a pixel's surface is visible along a line that it faces. `step` is the length of a depth step,
+    /// metres.
     pub fn see(&self, pixel: usize, sample: &Sample, step: f32) -> bool {
         let point = self.sight.middle(pixel, f64::from(sample.depth * step)) - self.scene.origin;
         let normal = sample.normal.as_dvec3();
         self.lines.iter().any(|&line| {
             let cosine = normal.dot(line);
-            // The surface itself crosses the line no farther away.
+            // The surface itself intersects the line only up to this distance.
             cosine > 0.0 && self.is_free(point, line, self.margin / cosine)
         })
     }
 
-    /// Whether nothing lies on a line between a distance from a point and the cell's side.
+    /// Returns whether a line is free between a distance from a point and the cell's side.
     fn is_free(&self, point: DVec3, line: DVec3, distance: f64) -> bool {
         let Segment { t_max, .. } = self.limits.of(point, line);
         let ray = Ray { origin: point.as_vec3(), direction: line.as_vec3(), t_min: distance as f32, t_max };
@@ -73,7 +73,7 @@ mod tests {
 
     use super::*;
 
-    /// The four sides, the top and the upper edges.
+    /// Returns the four sides, the top and the upper edges.
     fn nine() -> Vec<Direction> {
         let sides = [[0, 0, 1], [1, 0, 0], [0, 0, -1], [-1, 0, 0]];
         let edges = sides.map(|[x, _, z]| [x, 1, z]);
@@ -89,7 +89,7 @@ mod tests {
             Lines::new(&scene, &cell, &sight, directions[n], directions).unwrap().lines
         };
         let all = nine();
-        // From the top half-way to the four edges; half-way to the sides are the edges themselves.
+        // From the top half-way to the four edges; lines half-way to the sides coincide with the edges.
         let top = lines(4, &all);
         let angles: Vec<f64> = top.iter().map(|line| line.y.acos().to_degrees()).collect();
         assert!(top.len() == 4 && angles.iter().all(|angle| (angle - 22.5).abs() < 1e-9), "{angles:?}");
@@ -98,7 +98,7 @@ mod tests {
         assert_eq!(side.len(), 5);
         assert!((side[0] - DVec3::new(0.0, 1.0, 1.0 + 2f64.sqrt()).normalize()).length() < 1e-12);
         assert!(side.iter().any(|line| (*line - DVec3::new(1.0, 0.0, 1.0).normalize()).length() < 1e-12));
-        // Without edges the halves between sides and top have no view of their own.
+        // Without edges, the directions half-way between sides and top have no own view.
         assert_eq!(lines(4, &all[..5]).len(), 4);
         assert_eq!(lines(0, &all[..1]).len(), 0);
     }

@@ -1,9 +1,9 @@
-//! Normals as two whole numbers: octahedral coordinates (Meyer, Süßmuth, Sußner, Stamminger, Greiner: On floating-point
+//! Normals as two integers: octahedral coordinates (Meyer, Süßmuth, Sußner, Stamminger, Greiner: On floating-point
 //! normal vectors, 2010).
 
 use glam::Vec3;
 
-/// The numbers of a unit normal, of `bits` bits each.
+/// Encodes a unit normal as two integers of `bits` bits each.
 pub fn encoded(normal: Vec3, bits: u32) -> [u16; 2] {
     let normal = normal / normal.abs().element_sum();
     let (x, y) = if normal.z >= 0.0 {
@@ -12,12 +12,12 @@ pub fn encoded(normal: Vec3, bits: u32) -> [u16; 2] {
         ((1.0 - normal.y.abs()).copysign(normal.x), (1.0 - normal.x.abs()).copysign(normal.y))
     };
     let most = ((1u32 << bits) - 1) as f32;
-    // An even number of steps would lack the middle, so the greatest code is left out: axes are exact.
+    // The largest code is unused, because an even number of steps would lack the middle: axes are exact.
     let code = |value: f32| ((value * 0.5 + 0.5) * (most - 1.0) + 0.5) as u16;
     [code(x), code(y)]
 }
 
-/// The unit normal of two numbers.
+/// Decodes two integers to a unit normal.
 pub fn decoded(code: [u16; 2], bits: u32) -> Vec3 {
     let most = ((1u32 << bits) - 2) as f32;
     let [x, y] = code.map(|number| f32::from(number) / most * 2.0 - 1.0);
@@ -33,7 +33,7 @@ mod tests {
 
     #[test]
     fn normals_come_back_within_half_a_cell_and_axes_exactly() {
-        // Greatest angles over many directions; a cell of the octahedron's map is largest at the axes.
+        // Maximum angles over many directions; a cell of the octahedron's map is largest at the axes.
         for (bits, limit) in [(8, 0.96f32), (12, 0.06)] {
             let mut worst = 0f32;
             for i in 0..200_000u64 {

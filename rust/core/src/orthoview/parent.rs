@@ -1,4 +1,4 @@
-//! Views of a parent, from those of its eight children only.
+//! Views of a parent, made only from those of its eight children.
 
 use glam::{IVec3, Vec3};
 use rayon::prelude::*;
@@ -16,30 +16,30 @@ use crate::scene::srgb::linear_from_srgb;
 struct Shown {
     /// The child's pixel.
     texel: Texel,
-    /// Its step of the parent's depth, in the child's steps, from 1; 0 where there is none.
+    /// Step in the parent's depth range, in the child's step length, from 1; 0 for no surface.
     step: u32,
 }
 
-/// A parent of which some children are drawn.
+/// A parent with some of its children drawn.
 pub struct Parent {
     directions: Vec<Direction>,
     format: Format,
-    /// For each direction the picture at twice the size of a view.
+    /// Picture at twice the size of a view, for each direction.
     pictures: Vec<Vec<Shown>>,
-    /// For a second layer the children and their places. Which of their pixels lie more than a gap behind the first ones
-    /// is known only when all are drawn.
+    /// Children and their positions, for a second layer: which of their pixels lie more than a gap behind the first
+    /// surfaces is known only after all children are drawn.
     children: Option<Vec<(IVec3, Views)>>,
 }
 
 impl Parent {
-    /// A parent without children, which has a second layer if `behind` is true.
+    /// Creates a parent without children; it has a second layer if `behind`.
     pub fn new(directions: Vec<Direction>, format: Format, behind: bool) -> Self {
         let pictures = directions.iter().map(|_| blank(&format)).collect();
         Self { directions, format, pictures, children: behind.then(Vec::new) }
     }
 
-    /// Draws a child, whose place is 0 or 1 along each axis. Of equal depths that of the child drawn first stays, so
-    /// callers draw children in one order.
+    /// Draws a child, whose position is 0 or 1 along each axis. At equal depths the child drawn first wins, so callers
+    /// must use one order.
     pub fn add(&mut self, octant: [u8; 3], child: &Views) -> Result<()> {
         if octant.iter().any(|&place| place > 1) {
             return Err(Error::value("octant", "0 or 1 along each axis", format!("{octant:?}")));
@@ -58,7 +58,7 @@ impl Parent {
         Ok(())
     }
 
-    /// The views, from the children drawn so far.
+    /// Returns the views from the children drawn so far.
     pub fn finish(&self) -> Views {
         let pictures = self.directions.par_iter().zip(&self.pictures);
         let views = pictures.map(|(&direction, picture)| finished(picture, direction, &self.format)).collect();
@@ -69,7 +69,7 @@ impl Parent {
         Views::drawn(&self.directions, &self.format, views, behind)
     }
 
-    /// The view of what lies behind, in one direction.
+    /// Returns the second-layer view of one direction.
     fn finished_behind(&self, children: &[(IVec3, Views)], number: usize) -> View {
         let (direction, first) = (self.directions[number], &self.pictures[number]);
         let reach = reach_of(direction, &self.format);
@@ -84,13 +84,13 @@ impl Parent {
     }
 }
 
-/// A picture that shows nothing.
+/// Creates a picture without surfaces.
 fn blank(format: &Format) -> Vec<Shown> {
     vec![Shown::default(); 4 * format.pixels()]
 }
 
-/// Draws a child's view into its parent's picture: the pixels that `counts`, given the picture's pixel and the step of the
-/// parent's depth, says.
+/// Draws a child's view into its parent's picture. `counts` accepts a pixel of the picture and a step of the parent's
+/// depth.
 fn draw(
     view: &View,
     direction: Direction,
@@ -113,7 +113,7 @@ fn draw(
     }
 }
 
-/// The reach of a parent's picture, in its children's steps.
+/// Returns the reach of a parent's picture, in its children's steps.
 fn reach_of(direction: Direction, format: &Format) -> f32 {
     let extents = direction.frame().extents();
     let pixel = extents.x.max(extents.y) / format.size as f64;
@@ -121,7 +121,7 @@ fn reach_of(direction: Direction, format: &Format) -> f32 {
 }
 
 /// Reduces a parent's picture. The parent's steps are twice as long as its children's; each surface lies in the step
-/// that holds its child's step, so the error of depths never exceeds half a step, on whatever level.
+/// that contains its child's step, so depth errors never exceed half a step, on any level.
 fn finished(picture: &[Shown], direction: Direction, format: &Format) -> View {
     let linear = linear_from_srgb();
     let sample = |at: usize| {
@@ -149,7 +149,7 @@ mod tests {
         };
         let gap = reach_of(directions[0], &format) as u16;
         assert_eq!(u32::from(gap), format.steps);
-        // The far child's surfaces, of both its layers, lie before and behind the end of the gap behind the near one's.
+        // Surfaces of the far child, in both layers, lie before and behind the end of the gap behind the near child's.
         let near = child(5);
         let far = child(3).with_behind(&child(8)).unwrap();
         for order in [[1, 0], [0, 1]] {

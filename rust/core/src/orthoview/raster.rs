@@ -1,5 +1,5 @@
-//! The first surfaces of a cell along parallel rays, triangle by triangle. A cell of few triangles takes less time so
-//! than by rays, which need a search tree and a search for each pixel.
+//! Rasterisation of a cell's first surfaces along parallel rays. For few triangles this is faster than rays, which
+//! need a search tree and a search per pixel.
 
 use glam::{DVec2, DVec3};
 
@@ -8,12 +8,11 @@ use crate::base::{Progress, Result};
 use crate::scene::{Instance, Scene};
 use crate::trace::Hit;
 
-/// Number of triangles between two looks whether the caller has cancelled.
+/// Triangles between two checks for cancellation.
 const TRIANGLES_PER_CHECK: u32 = 1 << 12;
 
-/// The first hit of each pixel's ray within the cell, with the distance from the front of the view's range. Hits are
-/// left out on faces, by the numbers of instance and face, that `shows` refuses, and at distances that `counts` refuses
-/// for a pixel.
+/// Returns the first hit of each pixel's ray within the cell, with the distance from the front of the depth range.
+/// `shows` selects faces by instance and face number; `counts` selects distances per pixel.
 pub fn first_hits(
     scene: &Scene,
     cell: &Cell,
@@ -39,18 +38,18 @@ pub fn first_hits(
 struct Raster<'a> {
     scene: &'a Scene,
     sight: &'a Sight,
-    /// The least and greatest corner of what is seen, relative to the scene's origin.
+    /// Minimum and maximum corner of the visible volume, relative to the scene's origin.
     low: DVec3,
     high: DVec3,
     has_cutouts: bool,
     hits: Vec<Hit>,
 }
 
-/// A triangle in pixels to the right and downwards, and its depth in metres.
+/// A triangle in pixels to the right and downwards, with its depth in metres.
 struct Projected {
     corners: [DVec2; 3],
     depths: [f64; 3],
-    /// Twice the area, with the sign of the order of the corners.
+    /// Twice the signed area; the sign gives the winding.
     doubled_area: f64,
 }
 
@@ -80,7 +79,7 @@ impl<'a> Raster<'a> {
             let line = edges.map(|edge| edge.at_row(row as f64 + 0.5));
             for column in span(&line, &columns) {
                 let weights = line.map(|line| line.at(column as f64 + 0.5));
-                // Their sum is the area up to rounding, which is all that there is of an edge-on triangle's.
+                // Their sum is the area up to rounding, and pure rounding for an edge-on triangle.
                 let sum = weights.iter().sum::<f64>();
                 if sum == 0.0 || weights.iter().any(|&weight| weight < 0.0) {
                     continue;
@@ -88,7 +87,7 @@ impl<'a> Raster<'a> {
                 let share = weights.map(|weight| weight / sum);
                 let depth = (0..3).map(|n| share[n] * triangle.depths[n]).sum::<f64>() as f32;
                 let pixel = row * self.sight.pixels + column;
-                // Of equal depths that of the lower number stays: it was drawn first.
+                // At equal depths the lower triangle number stays: it was drawn first.
                 if depth >= self.hits[pixel].t || !counts(pixel, depth) {
                     continue;
                 }
@@ -117,16 +116,16 @@ impl<'a> Raster<'a> {
     }
 }
 
-/// The line through two corners: a point's distance times the length of the side, above 0 within the triangle.
+/// Line through two corners: a point's distance times the length of the side, positive inside the triangle.
 #[derive(Clone, Copy)]
 struct Edge {
     from: DVec2,
     along: DVec2,
-    /// 1, or −1 where the corners are taken in reverse.
+    /// 1, or −1 if the corners are taken in reverse.
     sign: f64,
 }
 
-/// The part of an edge's value in one row that does not depend on the column, and the factor of the column.
+/// Value of an edge in one row: constant part and factor of the column.
 #[derive(Clone, Copy)]
 struct Line {
     start: f64,
@@ -135,8 +134,8 @@ struct Line {
 }
 
 impl Projected {
-    /// The edges opposite each corner. Two triangles compute a side that they share from the same corner, so that a
-    /// pixel's centre on or beside it belongs to at least one of them.
+    /// Returns the edges opposite each corner. Triangles that share a side compute it from the same corner, so a pixel
+    /// centre on or near it belongs to at least one of them.
     fn edges(&self) -> [Edge; 3] {
         let sign = self.doubled_area.signum();
         [(1, 2), (2, 0), (0, 1)].map(|(one, other)| {
@@ -147,7 +146,7 @@ impl Projected {
         })
     }
 
-    /// Rows and columns of the pixels whose centres the triangle's box may hold.
+    /// Returns the rows and columns of the pixels whose centres the triangle's box may contain.
     fn pixels(&self, size: usize) -> (std::ops::Range<usize>, std::ops::Range<usize>) {
         let [a, b, c] = self.corners;
         let (low, high) = (a.min(b).min(c), a.max(b).max(c));
@@ -171,7 +170,8 @@ impl Line {
     }
 }
 
-/// The columns in which all lines may be above 0; a pixel too many at either end, because the division rounds.
+/// Returns the columns in which all lines may be positive, with a spare pixel at either end, because the division
+/// rounds.
 fn span(lines: &[Line; 3], columns: &std::ops::Range<usize>) -> std::ops::Range<usize> {
     let (mut first, mut end) = (columns.start, columns.end);
     for line in lines.iter().filter(|line| line.step != 0.0) {

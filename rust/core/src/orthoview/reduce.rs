@@ -1,4 +1,4 @@
-//! The kernel that makes one pixel of four: of a leaf's picture at twice the size, and of a parent's.
+//! Reduction of four pixels to one, for pictures of leaves and parents at twice the size.
 
 use glam::Vec3;
 use rayon::prelude::*;
@@ -8,7 +8,7 @@ use super::normals;
 use super::view::{Texel, View};
 use crate::scene::srgb::srgb_from_linear;
 
-/// A surface that a pixel shows.
+/// A surface shown by a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
     /// Depth in steps from the front of the range.
@@ -19,8 +19,8 @@ pub struct Sample {
     pub normal: Vec3,
 }
 
-/// The least depth of four pixels, with the mean colour and normal of those that lie at most `reach` steps behind it;
-/// `None` where none shows a surface.
+/// Returns the minimum depth of four pixels, with the mean colour and normal of those at most `reach` steps behind it;
+/// `None` if none shows a surface.
 pub fn reduced(block: [Option<Sample>; 4], reach: f32) -> Option<Sample> {
     let depth = block.iter().flatten().map(|sample| sample.depth).fold(f32::INFINITY, f32::min);
     let first = block.iter().flatten().find(|sample| sample.depth == depth)?;
@@ -30,21 +30,21 @@ pub fn reduced(block: [Option<Sample>; 4], reach: f32) -> Option<Sample> {
         normal += sample.normal;
         count += 1.0;
     }
-    // Normals that cancel each other leave that of the surface in front.
+    // If the normals cancel, the front surface's normal is used.
     Some(Sample { depth, color: color / count, normal: normal.normalize_or(first.normal) })
 }
 
-/// How many pixels behind the nearest of four surfaces others belong to it: a plane reaches as far over the diagonal of
-/// the block if the angle between its normal and the view is at most 70°.
+/// Depth in pixels within which other surfaces belong to the nearest of four: a plane spans as much over the diagonal
+/// of the block if the angle between its normal and the view is at most 70°.
 const REACH_PIXELS: f64 = 4.0;
 
-/// `REACH_PIXELS` in steps of a depth, for pixels of a width; both in metres.
+/// Converts `REACH_PIXELS` to depth steps; arguments in metres.
 pub fn reach(pixel: f64, step: f64) -> f32 {
     (REACH_PIXELS * pixel / step) as f32
 }
 
-/// The view of a picture of twice its size. `samplers` makes, for each row, a function that tells what the picture's
-/// pixels show; `depth` tells the code of a sample.
+/// Returns the view of a picture of twice its size. `samplers` creates, for each row, a function that returns the
+/// surface of a pixel; `depth` returns the code of a sample.
 pub fn reduced_view<S: FnMut(usize) -> Option<Sample>>(
     samplers: impl Fn() -> S + Sync,
     reach: f32,

@@ -1,5 +1,5 @@
-//! Second surfaces: for each pixel the nearest one more than a gap behind the first that faces the viewer. The insides of
-//! closed surfaces, which nobody sees, do not face one.
+//! Second surfaces: for each pixel the nearest viewer-facing surface more than a gap behind the first. Back faces, the
+//! insides of closed surfaces, are skipped.
 
 use glam::DVec3;
 
@@ -10,47 +10,47 @@ use crate::render::{Channels, Picture, Sample, Spots};
 use crate::scene::Scene;
 use crate::trace::{FaceHits, Hit, HitFilter, Ray};
 
-/// Where the search for each pixel's second surface starts.
+/// Start of the search for each pixel's second surface.
 pub struct Start {
-    /// Least distance from the front of the range, metres; infinite for pixels without a first surface.
+    /// Minimum distance from the front of the range, metres; infinite for pixels without a first surface.
     least: Vec<f32>,
     /// Whether a pixel has a first surface.
     mask: Vec<bool>,
 }
 
 impl Start {
-    /// Starts more than a gap behind the first surfaces, at these distances; metres.
+    /// Starts more than a gap behind the first surfaces, given their distances; metres.
     pub fn behind(first: impl Iterator<Item = f32>, gap: f32) -> Self {
         let least: Vec<f32> = first.map(|range| (range + gap).next_up()).collect();
         let mask = least.iter().map(|least| least.is_finite()).collect();
         Self { least, mask }
     }
 
-    /// Whether a distance is far enough for a pixel.
+    /// Returns whether a distance is beyond a pixel's start.
     #[inline]
     pub fn holds(&self, pixel: usize, distance: f32) -> bool {
         distance >= self.least[pixel]
     }
 
-    /// Whether each pixel has a first surface.
+    /// Returns whether each pixel has a first surface.
     pub fn mask(&self) -> &[bool] {
         &self.mask
     }
 }
 
-/// The faces whose corners run counter-clockwise for the viewer.
+/// Filter for faces whose corners are counter-clockwise for the viewer.
 pub struct Fronts<'a> {
     scene: &'a Scene,
     toward: DVec3,
 }
 
 impl<'a> Fronts<'a> {
-    /// The faces of a scene that face a view.
+    /// Creates the filter for a scene and a view.
     pub fn new(scene: &'a Scene, sight: &Sight) -> Self {
         Self { scene, toward: -sight.direction() }
     }
 
-    /// Whether a face is one of them.
+    /// Returns whether a face faces the view.
     #[inline]
     pub fn holds(&self, instance: u32, face: u32) -> bool {
         let [a, b, c] = self.scene.instance(instance).corners(face).map(|corner| corner.as_dvec3());
@@ -71,7 +71,7 @@ pub struct StartingLate<'a> {
 }
 
 impl<'a> StartingLate<'a> {
-    /// The surfaces of a scene that a filter accepts; the scene must have been built.
+    /// Creates a picture of a scene's surfaces that a filter accepts; the scene must have been built.
     pub fn new(scene: &'a Scene, filter: &'a dyn HitFilter, start: &'a Start) -> Self {
         Self { truth: Truth { scene, filter }, start }
     }

@@ -1,4 +1,4 @@
-//! The surfaces that a picture of a cell shows, found triangle by triangle or ray by ray.
+//! Surfaces shown by a picture of a cell, found by rasterisation or by rays.
 
 use super::cell::{Cell, Sight};
 use super::raster;
@@ -21,32 +21,32 @@ const CHANNELS: Channels = Channels {
     shading_normal: false,
 };
 
-/// The scene, the cell and the picture that are drawn.
+/// Scene, cell and picture to draw.
 pub struct Drawing<'a> {
     pub scene: &'a Scene,
     pub cell: &'a Cell,
     pub sight: &'a Sight,
-    /// Length of a step of the depth, metres.
+    /// Length of a depth step, metres.
     pub step: f32,
     pub progress: &'a Progress,
 }
 
 /// Hits of a picture's pixels.
 pub trait Surfaces: Sync {
-    /// Distance of a pixel's surface from the front of the range, metres; infinite where there is none.
+    /// Returns the distance of a pixel's surface from the front of the range, metres; infinite without a surface.
     fn range(&self, at: usize) -> f32;
 
-    /// Makes a function that tells what pixels show.
+    /// Creates a function that returns the surface of a pixel.
     fn sampler(&self) -> impl FnMut(usize) -> Option<Sample>;
 }
 
-/// Surfaces that rays hit.
+/// Surfaces found by rays.
 pub struct ByRays {
     picture: Frame,
     step: f32,
 }
 
-/// Surfaces of triangles that were drawn.
+/// Surfaces found by rasterisation.
 pub struct ByTriangles<'a> {
     drawing: &'a Drawing<'a>,
     /// Width of a pixel, metres.
@@ -55,8 +55,8 @@ pub struct ByTriangles<'a> {
 }
 
 impl<'a> Drawing<'a> {
-    /// The first surfaces, or, from where each pixel's ray starts, the first ones that face the viewer. The scene must
-    /// have been built for these.
+    /// Finds the first surfaces or, with `start`, the first viewer-facing ones beyond each pixel's start. The scene
+    /// must have been built for the latter.
     pub fn by_rays(&self, start: Option<&Start>) -> Result<ByRays> {
         let Self { scene, cell, sight, step, progress } = *self;
         let (camera, limits) = (sight.camera()?, cell.limits(scene.origin)?);
@@ -71,7 +71,7 @@ impl<'a> Drawing<'a> {
         Ok(ByRays { picture, step })
     }
 
-    /// The same surfaces; the scene need not be built.
+    /// Finds the same surfaces by rasterisation; the scene need not be built.
     pub fn by_triangles(&'a self, start: Option<&Start>) -> Result<ByTriangles<'a>> {
         let Self { scene, cell, sight, progress, .. } = *self;
         let hits = match start {

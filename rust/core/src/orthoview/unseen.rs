@@ -1,4 +1,4 @@
-//! Pixels of a second layer that no first layer shows, from whichever direction.
+//! Pixels of a second layer that no first-layer view shows.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -8,13 +8,14 @@ use super::format::Format;
 use super::reduce::reach;
 use super::view::{Texel, View, Views};
 
-/// For each direction the number of the second layer's pixels that no view of the first layer shows, from whichever
-/// direction, divided by the number of the first layer's pixels that show something.
+/// Returns, for each direction, the number of the second layer's pixels that no first-layer view shows, divided by the
+/// number of the first layer's pixels with a surface.
 ///
-/// A view shows a point if one of the 3 × 3 pixels about its place lies as near in depth as one surface may reach.
+/// A view shows a point if the depth of one of the 3 × 3 pixels around its position is within the reach of one
+/// surface.
 pub fn unseen(views: &Views) -> Vec<f32> {
     let Some(behind) = views.behind() else { return vec![0.0; views.directions.len()] };
-    // Shares do not depend on the cell.
+    // Ratios do not depend on the cell.
     let cell = Cell { corner: DVec3::ZERO, side: 1.0 };
     let sights = views.directions.iter().map(|direction| Sight::new(&cell, direction.frame(), views.format.size));
     let firsts: Vec<First> =
@@ -38,18 +39,18 @@ struct First<'a> {
     view: &'a View,
     /// Length of a step, in sides of the cell.
     step: f64,
-    /// Steps by which the depths of one surface may differ.
+    /// Maximum depth difference of one surface, in steps.
     reach: f64,
 }
 
 impl<'a> First<'a> {
     fn new(sight: Sight, view: &'a View, format: &Format) -> Self {
         let step = sight.extents.z / f64::from(format.steps);
-        // The reach of the picture at twice the size, of which the view was made.
+        // Reach of the picture at twice the size from which the view was made.
         Self { sight, view, step, reach: f64::from(reach(sight.pixel() / 2.0, step)) }
     }
 
-    /// The point of a pixel that lies in the middle of its step.
+    /// Returns the point of a pixel in the middle of its depth step.
     fn point(&self, at: usize, texel: &Texel) -> DVec3 {
         self.sight.middle(at, (f64::from(texel.depth) - 0.5) * self.step)
     }
@@ -77,7 +78,7 @@ mod tests {
 
     const SIZE: usize = 8;
 
-    /// Views of equal depths, one for each direction; 0 for nothing.
+    /// Creates views of constant depths, one for each direction; 0 for no surface.
     fn views(directions: &[[i8; 3]], depths: &[u16]) -> Views {
         let directions: Vec<Direction> = directions.iter().map(|&numbers| Direction::new(numbers).unwrap()).collect();
         let texels = depths.iter().flat_map(|&depth| vec![Texel { depth, ..Texel::default() }; SIZE * SIZE]);
@@ -88,11 +89,11 @@ mod tests {
     fn what_lies_behind_is_seen_from_the_other_side_alone() {
         let (down, up) = ([0, 1, 0], [0, -1, 0]);
         let steps = views(&[], &[]).format.steps as u16;
-        // A floor of 1,500 steps below the top, under a roof 10 steps below it.
+        // A floor 1,500 steps below the top, under a roof 10 steps below it.
         let from = |below: u16| views(&[down, up], &[10, below]).with_behind(&views(&[down, up], &[1500, 0])).unwrap();
         assert_eq!(unseen(&from(0)), [1.0, 0.0]);
         assert_eq!(unseen(&from(steps + 1 - 1500)), [0.0, 0.0]);
-        // A surface reaches two pixels of eight in depth.
+        // A surface reaches two of eight pixels in depth.
         let reach = steps / 4;
         assert_eq!(unseen(&from(steps + 1 - 1500 + reach)), [0.0, 0.0]);
         assert_eq!(unseen(&from(steps + 2 - 1500 + reach)), [1.0, 0.0]);

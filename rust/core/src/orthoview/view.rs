@@ -1,4 +1,4 @@
-//! The views of a cell and their pixels.
+//! Views of a cell and their pixels.
 
 use std::sync::Arc;
 
@@ -10,41 +10,41 @@ use crate::base::{Error, Result};
 /// A pixel of a view.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Texel {
-    /// sRGB without light.
+    /// Unlit colour, sRGB.
     pub color: [u8; 3],
-    /// Step of the cell's depth in which the surface lies, from 1 at the front; 0 where there is none.
+    /// Step of the cell's depth that contains the surface, from 1 at the front; 0 for no surface.
     pub depth: u16,
-    /// Octahedral numbers of the normal towards the viewer, in world axes.
+    /// Octahedral code of the normal towards the viewer, in world axes.
     pub normal: [u16; 2],
 }
 
 impl Format {
-    /// The unit normal of a pixel; NaN where there is no surface.
+    /// Returns the unit normal of a pixel; NaN without a surface.
     pub fn normal_of(&self, texel: &Texel) -> [f32; 3] {
         if texel.depth == 0 { [f32::NAN; 3] } else { normals::decoded(texel.normal, self.normal_bits).to_array() }
     }
 }
 
-/// A view of a cell: pixels by rows from the top.
+/// A view of a cell: pixels row by row from the top.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct View {
-    /// As many as the format says.
+    /// Pixels, as many as the format requires.
     pub texels: Vec<Texel>,
 }
 
 impl View {
-    /// A view that shows nothing.
+    /// Creates a view without surfaces.
     pub(super) fn empty(format: &Format) -> Self {
         Self { texels: vec![Texel::default(); format.pixels()] }
     }
 
-    /// Whether no pixel shows a surface.
+    /// Returns whether no pixel shows a surface.
     pub fn is_empty(&self) -> bool {
         self.texels.iter().all(|texel| texel.depth == 0)
     }
 }
 
-/// The views of one cell, one for each of a tree's directions. Copies share the pixels.
+/// Views of one cell, one for each of a tree's directions. Copies share the pixels.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Views {
     /// The directions.
@@ -52,12 +52,12 @@ pub struct Views {
     /// The format of all views.
     pub format: Format,
     views: Arc<[View]>,
-    /// For each direction a view of what lies behind; `None` if all show nothing.
+    /// Second-layer view of each direction; `None` if all are empty.
     behind: Option<Arc<[View]>>,
 }
 
 impl Views {
-    /// Views that were drawn in a format, and those of what lies behind.
+    /// Creates views from drawn layers.
     pub(super) fn drawn(
         directions: &[Direction],
         format: &Format,
@@ -68,7 +68,8 @@ impl Views {
         Self { directions: directions.to_vec(), format: *format, views: views.into(), behind }
     }
 
-    /// Views from all pixels in turn; fails for another number of them, and for codes that the format does not have.
+    /// Creates views from the pixels of all views in order; fails for a wrong number of pixels or codes outside the
+    /// format.
     pub fn new(directions: Vec<Direction>, format: Format, texels: Vec<Texel>) -> Result<Self> {
         let pixels = format.pixels();
         if texels.len() != pixels * directions.len() {
@@ -89,24 +90,24 @@ impl Views {
         Ok(Self { directions, format, views, behind: None })
     }
 
-    /// The views, in the order of the directions.
+    /// Returns the views, in the order of the directions.
     pub fn views(&self) -> &[View] {
         &self.views
     }
 
-    /// The views from one direction, by its number: that of the first layer, and of the second one if there is one.
+    /// Returns the views of one direction, by its number: first layer, then second layer if there is one.
     pub(super) fn layers(&self, number: usize) -> impl Iterator<Item = &View> {
         [Some(&self.views), self.behind.as_ref()].into_iter().flatten().map(move |views| &views[number])
     }
 
-    /// The second layer: views of the nearest surfaces more than a gap behind those of these views. `None` if there is
-    /// nothing in it.
+    /// Returns the second layer: views of the nearest surfaces more than a gap behind the first. `None` if it is
+    /// empty.
     pub fn behind(&self) -> Option<Self> {
         let views = self.behind.clone()?;
         Some(Self { directions: self.directions.clone(), format: self.format, views, behind: None })
     }
 
-    /// The same views with another second layer, which must have their directions and their format.
+    /// Returns the views with another second layer, which must have the same directions and format.
     pub fn with_behind(&self, behind: &Self) -> Result<Self> {
         if (&behind.directions, behind.format) != (&self.directions, self.format) {
             return Err(Error::value("behind", "the directions and the format of the views before it", "others"));
@@ -114,7 +115,7 @@ impl Views {
         Ok(Self { behind: shown(behind.views.clone()), ..self.clone() })
     }
 
-    /// The same views, with the second layer of those directions only for which `keep` is true.
+    /// Returns the views with the second layer only of the directions for which `keep` is true.
     pub fn keep_behind(&self, keep: &[bool]) -> Result<Self> {
         if keep.len() != self.directions.len() {
             return Err(Error::value("keep", format!("{} values", self.directions.len()), keep.len()));
@@ -125,7 +126,7 @@ impl Views {
     }
 }
 
-/// A second layer; `None` for one that shows nothing.
+/// Returns a second layer; `None` if it is empty.
 fn shown(views: Arc<[View]>) -> Option<Arc<[View]>> {
     (!views.iter().all(View::is_empty)).then_some(views)
 }

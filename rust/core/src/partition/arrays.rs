@@ -10,8 +10,8 @@ use crate::base::{Error, Progress, Real, Result};
 /// Number of triangles in one task.
 const TILE: usize = 1 << 14;
 
-/// Least and greatest ρ of each triangle about an axis at (x, z). The error is float64's rounding of the greatest ρ,
-/// plus one rounding to the type of the coordinates. Without faces, every three vertices are a triangle.
+/// Writes the minimum and maximum ρ of each triangle about an axis at (x, z). The error is float64's rounding of the
+/// maximum ρ, plus one rounding to the type of the coordinates. Without faces, every three vertices form a triangle.
 pub fn triangle_radii<T: Real>(
     vertices: &[[T; 3]],
     faces: Option<&[[u32; 3]]>,
@@ -65,7 +65,7 @@ fn fill<T: Real>(triangles: &impl TriangleSource<T>, axis: [f64; 2], radii: &mut
 }
 
 impl Partition {
-    /// Numbers of the triangles of a set, ascending.
+    /// Returns the numbers of the triangles in a set, ascending.
     pub fn triangles(&self, part: TriangleSet, progress: &Progress) -> Result<Vec<i64>> {
         let counts = self.counts();
         let count = match part {

@@ -1,4 +1,4 @@
-//! Classes of instances from their boxes, and zones of triangles.
+//! Classification of instances by their boxes, and zones of triangles.
 
 use rayon::prelude::*;
 
@@ -9,8 +9,8 @@ use crate::scene::Instance;
 
 /// Number of faces in one task.
 const TILE: usize = 1 << 15;
-/// Twice the relative error of a radius rounded to float32. If a box decides a class with this margin, the radii of all
-/// its triangles agree.
+/// Twice the relative error of a radius rounded to float32. If a box decides a class with this margin, the radii of
+/// all its triangles agree.
 const MARGIN: f64 = 1.0 / (1u64 << 23) as f64;
 
 /// Both radii about an axis, with thresholds that decide most triangles without their radii.
@@ -32,7 +32,7 @@ impl Ruler {
         Self { axis, r1, r2, low, high }
     }
 
-    /// The class of an instance, by its box if that suffices, otherwise by its triangles.
+    /// Returns the class of an instance, from its box if that suffices, otherwise from its triangles.
     pub fn classify(&self, instance: &Instance, progress: &Progress) -> Result<Class> {
         let class = match self.class_of_box(&secure_bounds(instance)) {
             Some(class) => class,
@@ -93,7 +93,7 @@ impl Ruler {
         Ok(all)
     }
 
-    /// Zones of a tile's candidates; the tile starts at face `first`.
+    /// Finds the zones of a tile's candidates; the tile starts at face `first`.
     fn zones(&self, first: u32, triangles: &impl TriangleSource<f32>, candidates: &[u32]) -> Mixed {
         let mut mixed = Mixed { measured: candidates.len() as u32, ..Mixed::default() };
         let take = |start: usize, radii: &[[f32; 2]]| {
@@ -108,7 +108,7 @@ impl Ruler {
         mixed
     }
 
-    /// One byte per vertex, so that faces need not load coordinates.
+    /// Computes one byte per vertex, so that faces need not load coordinates.
     fn outcodes(&self, positions: &[[f32; 3]]) -> Vec<u8> {
         let mut codes = vec![0; positions.len()];
         codes.par_chunks_mut(TILE).zip(positions.par_chunks(TILE)).for_each(|(codes, positions)| {
@@ -119,7 +119,8 @@ impl Ruler {
         codes
     }
 
-    /// One bit for each side of the square around the cylinder r₂ beyond which a point lies (Cohen and Sutherland).
+    /// Returns one bit for each side of the square around the cylinder r₂ beyond which a point lies (Cohen and
+    /// Sutherland).
     #[inline(always)]
     fn outcode(&self, [x, _, z]: &[f32; 3]) -> u8 {
         u8::from(*x < self.low[0])
@@ -132,7 +133,7 @@ impl Ruler {
         self.outcode(a) & self.outcode(b) & self.outcode(c) != 0
     }
 
-    /// Zone by radii in the precision of the geometry; `None` for far.
+    /// Returns the zone for radii in the precision of the geometry; `None` for far.
     pub fn zone(&self, radii: [f32; 2]) -> Option<Zone> {
         let (least, greatest) = (f64::from(radii[0]), f64::from(radii[1]));
         match (least <= self.r1, least <= self.r2, greatest > self.r2) {
@@ -145,8 +146,8 @@ impl Ruler {
     }
 }
 
-/// The box of an instance, one float32 step wider if its corners are computed, because box and corners may round
-/// differently.
+/// Returns the box of an instance, widened by one float32 step if its corners are computed, because box and corners
+/// may round differently.
 pub(super) fn secure_bounds(instance: &Instance) -> Aabb {
     let Aabb { min, max } = instance.bounds;
     if instance.in_place || instance.bounds.is_empty() {
@@ -155,7 +156,7 @@ pub(super) fn secure_bounds(instance: &Instance) -> Aabb {
     Aabb { min: min.map(f32::next_down), max: max.map(f32::next_up) }
 }
 
-/// Faces of a tile that the codes of their vertices do not prove to be far.
+/// Returns the faces of a tile that the outcodes of their vertices do not prove to be far.
 fn candidates(codes: &[u8], faces: &[[u32; 3]]) -> Vec<u32> {
     let mut candidates = vec![0; faces.len()];
     let mut count = 0;
@@ -167,12 +168,12 @@ fn candidates(codes: &[u8], faces: &[[u32; 3]]) -> Vec<u32> {
     candidates
 }
 
-/// Whether all triangles of a box lie farther from the axis than a radius, by more than any rounding.
+/// Returns whether all triangles of a box lie farther from the axis than a radius, by more than any rounding.
 pub(super) fn lies_beyond(bounds: &Aabb, axis: [f64; 2], radius: f64) -> bool {
     bounds.is_empty() || radii_of_box(bounds, axis)[0] * (1.0 - MARGIN) > radius
 }
 
-/// Least and greatest ρ of a box.
+/// Returns the minimum and maximum ρ of a box.
 pub(super) fn radii_of_box(bounds: &Aabb, axis: [f64; 2]) -> [f64; 2] {
     let (min, max) = (bounds.min.as_dvec3(), bounds.max.as_dvec3());
     let below = [axis[0] - min.x, axis[1] - min.z];

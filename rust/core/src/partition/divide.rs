@@ -1,4 +1,4 @@
-//! A scene divided at two radii, with its counts.
+//! Partition of a scene at two radii, with its counts.
 
 use std::collections::BTreeSet;
 
@@ -11,8 +11,8 @@ use super::zone::{ChosenFaces, Class, Zone};
 use crate::base::{Error, Progress, Result};
 use crate::scene::Scene;
 
-/// Distance, as a share of r₂, by which a point may miss a radius and still count as lying on it. It exceeds the
-/// rounding of a rule that splits edges.
+/// Tolerance, relative to r₂, within which a point counts as lying on a radius. It exceeds the rounding of edge
+/// splits.
 const RADIUS_TOLERANCE: f64 = 1.0 / 8192.0;
 
 /// Numbers of triangles and instances.
@@ -20,17 +20,17 @@ const RADIUS_TOLERANCE: f64 = 1.0 / 8192.0;
 pub struct PartitionCounts {
     /// All triangles.
     pub triangles: i64,
-    /// Triangles with least ρ ≤ r₁.
+    /// Triangles with minimum ρ ≤ r₁.
     pub near: i64,
-    /// Triangles with r₁ < least ρ ≤ r₂.
+    /// Triangles with r₁ < minimum ρ ≤ r₂.
     pub intermediate: i64,
-    /// Triangles with least ρ > r₂.
+    /// Triangles with minimum ρ > r₂.
     pub far: i64,
-    /// Static triangles on both sides of r₂.
+    /// Static triangles that cross r₂.
     pub straddling: i64,
     /// Triangles drawn as geometry.
     pub nsf: i64,
-    /// Triangles drawn as geometry if geometry ends at r₁: near triangles and all moving ones.
+    /// Triangles drawn as geometry if geometry ended at r₁: near triangles and all moving ones.
     pub nsf_at_r1: i64,
     /// Triangles baked into the map.
     pub sf: i64,
@@ -42,13 +42,13 @@ pub struct PartitionCounts {
     pub far_instances: i64,
     /// Instances whose boxes did not decide their class.
     pub mixed_instances: i64,
-    /// Triangles of mixed instances; only their corners were read.
+    /// Triangles of mixed instances, the only ones whose corners were read.
     pub examined: i64,
     /// Triangles whose radii were computed. The other examined triangles were proved far by coordinates alone.
     pub measured: i64,
 }
 
-/// A scene divided at two radii about a vertical axis.
+/// A scene partitioned at two radii about a vertical axis.
 #[derive(Clone, Debug)]
 pub struct Partition {
     scene: Scene,
@@ -60,7 +60,7 @@ pub struct Partition {
 }
 
 impl Partition {
-    /// Divides a scene about a centre in world coordinates; 0 ≤ r₁ < r₂.
+    /// Partitions a scene about a centre in world coordinates; 0 ≤ r₁ < r₂.
     pub fn new(scene: &Scene, center: DVec3, r1: f64, r2: f64, progress: &Progress) -> Result<Self> {
         check_center(center)?;
         if !(r1.is_finite() && r1 >= 0.0) {
@@ -80,37 +80,37 @@ impl Partition {
         Ok(partition)
     }
 
-    /// The divided scene.
+    /// Returns the partitioned scene.
     pub fn scene(&self) -> &Scene {
         &self.scene
     }
 
-    /// World position of the centre O.
+    /// Returns the world position of the centre O.
     pub fn center(&self) -> DVec3 {
         self.center
     }
 
-    /// r₁: radius of the near zone, metres.
+    /// Returns r₁: radius of the near zone, metres.
     pub fn r1(&self) -> f64 {
         self.r1
     }
 
-    /// r₂: outer radius of the intermediate zone, metres.
+    /// Returns r₂: outer radius of the intermediate zone, metres.
     pub fn r2(&self) -> f64 {
         self.r2
     }
 
-    /// Class of each instance, ordered by instance number.
+    /// Returns the class of each instance, ordered by instance number.
     pub fn classes(&self) -> &[Class] {
         &self.classes
     }
 
-    /// Numbers of triangles and instances.
+    /// Returns the numbers of triangles and instances.
     pub fn counts(&self) -> &PartitionCounts {
         &self.counts
     }
 
-    /// Instances with faces that are drawn as geometry, ordered by instance number.
+    /// Returns the instances with faces that are drawn as geometry, ordered by instance number.
     pub fn nsf_instances(&self) -> impl Iterator<Item = (u32, ChosenFaces<'_>)> {
         let standing = self.scene.standing.instances().len();
         self.classes.iter().enumerate().filter_map(move |(number, class)| {
@@ -124,7 +124,7 @@ impl Partition {
         })
     }
 
-    /// (instance, face) of each triangle that is drawn as geometry, ordered by triangle number.
+    /// Returns (instance, face) of each triangle that is drawn as geometry, ordered by triangle number.
     pub fn nsf(&self) -> impl Iterator<Item = (u32, u32)> {
         self.nsf_instances().flat_map(|(number, faces)| {
             let (all, some) = match faces {
@@ -135,7 +135,7 @@ impl Partition {
         })
     }
 
-    /// Numbers of the objects with static triangles that are drawn as geometry, ascending.
+    /// Returns the numbers of the objects with static triangles that are drawn as geometry, ascending.
     pub fn near_objects(&self) -> Vec<i32> {
         let standing = self.nsf().take_while(|&(instance, _)| !self.is_moving(instance as usize));
         let objects = standing.filter_map(|(number, face)| {
@@ -145,9 +145,9 @@ impl Partition {
         objects.collect::<BTreeSet<i32>>().into_iter().collect()
     }
 
-    /// (instance, face) of the static triangles drawn as geometry, ordered by triangle number: those with all corners
-    /// inside a radius, and the others. Points on the radius count as outside, even if rounding moved them slightly
-    /// inwards.
+    /// Returns (instance, face) of the static triangles drawn as geometry, ordered by triangle number: those with all
+    /// corners inside a radius, and the others. Points on the radius count as outside, even if rounding moved them
+    /// slightly inwards.
     pub fn nsf_inside(&self, radius: f64) -> [Vec<(u32, u32)>; 2] {
         let [x, z] = axis_in(&self.scene, self.center);
         let least = radius - self.r2 * RADIUS_TOLERANCE;
@@ -157,7 +157,7 @@ impl Partition {
         standing.partition::<Vec<_>, _>(|triangle| corners(triangle).into_iter().all(is_inside)).into()
     }
 
-    /// Zone of a triangle.
+    /// Returns the zone of a triangle.
     pub fn zone(&self, instance: u32, face: u32) -> Zone {
         match &self.classes[instance as usize] {
             Class::Near => Zone::Near,

@@ -1,4 +1,4 @@
-//! The number of triangles that stay geometry as a function of r₂, and the greatest r₂ for a budget.
+//! Number of triangles that stay geometry as a function of r₂, and the maximum r₂ for a budget.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -12,10 +12,10 @@ use crate::scene::Scene;
 /// Number of triangles in one task.
 const TILE: usize = 1 << 14;
 
-/// Least ρ of every static triangle, sorted once; a query is then a binary search.
+/// Minimum ρ of every static triangle, sorted once; a query is then a binary search.
 #[derive(Clone, Debug)]
 pub struct LoadCurve {
-    /// Bits of float32 numbers. They sort like the numbers, because none is negative.
+    /// Bits of float32 numbers, which sort like the numbers because none is negative.
     sorted: Vec<u32>,
     moving: i64,
 }
@@ -48,27 +48,28 @@ impl LoadCurve {
         Ok(Self { sorted: least, moving: scene.moving.triangle_count() })
     }
 
-    /// Number of moving triangles, which stay geometry for any r₂.
+    /// Returns the number of moving triangles, which stay geometry for any r₂.
     pub fn moving(&self) -> i64 {
         self.moving
     }
 
-    /// Number of triangles in the scene.
+    /// Returns the number of triangles in the scene.
     pub fn total(&self) -> i64 {
         self.sorted.len() as i64 + self.moving
     }
 
-    /// `count` of many radii.
+    /// Returns `count` of many radii.
     pub fn counts(&self, radii: &[f64], progress: &Progress) -> Result<Vec<i64>> {
         each(radii, |&r2| self.count(r2), progress)
     }
 
-    /// `radius` of many budgets.
+    /// Returns `radius` of many budgets.
     pub fn radii(&self, budgets: &[i64], progress: &Progress) -> Result<Vec<f64>> {
         each(budgets, |&budget| self.radius(budget), progress)
     }
 
-    /// Number of triangles that stay geometry at r₂, equal to that of `Partition`. Negative radii and NaN are refused.
+    /// Returns the number of triangles that stay geometry at r₂, equal to that of `Partition`. Fails for NaN or r₂ <
+    /// 0.
     pub fn count(&self, r2: f64) -> Result<i64> {
         if r2.is_nan() || r2 < 0.0 {
             return Err(Error::value("r2", "a radius of at least 0", r2));
@@ -76,7 +77,7 @@ impl LoadCurve {
         Ok(self.sorted.partition_point(|&bits| f64::from(f32::from_bits(bits)) <= r2) as i64 + self.moving)
     }
 
-    /// The greatest r₂ at which at most `budget` triangles stay geometry; infinite if the whole scene fits.
+    /// Returns the maximum r₂ at which at most `budget` triangles stay geometry; infinite if the whole scene fits.
     pub fn radius(&self, budget: i64) -> Result<f64> {
         if budget >= self.total() {
             return Ok(f64::INFINITY);
@@ -84,7 +85,7 @@ impl LoadCurve {
         let first_too_many =
             usize::try_from(budget.saturating_sub(self.moving)).ok().map(|index| f32::from_bits(self.sorted[index]));
         match first_too_many {
-            // Just below the least ρ of the first triangle beyond the budget.
+            // Just below the minimum ρ of the first triangle beyond the budget.
             Some(least) if least > 0.0 => Ok(f64::from(least).next_down()),
             _ => {
                 let at_axis = self.sorted.partition_point(|&bits| bits == 0) as i64 + self.moving;
@@ -95,7 +96,7 @@ impl LoadCurve {
     }
 }
 
-/// A result for each row, or the error of the first row that has one, for any number of threads.
+/// Maps rows in parallel. Returns the error of the first failing row, independent of the number of threads.
 fn each<A: Sync, B: Clone + Send>(
     rows: &[A],
     of: impl Fn(&A) -> Result<B> + Sync,

@@ -1,4 +1,4 @@
-//! How near each object comes to the axis.
+//! Minimum distance of each object from the axis.
 
 use std::sync::atomic::{AtomicU32, Ordering};
 
@@ -14,26 +14,26 @@ use crate::scene::{Instance, Scene};
 /// Number of triangles in one task.
 const TILE: usize = 1 << 14;
 
-/// The points of an object whose distances count.
+/// Points of an object whose distances count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
     /// All points of its triangles.
     Surface,
-    /// Their corners only.
+    /// Only the corners of its triangles.
     Vertex,
 }
 
-/// Least ρ of objects, and the work that it took.
+/// Minimum ρ of objects, and the work that it took.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ObjectRadii {
-    /// Least ρ of each object's static triangles, and of all static triangles without an object; infinite beyond the
-    /// reach, and without triangles.
+    /// Minimum ρ of each object's static triangles; last, that of static triangles without an object. Infinite beyond
+    /// the reach, and without triangles.
     pub least: Vec<f32>,
     /// Triangles whose distances were computed. The others belong to instances whose boxes lie beyond the reach.
     pub measured: i64,
 }
 
-/// Measures `object_count` objects about a centre in world coordinates, those that come within `reach` of the axis.
+/// Measures `object_count` objects that come within `reach` of the axis, about a centre in world coordinates.
 pub fn object_radii(
     scene: &Scene,
     object_count: usize,
@@ -65,7 +65,7 @@ pub fn object_radii(
     Ok(ObjectRadii { least, measured })
 }
 
-/// Bits of the least ρ that was found for each object. They sort like the numbers, because none is negative.
+/// Bits of the minimum ρ found so far for each object. They sort like the numbers, because none is negative.
 struct Least(Vec<AtomicU32>);
 
 impl Least {
@@ -112,7 +112,7 @@ mod tests {
 
     const OBJECTS: i32 = 6;
 
-    /// A thousand triangles, whose objects change after every few.
+    /// A thousand triangles in short runs of the same object.
     fn mesh(seed: u64) -> Arc<Mesh> {
         let at = |n: u64| (uniform(seed, n, 0) * 60.0 - 30.0) as f32;
         let positions: Vec<[f32; 3]> = (0..3000).map(|n| [at(3 * n), at(3 * n + 1), at(3 * n + 2)]).collect();
@@ -135,7 +135,7 @@ mod tests {
         Scene::new(DVec3::new(0.0, 5.0, 0.0), standing, moving, Arc::default(), Arc::default()).unwrap()
     }
 
-    /// Least ρ by definition: over all triangles, one by one.
+    /// Computes the minimum ρ by definition, over all triangles one by one.
     fn one_by_one(scene: &Scene, center: DVec3, rule: Rule) -> Vec<f32> {
         let axis = axis_in(scene, center);
         let mut least = vec![f32::INFINITY; OBJECTS as usize + 1];

@@ -1,6 +1,6 @@
-//! Least and greatest distance of triangles from a vertical axis.
+//! Minimum and maximum distance of triangles from a vertical axis.
 //!
-//! The least distance is measured to the triangle in the ground plane, not to its corners: a large ground triangle
+//! The minimum distance is measured to the triangle in the ground plane, not to its corners: a large ground triangle
 //! around the axis has all corners far away. All arithmetic is in float64. Edges are differences of the given
 //! coordinates, which are exact for float32, so short edges far from the axis lose no digits.
 
@@ -12,7 +12,7 @@ use crate::scene::Instance;
 
 /// Number of triangles in a block; its temporaries fit in the first-level cache.
 pub(super) const BLOCK: usize = 64;
-/// A side test is certain if its determinant exceeds this share of its terms. Each term has three roundings of 2⁻⁵³.
+/// Relative determinant above which a side test is certain. Each term has three roundings of 2⁻⁵³.
 const CERTAIN: f64 = 1.0 / (1u64 << 50) as f64;
 
 /// Ground coordinates of a block of triangles: `corners[2 k][i]` is x and `corners[2 k + 1][i]` is z of corner k of
@@ -20,7 +20,7 @@ const CERTAIN: f64 = 1.0 / (1u64 << 50) as f64;
 type Corners<T> = [[T; BLOCK]; 6];
 
 vectorized! {
-    /// Least and greatest ρ of a block, computed in float64 and rounded once.
+    /// Writes the minimum and maximum ρ of a block, computed in float64 and rounded once.
     fn evaluate<T: Real>(corners: &Corners<T>, axis: [f64; 2], radii: &mut [[T; 2]; BLOCK]) = evaluate_kernel;
 }
 
@@ -35,8 +35,9 @@ fn evaluate_kernel<T: Real>(corners: &Corners<T>, axis: [f64; 2], radii: &mut [[
     }
 }
 
-/// Least and greatest ρ of one triangle, given (x, z) of its corners and of the axis. Degenerate triangles are measured
-/// as segments or points; a vertical wall is a segment in the ground plane. NaN if a coordinate is not finite.
+/// Returns the minimum and maximum ρ of one triangle, given (x, z) of its corners and of the axis. Degenerate
+/// triangles are measured as segments or points; a vertical wall is a segment in the ground plane. NaN if a coordinate
+/// is not finite.
 #[inline(always)]
 pub fn radii_of(a: [f64; 2], b: [f64; 2], c: [f64; 2], axis: [f64; 2]) -> [f64; 2] {
     let (from_a, from_b, from_c) = (minus(a, axis), minus(b, axis), minus(c, axis));
@@ -49,14 +50,14 @@ pub fn radii_of(a: [f64; 2], b: [f64; 2], c: [f64; 2], axis: [f64; 2]) -> [f64; 
     let is_pierced = (ab.left & bc.left & ca.left) | (ab.right & bc.right & ca.right);
     let least = if is_pierced { 0.0 } else { outside };
     let greatest = more(more(square_a, square_b), square_c);
-    // A sum with every coordinate in it, which is NaN or infinite if a coordinate is.
+    // A sum of all coordinates, which is NaN or infinite if one of them is.
     let poison = 0.0 * (square_a + square_b + square_c);
     [least.sqrt() + poison, greatest.sqrt() + poison]
 }
 
 /// An edge in the ground plane, relative to the axis.
 struct Edge {
-    /// Squared distance of the axis if its perpendicular meets the edge, otherwise infinite.
+    /// Squared distance from the axis if its perpendicular meets the edge, otherwise infinite.
     distance_squared: f64,
     /// Whether the axis certainly lies to the left.
     left: bool,
@@ -65,7 +66,7 @@ struct Edge {
 }
 
 impl Edge {
-    /// An edge from the vector axis → edge's start and the vector along the edge.
+    /// Creates an edge from the vector axis → edge's start and the vector along the edge.
     #[inline(always)]
     fn new(start: [f64; 2], along: [f64; 2]) -> Self {
         let (first, second) = (start[0] * along[1], start[1] * along[0]);
@@ -100,7 +101,7 @@ fn more(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
 
-/// A source of the corners of numbered triangles.
+/// Source of triangle corners by number.
 pub(super) trait TriangleSource<T>: Sync {
     /// Corners of a triangle.
     fn corners(&self, number: usize) -> [&[T; 3]; 3];
@@ -120,7 +121,7 @@ impl<T: Sync> TriangleSource<T> for Indexed<'_, T> {
     }
 }
 
-/// Three vertices for each triangle.
+/// Triangles with three vertices each.
 pub(super) struct Soup<'a, T>(pub &'a [[[T; 3]; 3]]);
 
 impl<T: Sync> TriangleSource<T> for Soup<'_, T> {
@@ -131,7 +132,7 @@ impl<T: Sync> TriangleSource<T> for Soup<'_, T> {
     }
 }
 
-/// Measures triangles in blocks: `number(i)` is the i-th of `count` triangles, and `take` receives i with its radii.
+/// Measures triangles in blocks: `number(i)` is the i-th of `count` triangles; `take` receives i with its radii.
 #[inline(always)]
 pub(super) fn measure<T: Real>(
     triangles: &impl TriangleSource<T>,
@@ -160,7 +161,7 @@ fn scatter<T: Copy>(corners: &mut Corners<T>, lane: usize, [a, b, c]: [&[T; 3]; 
     corners[5][lane] = c[2];
 }
 
-/// Measures consecutive faces of a placed mesh; `take` receives the place of each block in the range with its radii.
+/// Measures consecutive faces of a placed mesh; `take` receives each block's position in the range with its radii.
 pub(super) fn measure_faces(
     instance: &Instance,
     faces: Range<usize>,
@@ -177,7 +178,7 @@ pub(super) fn measure_faces(
     }
 }
 
-/// The corners of an instance's faces, relative to the scene's origin, as consecutive triangles.
+/// Returns the corners of an instance's faces, relative to the scene's origin, as consecutive triangles.
 pub(super) fn placed(instance: &Instance, faces: impl Iterator<Item = u32>) -> Vec<[[f32; 3]; 3]> {
     faces.map(|face| instance.corners(face).map(|corner| corner.to_array())).collect()
 }

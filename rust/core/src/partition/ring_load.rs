@@ -1,4 +1,4 @@
-//! Triangles of each ring of objects.
+//! Triangle counts per ring of objects.
 
 use std::collections::HashMap;
 use std::ptr;
@@ -8,19 +8,19 @@ use rayon::prelude::*;
 use crate::base::{Error, Progress, Result};
 use crate::scene::{Instance, Mesh, Scene};
 
-/// Triangles of one ring.
+/// Triangle counts of one ring.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RingLoad {
-    /// Triangles in place, those of each instance.
+    /// Drawn triangles, counted once per instance.
     pub drawn: i64,
-    /// Triangles that no earlier ring has stored; those of a mesh that several instances use count once.
+    /// Triangles not stored by an earlier ring; a shared mesh counts once.
     pub stored: i64,
-    /// Instances that place a mesh of several users.
+    /// Instances that place a shared mesh.
     pub placed: i64,
 }
 
-/// The static triangles of each of `count` rings. `rings` has the ring of each object, and last that of all faces without
-/// an object.
+/// Counts the static triangles of each of `count` rings. `rings` has the ring of each object, and last that of faces
+/// without an object.
 pub fn ring_loads(scene: &Scene, rings: &[u16], count: usize, progress: &Progress) -> Result<Vec<RingLoad>> {
     let Some(last) = rings.len().checked_sub(1) else {
         return Err(Error::value("rings", "a ring for faces without an object", "none"));
@@ -51,7 +51,7 @@ pub fn ring_loads(scene: &Scene, rings: &[u16], count: usize, progress: &Progres
         {
             loads[ring].placed += 1;
         }
-        // The ring that stores a mesh does so once; a mesh whose faces have objects of their own is stored in parts.
+        // The ring that stores a mesh stores it once; a mesh whose faces have their own objects is stored in parts.
         if *first < count && (instance.object.is_none() || parts[0].0 == *first) {
             parts.iter().for_each(|&(ring, faces)| loads[ring].stored += faces);
             *first = count;
@@ -60,7 +60,7 @@ pub fn ring_loads(scene: &Scene, rings: &[u16], count: usize, progress: &Progres
     Ok(loads)
 }
 
-/// Number of faces of each ring in a mesh that gives the objects, by ring.
+/// Returns the number of faces per ring in a mesh whose face map names the objects.
 fn parts_by_ring(
     mesh: &Mesh,
     ring_of: impl Fn(i32) -> usize,

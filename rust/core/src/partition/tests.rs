@@ -33,7 +33,7 @@ fn radii_of<T: Into<f64>>(corners: [[T; 2]; 3], axis: [f64; 2]) -> [f64; 2] {
     super::radii_of(a, b, c, axis)
 }
 
-/// Least ρ by definition: the convex hull of the corners, sampled on a fine grid of weights.
+/// Computes the minimum ρ by definition: over the convex hull of the corners, sampled on a fine grid of weights.
 fn sampled(triangle: &[[f32; 3]; 3], axis: [f64; 2]) -> f64 {
     let n = 60;
     let mut least = f64::INFINITY;

@@ -1,4 +1,4 @@
-//! A check of a partition against the radii of every triangle.
+//! Validation of a partition against the radii of every triangle.
 
 use std::ops::Range;
 

@@ -3,25 +3,25 @@
 /// Zone of a triangle, and whether it crosses r₂.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Zone {
-    /// Least ρ ≤ r₁, and the whole triangle within r₂.
+    /// Minimum ρ ≤ r₁, and the whole triangle within r₂.
     Near,
-    /// Least ρ ≤ r₁, and a part beyond r₂.
+    /// Minimum ρ ≤ r₁, and a part beyond r₂.
     NearStraddling,
-    /// r₁ < least ρ ≤ r₂, and the whole triangle within r₂.
+    /// r₁ < minimum ρ ≤ r₂, and the whole triangle within r₂.
     Intermediate,
-    /// r₁ < least ρ ≤ r₂, and a part beyond r₂.
+    /// r₁ < minimum ρ ≤ r₂, and a part beyond r₂.
     IntermediateStraddling,
     /// The whole triangle beyond r₂.
     Far,
 }
 
 impl Zone {
-    /// Whether least ρ ≤ r₁.
+    /// Returns whether minimum ρ ≤ r₁.
     pub fn is_near(self) -> bool {
         matches!(self, Self::Near | Self::NearStraddling)
     }
 
-    /// Whether the triangle lies on both sides of r₂.
+    /// Returns whether the triangle lies on both sides of r₂.
     pub fn is_straddling(self) -> bool {
         matches!(self, Self::NearStraddling | Self::IntermediateStraddling)
     }
@@ -63,11 +63,11 @@ pub enum ChosenFaces<'a> {
 /// A named set of a partition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TriangleSet {
-    /// Triangles with least ρ ≤ r₁.
+    /// Triangles with minimum ρ ≤ r₁.
     Near,
-    /// Triangles with r₁ < least ρ ≤ r₂.
+    /// Triangles with r₁ < minimum ρ ≤ r₂.
     Intermediate,
-    /// Triangles with least ρ > r₂.
+    /// Triangles with minimum ρ > r₂.
     Far,
     /// Triangles drawn as geometry: near, intermediate and all moving ones.
     Nsf,

@@ -1,5 +1,5 @@
-//! The far part of a scene as an environment map, by rays from the centre that start where they leave the near
-//! cylinder.
+//! Baking of the far part of a scene into an environment map, by rays from the centre that start where they leave the
+//! near cylinder.
 
 use glam::{DQuat, DVec3};
 
@@ -42,35 +42,35 @@ impl Bake {
         check_reach("center", self.center - scene.origin)
     }
 
-    /// The images of each face.
+    /// Returns the images of each face.
     pub fn channels(&self) -> Channels {
         Channels { color: true, range: self.range, object_id: self.object_id, ..Channels::default() }
     }
 
-    /// The view of a face.
+    /// Returns the camera of a face.
     pub fn camera(&self, face: u8) -> Result<Camera> {
         Camera::new(self.center, DQuat::IDENTITY, Projection::CubeFace(face), self.size, self.size)
     }
 
-    /// A face, as its camera sees it.
+    /// Returns the view of a face.
     pub(super) fn view<'a>(&self, scene: &Scene, camera: &'a Camera) -> RenderView<'a> {
         let (channels, samples) = (self.channels(), self.samples);
         RenderView { camera, origin: scene.origin, channels, samples, limits: Limits::NONE, pixels: Pixels::default() }
     }
 
-    /// Number of texels of a face.
+    /// Returns the number of texels of a face.
     pub(super) fn texels(&self) -> usize {
         (self.size as usize).pow(2)
     }
 
-    /// Width in metres, at 1 m distance, of the two texels by which the map reaches inside the radius.
+    /// Returns the width in metres, at 1 m distance, of the two texels by which the map reaches inside the radius.
     pub fn two_texels(&self) -> f64 {
         4.0 / f64::from(self.size)
     }
 }
 
-/// Six faces, one after the other, of the static geometry; moving objects are never in the map. Geometry is traced in
-/// place, without copies.
+/// Bakes six faces, one after the other, of the static geometry; moving objects are never in the map. Geometry is
+/// traced in place, without copies.
 pub fn bake(scene: &Scene, settings: &Bake, progress: &Progress) -> Result<Frame> {
     settings.check(scene)?;
     let standing = standing_only(scene, progress)?;
@@ -78,14 +78,14 @@ pub fn bake(scene: &Scene, settings: &Bake, progress: &Progress) -> Result<Frame
     faces(scene, settings, &Truth { scene: &standing, filter: &AlphaFilter::new(&standing, beyond) }, progress)
 }
 
-/// The scene without what moves, built.
+/// Returns the scene without its moving instances, built.
 pub(super) fn standing_only(scene: &Scene, progress: &Progress) -> Result<Scene> {
     let standing = Scene { moving: Default::default(), ..scene.clone() };
     standing.build(progress)?;
     Ok(standing)
 }
 
-/// Six faces of a picture, one after the other.
+/// Renders six faces of a picture, one after the other.
 fn faces(scene: &Scene, settings: &Bake, picture: &impl Picture, progress: &Progress) -> Result<Frame> {
     let channels = settings.channels();
     channels.check_room(6 * settings.texels() as u64)?;
@@ -96,18 +96,18 @@ fn faces(scene: &Scene, settings: &Bake, picture: &impl Picture, progress: &Prog
     Ok(whole)
 }
 
-/// Number of rays that a bake traces.
+/// Returns the number of rays that a bake traces.
 pub fn rays(settings: &Bake) -> u64 {
     let surface = settings.samples > 1 && (settings.range || settings.object_id);
     6 * u64::from(settings.size).pow(2) * (u64::from(settings.samples) + u64::from(surface))
 }
 
-/// Surfaces beyond the cylinder, and surfaces inside it whose two-texel footprint reaches beyond.
+/// Filter for surfaces beyond the cylinder, and surfaces inside it whose two-texel footprint reaches beyond.
 ///
 /// This overlap is needed where the near geometry ends: the last visible part of a surface inside r₂ borders on a
-/// direction whose look-up mixes this texel. Measured across the ray the overlap would be a few centimetres and would
-/// leave a crack in the ground, which a ray at eye height meets at an angle of a few degrees. Measured on the surface,
-/// the ground gets an overlap of metres as it needs, and walls that face the centre get none.
+/// direction whose look-up interpolates this texel. Measured across the ray, the overlap would be a few centimetres
+/// and would leave a crack in the ground, which a ray at eye height meets at an angle of a few degrees. Measured on
+/// the surface, the ground gets an overlap of metres as it needs, and walls that face the centre get none.
 struct BeyondRadius<'a> {
     scene: &'a Scene,
     radius: f64,
@@ -126,9 +126,9 @@ impl HitFilter for BeyondRadius<'_> {
 }
 
 impl BeyondRadius<'_> {
-    /// Growth of ρ along the surface when the direction turns by two texels. Turning the direction d by δ moves the
-    /// point by t (δ − d (n·δ)/(n·d)) and ρ by the component of this along r. Here n is the surface normal, t the
-    /// distance, and r the horizontal unit vector away from the axis.
+    /// Returns the growth of ρ along the surface when the direction turns by two texels. Turning the direction d by δ
+    /// moves the point by t (δ − d (n·δ)/(n·d)) and ρ by the component of this along r. Here n is the surface normal,
+    /// t the distance, and r the horizontal unit vector away from the axis.
     #[cold]
     fn reach(&self, hit: &Hit, direction: DVec3, horizontal: DVec3, t: f64) -> f64 {
         let [a, b, c] = self.scene.instance(hit.instance).corners(hit.face).map(|corner| corner.as_dvec3());

@@ -1,8 +1,8 @@
-//! Maps of a scene whose objects become geometry ring after ring: map i shows the objects of rings after i.
+//! Maps of a scene whose objects become geometry ring after ring: map i shows the objects of all rings after i.
 //!
-//! A ray is traced once for all maps, from the last one back: first through what lies beyond all rings, then through the
-//! objects of the last ring, up to the hit beyond, and so on. The hit after a ring's objects is that of the map before
-//! the ring. A hit is shaded once for all maps that show it.
+//! Each ray is traced once for all maps, from the last map back to the first: through the geometry beyond all rings,
+//! then through the objects of the last ring up to the hit found so far, and so on. The hit after a ring's objects
+//! belongs to the map before that ring. Each hit is shaded once for all maps that show it.
 
 use super::bake::{Bake, standing_only};
 use super::frame::{Band, Channels, Frame};
@@ -13,27 +13,27 @@ use crate::base::{Error, Progress, Result};
 use crate::scene::Scene;
 use crate::trace::{All, Hit, Layer, LayerHits, Ray, closest_hits_by_layer};
 
-/// The maps of all rings.
+/// Maps of all rings.
 #[derive(Debug)]
 pub struct RingMaps {
     /// Map 0: six faces, one after the other.
     pub first: Frame,
-    /// For each ring from 1 on, by how much its map differs from the one before.
+    /// Difference of each map, from ring 1 on, to the previous one.
     pub changes: Vec<Change>,
 }
 
-/// Texels that a ring's map shows anew: those whose samples, or whose centre, met an object of the ring in the map before.
+/// Texels that differ from the previous map: those whose samples, or whose centre, hit an object of the ring there.
 #[derive(Debug, Default)]
 pub struct Change {
-    /// Their numbers in the six faces, ascending.
+    /// Texel numbers in the six faces, ascending.
     pub texels: Vec<i64>,
-    /// Their values.
+    /// New values of these texels.
     pub frame: Frame,
 }
 
-/// Bakes the static objects of a scene; `settings.radius` does not matter.
+/// Bakes the static objects of a scene; `settings.radius` is ignored.
 ///
-/// `rings` has the ring of each object, and last that of all faces without one. Maps 0 to `count` are baked.
+/// `rings` has the ring of each object, and last that of all faces without an object. Maps 0 to `count` are baked.
 pub fn bake_rings(scene: &Scene, settings: &Bake, rings: &[u16], count: u16, progress: &Progress) -> Result<RingMaps> {
     settings.check(scene)?;
     if rings.is_empty() {
@@ -68,23 +68,23 @@ pub fn bake_rings(scene: &Scene, settings: &Bake, rings: &[u16], count: u16, pro
 
 struct Baker<'a> {
     truth: Truth<'a>,
-    /// The layer beyond all rings, then the rings from the last to the first.
+    /// Layer beyond all rings, then the rings from the last to the first.
     layers: &'a [Layer<'a>],
     caster: Caster<'a>,
     channels: Channels,
 }
 
-/// The pixels of a tile in one map.
+/// Pixels of a tile in one map.
 #[derive(Clone)]
 struct TileMap {
     /// Sums of the samples' colours.
     sums: [[f32; 3]; PIXELS],
-    /// Pixels with a sample or centre that shows the layer's own objects, one bit each.
+    /// Bit mask of the pixels with a sample or centre that shows the layer's own objects.
     own: u64,
 }
 
 impl Baker<'_> {
-    /// Bakes a tile: map 0 into its band, the changes into `rows`, `TILE` for each ring.
+    /// Bakes a tile: map 0 into its band, the changes into `rows`, `TILE` per ring.
     fn bake(&self, tile: &ImageTile, band: &mut Band<'_>, rows: &mut Vec<Change>) {
         let count = self.layers.len() - 1;
         rows.resize_with(count * TILE, Change::default);
@@ -146,7 +146,7 @@ impl Baker<'_> {
         let (mut new_rays, mut new_hits) = (NO_RAYS, MISSES);
         for (layer, (found, map)) in hits.iter().zip(maps).enumerate() {
             if layer == 0 {
-                // Rays that meet nothing show the sky, which has a colour too.
+                // Rays without a hit show the sky, which has a colour too.
                 let shown = if found.changed == 0 { &MISSES } else { &found.hits };
                 let footprint = |n: usize| self.caster.of_sample(tile, n, offset);
                 self.truth.add_colors(rays, &shown[..rays.len()], footprint, &mut colors[..rays.len()]);
@@ -168,12 +168,12 @@ impl Baker<'_> {
     }
 }
 
-/// Hits of rays that meet nothing.
+/// Hits of rays without a hit.
 const MISSES: [Hit; PIXELS] = [Hit::MISS; PIXELS];
-/// Maps have no coverage.
+/// Coverage is not computed for maps.
 const COVERAGE: f32 = 0.0;
 
-/// The numbers of a word's bits that are 1.
+/// Returns the positions of a word's set bits.
 fn ones(mut word: u64) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
         let lowest = (word != 0).then(|| word.trailing_zeros() as usize);
@@ -195,7 +195,7 @@ mod tests {
     use crate::scene::{Instance, Mesh};
     use crate::trace::HitFilter;
 
-    /// Triangles around the centre: 400 of 40 objects in one mesh, which is placed twice, and the same as object 7.
+    /// 400 triangles of 40 objects around the centre in one mesh, which is placed twice, the second time as object 7.
     fn scene() -> Scene {
         let at = |n: u64, k| (uniform(7, n, k) * 2.0 - 1.0) as f32;
         let corner = |face: u64, k: u64| {
@@ -214,7 +214,7 @@ mod tests {
         Scene::new(DVec3::ZERO, instances, vec![], Arc::default(), Arc::default()).unwrap()
     }
 
-    /// Objects of rings after one, each hit by itself.
+    /// Filter for objects of rings after a given one, traced separately.
     struct After<'a>(&'a Scene, &'a [u16], u16);
 
     impl HitFilter for After<'_> {
@@ -227,7 +227,7 @@ mod tests {
     #[test]
     fn maps_are_those_drawn_one_by_one() {
         let scene = scene();
-        // Objects of ring 0 are in no map, those of rings 3 and 4 beyond all.
+        // Objects of ring 0 are in no map; rings 3 and 4 lie beyond all.
         let rings: Vec<u16> = (0..41).map(|n| n * 7 % 5).collect();
         for samples in [1, 5] {
             let settings = Bake { center: DVec3::ZERO, radius: 0.0, size: 28, samples, range: true, object_id: true };

@@ -1,15 +1,15 @@
-//! The images of one view; only requested channels are computed.
+//! Images of one view; only requested channels are computed.
 
 use crate::base::{Result, memory::room_for};
 
 /// Declares a frame's images: first those of all samples of a pixel, then those of the ray through its centre, with
-/// their values for a ray that hits nothing.
+/// their values for a ray without a hit.
 macro_rules! images {
     (
         samples { $($(#[doc = $about:literal])+ $sampled:ident: $color:ty,)+ }
         center { $($(#[doc = $what:literal])+ $central:ident: $value:ty = $miss:expr,)+ }
     ) => {
-        /// The images of a view that are computed.
+        /// Images to compute for a view.
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         pub struct Channels {
             $($(#[doc = $about])+ pub $sampled: bool,)+
@@ -17,17 +17,17 @@ macro_rules! images {
         }
 
         impl Channels {
-            /// Whether an image of all samples is requested.
+            /// Returns whether an image of all samples is requested.
             pub fn any_sampled(&self) -> bool {
                 false $(|| self.$sampled)+
             }
 
-            /// Whether an image is requested that needs one ray through each pixel's centre.
+            /// Returns whether an image is requested that needs one ray through each pixel's centre.
             pub fn any_surface(&self) -> bool {
                 false $(|| self.$central)+
             }
 
-            /// Whether an image is requested that needs the point of the surface, not only the ray's hit.
+            /// Returns whether an image is requested that needs the surface point, not only the ray's hit.
             pub fn needs_surface(&self) -> bool {
                 self.position || self.normal || self.albedo || self.shading_normal
             }
@@ -72,8 +72,8 @@ macro_rules! images {
         }
 
         impl Frame {
-            /// Allocates the requested images for a renderer that writes every pixel. Zeros cost nothing before that:
-            /// the system makes them page by page, where other values would take seconds for a large picture.
+            /// Allocates the requested images for a renderer that writes every pixel. Zeros are cheap: the system maps
+            /// zero pages on first use, where other values would take seconds for a large picture.
             pub fn new(channels: Channels, pixels: usize) -> Result<Self> {
                 channels.check_room(pixels as u64)?;
                 let size = |wanted: bool| if wanted { pixels } else { 0 };
@@ -83,19 +83,20 @@ macro_rules! images {
                 })
             }
 
-            /// Adds the images of another frame to the ends of this one's.
+            /// Appends the images of another frame.
             pub(super) fn append(&mut self, other: &Self) {
                 $(self.$sampled.extend_from_slice(&other.$sampled);)+
                 $(self.$central.extend_from_slice(&other.$central);)+
             }
 
-            /// Copies the images of a part of the picture, `columns` pixels wide, to its place in this one.
+            /// Copies the images of a part, `columns` pixels wide, to its position in this frame.
             pub(crate) fn put(&mut self, part: &Self, width: usize, [left, top]: [usize; 2], columns: usize) {
                 $(put_rows(&mut self.$sampled, &part.$sampled, width, [left, top], columns);)+
                 $(put_rows(&mut self.$central, &part.$central, width, [left, top], columns);)+
             }
 
-            /// The channels of a pixel's middle; those that were not requested have their values for a miss.
+            /// Returns the channels of a pixel's centre; channels that were not requested have their values for a
+            /// miss.
             pub(crate) fn sample(&self, pixel: usize) -> Sample {
                 let mut sample = Sample::default();
                 $(if let Some(value) = self.$central.get(pixel) {
@@ -104,7 +105,7 @@ macro_rules! images {
                 sample
             }
 
-            /// Adds a pixel to the ends of the requested images.
+            /// Appends a pixel to the requested images.
             #[inline]
             pub(crate) fn push(&mut self, wanted: Channels, $($sampled: $color,)+ sample: &Sample) {
                 $(if wanted.$sampled {
@@ -144,7 +145,7 @@ macro_rules! images {
                 }
             )+
 
-            /// Stores those of a pixel's other channels that were requested.
+            /// Stores the pixel's other requested channels.
             #[inline]
             pub fn set_sample(&mut self, pixel: usize, sample: &Sample) {
                 $(set(self.$central, pixel, sample.$central);)+
@@ -157,7 +158,7 @@ images! {
     samples {
         /// Linear RGB.
         color: [f32; 3],
-        /// Share of the samples that show a triangle, 0 to 1; neither sky nor map counts.
+        /// Fraction of the samples that show a triangle, 0 to 1; neither sky nor map counts.
         coverage: f32,
     }
     center {
@@ -173,7 +174,7 @@ images! {
         normal: [f32; 3] = [f32::NAN; 3],
         /// Linear RGB of the material, without light; NaN where nothing was hit.
         albedo: [f32; 3] = [f32::NAN; 3],
-        /// Unit normal that the colour takes; NaN where nothing was hit.
+        /// Unit normal used for shading; NaN where nothing was hit.
         shading_normal: [f32; 3] = [f32::NAN; 3],
     }
 }

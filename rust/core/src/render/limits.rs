@@ -1,13 +1,13 @@
-//! The part of space in which surfaces are seen: a part of each ray, and planes that cut off what lies behind them.
+//! Visible volume: a segment of each ray, and clip planes.
 
 use glam::{DVec3, DVec4};
 
 use crate::base::{Error, Result};
 
-/// Greatest number of planes: as many as graphics adapters clip by.
+/// Maximum number of planes: the limit of graphics adapters.
 pub const MOST_PLANES: usize = 8;
 
-/// The part of each pixel's ray in which surfaces are visible, in metres from the camera or, for parallel rays, from
+/// Segment of each pixel's ray in which surfaces are visible, in metres from the camera or, for parallel rays, from
 /// the image plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
@@ -20,14 +20,14 @@ pub struct Segment {
 impl Segment {
     /// The whole ray.
     pub const WHOLE: Self = Self { t_min: 0.0, t_max: f32::INFINITY };
-    /// No part of it.
+    /// An empty segment.
     pub const EMPTY: Self = Self { t_min: 1.0, t_max: 0.0 };
 }
 
-/// Limits of what is seen.
+/// Limits of the visible volume.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
-    /// The part of each ray.
+    /// Segment of each ray.
     pub segment: Segment,
     /// Half-spaces n·x + d ≥ 0, as (n, d); the first `count` of them.
     planes: [DVec4; MOST_PLANES],
@@ -35,10 +35,10 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// Everything is seen.
+    /// No limits.
     pub const NONE: Self = Self { segment: Segment::WHOLE, planes: [DVec4::ZERO; MOST_PLANES], count: 0 };
 
-    /// A part of each ray, and half-spaces (n, d) that keep points x with n·x + d ≥ 0.
+    /// Creates limits from a segment of each ray, and half-spaces (n, d) that keep points x with n·x + d ≥ 0.
     pub fn new(segment: Segment, planes: &[[f64; 4]]) -> Result<Self> {
         if planes.len() > MOST_PLANES {
             let expected = format!("at most {MOST_PLANES} half-spaces, of which a box takes six");
@@ -56,17 +56,17 @@ impl Limits {
         Ok(limits)
     }
 
-    /// The half-spaces.
+    /// Returns the half-spaces.
     pub fn planes(&self) -> &[DVec4] {
         &self.planes[..self.count]
     }
 
-    /// Whether nothing is cut off.
+    /// Returns whether nothing is clipped.
     pub fn is_none(&self) -> bool {
         self.segment == Segment::WHOLE && self.count == 0
     }
 
-    /// The same limits for positions relative to an origin.
+    /// Returns the limits for positions relative to an origin.
     pub fn relative_to(&self, origin: DVec3) -> Self {
         let mut limits = *self;
         for plane in &mut limits.planes[..self.count] {
@@ -75,7 +75,7 @@ impl Limits {
         limits
     }
 
-    /// The part of a ray that is seen.
+    /// Returns the visible segment of a ray.
     #[inline]
     pub fn of(&self, start: DVec3, direction: DVec3) -> Segment {
         if self.count == 0 {
@@ -104,7 +104,7 @@ mod tests {
     fn rays_are_cut_where_they_pass_planes() {
         let planes = [[0.0, 0.0, -1.0, -2.0], [0.0, 0.0, 2.0, 16.0]];
         let limits = Limits::new(Segment { t_min: 0.5, t_max: 7.0 }, &planes).unwrap();
-        // Points between z = −2 and z = −8 are seen.
+        // Points between z = −2 and z = −8 are visible.
         assert_eq!(limits.of(DVec3::ZERO, DVec3::NEG_Z), Segment { t_min: 2.0, t_max: 7.0 });
         assert_eq!(limits.of(DVec3::new(0.0, 0.0, -10.0), DVec3::Z), Segment { t_min: 2.0, t_max: 7.0 });
         assert_eq!(limits.of(DVec3::new(0.0, 0.0, -10.0), DVec3::NEG_Z), Segment::EMPTY);

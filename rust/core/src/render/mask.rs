@@ -1,4 +1,4 @@
-//! The pixels of a picture that are drawn, at several resolutions: geometry that no drawn pixel can show is left out.
+//! Pixel mask at several resolutions, used to cull geometry that no drawn pixel can show.
 
 use glam::DVec2;
 use rayon::prelude::*;
@@ -6,23 +6,24 @@ use rayon::prelude::*;
 use crate::base::Aabb;
 use crate::camera::Camera;
 
-/// The finest level has a flag for each block of 2^FINEST × 2^FINEST pixels.
+/// Level 0 has a flag for each block of 2^FINEST × 2^FINEST pixels.
 const FINEST: usize = 2;
-/// Blocks that a test reads each way, at most.
+/// Maximum number of blocks that a test reads in each direction.
 const READS: usize = 4;
-/// Rows of blocks in one task.
+/// Rows of blocks per task.
 const BANDS: usize = 32;
 
-/// Flags of blocks of pixels. Each level has blocks twice as wide as the one before, up to a single block.
+/// Flags of blocks of pixels. Blocks of each level are twice as wide as those of the previous one, up to a single
+/// block.
 #[derive(Clone, Debug)]
 pub struct MaskPyramid {
     size: (usize, usize),
-    /// Blocks across, and whether any pixel of a block is drawn, by rows.
+    /// Blocks per row, and row-major flags whether any pixel of a block is drawn.
     levels: Vec<(usize, Vec<bool>)>,
 }
 
 impl MaskPyramid {
-    /// Makes the levels of a mask with `width` pixels a row.
+    /// Creates the levels of a mask with `width` pixels per row.
     pub fn new(mask: &[bool], width: usize) -> Self {
         let height = mask.len() / width.max(1);
         let side = 1 << FINEST;
@@ -42,7 +43,7 @@ impl MaskPyramid {
         Self { size: (width, height), levels }
     }
 
-    /// False where no drawn pixel lies in a rectangle of the picture, pixels; the rectangle grows to whole blocks.
+    /// Returns false if a rectangle, in pixels and grown to whole blocks, contains no drawn pixel.
     pub fn touches(&self, low: DVec2, high: DVec2) -> bool {
         let (width, height) = self.size;
         if high.x < 0.0 || high.y < 0.0 || low.x >= width as f64 || low.y >= height as f64 {
@@ -60,13 +61,14 @@ impl MaskPyramid {
             .any(|y| flags[y * across + (left >> shift)..=y * across + (right >> shift)].contains(&true))
     }
 
-    /// False where no drawn pixel, nor one beside it, can show a box; `camera` has the box's frame of reference.
+    /// Returns false if no drawn pixel or neighbour of one can show a box; `camera` is in the box's frame of
+    /// reference.
     pub fn sees(&self, camera: &Camera, bounds: &Aabb) -> bool {
         let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
         let ends = [bounds.min.as_dvec3(), bounds.max.as_dvec3()];
         for n in 0..8 {
             let corner = glam::DVec3::new(ends[n & 1].x, ends[n >> 1 & 1].y, ends[n >> 2].z);
-            // A box around the camera can be anywhere.
+            // A box around the camera may appear anywhere.
             let Some(at) = camera.project(corner) else { return true };
             (low, high) = (low.min(at.truncate()), high.max(at.truncate()));
         }
@@ -74,9 +76,9 @@ impl MaskPyramid {
     }
 }
 
-/// Marks the blocks of which a row of pixels has a drawn one.
+/// Marks the blocks in which a row of pixels has a drawn one.
 fn mark_blocks(row: &[bool], flags: &mut [bool]) {
-    // A block's four pixels as one word.
+    // Tests a block's four pixels as one word.
     let (blocks, rest) = row.as_chunks::<{ 1 << FINEST }>();
     for (flag, block) in flags.iter_mut().zip(blocks) {
         *flag |= u32::from_ne_bytes(block.map(u8::from)) != 0;
@@ -86,7 +88,7 @@ fn mark_blocks(row: &[bool], flags: &mut [bool]) {
     }
 }
 
-/// The next level: a block is drawn if one of its four is.
+/// Builds the next level: a block is drawn if one of its four children is.
 fn coarser(across: usize, flags: &[bool]) -> (usize, Vec<bool>) {
     let wide = across.div_ceil(2);
     let mut next = Vec::with_capacity(wide * (flags.len() / across).div_ceil(2));

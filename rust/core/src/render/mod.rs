@@ -1,4 +1,4 @@
-//! Pictures: ground truth of a scene, environment maps baked from the centre, and frames of a thin client.
+//! Rendering: ground truth of a scene, environment maps baked from the centre, and frames of a thin client.
 
 pub mod frame;
 pub mod shade;

@@ -1,4 +1,4 @@
-//! The static objects of a scene in layers: what lies beyond all rings, then each ring from the last to the first.
+//! Static objects of a scene in layers: everything beyond all rings, then each ring from the last to the first.
 
 use std::collections::HashMap;
 use std::ops::RangeInclusive;
@@ -8,22 +8,22 @@ use crate::base::{Progress, Result};
 use crate::scene::{Instance, Scene};
 use crate::trace::{AlphaFilter, FaceHits, HitFilter, Layer, LayerTree};
 
-/// A tree of each layer's instances. An instance with faces of several layers is in the tree of each; its faces are then
-/// told apart ray by ray.
+/// Trees over each layer's instances. An instance with faces of several layers is in the tree of each; a filter then
+/// tests its faces per ray.
 pub(super) struct RingLayers<'a> {
     scene: &'a Scene,
     rings: &'a [u16],
-    /// The instances whose faces are not all of one layer.
+    /// Whether each instance has faces of several layers.
     mixed: Vec<bool>,
     trees: Vec<(LayerTree, RangeInclusive<u16>)>,
 }
 
 impl<'a> RingLayers<'a> {
-    /// The layers of rings up to `count` and of what lies beyond, for a scene that has been built. `rings` has the ring of
-    /// each object, and last that of faces without one; ring 0 is in no layer.
+    /// Creates the layers of rings up to `count` and of everything beyond, for a scene that has been built. `rings`
+    /// has the ring of each object, and last that of faces without one; ring 0 is in no layer.
     pub(super) fn new(scene: &'a Scene, rings: &'a [u16], count: u16, progress: &Progress) -> Result<Self> {
         let instances = scene.standing.instances();
-        // Meshes of many faces may be placed many times.
+        // Meshes with many faces may be placed many times.
         let mut of_meshes = HashMap::new();
         let classes: Vec<Arc<[u16]>> = instances
             .iter()
@@ -44,7 +44,7 @@ impl<'a> RingLayers<'a> {
         Ok(Self { scene, rings, mixed: classes.iter().map(|layers| layers.len() > 1).collect(), trees })
     }
 
-    /// The layers, beginning beyond all rings.
+    /// Returns the layers, the one beyond all rings first.
     pub(super) fn layers(&'a self) -> Vec<Layer<'a>> {
         let Self { scene, rings, mixed, trees } = self;
         let layer = |(tree, numbers): &'a (LayerTree, RangeInclusive<u16>)| {
@@ -55,7 +55,7 @@ impl<'a> RingLayers<'a> {
     }
 }
 
-/// The layers that an instance has faces of, 0 among them for faces that are in none, ascending.
+/// Returns the layers that an instance has faces of, ascending; 0 stands for faces that are in none.
 fn layers_of(instance: &Instance, rings: &[u16], count: u16) -> Arc<[u16]> {
     let layer = |object: i32| ring_of(rings, object).min(count.saturating_add(1));
     let mut layers: Vec<u16> = match instance.object {
@@ -72,7 +72,7 @@ fn ring_of(rings: &[u16], object: i32) -> u16 {
     rings[usize::try_from(object).map_or(last, |object| object.min(last))]
 }
 
-/// Faces of some rings, where the instances are those of a layer's tree.
+/// Filter for faces of some rings; instances are those of a layer's tree.
 struct OfRings<'a> {
     scene: &'a Scene,
     rings: &'a [u16],

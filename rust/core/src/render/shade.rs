@@ -1,8 +1,8 @@
-//! The shading formula of all renderers: linear albedo × (sky(n) + sun · max(0, n·l)) + emission, two-sided. Here n is the
-//! surface normal and l the direction towards the sun. Unlit materials are shown as if the bracket were 1, which it does
-//! not exceed; emission may exceed 1, because there is no tone mapping.
+//! Shading formula of all renderers: linear albedo × (sky(n) + sun · max(0, n·l)) + emission, two-sided. Here n is the
+//! surface normal and l the direction towards the sun. Unlit materials are shaded with a bracket of 1, its maximum;
+//! emission may exceed 1, because there is no tone mapping.
 //!
-//! Sky and sun are colours. The bluish sky is brighter above than below and slightly asymmetric, so that walls in the
+//! Sky and sun are coloured. The bluish sky is brighter above than below and slightly asymmetric, so that walls in the
 //! shade differ. The warm sun meets the three axes at different angles, so that lit walls differ.
 
 use glam::Vec3;
@@ -18,7 +18,7 @@ pub const SKY: [[f32; 3]; 2] = [[0.130, 0.135, 0.150], [0.380, 0.420, 0.480]];
 /// Linear RGB of the background at the nadir, the horizon and the zenith.
 pub const BACKGROUND: [[f32; 3]; 3] = [[0.24, 0.25, 0.26], [0.66, 0.74, 0.82], [0.16, 0.34, 0.66]];
 
-/// Radiance of the background in a unit direction.
+/// Returns the radiance of the background in a unit direction.
 #[inline]
 pub fn background(direction: Vec3) -> [f32; 3] {
     let [nadir, horizon, zenith] = BACKGROUND;
@@ -27,7 +27,7 @@ pub fn background(direction: Vec3) -> [f32; 3] {
     std::array::from_fn(|i| horizon[i] + (end[i] - horizon[i]) * away)
 }
 
-/// Linear RGB reflected by a white surface with unit normal `n` towards the viewer.
+/// Returns the linear RGB reflected by a white surface with unit normal `n` towards the viewer.
 #[inline]
 pub fn irradiance(n: Vec3) -> [f32; 3] {
     let sky = 0.5 + 0.5 * n.dot(SKY_DIRECTION);
@@ -39,7 +39,7 @@ pub fn irradiance(n: Vec3) -> [f32; 3] {
 mod tests {
     use super::*;
 
-    /// Evenly spread directions: a Fibonacci lattice.
+    /// Returns evenly spaced directions: a Fibonacci lattice.
     fn sphere(count: u32) -> impl Iterator<Item = Vec3> {
         (0..count).map(move |i| {
             let (y, turn) = (1.0 - 2.0 * (i as f32 + 0.5) / count as f32, i as f32 * 2.399_963_2);

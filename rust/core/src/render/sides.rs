@@ -1,8 +1,8 @@
-//! Pictures of one scene from many sides, for comparisons with pictures of another scene from the same cameras: which
-//! pixels show the scene, and the luma of the pixels near them. Most of a picture of one object is sky, which no
-//! comparison needs.
+//! Pictures of one scene from many sides, for comparison with pictures of another scene from the same cameras:
+//! silhouettes, and the luma of the pixels near them. Most of a picture of one object is sky, which needs no
+//! comparison.
 //!
-//! Pixels have the same bytes as those of `draw`, because a ray's hit does not depend on the rays traced beside it.
+//! Pixels are bit-equal to those of `draw`, because a ray's hit does not depend on the rays traced beside it.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -16,13 +16,13 @@ use crate::scene::Scene;
 use crate::scene::srgb::srgb_from_linear;
 use crate::trace::{All, AlphaFilter, Hit, Ray, any_hits, beam_touches, closest_hits, closest_hits_apart};
 
-/// Number of rays that are traced side by side.
+/// Number of rays traced together.
 const PACKET: usize = 64;
-/// Number of rows of one task, a multiple of every block's height; also the side of a square that is tested for geometry.
+/// Number of rows per task, a multiple of every block's height; also the side of a square that is tested for geometry.
 const ROWS: usize = 16;
-/// Number of triangles for each block of pixels, as if they were spread evenly over the picture, above which rays are
-/// traced one by one: they share so few nodes of the tree that a packet is slower. The number was measured on an object
-/// that covers a fifth of its picture.
+/// Triangles per block of pixels, if spread evenly over the picture, above which rays are traced one by one: they
+/// share so few nodes of the tree that a packet is slower. The number was measured on an object that covers a fifth of
+/// its picture.
 const CROWDED: f64 = 150.0;
 
 /// A scene and cameras around it, all with pictures of one size.
@@ -40,7 +40,7 @@ pub struct Luma {
     pub samples: u32,
     /// Weights of red, green and blue as sRGB codes.
     pub weights: [f64; 3],
-    /// Distance across and down, in pixels, up to which the pixels around a shown one are computed.
+    /// Distance across and down, in pixels, up to which the pixels around a silhouette pixel are computed.
     pub reach: usize,
 }
 
@@ -97,7 +97,7 @@ impl<'a> Sides<'a> {
         })
     }
 
-    /// Returns the luma, 0 to 255, of the pixels near those of `shown` (in the order of `silhouettes`), and 0 elsewhere.
+    /// Returns the luma, 0 to 255, of the pixels near those of `shown` (ordered as in `silhouettes`); 0 elsewhere.
     pub fn luma(&self, shown: &[bool], how: &Luma, progress: &Progress) -> Result<Vec<f64>> {
         if !(1..=MAX_SAMPLES).contains(&how.samples) {
             return Err(Error::value("samples", format!("a whole number from 1 to {MAX_SAMPLES}"), how.samples));
@@ -225,21 +225,21 @@ fn block_of(samples: usize) -> [usize; 2] {
     block
 }
 
-/// Returns the pixels of a block, as rows and columns, square by square of 2 × 2 pixels, so that the lanes of a group
-/// hold neighbours.
+/// Returns the pixels of a block, as rows and columns, in squares of 2 × 2 pixels, so that the lanes of a group hold
+/// neighbours.
 fn pixel_order([high, wide]: [usize; 2]) -> Vec<[usize; 2]> {
     let mut pixels: Vec<_> = (0..high).flat_map(|row| (0..wide).map(move |column| [row, column])).collect();
     pixels.sort_by_key(|[row, column]| [row / 2, column / 2, *row, *column]);
     pixels
 }
 
-/// Returns those pixels that lie within a size, moved by the start.
+/// Returns the pixels that lie within a size, offset by the start.
 fn pixels_of(start: [usize; 2], size: [usize; 2], order: &[[usize; 2]]) -> impl Iterator<Item = [usize; 2]> {
     let within = order.iter().filter(move |[row, column]| *row < size[0] && *column < size[1]);
     within.map(move |[row, column]| [start[0] + row, start[1] + column])
 }
 
-/// Returns the first row and column and the size of each block of a part; the last ones may be smaller.
+/// Returns the first row and column and the size of each block of a region; the last ones may be smaller.
 fn blocks(
     [top, left]: [usize; 2],
     [rows, columns]: [usize; 2],

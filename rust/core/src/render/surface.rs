@@ -1,4 +1,4 @@
-//! Surface points hit by rays: a point of a face with its normal, ready to be shaded or stored.
+//! Surface points hit by rays, with the data for shading and storing them.
 
 use glam::Vec3;
 
@@ -27,8 +27,7 @@ pub struct Surface {
     pub doubled_area: f32,
 }
 
-/// The data of an instance's face that all its points share. It is reused, because neighbouring rays usually hit the
-/// same face.
+/// Data shared by all points of an instance's face. It is reused, because neighbouring rays usually hit the same face.
 #[derive(Clone, Copy, Debug)]
 pub struct Facet {
     instance: u32,
@@ -41,7 +40,7 @@ pub struct Facet {
 }
 
 impl Facet {
-    /// A face of an instance.
+    /// Computes the data of an instance's face.
     #[inline]
     pub fn new(scene: &Scene, instance: u32, face: u32) -> Self {
         let [a, b, c] = scene.instance(instance).corners(face);
@@ -53,13 +52,13 @@ impl Facet {
         Self { instance, face, corner: a, sides: [ab, ac], outside, doubled_area: doubled_area as f32 }
     }
 
-    /// Whether a hit lies on this face.
+    /// Returns whether a hit lies on this face.
     #[inline]
     pub fn holds(&self, hit: &Hit) -> bool {
         self.face == hit.face && self.instance == hit.instance
     }
 
-    /// The point at weights (u, v), seen along a unit direction.
+    /// Returns the point at weights (u, v), seen along a unit direction.
     #[inline]
     pub fn surface(&self, at: (f32, f32), direction: Vec3) -> Surface {
         let outside = if self.outside == Vec3::ZERO { -direction } else { self.outside };
@@ -76,8 +75,8 @@ impl Facet {
     }
 }
 
-/// Adds the colours of surfaces along neighbouring rays to their sums; `on_scene` gives the scene's face that a hit lies
-/// on, `missed` the colour of a ray without a hit.
+/// Adds the colours of surfaces along neighbouring rays to their sums; `on_scene` maps a hit to the scene's face,
+/// `missed` gives the colour of a ray without a hit.
 pub(super) fn add_colors(
     scene: &Scene,
     rays: &[Ray],
@@ -88,7 +87,7 @@ pub(super) fn add_colors(
     sums: &mut [[f32; 3]],
 ) {
     let mut last: Option<Facet> = None;
-    // Only textures need the width, which takes two roots to compute.
+    // Only textures need the width, which takes two square roots.
     let is_textured = !scene.textures.is_empty();
     for (n, (ray, hit)) in rays.iter().zip(hits).enumerate() {
         if hit.is_miss() {
@@ -112,18 +111,18 @@ fn add(sum: &mut [f32; 3], color: [f32; 3]) {
 }
 
 impl Surface {
-    /// The surface that a ray with a unit direction hit; the hit must not be a miss.
+    /// Returns the surface hit by a ray with a unit direction; the hit must not be a miss.
     #[inline]
     pub fn of_hit(scene: &Scene, ray: &Ray, hit: &Hit) -> Self {
         Facet::new(scene, hit.instance, hit.face).surface((hit.u, hit.v), ray.direction)
     }
 
-    /// The surface at weights (u, v) of an instance's face, seen along a direction of any length.
+    /// Returns the surface at weights (u, v) of an instance's face, seen along a direction of any length.
     pub fn new(scene: &Scene, instance: u32, face: u32, at: (f32, f32), direction: Vec3) -> Self {
         Facet::new(scene, instance, face).surface(at, direction.normalize_or(Vec3::NEG_Z))
     }
 
-    /// Linear RGB, for a ray that is `width` metres wide at the surface (`Footprint::at`).
+    /// Returns the linear RGB for a ray that is `width` metres wide at the surface (`Footprint::at`).
     #[inline]
     pub fn color(&self, scene: &Scene, width: f32) -> [f32; 3] {
         let instance = scene.instance(self.instance);
@@ -140,15 +139,15 @@ impl Surface {
         color
     }
 
-    /// The place on the mesh, for a ray that is `width` metres wide at the surface.
+    /// Returns the spot on the mesh for a ray that is `width` metres wide at the surface.
     #[inline]
     fn spot<'a>(&self, mesh: &'a Mesh, width: f32) -> Spot<'a> {
         let footprint = width / self.cosine.max(GRAZING).sqrt();
         Spot { mesh, face: self.face, at: self.at, footprint, doubled_area: self.doubled_area }
     }
 
-    /// Channels of a pixel that shows this point at a displayed distance, by a ray of `width` metres. Those that are not
-    /// wanted may be those of a miss.
+    /// Returns the channels of a pixel that shows this point at a displayed distance, for a ray of `width` metres.
+    /// Unwanted channels may keep their values for a miss.
     pub fn sample(&self, scene: &Scene, range: f32, width: impl FnOnce() -> f32, wanted: Channels) -> Sample {
         let mut sample = Sample {
             range,
@@ -168,7 +167,7 @@ impl Surface {
         sample
     }
 
-    /// Unit normal for the colour, interpolated between the normals of the corners if the mesh has normals. Near a
+    /// Returns the unit normal for shading, interpolated between the corner normals if the mesh has normals. Near a
     /// silhouette it may point away from the viewer, although the face itself points towards the viewer.
     #[inline]
     fn shading_normal(&self, instance: &Instance) -> Vec3 {
@@ -179,16 +178,16 @@ impl Surface {
         }
     }
 
-    /// Object number of the face.
+    /// Returns the object number of the face.
     pub fn object_id(&self, scene: &Scene) -> i32 {
         scene.instance(self.instance).object_of(self.face)
     }
 
-    /// Triangle number of the face.
+    /// Returns the triangle number of the face.
     pub fn face_id(&self, scene: &Scene) -> i64 {
         scene.triangle_offset(self.instance) + i64::from(self.face)
     }
 }
 
-/// Least cosine by which a footprint is divided; at smaller cosines a texture shows its mean anyway.
+/// Minimum cosine by which a footprint is divided; at smaller cosines a texture shows its mean anyway.
 const GRAZING: f32 = 1e-4;

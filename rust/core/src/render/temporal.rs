@@ -1,7 +1,7 @@
-//! Temporal anti-aliasing (Karis 2014): a picture is mixed with what the pictures before it have gathered.
+//! Temporal anti-aliasing (Karis 2014): blends each picture with the accumulated history.
 //!
-//! Each picture is drawn with another offset of its pixels. The gathered picture is looked up where a pixel's surface was
-//! before, and its colour is held within the box of colours around the pixel, because it may show another surface.
+//! Each picture is rendered with a different pixel jitter. The history is looked up at the surface's previous
+//! position, and its colour is clamped to the box of colours around the pixel, because it may show another surface.
 
 use rayon::prelude::*;
 
@@ -9,28 +9,28 @@ use crate::base::{Error, Progress, Result};
 
 type Color = [f32; 3];
 
-/// A picture that moves.
+/// A picture with motion vectors.
 #[derive(Clone, Copy, Debug)]
 pub struct Moving<'a> {
-    /// Pixels of a row.
+    /// Pixels per row.
     pub width: usize,
     /// Linear RGB.
     pub color: &'a [Color],
-    /// Pixels to the right and down by which each pixel's surface has moved; NaN where that is not known.
+    /// Pixels to the right and down by which each pixel's surface has moved; NaN if unknown.
     pub motion: &'a [[f32; 2]],
     /// Distances of the surfaces, metres.
     pub range: &'a [f32],
 }
 
-/// By how much the box of colours grows where nothing moves: detail that one picture misses is not lost.
+/// Extra growth of the colour box where nothing moves, so that detail missing from one picture is not lost.
 const STILL: f32 = 1.0;
-/// Speed from which on the box does not grow, pixels a picture.
+/// Speed at which the box stops growing, pixels per picture.
 const FAST: f32 = 4.0;
-/// Least half of a box's side, which keeps divisions finite.
+/// Minimum half side of a box, which keeps divisions finite.
 const LEAST_HALF: f32 = 1e-12;
 
 impl Moving<'_> {
-    /// Mixes the picture with what was `gathered` before, of the same size; `share` is the weight of the picture.
+    /// Blends the picture with the history `gathered`, of the same size; `share` is the weight of the picture.
     pub fn gather(&self, gathered: &[Color], share: f32, mixed: &mut [Color], progress: &Progress) -> Result<()> {
         let count = self.color.len();
         if self.width == 0 || !count.is_multiple_of(self.width) {
@@ -58,7 +58,7 @@ impl Moving<'_> {
         })
     }
 
-    /// The gathered colour at the place where a pixel's surface was before; none outside the picture.
+    /// Returns the history's colour at the previous position of a pixel's surface; `None` outside the picture.
     fn before(&self, gathered: &[Color], x: usize, y: usize) -> Option<Color> {
         let (width, height) = (self.width, self.color.len() / self.width);
         let [right, down] = self.motion[self.nearest_around(x, y)];
@@ -72,20 +72,20 @@ impl Moving<'_> {
         Some(self.box_around(x, y, growth).hold(cubic(gathered, width, from)))
     }
 
-    /// The pixel with the nearest surface of 3 × 3: an edge moves with what is before it, also on its other side.
+    /// Returns the pixel with the nearest surface in the 3 × 3 square: both sides of an edge move with its foreground.
     fn nearest_around(&self, x: usize, y: usize) -> usize {
         let own = y * self.width + x;
         self.around(x, y).fold(own, |best, pixel| if self.range[pixel] < self.range[best] { pixel } else { best })
     }
 
-    /// The pixels of the square of 3 × 3 around one that lie in the picture.
+    /// Returns the pixels of the 3 × 3 square around one that lie in the picture.
     fn around(&self, x: usize, y: usize) -> impl Iterator<Item = usize> {
         let (width, height) = (self.width, self.color.len() / self.width);
         let columns = x.saturating_sub(1)..(x + 2).min(width);
         (y.saturating_sub(1)..(y + 2).min(height)).flat_map(move |row| columns.clone().map(move |x| row * width + x))
     }
 
-    /// The box of the colours of 3 × 3 pixels, grown about its middle.
+    /// Returns the bounding box of the colours of 3 × 3 pixels, scaled about its middle.
     fn box_around(&self, x: usize, y: usize, growth: f32) -> ColorBox {
         let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
         for pixel in self.around(x, y) {
@@ -101,14 +101,14 @@ impl Moving<'_> {
     }
 }
 
-/// A box in YCoCg, whose axes follow the colours of pictures better than those of RGB.
+/// A box in YCoCg, whose axes fit the colours of pictures better than those of RGB.
 struct ColorBox {
     middle: Color,
     half: Color,
 }
 
 impl ColorBox {
-    /// A colour in linear RGB, moved towards the box's middle until it is inside.
+    /// Clamps a colour in linear RGB to the box, along the line to the box's middle.
     fn hold(&self, color: Color) -> Color {
         let color = luma_chroma(color);
         let away: Color = std::array::from_fn(|i| color[i] - self.middle[i]);
@@ -117,7 +117,7 @@ impl ColorBox {
     }
 }
 
-/// YCoCg of a linear RGB.
+/// Converts linear RGB to YCoCg.
 fn luma_chroma([r, g, b]: Color) -> Color {
     [0.25 * r + 0.5 * g + 0.25 * b, 0.5 * (r - b), 0.5 * g - 0.25 * (r + b)]
 }
@@ -127,8 +127,8 @@ fn rgb([luma, orange, green]: Color) -> Color {
     [rest + orange, luma + green, rest - orange]
 }
 
-/// Colour at a place (x, y), pixels, by cubic interpolation (Catmull and Rom 1974), which blurs less than linear; pixels
-/// outside of the picture are those of its edge.
+/// Returns the colour at (x, y), pixels, by cubic interpolation (Catmull and Rom 1974), which blurs less than linear.
+/// Pixels outside the picture repeat its edge.
 pub(crate) fn cubic(picture: &[Color], width: usize, [x, y]: [f64; 2]) -> Color {
     let ((column, across), (row, down)) = (around(x), around(y));
     let (last_column, last_row) = (width as i64 - 1, (picture.len() / width) as i64 - 1);
@@ -143,7 +143,7 @@ pub(crate) fn cubic(picture: &[Color], width: usize, [x, y]: [f64; 2]) -> Color 
     sum
 }
 
-/// The first of the four pixels around a coordinate, and their weights.
+/// Returns the first of the four pixels around a coordinate, and their weights.
 fn around(at: f64) -> (i64, [f32; 4]) {
     let first = (at - 0.5).floor();
     let t = (at - 0.5 - first) as f32;

@@ -1,4 +1,4 @@
-//! The loop over a view's pixels, shared by ground truth, environment maps and reduced scenes.
+//! Loop over a view's pixels, shared by ground truth, environment maps and reduced scenes.
 //!
 //! Threads process bands of eight rows, and the tracer receives tiles of 8 × 8 pixels within them. Each pixel is
 //! computed independently and in a fixed order, so the result does not depend on the number of threads.
@@ -15,16 +15,16 @@ use crate::trace::{Hit, Ray};
 /// Width of a tile, pixels; a tile has 64 neighbouring rays.
 pub(super) const TILE: usize = 8;
 pub(crate) const PIXELS: usize = TILE * TILE;
-/// The centre of a pixel, as an offset from its corner.
+/// Centre of a pixel, as an offset from its corner.
 pub(super) const CENTER: [f64; 2] = [0.5, 0.5];
-/// Room for the rays of a tile.
+/// Empty buffer for the rays of a tile.
 pub(super) const NO_RAYS: [Ray; PIXELS] =
     [Ray { origin: Vec3::ZERO, direction: Vec3::NEG_Z, t_min: 0.0, t_max: 0.0 }; PIXELS];
 
-/// Greatest number of colour samples per pixel.
+/// Maximum number of colour samples per pixel.
 pub const MAX_SAMPLES: u32 = 1024;
 
-/// A picture that is rendered by rays.
+/// A picture rendered by rays.
 pub trait Picture: Sync {
     /// Traces the coherent rays of a tile's drawn pixels; it may first shorten them (`t_min`, `t_max`). Directions are
     /// unit vectors.
@@ -33,7 +33,8 @@ pub trait Picture: Sync {
     /// Adds the linear RGB of a tile's traced rays, hits or misses, to their sums.
     fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]);
 
-    /// The other channels of a traced ray, hit or miss; channels that are not requested may keep their defaults.
+    /// Returns the other channels of a traced ray, hit or miss; channels that are not requested may keep their
+    /// defaults.
     fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample;
 }
 
@@ -49,13 +50,13 @@ impl Spots<'_> {
         (self.tile.first_column / TILE, self.tile.first_row / TILE)
     }
 
-    /// Index in the image of the n-th ray's pixel.
+    /// Returns the image index of the n-th ray's pixel.
     #[inline]
     pub fn index(&self, n: usize) -> usize {
         self.tile.index(n)
     }
 
-    /// Position of the n-th ray in the tile, as fractions of the full tile's width and height.
+    /// Returns the position of the n-th ray in the tile, as fractions of the full tile's width and height.
     #[inline]
     pub(super) fn within(&self, n: usize) -> [f32; 2] {
         let (column, row) = self.tile.place(n);
@@ -64,16 +65,16 @@ impl Spots<'_> {
     }
 }
 
-/// The pixels that are drawn, and what those show that see no triangle.
+/// Pixels to draw, and the background of samples without a triangle.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Pixels<'a> {
-    /// For each pixel whether it is drawn; all without a mask. Others are black, and misses.
+    /// Flag per pixel whether it is drawn; `None` draws all. Other pixels are black misses.
     pub mask: Option<&'a [bool]>,
-    /// Samples that see no triangle are black instead of showing map or sky.
+    /// Whether samples without a triangle are black instead of showing map or sky.
     pub bare: bool,
-    /// Adapters leave out geometry that lies wholly behind pixels that are not drawn, too.
+    /// Whether adapters also cull geometry that lies entirely behind pixels that are not drawn.
     pub occlusion: bool,
-    /// For each of a scene's instances whether the picture may show it, where that is known: adapters leave others out.
+    /// Flag per instance whether the picture may show it, if known; adapters cull the others.
     pub instances: Option<&'a [bool]>,
 }
 
@@ -87,7 +88,7 @@ impl Pixels<'_> {
     }
 }
 
-/// A view to be drawn.
+/// A view to be rendered.
 #[derive(Clone, Copy, Debug)]
 pub struct RenderView<'a> {
     /// The camera.
@@ -98,13 +99,13 @@ pub struct RenderView<'a> {
     pub channels: Channels,
     /// Number of colour samples per pixel, 1 to `MAX_SAMPLES`; the other channels always use the pixel's centre.
     pub samples: u32,
-    /// The part of space in which surfaces are visible, in world positions.
+    /// Visible volume, in world coordinates.
     pub limits: Limits,
-    /// The pixels that are drawn.
+    /// Pixels to draw.
     pub pixels: Pixels<'a>,
 }
 
-/// Draws a picture pixel by pixel.
+/// Renders a picture pixel by pixel.
 pub fn draw(view: &RenderView<'_>, picture: &impl Picture, progress: &Progress) -> Result<Frame> {
     let caster = Caster::new(view)?;
     let mut frame = Frame::new(view.channels, caster.pixel_count())?;
@@ -113,7 +114,7 @@ pub fn draw(view: &RenderView<'_>, picture: &impl Picture, progress: &Progress) 
     Ok(frame)
 }
 
-/// Refuses a position relative to the scene's origin from which rays would exceed float32's range.
+/// Fails for a position relative to the scene's origin from which rays would exceed float32's range.
 pub(super) fn check_reach(argument: &'static str, place: DVec3) -> Result<()> {
     let farthest = place.abs().max_element();
     if farthest <= REACH {
@@ -122,9 +123,9 @@ pub(super) fn check_reach(argument: &'static str, place: DVec3) -> Result<()> {
     Err(Error::value(argument, format!("a place within {REACH:e} m of the scene's origin"), format!("{farthest:e} m")))
 }
 
-/// Positions of colour samples within a pixel: a Hammersley set (Hammersley, Monte Carlo methods, 1960) whose second
-/// coordinate is replaced by its rank. For any number of samples each row and column contains one sample, and their
-/// mean is the pixel's centre. One sample lies at the centre.
+/// Returns the positions of colour samples within a pixel: a Hammersley set (Hammersley, Monte Carlo methods, 1960)
+/// whose second coordinate is replaced by its rank. For any number of samples each row and column contains one sample,
+/// and their mean is the pixel's centre. A single sample lies at the centre.
 pub fn sample_offsets(samples: u32) -> Vec<[f64; 2]> {
     let mut order: Vec<u32> = (0..samples).collect();
     order.sort_by_key(|i| i.reverse_bits());
@@ -136,7 +137,7 @@ pub fn sample_offsets(samples: u32) -> Vec<[f64; 2]> {
     offsets
 }
 
-/// A tile of an image, and the pixels of it that are drawn.
+/// A tile of an image, and its drawn pixels.
 pub(super) struct ImageTile {
     first_row: usize,
     first_column: usize,
@@ -169,34 +170,34 @@ impl ImageTile {
         tile
     }
 
-    /// Column and row within the tile of the n-th drawn pixel.
+    /// Returns the column and row within the tile of the n-th drawn pixel.
     #[inline]
     pub(super) fn place(&self, n: usize) -> (usize, usize) {
         let number = usize::from(self.drawn[n]);
         (number % self.columns, number / self.columns)
     }
 
-    /// Column and row in the image of the n-th drawn pixel.
+    /// Returns the column and row in the image of the n-th drawn pixel.
     #[inline]
     fn pixel(&self, n: usize) -> (usize, usize) {
         let (column, row) = self.place(n);
         (self.first_column + column, self.first_row + row)
     }
 
-    /// Index in the image of the n-th drawn pixel.
+    /// Returns the image index of the n-th drawn pixel.
     #[inline]
     pub(super) fn index(&self, n: usize) -> usize {
         self.first_row * self.width + self.slot(n)
     }
 
-    /// Index in the band of the n-th drawn pixel.
+    /// Returns the index in the band of the n-th drawn pixel.
     #[inline]
     pub(super) fn slot(&self, n: usize) -> usize {
         let (column, row) = self.place(n);
         row * self.width + self.first_column + column
     }
 
-    /// Indices in the band of the pixels that are not drawn.
+    /// Returns the indices in the band of the pixels that are not drawn.
     fn left_out(&self) -> impl Iterator<Item = usize> {
         let drawn = &self.drawn[..self.count];
         (0..self.rows * self.columns)
@@ -205,7 +206,7 @@ impl ImageTile {
     }
 }
 
-/// The rays of a view, tile by tile.
+/// Rays of a view, tile by tile.
 pub(super) struct Caster<'a> {
     width: usize,
     height: usize,
@@ -216,12 +217,12 @@ pub(super) struct Caster<'a> {
     pub(super) offsets: Vec<[f64; 2]>,
     /// Side of the square that a sample represents, pixels.
     scale: f64,
-    /// Relative to the scene's origin.
+    /// Visible volume relative to the scene's origin.
     limits: Limits,
 }
 
 impl<'a> Caster<'a> {
-    /// Fails for an impossible view.
+    /// Creates the rays of a view; fails for an impossible view.
     pub(super) fn new(view: &RenderView<'a>) -> Result<Self> {
         if !(1..=MAX_SAMPLES).contains(&view.samples) {
             return Err(Error::value("samples", format!("a whole number from 1 to {MAX_SAMPLES}"), view.samples));
@@ -246,8 +247,7 @@ impl<'a> Caster<'a> {
         self.width * self.height
     }
 
-    /// Calls a function for each tile with the band of a frame that holds it, and returns what it left of each band
-    /// besides, in order.
+    /// Calls a function for each tile with its band of the frame and a value per band; returns these values in order.
     pub(super) fn for_tiles<T: Default + Send>(
         &self,
         frame: &mut Frame,
@@ -280,17 +280,17 @@ impl<'a> Caster<'a> {
         }
     }
 
-    /// The share of a sample in its pixel's colour.
+    /// Returns the weight of a sample in its pixel's colour.
     pub(super) fn share(&self) -> f32 {
         1.0 / self.offsets.len() as f32
     }
 
-    /// The footprint of one of a pixel's samples.
+    /// Returns the footprint of one of a pixel's samples.
     pub(super) fn of_sample(&self, tile: &ImageTile, n: usize, offset: [f64; 2]) -> Footprint {
         self.footprint(tile, n, offset, self.scale)
     }
 
-    /// The footprint of a ray that represents a square of `scale` pixels.
+    /// Returns the footprint of a ray that represents a square of `scale` pixels.
     pub(super) fn footprint(&self, tile: &ImageTile, n: usize, offset: [f64; 2], scale: f64) -> Footprint {
         let (x, y) = position(tile, n, offset);
         self.rays.footprint(x, y, scale)
@@ -346,7 +346,7 @@ impl<P: Picture> Painter<'_, P> {
         self.picture.trace(rays, hits, &Spots { tile, offset });
     }
 
-    /// Adds the colours of traced rays to their sums; misses stay black where pixels are bare.
+    /// Adds the colours of traced rays to their sums; misses stay black if pixels are bare.
     fn add_colors(
         &self,
         tile: &ImageTile,

@@ -1,4 +1,4 @@
-//! Ground truth: the unchanged scene.
+//! Ground truth: rendering of the unchanged scene.
 
 use super::frame::{Channels, Frame, Sample};
 use super::limits::Limits;
@@ -25,11 +25,11 @@ pub fn render(
     draw(&view, &Truth { scene, filter: &AlphaFilter::new(scene, All) }, progress)
 }
 
-/// A scene seen along straight rays, with the surfaces that a filter accepts in front of the sky.
+/// A scene seen along straight rays: the surfaces that a filter accepts, in front of the sky.
 pub struct Truth<'a> {
     /// The scene, which must have been built.
     pub scene: &'a Scene,
-    /// Filter that decides which intersections count.
+    /// Filter for intersections.
     pub filter: &'a dyn HitFilter,
 }
 

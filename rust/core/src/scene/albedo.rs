@@ -1,5 +1,4 @@
-//! The base colour of a point of a surface (factor × texture × vertex colour), the light that it emits, and whether a
-//! cut-out leaves a hole there.
+//! Base colour (factor × texture × vertex colour), emission and alpha holes of a point on a surface.
 
 use super::material::{Alpha, Material};
 use super::mesh::Mesh;
@@ -7,18 +6,18 @@ use super::srgb::linear_from_srgb;
 use super::texture::Texture;
 use super::world::Scene;
 
-/// Level of the texture for a footprint on the surface (metres) and the texture's density there (texels per metre):
-/// log₂ of the number of texels across the footprint.
+/// Returns the mip level for a footprint on the surface (metres) and a texture density there (texels per metre): log₂
+/// of the number of texels across the footprint.
 ///
-/// A footprint's width on a surface is the ray's width across its direction divided by √cos of the angle between normal
+/// A ray's footprint width on a surface is its width across its direction divided by √cos of the angle between normal
 /// and ray. This is the geometric mean of the ellipse's axes, a compromise between blur and flicker on streets.
 #[inline]
 pub fn texture_level(footprint: f32, density: f32) -> f32 {
     (footprint * density).log2()
 }
 
-/// Texels per metre on a face: the square root of its area in the texture divided by its area in the scene, both
-/// doubled.
+/// Returns the texels per metre on a face: the square root of its area in texels divided by its area in the scene,
+/// both doubled.
 #[inline]
 pub fn texel_density(texture: &Texture, uvs: [[f32; 2]; 3], doubled_area: f32) -> f32 {
     let [a, b, c] = uvs;
@@ -27,13 +26,13 @@ pub fn texel_density(texture: &Texture, uvs: [[f32; 2]; 3], doubled_area: f32) -
     (texels / doubled_area).sqrt()
 }
 
-/// Interpolated value at weights (u, v) of the second and third corner.
+/// Interpolates at barycentric weights (u, v) of the second and third corner.
 #[inline]
 fn interpolate<const N: usize>([a, b, c]: [[f32; N]; 3], (u, v): (f32, f32)) -> [f32; N] {
     std::array::from_fn(|i| a[i] + (b[i] - a[i]) * u + (c[i] - a[i]) * v)
 }
 
-/// A place on a face of a mesh, as wide as a ray is that meets it.
+/// A point on a face of a mesh, with the footprint of the ray that hits it.
 #[derive(Clone, Copy, Debug)]
 pub struct Spot<'a> {
     /// The mesh.
@@ -61,19 +60,19 @@ impl Mesh {
 }
 
 impl Scene {
-    /// Material of a face of a mesh; the default material if the face has none.
+    /// Returns the material of a face of a mesh; the default material if the face has none.
     #[inline]
     pub fn material_of(&self, mesh: &Mesh, face: u32) -> Material {
         let number = usize::try_from(mesh.materials.get(face)).ok();
         number.and_then(|number| self.materials.get(number)).copied().unwrap_or_default()
     }
 
-    /// Whether any material is cut out, so that rays need `trace::AlphaFilter`.
+    /// Returns whether any material has an alpha cutoff, so that rays need `trace::AlphaFilter`.
     pub fn has_cutouts(&self) -> bool {
         self.materials.iter().any(|material| material.alpha != Alpha::Opaque)
     }
 
-    /// Linear base colour of a material at a spot: factor × texture × vertex colour.
+    /// Returns the linear base colour of a material at a spot: factor × texture × vertex colour.
     #[inline]
     pub fn albedo(&self, material: &Material, spot: &Spot<'_>) -> [f32; 3] {
         let [r, g, b, _] = material.base_color;
@@ -90,15 +89,15 @@ impl Scene {
         albedo
     }
 
-    /// Linear RGB of the light that a material emits at a spot: factor × texture. Apart, so that the code of materials
-    /// that emit none is as if there were no emission.
+    /// Returns the linear RGB that a material emits at a spot: factor × texture. Not inlined, so that materials
+    /// without emission cost no time.
     #[inline(never)]
     pub fn emission(&self, material: &Material, spot: &Spot<'_>) -> [f32; 3] {
         let color = self.texture_color(material.emission_texture, spot, false).unwrap_or([1.0; 3]);
         std::array::from_fn(|i| material.emission[i] * color[i])
     }
 
-    /// Linear RGB of a texture; `None` without one, or without coordinates.
+    /// Returns the linear RGB of a texture; `None` without texture or texture coordinates.
     #[inline(always)]
     fn texture_color(&self, texture: Option<u32>, spot: &Spot<'_>, cutout: bool) -> Option<[f32; 3]> {
         let (texture, uvs) = (&self.textures[texture? as usize], spot.mesh.corner_uvs(spot.face)?);
@@ -106,14 +105,14 @@ impl Scene {
         Some(texture.color(interpolate(uvs, spot.at), level, cutout))
     }
 
-    /// Whether a face's material is cut out, so that `is_solid` may be false somewhere on it.
+    /// Returns whether a face's material has an alpha cutoff, so that `is_solid` may be false somewhere on it.
     #[inline]
     pub fn may_have_hole(&self, mesh: &Mesh, face: u32) -> bool {
         matches!(self.material_of(mesh, face).alpha, Alpha::Mask { .. })
     }
 
-    /// False if a cut-out material leaves a hole at weights (u, v) of a face. The texture is read at its finest level,
-    /// so a hole has the same shape at every distance.
+    /// Returns false if a cut-out material leaves a hole at weights (u, v) of a face. The texture is sampled at level
+    /// 0, so a hole has the same shape at every distance.
     pub fn is_solid(&self, mesh: &Mesh, face: u32, at: (f32, f32)) -> bool {
         let material = self.material_of(mesh, face);
         let Alpha::Mask { cutoff } = material.alpha else { return true };

@@ -1,7 +1,7 @@
-//! Chosen faces with only the vertices that they use.
+//! Extraction of faces with only the vertices that they use.
 //!
-//! Vertices are collected in pages of 64 with a bit for each vertex. Faces that follow each other use vertices that lie
-//! near each other, so most corners find their page where the corner before found it, and only pages are sorted.
+//! Vertices are grouped in pages of 64, with one bit per vertex. Successive faces use nearby vertices, so most corners
+//! hit the same page as the previous corner, and only pages are sorted.
 
 use rayon::prelude::*;
 
@@ -14,8 +14,7 @@ use crate::base::{Progress, Result};
 const PAGE_BITS: u32 = 6;
 
 impl Mesh {
-    /// A mesh of chosen faces, which ascend. Vertices and faces keep their order; vertices that no face uses are left
-    /// out.
+    /// Returns a mesh of the given ascending faces. Vertices and faces keep their order; unused vertices are dropped.
     pub(super) fn compacted(&self, chosen: &[u32], progress: &Progress) -> Result<Self> {
         let faces = gathered(&self.faces, chosen, progress)?;
         let (objects, materials) =
@@ -34,12 +33,12 @@ impl Mesh {
     }
 }
 
-/// The vertices that faces use, by pages that ascend.
+/// Set of used vertices, as bit masks of ascending pages.
 struct Pages {
     numbers: Vec<u32>,
-    /// The used vertices of each page.
+    /// Bit mask of the used vertices of each page.
     bits: Vec<u64>,
-    /// Number of used vertices before each page.
+    /// Number of used vertices in earlier pages.
     before: Vec<u32>,
     count: usize,
 }
@@ -60,7 +59,7 @@ impl Pages {
         Ok(pages)
     }
 
-    /// The numbers of the used vertices, ascending.
+    /// Returns the used vertices, ascending.
     fn vertices(&self) -> Vec<u32> {
         let mut vertices = Vec::with_capacity(self.count);
         for (page, bits) in self.numbers.iter().zip(&self.bits) {
@@ -73,7 +72,7 @@ impl Pages {
         vertices
     }
 
-    /// The faces with the places of their vertices among the used ones.
+    /// Returns the faces with vertices renumbered to their positions among the used ones.
     fn renumbered(&self, faces: &[[u32; 3]], progress: &Progress) -> Result<Vec<[u32; 3]>> {
         let tiles: Vec<&[[u32; 3]]> = faces.chunks(TILE).collect();
         let of_tile = |tile: &&[[u32; 3]]| {
@@ -83,7 +82,7 @@ impl Pages {
                 if self.numbers[now] != page {
                     std::mem::swap(&mut now, &mut other);
                     if self.numbers[now] != page {
-                        // The page of each vertex is in the list, so the search finds it.
+                        // Every page is in the list, so the search finds it.
                         now = self.numbers.partition_point(|&number| number < page);
                     }
                 }
@@ -100,10 +99,10 @@ impl Pages {
     }
 }
 
-/// The pages of the faces' vertices, with a bit for each vertex; a page may be there several times.
+/// Returns the pages of the faces' vertices with vertex bit masks; a page may occur several times.
 fn visited(faces: &[[u32; 3]]) -> Vec<(u32, u64)> {
     let mut visits: Vec<(u32, u64)> = Vec::new();
-    // A face may lie across two pages, so the last two stay open.
+    // A face may span two pages, so the last two stay open.
     let mut open = [(u32::MAX, 0u64); 2];
     for &vertex in faces.as_flattened() {
         let (page, bit) = (vertex >> PAGE_BITS, 1 << (vertex & ((1 << PAGE_BITS) - 1)));
@@ -117,7 +116,7 @@ fn visited(faces: &[[u32; 3]]) -> Vec<(u32, u64)> {
         open[0].1 |= bit;
     }
     visits.extend(open);
-    // No page has the number that stands for none: there are fewer pages than numbers.
+    // No real page has the sentinel number: there are fewer pages than u32 values.
     visits.retain(|&(page, _)| page != u32::MAX);
     visits
 }

@@ -1,5 +1,5 @@
-//! Scenes derived from scenes: other objects move, or only some triangles remain. Unchanged meshes, their trees and the
-//! textures are shared.
+//! Derived scenes: more objects move, or only some triangles remain. Unchanged meshes, their trees and textures are
+//! shared.
 
 use std::sync::Arc;
 
@@ -14,9 +14,8 @@ use crate::base::sort::sort_by_key;
 use crate::base::{Error, FaceMap, Progress, Result};
 
 impl Scene {
-    /// The same scene in which the objects of `chosen` (a flag for each object) move as well. Faces of merged meshes
-    /// become separate meshes, one for each object, appended to the moving instances in the order of instances and
-    /// objects.
+    /// Returns the scene with the objects of `chosen` (a flag per object) moving as well. Faces of merged meshes
+    /// become separate meshes, one per object, appended to the moving instances in the order of instances and objects.
     pub fn with_moving(&self, chosen: &[bool], progress: &Progress) -> Result<Self> {
         if !chosen.contains(&true) {
             return Ok(self.clone());
@@ -51,12 +50,12 @@ impl Scene {
         })
     }
 
-    /// Only the objects of `chosen`, a flag for each object.
+    /// Returns a scene with only the objects of `chosen`, a flag per object.
     pub fn subset_of_objects(&self, chosen: &[bool], progress: &Progress) -> Result<Self> {
         self.subset_by_object(|object| holds(chosen, object), progress)
     }
 
-    /// All but the objects of `chosen`, a flag for each object; faces without an object stay.
+    /// Returns the scene without the objects of `chosen`, a flag per object; faces without an object stay.
     pub fn without_objects(&self, chosen: &[bool], progress: &Progress) -> Result<Self> {
         self.subset_by_object(|object| !holds(chosen, object), progress)
     }
@@ -70,7 +69,7 @@ impl Scene {
         self.subset(keep, progress)
     }
 
-    /// The same scene with additional instances, placed after the existing static and moving ones.
+    /// Returns the scene with additional instances, appended to the existing static and moving ones.
     pub fn with_instances(&self, standing: Vec<Instance>, moving: Vec<Instance>) -> Self {
         let appended = |old: &Arc<InstanceSet>, new: Vec<Instance>| {
             if new.is_empty() {
@@ -82,7 +81,7 @@ impl Scene {
         Self { standing, moving, ..self.clone() }
     }
 
-    /// Only the triangles of `chosen`, a flag for each triangle number.
+    /// Returns a scene with only the triangles of `chosen`, a flag per triangle.
     pub fn subset_of_triangles(&self, chosen: &[bool], progress: &Progress) -> Result<Self> {
         if chosen.len() as i64 != self.triangle_count() {
             let expected = format!("a flag for each of {} triangles", self.triangle_count());
@@ -95,8 +94,8 @@ impl Scene {
         self.subset(keep, progress)
     }
 
-    /// One mesh of chosen faces (instance, face), placed relative to the scene's origin. The faces of an instance must
-    /// be consecutive. The object of each face is its index in the list.
+    /// Returns one mesh of the given faces (instance, face), relative to the scene's origin. The faces of an instance
+    /// must be consecutive. The object of each face is its index in the list.
     pub fn gathered(&self, chosen: &[(u32, u32)], progress: &Progress) -> Result<Mesh> {
         if chosen.len() > i32::MAX as usize {
             return Err(Error::value("triangles", "fewer than 2^31 in one mesh", chosen.len()));
@@ -144,24 +143,24 @@ impl Scene {
 }
 
 impl Instance {
-    /// The same placement with another mesh.
+    /// Returns the same placement with another mesh.
     pub(super) fn with_mesh(&self, mesh: Arc<Mesh>, object: Option<i32>) -> Self {
         let bounds = mesh.bounds().transformed(&self.to_scene);
         Self { mesh, object, bounds, ..self.clone() }
     }
 
-    /// The same mesh with another transform.
+    /// Returns the same mesh with another transform.
     pub fn placed(&self, to_scene: DAffine3) -> Result<Self> {
         Self::new(Arc::clone(&self.mesh), to_scene, self.object)
     }
 }
 
-/// Whether `chosen`, a flag for each object, contains an object.
+/// Returns whether `chosen`, a flag per object, contains an object.
 pub(super) fn holds(chosen: &[bool], object: i32) -> bool {
     usize::try_from(object).is_ok_and(|object| chosen.get(object) == Some(&true))
 }
 
-/// The faces of an instance that remain.
+/// Faces of an instance that remain.
 enum Kept {
     All,
     Faces(Vec<u32>),
@@ -175,7 +174,7 @@ impl Kept {
     }
 }
 
-/// The faces of no chosen object, `None` if no face is chosen, and the faces of each chosen object.
+/// Faces of objects that were not chosen (`None` if no face was chosen), and the faces of each chosen object.
 type Split = (Option<Mesh>, Vec<(i32, Mesh)>);
 
 fn split(mesh: &Mesh, is_chosen: impl Fn(i32) -> bool + Sync, progress: &Progress) -> Result<Split> {
@@ -186,7 +185,7 @@ fn split(mesh: &Mesh, is_chosen: impl Fn(i32) -> bool + Sync, progress: &Progres
     let count = mesh.faces.len() as u32;
     let mut chosen = filtered(count, |face| is_chosen(object(&face)), progress)?;
     let rest = filtered(count, |face| !is_chosen(object(&face)), progress)?;
-    // A stable sort, so that each object keeps the order of its faces.
+    // Stable, so that each object keeps the order of its faces.
     sort_by_key(&mut chosen, object, progress)?;
     let own = chosen.chunk_by(|a, b| object(a) == object(b));
     let own = own.map(|faces| Ok((object(&faces[0]), mesh.selected(faces, progress)?))).collect::<Result<_>>()?;

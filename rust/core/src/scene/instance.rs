@@ -17,16 +17,16 @@ pub struct Instance {
     pub to_scene: DAffine3,
     /// Transform scene→object.
     pub to_object: DAffine3,
-    /// Object of all faces; `None` if the mesh gives the objects.
+    /// Object of all faces; `None` if the mesh's face map names the objects.
     pub object: Option<i32>,
-    /// Whether the transform is the identity; vertices are then used bit for bit.
+    /// Whether the transform is the identity; vertices are then used without rounding.
     pub in_place: bool,
     /// Box of the placed mesh; tight if the transform maps axes to axes.
     pub bounds: Aabb,
 }
 
 impl Instance {
-    /// Places a mesh; the transform must be finite and invertible.
+    /// Places a mesh. The transform must be finite and invertible.
     pub fn new(mesh: Arc<Mesh>, to_scene: DAffine3, object: Option<i32>) -> Result<Self> {
         let to_object = to_scene.inverse();
         if !to_scene.is_finite() || !to_object.is_finite() {
@@ -39,7 +39,7 @@ impl Instance {
         Ok(Self { in_place: to_scene == DAffine3::IDENTITY, mesh, to_scene, to_object, object, bounds })
     }
 
-    /// Corners of a face relative to the scene's origin, rounded once to float32.
+    /// Returns the corners of a face relative to the scene's origin, rounded once to float32.
     #[inline]
     pub fn corners(&self, face: u32) -> [Vec3; 3] {
         let corners = self.mesh.corners(face);
@@ -49,24 +49,24 @@ impl Instance {
         corners.map(|corner| self.to_scene.transform_point3(corner.as_dvec3()).as_vec3())
     }
 
-    /// Object of a face.
+    /// Returns the object of a face.
     #[inline]
     pub fn object_of(&self, face: u32) -> i32 {
         self.object.unwrap_or_else(|| self.mesh.objects.get(face))
     }
 }
 
-/// Instances below one top-level tree. A scene has two sets: static instances, which all poses share, and moving ones.
+/// Instances below one top-level tree. A scene has two sets: static instances, shared by all poses, and moving ones.
 #[derive(Debug, Default)]
 pub struct InstanceSet {
     instances: Vec<Instance>,
-    /// Number of triangles before each instance, and of all.
+    /// Number of triangles before each instance; the last entry is the total.
     offsets: Vec<i64>,
     tlas: OnceLock<Tlas>,
 }
 
 impl InstanceSet {
-    /// Numbers the triangles of the instances in order.
+    /// Creates a set and numbers the triangles in the order of the instances.
     pub fn new(instances: Vec<Instance>) -> Self {
         let mut offsets = vec![0];
         let mut total = 0;
@@ -77,22 +77,22 @@ impl InstanceSet {
         Self { instances, offsets, ..Self::default() }
     }
 
-    /// The instances, in order.
+    /// Returns the instances, in order.
     pub fn instances(&self) -> &[Instance] {
         &self.instances
     }
 
-    /// Number of triangles before an instance; for the instance count, the total.
+    /// Returns the number of triangles before an instance; for the instance count, the total.
     pub fn offset(&self, instance: usize) -> i64 {
         self.offsets.get(instance).copied().unwrap_or(0)
     }
 
-    /// Number of triangles of all instances.
+    /// Returns the number of triangles of all instances.
     pub fn triangle_count(&self) -> i64 {
         self.offset(self.instances.len())
     }
 
-    /// The instance and face of a triangle number.
+    /// Returns the instance and face of a triangle number.
     pub fn locate(&self, triangle: i64) -> Option<(usize, u32)> {
         if !(0..self.triangle_count()).contains(&triangle) {
             return None;
@@ -101,13 +101,13 @@ impl InstanceSet {
         Some((instance, (triangle - self.offsets[instance]) as u32))
     }
 
-    /// The top-level tree, if it has been built.
+    /// Returns the top-level tree, if it has been built.
     #[inline]
     pub fn tlas(&self) -> Option<&Tlas> {
         self.tlas.get()
     }
 
-    /// Builds the trees of all meshes and the top-level tree, each on first use; no lock is held meanwhile.
+    /// Builds the trees of all meshes and the top-level tree, each on first use. No lock is held during the build.
     pub fn build(&self, progress: &Progress) -> Result<()> {
         if self.tlas.get().is_some() {
             return Ok(());

@@ -1,4 +1,4 @@
-//! Several scenes as one, such as the tiles of a world.
+//! Joining several scenes, such as the tiles of a world, into one.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -16,13 +16,13 @@ use crate::base::{Error, Progress, Result};
 pub struct Joined<'a> {
     /// The scene.
     pub scene: &'a Scene,
-    /// The number in the joined scene of each of its objects.
+    /// Object numbers in the joined scene, indexed by this scene's objects.
     pub objects: &'a [i32],
 }
 
 impl Scene {
-    /// One scene of several, in the frame of the first. Equal materials and textures are there once. Meshes whose
-    /// numbers stay are shared with their trees, and others share their arrays.
+    /// Joins scenes into one, in the frame of the first. Equal materials and textures are stored once. Meshes whose
+    /// numbers do not change are shared with their trees; others share their arrays.
     pub fn joined(parts: &[Joined<'_>], progress: &Progress) -> Result<Self> {
         let [first, ..] = parts else { return Err(Error::value("scenes", "one at least", 0)) };
         let mut surfaces = Surfaces::of(first.scene);
@@ -54,7 +54,7 @@ impl Scene {
     }
 }
 
-/// The meshes of one scene with new numbers, each made once.
+/// Renumbered meshes of one scene, each created once.
 struct Renumbered<'a> {
     objects: &'a [i32],
     materials: Vec<i32>,

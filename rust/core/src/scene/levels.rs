@@ -1,5 +1,5 @@
-//! Objects at chosen levels of detail. Each level of a model is a mesh, and an instance takes the mesh of the chosen
-//! level. A choice creates only lists of instances, so thousands of objects can change within a frame.
+//! Objects at chosen levels of detail. Each level of a model is a mesh; an instance uses the mesh of the chosen level.
+//! A choice creates only lists of instances, so thousands of objects can change within a frame.
 
 use std::sync::Arc;
 
@@ -17,12 +17,12 @@ use crate::base::{Buffer, Error, Progress, Result};
 /// Marks an object without a model, and a level that is not drawn.
 const NONE: i32 = -1;
 
-/// The meshes of each model, one per level, level 0 first.
+/// Meshes of each model, one per level, level 0 first.
 #[derive(Clone, Debug, Default)]
 pub struct LevelMeshes(pub Vec<Vec<Arc<Mesh>>>);
 
 impl LevelMeshes {
-    /// The mesh of a level; `None` for a level that is not drawn.
+    /// Returns the mesh of a level; `None` for a level that is not drawn.
     fn mesh(&self, model: usize, level: i32) -> Result<Option<&Arc<Mesh>>> {
         let levels = self.0.get(model).ok_or_else(|| Error::value("models", self.models(), model))?;
         match usize::try_from(level) {
@@ -45,8 +45,8 @@ fn below(count: usize) -> String {
 }
 
 impl Scene {
-    /// Adds the materials and textures of other scenes to this scene, equal ones once. Also returns each of the other
-    /// scenes as one mesh in its own frame, with the new material numbers.
+    /// Adds the materials and textures of other scenes to this scene, without duplicates. Also returns each of the
+    /// other scenes as one mesh in its own frame, with the new material numbers.
     pub fn with_surfaces(&self, others: &[&Self], progress: &Progress) -> Result<(Self, Vec<Mesh>)> {
         let mut surfaces = Surfaces::of(self);
         let mut meshes = Vec::new();
@@ -62,8 +62,8 @@ impl Scene {
         Ok((surfaces.into_scene(self)?, meshes))
     }
 
-    /// The scene with its objects at levels. `models` and `chosen` have one number per object: the index of its model
-    /// in `meshes`, −1 for none, and the level to show, −1 to leave the object out.
+    /// Returns the scene with its objects at levels. Per object, `models` holds the index of its model in `meshes` (−1
+    /// for none) and `chosen` the level to draw (−1 to omit the object).
     pub fn at_levels(&self, meshes: &LevelMeshes, models: &[i32], chosen: &[i32]) -> Result<Self> {
         if models.len() != chosen.len() {
             return Err(Error::value("levels", format!("one for each of {} objects", models.len()), chosen.len()));
@@ -77,7 +77,7 @@ impl Scene {
         })
     }
 
-    /// The instances that belong entirely to an object of `chosen`, a flag for each object.
+    /// Returns the instances that belong entirely to an object of `chosen`, a flag per object.
     pub fn instances_of(&self, chosen: &[bool]) -> impl Iterator<Item = (i32, &Instance)> {
         self.instances().filter_map(move |instance| {
             instance.object.filter(|&object| holds(chosen, object)).map(|object| (object, instance))
@@ -86,7 +86,7 @@ impl Scene {
 }
 
 impl InstanceSet {
-    /// `None` if no instance changes.
+    /// Returns the instances at their levels; `None` if no instance changes.
     fn at_levels(&self, meshes: &LevelMeshes, models: &[i32], chosen: &[i32]) -> Result<Option<Self>> {
         let mut instances = Vec::with_capacity(self.instances().len());
         let mut unchanged = true;
@@ -110,7 +110,7 @@ impl InstanceSet {
     }
 }
 
-/// Materials and textures of several scenes, equal ones once.
+/// Materials and textures of several scenes, without duplicates.
 pub(super) struct Surfaces {
     materials: Vec<Material>,
     /// Size and texels of each texture; the textures themselves are created at the end.
@@ -168,8 +168,8 @@ impl Surfaces {
         }) as i32
     }
 
-    /// The scene with these materials and textures. If nothing was added it keeps its own lists, because devices find
-    /// lists by their address.
+    /// Returns the scene with these materials and textures. If nothing was added, it keeps its own lists, because
+    /// devices identify lists by their address.
     pub(super) fn into_scene(self, scene: &Scene) -> Result<Scene> {
         let mut result = scene.clone();
         if self.textures.len() > self.own.1 {
@@ -221,7 +221,7 @@ mod tests {
         assert_eq!(*joined.materials, vec![red(Some(0)), red(Some(1))]);
         assert_eq!(joined.textures.iter().map(|t| t.texels[0][0]).collect::<Vec<_>>(), [7, 9]);
         for level in &meshes {
-            // The other scene's material 1 has texels that this scene had already.
+            // The other scene's material 1 has texels that this scene already had.
             assert_eq!(level.materials.get(2), 0);
             assert_eq!(level.positions.as_ptr(), mesh.positions.as_ptr());
         }

@@ -1,13 +1,13 @@
 //! Base colours and emission, the surface properties that the shading formula uses.
 
-/// Treatment of a base colour's alpha below 1.
+/// Treatment of base-colour alpha below 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Alpha {
-    /// Alpha is ignored; blended materials are treated like this as well.
+    /// Alpha is ignored; blended materials are drawn like this as well.
     Opaque,
     /// The surface has holes where alpha is below the cutoff.
     Mask {
-        /// Least alpha that is drawn.
+        /// Minimum alpha that is drawn.
         cutoff: f32,
     },
 }
@@ -21,13 +21,13 @@ pub struct Material {
     pub texture: Option<u32>,
     /// Treatment of alpha.
     pub alpha: Alpha,
-    /// Linear RGB of the light that the surface emits, multiplied by its texture; finite, at least 0, and not bounded by 1.
+    /// Linear RGB of the emitted light, multiplied by its texture; finite, at least 0, not bounded by 1.
     pub emission: [f32; 3],
-    /// Number of the texture of the emission, which has the coordinates of the base colour's.
+    /// Number of the emission texture; it uses the base colour's texture coordinates.
     pub emission_texture: Option<u32>,
-    /// Whether the base colour is shown as it is, whatever the light.
+    /// Whether the base colour is drawn without shading.
     pub unlit: bool,
-    /// Tells materials apart that are drawn alike, because files hold more of them than is drawn; 0 by default.
+    /// Distinguishes materials that are drawn alike but differ in their file; 0 by default.
     pub tag: u64,
 }
 
@@ -53,7 +53,7 @@ impl Material {
         self.emission != [0.0; 3]
     }
 
-    /// Numbers of its textures.
+    /// Returns the numbers of its textures.
     pub fn textures(&self) -> impl Iterator<Item = u32> + use<> {
         self.texture.into_iter().chain(self.emission_texture)
     }

@@ -1,4 +1,4 @@
-//! One mesh from many meshes that are used once: one tree is faster than a tree for each of thousands of small meshes.
+//! Merging of meshes that are used once: one tree is faster than a tree for each of thousands of small meshes.
 
 use std::sync::Arc;
 
@@ -16,14 +16,14 @@ use crate::base::{Buffer, Error, FaceMap, Progress, Result};
 pub struct PlacedMesh {
     /// The mesh in its own frame.
     pub mesh: Arc<Mesh>,
-    /// Transform object→scene; need not be invertible.
+    /// Transform object→scene; it may be singular.
     pub to_scene: DAffine3,
-    /// Object of all faces; `None` if the mesh gives the objects.
+    /// Object of all faces; `None` if the mesh's face map names the objects.
     pub object: Option<i32>,
 }
 
 impl PlacedMesh {
-    /// An instance's mesh with its placement.
+    /// Returns an instance's mesh with its placement.
     pub fn of(instance: &Instance) -> Self {
         Self { mesh: Arc::clone(&instance.mesh), to_scene: instance.to_scene, object: instance.object }
     }
@@ -32,8 +32,8 @@ impl PlacedMesh {
         self.to_scene == DAffine3::IDENTITY
     }
 
-    /// Whether the transform is a mirror; the corners of its faces are then reordered, because a mirror turns faces
-    /// inside out.
+    /// Returns whether the transform is a mirror. The corners of its faces are then reordered, because a mirror turns
+    /// faces inside out.
     fn is_mirrored(&self) -> bool {
         self.to_scene.matrix3.determinant() < 0.0
     }
@@ -98,7 +98,7 @@ fn placed_positions(parts: &[PlacedMesh], progress: &Progress) -> Result<Vec<[f3
     Ok(positions)
 }
 
-/// Normals of all parts, zero for parts without normals; `None` if no part has normals.
+/// Returns the normals of all parts, zero for parts without normals; `None` if no part has normals.
 fn placed_normals(parts: &[PlacedMesh], progress: &Progress) -> Result<Option<Vec<[f32; 3]>>> {
     if parts.iter().all(|part| part.mesh.normals.is_none()) {
         return Ok(None);
@@ -146,7 +146,7 @@ fn joined_faces(parts: &[PlacedMesh], counts: &[usize], progress: &Progress) -> 
     Ok(faces)
 }
 
-/// An attribute of all parts, with a neutral value for parts without it; `None` if no part has it.
+/// Concatenates an attribute of all parts, with a neutral value for parts without it; `None` if no part has it.
 fn joined<T: Copy + Send + Sync>(
     parts: &[PlacedMesh],
     attribute: impl Fn(&Mesh) -> Option<&[T]>,

@@ -1,4 +1,4 @@
-//! Triangle meshes with their attributes, which instances place in the world.
+//! Triangle meshes and their attributes.
 
 use std::sync::OnceLock;
 
@@ -10,7 +10,7 @@ use crate::base::sort::sort_by_key;
 use crate::base::{Aabb, Buffer, Error, FaceMap, Progress, REACH, Result};
 use crate::bvh::{Bvh, MeshArrays};
 
-/// Number of faces or vertices in one task. It is fixed, so that reductions do not depend on the number of threads.
+/// Number of faces or vertices per task: fixed, so that reductions do not depend on the number of threads.
 pub(super) const TILE: usize = 1 << 16;
 
 /// Number of faces that fit in the first-level cache.
@@ -27,7 +27,7 @@ pub struct Mesh {
     pub uvs: Option<Buffer<[f32; 2]>>,
     /// Colour per vertex, sRGB with linear alpha.
     pub colors: Option<Buffer<[u8; 4]>>,
-    /// Outward unit normal per vertex; zero for a vertex without normal. See `Self::with_normals`.
+    /// Outward unit normal per vertex; zero for a vertex without one. See `Self::with_normals`.
     pub normals: Option<Buffer<[f32; 3]>>,
     /// Object per face; an instance may override it.
     pub objects: FaceMap,
@@ -38,7 +38,7 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// Takes the arrays without copies and checks that they fit together.
+    /// Takes the arrays without copies and checks that their sizes and indices are consistent.
     pub fn new(
         positions: Buffer<[f32; 3]>,
         faces: Buffer<[u32; 3]>,
@@ -63,7 +63,7 @@ impl Mesh {
         Self::unchecked(positions, faces, uvs, colors, objects, materials).within_reach()
     }
 
-    /// Fails if the mesh reaches farther than rays do.
+    /// Fails if the mesh exceeds the reach of rays.
     pub(super) fn within_reach(self) -> Result<Self> {
         if self.bounds.reach() > REACH as f32 {
             let got = format!("{:e} m", self.bounds.reach());
@@ -72,7 +72,7 @@ impl Mesh {
         Ok(self)
     }
 
-    /// The arrays fit together.
+    /// Creates a mesh from arrays known to be consistent.
     pub(super) fn unchecked(
         positions: Buffer<[f32; 3]>,
         faces: Buffer<[u32; 3]>,
@@ -85,7 +85,7 @@ impl Mesh {
         Self::bounded(positions, faces, uvs, colors, objects, materials, bounds)
     }
 
-    /// The arrays fit together, and `bounds` is the box of all faces.
+    /// Creates a mesh from arrays known to be consistent; `bounds` is the box of all faces.
     pub(super) fn bounded(
         positions: Buffer<[f32; 3]>,
         faces: Buffer<[u32; 3]>,
@@ -99,19 +99,20 @@ impl Mesh {
         Self { positions, faces, uvs, colors, normals: None, objects, materials, bounds, bvh }
     }
 
-    /// The mesh with other vertex normals for shading; `None` for flat faces.
+    /// Returns the mesh with other vertex normals for shading; `None` shades faces flat.
     pub fn with_normals(self, normals: Option<Buffer<[f32; 3]>>) -> Result<Self> {
         check_rows("normals", normals.as_deref(), self.positions.len())?;
         check_finite("normals", normals.as_deref().unwrap_or_default())?;
         Ok(self.shaded_by(normals))
     }
 
-    /// The mesh with vertex normals that fit.
+    /// Returns the mesh with vertex normals known to be valid.
     pub(super) fn shaded_by(self, normals: Option<Buffer<[f32; 3]>>) -> Self {
         Self { normals, ..self }
     }
 
-    /// A mesh of chosen faces, in their order. It shares the vertex arrays unless most vertices would be unused.
+    /// Returns a mesh of the given faces, in their order. It shares the vertex arrays unless most vertices would be
+    /// unused.
     pub fn selected(&self, chosen: &[u32], progress: &Progress) -> Result<Self> {
         let faces = gathered(&self.faces, chosen, progress)?;
         let (objects, materials) =
@@ -133,28 +134,28 @@ impl Mesh {
         Ok(Self { normals, ..Self::unchecked(positions, faces.into(), uvs, colors, objects, materials) })
     }
 
-    /// The mesh with its faces turned inside out, for mirrored instances. It shares the vertex arrays. Normals do not
-    /// change, because a mirror maps outward normals to outward normals.
+    /// Returns the mesh with its faces turned inside out, for mirrored instances. It shares the vertex arrays. Normals
+    /// do not change, because a mirror maps outward normals to outward normals.
     pub fn turned(&self) -> Self {
         let faces = self.faces.par_iter().map(turned).collect();
         self.with_faces(faces, self.objects.clone(), self.materials.clone())
     }
 
-    /// The same faces with other numbers of objects and materials; all other arrays are shared.
+    /// Returns the same faces with other objects and materials; all other arrays are shared.
     pub(super) fn relabeled(&self, objects: FaceMap, materials: FaceMap) -> Self {
         let (positions, uvs, colors) = (self.positions.clone(), self.uvs.clone(), self.colors.clone());
         let (faces, normals) = (self.faces.clone(), self.normals.clone());
         Self { normals, ..Self::bounded(positions, faces, uvs, colors, objects, materials, self.bounds) }
     }
 
-    /// Other faces between the same vertices, whose arrays are shared.
+    /// Returns other faces on the same, shared vertices.
     fn with_faces(&self, faces: Vec<[u32; 3]>, objects: FaceMap, materials: FaceMap) -> Self {
         let (positions, uvs, colors) = (self.positions.clone(), self.uvs.clone(), self.colors.clone());
         let normals = self.normals.clone();
         Self { normals, ..Self::unchecked(positions, faces.into(), uvs, colors, objects, materials) }
     }
 
-    /// The same faces between vertices at other places; if there is a tree, the new mesh has it with other boxes.
+    /// Returns the mesh with its vertices moved; an existing tree is refitted to the new positions.
     pub fn moved(&self, positions: Vec<[f32; 3]>) -> Result<Self> {
         check_rows("vertices", Some(&positions), self.positions.len())?;
         let (faces, objects, materials) = (self.faces.clone(), self.objects.clone(), self.materials.clone());
@@ -166,7 +167,7 @@ impl Mesh {
         Ok(mesh)
     }
 
-    /// Number of faces without area: two corners at one position, or all three on a line, in exact arithmetic of the
+    /// Returns the number of faces without area: two equal corners, or all three on a line, in exact arithmetic of the
     /// float32 edges.
     pub fn degenerate_count(&self, progress: &Progress) -> Result<usize> {
         let is_degenerate = |face: &&[u32; 3]| {
@@ -177,7 +178,7 @@ impl Mesh {
         self.faces.par_chunks(TILE).map(count).sum()
     }
 
-    /// Memory of the arrays and of the tree, bytes.
+    /// Returns the memory of the arrays and of the tree, bytes.
     pub fn bytes(&self) -> usize {
         fn of<T>(rows: &Option<Buffer<T>>) -> usize {
             rows.as_deref().map_or(0, size_of_val)
@@ -187,25 +188,25 @@ impl Mesh {
         arrays + of(&self.uvs) + of(&self.colors) + of(&self.normals) + numbers + self.bvh().map_or(0, Bvh::bytes)
     }
 
-    /// Box of all faces; unused vertices are left out.
+    /// Returns the box of all faces, without unused vertices.
     pub fn bounds(&self) -> Aabb {
         self.bounds
     }
 
-    /// Corners of a face.
+    /// Returns the corners of a face.
     #[inline]
     pub fn corners(&self, face: u32) -> [Vec3; 3] {
         self.faces[face as usize].map(|vertex| Vec3::from_array(self.positions[vertex as usize]))
     }
 
-    /// The bounding volume hierarchy, if it has been built.
+    /// Returns the bounding volume hierarchy, if it has been built.
     #[inline]
     pub fn bvh(&self) -> Option<&Bvh> {
         self.bvh.get()
     }
 
-    /// Builds the bounding volume hierarchy on first use. Threads that come at the same time each build one, and the first
-    /// stays: a thread that waits inside rayon for a part of the work may be given a task that needs this tree, too.
+    /// Builds the bounding volume hierarchy on first use. Concurrent callers each build one and the first is kept: a
+    /// thread that waits inside rayon for a part of the work may run a task that needs this tree, too.
     pub fn build_bvh(&self, progress: &Progress) -> Result<&Bvh> {
         if let Some(bvh) = self.bvh.get() {
             return Ok(bvh);
@@ -222,7 +223,7 @@ impl Mesh {
     }
 }
 
-/// The face seen from the other side: the second and third corner are exchanged.
+/// Flips a face: the second and third corner are exchanged.
 pub(super) fn turned(face: &[u32; 3]) -> [u32; 3] {
     [face[0], face[2], face[1]]
 }
@@ -243,8 +244,8 @@ pub(super) fn check_finite(argument: &'static str, rows: &[[f32; 3]]) -> Result<
     }
 }
 
-/// Box of all faces. Reading vertices through faces is random access, so for a large mesh this first tests whether
-/// faces use the six vertices that define the box of all vertices. That is the case unless the mesh has unused
+/// Returns the box of all faces. Reading vertices through faces is random access, so for a large mesh this first tests
+/// whether faces use the six vertices that define the box of all vertices. That is the case unless the mesh has unused
 /// vertices.
 fn bounds_of(positions: &[[f32; 3]], faces: &[[u32; 3]]) -> Aabb {
     if faces.len() > TILE {
@@ -261,7 +262,7 @@ fn bounds_of(positions: &[[f32; 3]], faces: &[[u32; 3]]) -> Aabb {
     box_of(faces, |bounds, face| face.iter().for_each(|&v| bounds.extend(positions[v as usize].into())))
 }
 
-/// For each side of a tight box, the number of a vertex on it.
+/// Returns, for each side of a tight box, the number of a vertex on it.
 fn extremes(positions: &[[f32; 3]], bounds: &Aabb) -> [u32; 6] {
     std::array::from_fn(|side| {
         let axis = side % 3;

@@ -1,5 +1,5 @@
-//! Streams that meshoptimizer has compressed, as glTF's extensions `EXT_meshopt_compression` and
-//! `KHR_meshopt_compression` keep them.
+//! Decoder for streams compressed by meshoptimizer, as in glTF's `EXT_meshopt_compression` and
+//! `KHR_meshopt_compression`.
 
 use bytemuck::cast_slice_mut;
 use meshopt::{decode_filter_color, decode_filter_exp, decode_filter_oct, decode_filter_quat, ffi};
@@ -7,34 +7,34 @@ use meshopt::{decode_filter_color, decode_filter_exp, decode_filter_oct, decode_
 use crate::base::memory::room_for;
 use crate::base::{Error, Result};
 
-/// Bytes of rows that one block of attributes holds at most.
+/// Maximum bytes of rows in one attribute block.
 const BLOCK_BYTES: usize = 8192;
-/// Rows that one block of attributes holds at most.
+/// Maximum rows in one attribute block.
 const BLOCK_ROWS: usize = 256;
-/// Rows of a block are a multiple of this number.
+/// Row counts of attribute blocks are multiples of this number.
 const GROUP_ROWS: usize = 16;
-/// Bytes at the end of attributes, the least of both versions of the codec.
+/// Size of the attribute codec's tail, bytes: the smaller of both versions.
 const ATTRIBUTES_TAIL: usize = 24;
-/// Bytes of the table at the end of triangles.
+/// Size of the table at the end of triangles, bytes.
 const TRIANGLES_TAIL: usize = 16;
-/// Bytes at the end of indices.
+/// Size of the tail of indices, bytes.
 const INDICES_TAIL: usize = 4;
 
-/// The codec of a stream, by its kind of rows.
+/// Codec of a stream, by the kind of its rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mode {
-    /// Rows of vertices.
+    /// Vertex attributes.
     Attributes,
-    /// Corners of triangles, three for each.
+    /// Triangle corners, three per triangle.
     Triangles,
-    /// Indices of any kind.
+    /// Any other indices.
     Indices,
 }
 
-/// The filter that turns decoded rows into attributes.
+/// Filter that turns decoded rows into attributes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Filter {
-    /// They stay as they are.
+    /// No filter.
     None,
     /// Octahedral unit vectors to normalised integers.
     Octahedral,
@@ -51,17 +51,17 @@ pub enum Filter {
 pub struct Layout {
     /// Number of rows.
     pub count: usize,
-    /// Bytes of a row: a multiple of 4 up to 256 for attributes, 2 or 4 for indices.
+    /// Bytes per row: a multiple of 4 up to 256 for attributes, 2 or 4 for indices.
     pub stride: usize,
     /// Kind of the rows.
     pub mode: Mode,
-    /// Filter of attributes; other rows have none.
+    /// Filter of attributes; `None` for other modes.
     pub filter: Filter,
 }
 
-/// Decodes a stream to `count * stride` bytes, in words so that they are aligned; the last word may have two bytes more.
+/// Decodes a stream to `count * stride` bytes, as words for alignment; the last word may have two unused bytes.
 ///
-/// Damaged bytes are an error or other rows; indices may name any vertex.
+/// Damaged bytes give an error or wrong rows; indices are not range-checked.
 pub fn decode(bytes: &[u8], layout: Layout) -> Result<Vec<u32>> {
     layout.check()?;
     let size = layout.count.checked_mul(layout.stride).filter(|_| layout.least_bytes() <= bytes.len());
@@ -115,13 +115,14 @@ impl Layout {
         Ok(())
     }
 
-    /// Bytes that the shortest stream has. Memory for rows is taken only if there are as many, so that a small file
-    /// cannot claim much of it: a byte stands for at most 1024 bytes of attributes, or for three indices.
+    /// Returns the size of the shortest possible stream. Memory for rows is allocated only for streams at least as
+    /// long, so that a small file cannot claim much: one byte encodes at most 1024 bytes of attributes or three
+    /// indices.
     fn least_bytes(&self) -> usize {
         let (body, tail) = match self.mode {
             Mode::Attributes => {
                 let rows = (BLOCK_BYTES / self.stride / GROUP_ROWS * GROUP_ROWS).min(BLOCK_ROWS);
-                // Four columns of a block have at least one byte: what they are, where all are zero.
+                // Four columns of a block take at least one byte, even if all are zero.
                 (self.count.div_ceil(rows).saturating_mul(self.stride / 4), ATTRIBUTES_TAIL.max(self.stride))
             }
             Mode::Triangles => (self.count / 3, TRIANGLES_TAIL),
@@ -131,7 +132,7 @@ impl Layout {
     }
 }
 
-/// Applies the filter of attributes in place.
+/// Applies the attribute filter in place.
 fn filter(words: &mut [u32], layout: Layout) {
     match (layout.filter, layout.stride) {
         (Filter::None, _) => {}
@@ -161,7 +162,7 @@ mod tests {
         Layout { count, stride, mode, filter: Filter::None }
     }
 
-    /// Words that repeat in some places and not in others (Knuth's multiplier).
+    /// Words that are partly repetitive and partly noise (Knuth's multiplier).
     fn noise(count: usize) -> Vec<u32> {
         (0..count as u32).map(|n| if n % 7 < 3 { n / 90 } else { n.wrapping_mul(2_654_435_761) }).collect()
     }
@@ -197,7 +198,7 @@ mod tests {
     fn indices_come_back() {
         let corners: Vec<u32> = (0..300u32).flat_map(|n| [n, n + 1, n + 2, n + 2, n + 1, 302 + n * 7 % 300]).collect();
         let bytes = encode_index_buffer(&corners, 602).unwrap();
-        // The codec may turn a triangle, whose corners then begin with another one.
+        // The codec may rotate a triangle's corners.
         let turned = |corners: &[u32]| -> Vec<[u32; 3]> {
             let least = |&[a, b, c]: &[u32; 3]| [[a, b, c], [b, c, a], [c, a, b]].into_iter().min().unwrap();
             corners.as_chunks::<3>().0.iter().map(least).collect()
@@ -215,7 +216,7 @@ mod tests {
         assert!(cast_slice::<_, u16>(&short)[..any.len()].iter().copied().map(u32::from).eq(any));
     }
 
-    /// Numbers of meshoptimizer's own tests (demo/tests.cpp: decodeFilterOct8, Oct12, Quat12, Exp).
+    /// Values from meshoptimizer's own tests (demo/tests.cpp: decodeFilterOct8, Oct12, Quat12, Exp).
     #[test]
     fn filters_give_the_published_numbers() {
         let bytes: [[u8; 4]; 4] = [[0, 1, 127, 0], [0, 187, 127, 1], [255, 1, 127, 0], [14, 130, 127, 1]];
@@ -239,7 +240,7 @@ mod tests {
     #[test]
     fn colours_come_back() {
         let colors = [[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 0.5], [0.0, 0.0, 1.0, 0.25], [0.4, 0.4, 0.4, 0.75]];
-        // Half a step of each of the bits kept, and as much for the sum of luma and chroma.
+        // Tolerance: half a step of the bits kept, and as much for the sum of luma and chroma.
         let near = |values: &[f32], bits: i32| {
             colors.as_flattened().iter().zip(values).all(|(a, b)| (a - b).abs() < 2.0 / (1 << (bits - 1)) as f32)
         };
@@ -318,7 +319,7 @@ mod tests {
         }
     }
 
-    /// The densest stream: zeros cost a byte for four columns of a block, and no stream is refused for its count.
+    /// The densest stream: zeros cost one byte for four columns of a block, and no stream is refused for its count.
     #[test]
     fn zeros_in_many_rows_are_decoded() {
         let rows = vec![[0u32; 2]; 100_000];

@@ -1,4 +1,4 @@
-//! Scenes: meshes shared between instances, objects as names of faces or instances, base colours and emission.
+//! Scenes: meshes shared between instances, objects that group faces or instances, base colours and emission.
 
 mod albedo;
 mod compact;

@@ -1,7 +1,7 @@
 //! Vertex normals of placed meshes.
 //!
-//! A normal belongs to a plane, so it is transformed by the inverse transpose, which differs from the matrix itself for
-//! mirrors and unequal scales. Placed normals have length 1, so a merged mesh is shaded like its instances.
+//! Normals are transformed by the inverse transpose, which differs from the matrix itself for mirrors and non-uniform
+//! scales. Placed normals have length 1, so a merged mesh is shaded like its instances.
 
 use glam::{DAffine3, DMat3, Vec3};
 use rayon::prelude::*;
@@ -10,7 +10,7 @@ use super::instance::Instance;
 use super::mesh::{Mesh, TILE};
 use crate::base::{Progress, Result};
 
-/// Matrix that transforms normals, except for their length: the cofactors of the placement, which exist for singular
+/// Returns the matrix that transforms normals, up to length: the placement's cofactors, which exist for singular
 /// matrices too.
 pub(super) fn normal_matrix(to_scene: &DAffine3) -> DMat3 {
     let m = to_scene.matrix3;
@@ -18,7 +18,7 @@ pub(super) fn normal_matrix(to_scene: &DAffine3) -> DMat3 {
     if m.determinant() < 0.0 { -cofactors } else { cofactors }
 }
 
-/// Unit normal of the placed mesh; zero stays zero.
+/// Returns the unit normal of the placed mesh; zero stays zero.
 #[inline]
 pub(super) fn placed(matrix: &DMat3, normal: [f32; 3]) -> Vec3 {
     (*matrix * Vec3::from_array(normal).as_dvec3()).normalize_or_zero().as_vec3()
@@ -43,7 +43,7 @@ pub(super) fn place_normals(
 }
 
 impl Mesh {
-    /// Normals of a face's corners; `None` if the mesh has no normals.
+    /// Returns the normals of a face's corners; `None` if the mesh has no normals.
     #[inline]
     fn corner_normals(&self, face: u32) -> Option<[[f32; 3]; 3]> {
         let normals = self.normals.as_ref()?;
@@ -52,7 +52,8 @@ impl Mesh {
 }
 
 impl Instance {
-    /// Unit normals of a face's corners as placed, zero for a vertex without one; `None` if the mesh has no normals.
+    /// Returns the unit normals of a face's placed corners, zero for a vertex without one; `None` if the mesh has no
+    /// normals.
     #[inline]
     pub fn corner_normals(&self, face: u32) -> Option<[Vec3; 3]> {
         let normals = self.mesh.corner_normals(face)?;
@@ -63,7 +64,7 @@ impl Instance {
         Some(normals.map(|normal| placed(&matrix, normal)))
     }
 
-    /// Normals of all vertices as placed; those of a mesh whose transform is the identity keep their bits.
+    /// Returns the placed normals of all vertices, bit-identical if the transform is the identity.
     pub fn vertex_normals(&self, progress: &Progress) -> Result<Option<Vec<[f32; 3]>>> {
         let Some(normals) = self.mesh.normals.as_deref() else { return Ok(None) };
         let mut slots = vec![[0.0; 3]; normals.len()];
@@ -72,8 +73,8 @@ impl Instance {
     }
 }
 
-/// Normals of a face's corners for shading, turned to the side of the face's own `normal`. A corner without a normal
-/// gets `normal`. `None` if the corners' normals add up to zero.
+/// Returns the normals of a face's corners for shading, flipped to the side of the face's own `normal`. A corner
+/// without a normal gets `normal`. `None` if the corners' normals add up to zero.
 ///
 /// The sum of the corners' normals decides the side for the whole face, because files order the corners of faces
 /// inconsistently and poses may be mirrored.
@@ -114,14 +115,14 @@ mod tests {
     fn placed_normals_stay_across_what_they_were_across() {
         let instance = Instance::new(leaning(), slanted(), None).unwrap();
         let [a, b, none] = instance.corner_normals(0).unwrap();
-        // Two directions in the plane that each normal belongs to, transformed like points.
+        // Two tangents of the plane perpendicular to each normal, transformed like points.
         for (normal, tangents) in [(a, [[0.8, 0.0, -0.6], [0.0, 1.0, 0.0]]), (b, [[1.0, 0.0, 0.0], [0.0, 0.8, 0.6]])] {
             assert!(normal.is_normalized());
             for tangent in tangents {
                 let placed = slanted().transform_vector3(DVec3::from_array(tangent)).normalize();
                 assert!(placed.dot(normal.as_dvec3()).abs() < 1e-6, "{tangent:?}");
             }
-            // Outside stays outside: a direction in front of the face is still in front of it.
+            // Orientation is preserved: a direction in front of the face stays in front of it.
             assert!(slanted().transform_vector3(DVec3::Z).dot(normal.as_dvec3()) > 0.0);
         }
         assert_eq!(none, Vec3::ZERO);

@@ -1,7 +1,7 @@
-//! The part of a scene that touches a box: whole triangles, found through the trees.
+//! Query for the whole triangles that touch a box, through the trees.
 //!
-//! Boxes of trees are compared exactly: float32 numbers lie between float64 sides if they lie between those rounded
-//! inwards. What lies inside as a whole is taken without a look at its triangles.
+//! Tree boxes are compared exactly: float32 numbers lie between float64 sides if and only if they lie between the
+//! sides rounded inwards. Subtrees entirely inside are taken without testing their triangles.
 
 use std::sync::Arc;
 
@@ -15,11 +15,11 @@ use crate::base::sort::sort_by_key;
 use crate::base::{Aabb, Error, Progress, Result};
 use crate::bvh::{Bvh, LEAF, NO_CHILD, Node, WIDTH};
 
-/// Number of nodes from which on threads share the search.
+/// Number of nodes from which the search runs in parallel.
 const FRONT: usize = 1 << 9;
 
-/// Factor of the greatest coordinate by which a box is widened before it is called separate, so that rounding separates
-/// nothing that touches.
+/// Tolerance, relative to the largest coordinate, by which a box is widened before a separation test, so that rounding
+/// never separates touching shapes.
 const SLACK: f64 = 32.0 * f64::EPSILON;
 
 /// A closed box; sides may be infinite.
@@ -27,7 +27,7 @@ const SLACK: f64 = 32.0 * f64::EPSILON;
 pub struct Region {
     min: DVec3,
     max: DVec3,
-    /// The greatest float32 box inside.
+    /// Largest float32 box inside.
     inner: Aabb,
 }
 
@@ -35,12 +35,12 @@ pub struct Region {
 pub struct Queried {
     /// Whole triangles that touch the box.
     pub scene: Scene,
-    /// Places of its moving instances among those of the whole scene; `None` if all remain.
+    /// Indices of its moving instances in the whole scene; `None` if all remain.
     pub moving: Option<Vec<u32>>,
 }
 
 impl Region {
-    /// A box between two corners.
+    /// Creates a box between two corners.
     pub fn new(min: DVec3, max: DVec3) -> Result<Self> {
         if !min.cmple(max).all() {
             return Err(Error::value("aabb", "a least corner that is not above the greatest", format!("{min}, {max}")));
@@ -48,11 +48,11 @@ impl Region {
         Ok(Self { min, max, inner: Aabb::within(min, max) })
     }
 
-    /// Whether a triangle touches the box. A triangle that touches does; one that lies farther away than `SLACK` times
-    /// its greatest coordinate does not.
+    /// Returns whether a triangle touches the box. Every triangle that touches is found; one that is farther away than
+    /// `SLACK` times its largest coordinate is not.
     ///
-    /// The thirteen axes that can separate a triangle and a box: Akenine-Möller, Fast 3D triangle–box overlap testing,
-    /// 2001. The box is first cut to that of the triangle, which makes its sides finite.
+    /// Tests the thirteen potential separating axes of a triangle and a box: Akenine-Möller, Fast 3D triangle–box
+    /// overlap testing, 2001. The box is first clipped to that of the triangle, which makes its sides finite.
     pub fn touches(&self, corners: [Vec3; 3]) -> bool {
         let mut bounds = Aabb::EMPTY;
         corners.iter().for_each(|&corner| bounds.extend(corner));
@@ -70,7 +70,7 @@ impl Region {
         let [a, b, c] = corners.map(|corner| corner - center);
         let edges = [corners[1] - corners[0], corners[2] - corners[1], corners[0] - corners[2]];
         let normal = edges[0].cross(edges[1]);
-        // The cross product of nearly parallel edges cancels; its error does not.
+        // The cross product of nearly parallel edges cancels, but its error does not.
         let error = slack * edges[0].abs().max_element() * edges[1].abs().max_element();
         if normal.dot(a).abs() > normal.abs().dot(half) + error {
             return false;
@@ -86,7 +86,7 @@ impl Region {
         !edges.into_iter().flat_map(crossed).any(separates)
     }
 
-    /// Bits of a node's children whose boxes touch, and of those whose boxes lie inside.
+    /// Returns bit masks of a node's children whose boxes touch, and of those whose boxes lie inside.
     #[inline]
     fn classify(&self, node: &Node) -> (u32, u32) {
         let (mut touching, mut inside) = ([true; WIDTH], [true; WIDTH]);
@@ -104,9 +104,9 @@ impl Region {
 }
 
 impl Scene {
-    /// The triangles that touch a box of the world, whole. Meshes keep only the vertices that they use. Instances that
-    /// lie inside share their meshes with this scene; what remains of others are meshes of their own. With `builds` the
-    /// trees are built first; otherwise each triangle is tested, which takes less time for a single query.
+    /// Returns the whole triangles that touch a box of the world. Meshes keep only the vertices that they use.
+    /// Instances entirely inside share their meshes with this scene; partial ones get new meshes. With `builds`, trees
+    /// are built first; otherwise each triangle is tested, which is faster for a single query.
     pub fn query(&self, min: DVec3, max: DVec3, builds: bool, progress: &Progress) -> Result<Queried> {
         let region = Region::new(min - self.origin, max - self.origin)?;
         let (standing, _) = self.standing.query(&region, builds, progress)?;
@@ -119,7 +119,7 @@ impl Scene {
 }
 
 impl InstanceSet {
-    /// The part that touches a box, and the places of its instances; `None` for both if all remain.
+    /// Returns the part that touches a box, and the indices of its instances; `None` for both if all remain.
     fn query(&self, region: &Region, builds: bool, progress: &Progress) -> Result<(Option<Self>, Option<Vec<u32>>)> {
         let union = |all: Aabb, instance: &Instance| all.union(&instance.bounds);
         let bounds = match self.tlas() {
@@ -150,7 +150,7 @@ impl InstanceSet {
         Ok((Some(Self::new(instances)), Some(places)))
     }
 
-    /// The instances whose boxes touch, and whether they lie inside.
+    /// Returns the instances whose boxes touch, and whether they lie inside.
     fn near(&self, region: &Region) -> Vec<(u32, bool)> {
         let Some(tlas) = self.tlas() else {
             let boxes = (0..).zip(self.instances()).map(|(number, instance)| (number, instance.bounds));
@@ -179,7 +179,7 @@ impl InstanceSet {
 }
 
 impl Instance {
-    /// The part that touches a box; `None` if nothing does.
+    /// Returns the part that touches a box; `None` if nothing does.
     fn query(&self, region: &Region, progress: &Progress) -> Result<Option<Self>> {
         let faces = match self.mesh.bvh() {
             Some(bvh) => self.faces_in(bvh, region, progress)?,
@@ -194,7 +194,7 @@ impl Instance {
         Ok(Some(self.with_mesh(Arc::new(self.mesh.compacted(&faces, progress)?), self.object)))
     }
 
-    /// The faces that touch a box, ascending.
+    /// Returns the faces that touch a box, ascending.
     fn faces_in(&self, bvh: &Bvh, region: &Region, progress: &Progress) -> Result<Vec<u32>> {
         let mut runs = Search { instance: self, bvh, region }.run(progress)?;
         sort_by_key(&mut runs, |run| run.start, progress)?;
@@ -207,14 +207,14 @@ impl Instance {
     }
 }
 
-/// Consecutive faces. Neighbours in space often follow each other in the mesh, so there are fewer runs to sort.
+/// A run of consecutive faces. Neighbours in space are often consecutive in the mesh, so there are fewer runs to sort.
 #[derive(Clone, Copy)]
 struct Run {
     start: u32,
     end: u32,
 }
 
-/// Appends faces, which ascend, to runs.
+/// Appends ascending faces to runs.
 #[inline]
 fn append(runs: &mut Vec<Run>, faces: impl Iterator<Item = u32>) {
     for face in faces {
@@ -233,7 +233,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// The faces that touch, in the order of the tree, without copies.
+    /// Returns the touching faces in the order of the tree, without duplicates.
     fn run(&self, progress: &Progress) -> Result<Vec<Run>> {
         let (mut front, mut runs) = (vec![(0, false)], Vec::new());
         while !front.is_empty() && front.len() < FRONT {
@@ -255,7 +255,7 @@ impl Search<'_> {
         Ok(runs)
     }
 
-    /// Opens a node, of which is known whether it lies inside: lists its nodes and the faces of its leaves.
+    /// Opens a node, given whether it lies inside; appends its child nodes and the faces of its leaves.
     fn open(&self, (number, is_inside): (u32, bool), nodes: &mut Vec<(u32, bool)>, runs: &mut Vec<Run>) {
         let Some(node) = self.bvh.wide.nodes.get(number as usize) else { return };
         let (touching, inside) = if is_inside { (u32::MAX, u32::MAX) } else { self.classify(node) };
@@ -279,7 +279,7 @@ impl Search<'_> {
         }
     }
 
-    /// As `Region::classify`, for boxes in the mesh's own frame.
+    /// Same as `Region::classify`, for boxes in the mesh's own frame.
     fn classify(&self, node: &Node) -> (u32, u32) {
         if self.instance.in_place {
             return self.region.classify(node);
@@ -287,7 +287,7 @@ impl Search<'_> {
         let (mut touching, mut inside) = (0, 0);
         for slot in 0..WIDTH {
             let placed = node.bounds(slot).transformed(&self.instance.to_scene);
-            // Corners are placed in another order of operations than boxes, so either may be rounded farther.
+            // Corners and boxes are placed by different orders of operations, so their rounding may differ.
             let slack = Vec3::splat(placed.reach() * 4.0 * f32::EPSILON);
             let placed = Aabb { min: placed.min - slack, max: placed.max + slack };
             touching |= u32::from(self.region.inner.touches(&placed)) << slot;
@@ -317,7 +317,7 @@ mod tests {
         let triangle = [Vec3::ZERO, Vec3::X, Vec3::Y];
         assert!(region([1.0, 0.0, 0.0], [2.0, 1.0, 1.0]).touches(triangle));
         assert!(!region([1.0 + 1e-9, 0.0, 0.0], [2.0, 1.0, 1.0]).touches(triangle));
-        // The triangle's own box reaches to (1, 1), its longest edge only to x + y = 1.
+        // The triangle's box reaches (1, 1), but its longest edge only x + y = 1.
         assert!(region([0.5, 0.5, -1.0], [2.0, 2.0, 1.0]).touches(triangle));
         assert!(!region([0.5 + 1e-9, 0.5, -1.0], [2.0, 2.0, 1.0]).touches(triangle));
         let infinite = f64::INFINITY;
@@ -345,7 +345,7 @@ mod tests {
                 region((point - DVec3::from(below)).into(), (point + DVec3::from(above)).into())
             };
             prop_assert!(around(below, above).touches(corners));
-            // Beside the point, in the direction of the normal, by more than the triangle's extent along it.
+            // A point beside the triangle, along its normal, by more than the triangle's extent in that direction.
             let normal = (b - a).cross(c - a);
             if normal.length() > 1e-3 {
                 let off = point + normal.normalize() * 1e-6;
@@ -354,7 +354,7 @@ mod tests {
         }
     }
 
-    /// A row of triangles along x in one mesh with two copies of the first at the end, a turned instance of a mesh of
+    /// A row of triangles along x in one mesh with two copies of the first at the end, a rotated instance of a mesh of
     /// two triangles at x = 100, and a moving one at x = 200.
     fn scene() -> Scene {
         let corners = |i: f32| [[i, 0.0, 0.0], [i + 0.5, 0.0, 0.0], [i, 0.5, 0.0]];
@@ -375,7 +375,7 @@ mod tests {
         Scene::new(ORIGIN, standing, moving, Arc::new(vec![Material::default()]), Arc::default()).unwrap()
     }
 
-    /// The part that the trees find, after the same was found without them.
+    /// Returns the part found through trees, after checking that a search without trees finds the same.
     fn part(scene: &Scene, min: f64, max: f64) -> Queried {
         let corner = |x: f64, y: f64| DVec3::new(x + ORIGIN.x, y, y);
         let (min, max) = (corner(min, f64::NEG_INFINITY), corner(max, f64::INFINITY));

@@ -1,4 +1,4 @@
-//! sRGB's transfer function (IEC 61966-2-1) and its inverse. All values except those in files are linear.
+//! sRGB transfer function (IEC 61966-2-1) and its inverse. All values except those in files are linear.
 
 use std::sync::LazyLock;
 
@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use crate::base::{Progress, Result};
 
-/// Number of values in one task.
+/// Number of values per task.
 const TILE: usize = 1 << 16;
 
 /// Linear values of the 256 codes.
@@ -17,19 +17,19 @@ static LINEAR: LazyLock<[f32; 256]> = LazyLock::new(|| {
     })
 });
 
-/// The table of linear values. Loops should fetch it once.
+/// Returns the table of linear values. Loops should fetch it once.
 #[inline]
 pub fn linear_from_srgb() -> &'static [f32; 256] {
     &LINEAR
 }
 
-/// The nearest code of a linear value clamped to 0..1; NaN is black.
+/// Returns the nearest code of a linear value clamped to 0..1; NaN gives black.
 #[inline]
 pub fn srgb_from_linear(linear: f32) -> u8 {
     CODES.of(linear)
 }
 
-/// The codes of the 65,536 fractions of 65,535. Loops should fetch them once.
+/// Returns the codes of the 65,536 fractions of 65,535. Loops should fetch them once.
 pub fn srgb_from_u16() -> &'static [u8] {
     static OF_SHORTS: LazyLock<Vec<u8>> =
         LazyLock::new(|| (0..=u16::MAX).map(|short| srgb_from_linear(fraction(short))).collect());
@@ -40,7 +40,7 @@ fn fraction(short: u16) -> f32 {
     (f64::from(short) / f64::from(u16::MAX)) as f32
 }
 
-/// `srgb_from_linear` of many values.
+/// Writes `srgb_from_linear` of many values.
 pub fn srgb_from_all_linear(linear: &[f32], codes: &mut [u8], progress: &Progress) -> Result<()> {
     linear.par_chunks(TILE).zip(codes.par_chunks_mut(TILE)).try_for_each(|(linear, codes)| {
         for (&linear, code) in linear.iter().zip(codes) {
@@ -50,7 +50,7 @@ pub fn srgb_from_all_linear(linear: &[f32], codes: &mut [u8], progress: &Progres
     })
 }
 
-/// Computes the code by the standard's formula. Its power takes several times as long as the table.
+/// Computes the code by the standard's formula. Its power function takes several times as long as the table.
 fn encoded(linear: f32) -> u8 {
     let x = linear.clamp(0.0, 1.0);
     let s = if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 };
@@ -59,17 +59,17 @@ fn encoded(linear: f32) -> u8 {
 
 static CODES: LazyLock<Codes> = LazyLock::new(Codes::new);
 
-/// Table of codes by the upper bits of a float, and the values at which codes begin.
+/// Lookup table from the upper bits of a float to a code, and the values at which codes begin.
 struct Codes {
-    /// Code of the least float of each interval.
+    /// Code of the smallest float of each interval.
     first: [u8; INTERVALS],
-    /// Least value of each code; infinite after the last one.
+    /// Smallest value of each code; infinity after the last.
     least: [f32; 257],
 }
 
-/// Number of bits of a float below those that number its interval: each power of two has 128 intervals.
+/// Number of low bits of a float ignored by the interval number: each power of two has 128 intervals.
 const LOWER_BITS: u32 = 16;
-/// Bits of 2⁻¹³, below which all codes are 0, and of 1.
+/// Float bits of 2⁻¹³, below which all codes are 0, and of 1.
 const DARK: u32 = (127 - 13) << 23;
 const WHITE: u32 = 127 << 23;
 const INTERVALS: usize = ((WHITE - DARK) >> LOWER_BITS) as usize;
@@ -79,7 +79,7 @@ impl Codes {
         let first = std::array::from_fn(|i| encoded(f32::from_bits(DARK + ((i as u32) << LOWER_BITS))));
         let mut least = [f32::INFINITY; 257];
         for (code, least) in least.iter_mut().enumerate().take(256) {
-            // Floats that are not negative have the same order as their bits.
+            // Non-negative floats are ordered like their bits.
             let (mut below, mut from) = (0, WHITE);
             while below < from {
                 let middle = below.midpoint(from);

@@ -1,8 +1,8 @@
 //! Base colour images, filtered in linear light.
 //!
 //! Williams: Pyramidal parametrics, 1983 (trilinear filtering). Level 0 is the original image in sRGB; coarser levels
-//! are means of linear light, computed on first use. Cut-out materials have separate coarser levels, weighted by alpha,
-//! so that the colour in the holes, often black, does not darken leaves at a distance.
+//! are means of linear light, computed on first use. Cut-out materials have separate coarser levels, weighted by
+//! alpha, so that the colour in the holes, often black, does not darken leaves at a distance.
 
 use std::sync::OnceLock;
 
@@ -24,7 +24,7 @@ pub struct Texture {
     cutout_mips: OnceLock<Vec<MipLevel>>,
 }
 
-/// Weight of a transparent texel: enough to give holes a colour where a whole coarser texel lies in one.
+/// Weight of a transparent texel: enough to colour a coarser texel that lies entirely in a hole.
 const LEAST_WEIGHT: f32 = 1.0 / 1024.0;
 
 /// A coarser level: linear RGB in steps of 1/65535, a twentieth of sRGB's finest step.
@@ -46,7 +46,7 @@ struct TextureTaps {
 }
 
 impl Texture {
-    /// Checks that the texels fill the image.
+    /// Creates a texture; checks that the texels fill the image.
     pub fn new(width: u32, height: u32, texels: Buffer<[u8; 4]>) -> Result<Self> {
         if width == 0 || height == 0 || texels.len() as u64 != u64::from(width) * u64::from(height) {
             return Err(Error::value("texture", format!("{width} x {height} texels"), texels.len()));
@@ -54,15 +54,15 @@ impl Texture {
         Ok(Self { width, height, texels, mips: OnceLock::new(), cutout_mips: OnceLock::new() })
     }
 
-    /// Memory of the texels and of the levels made so far, bytes.
+    /// Returns the memory of the texels and of the levels made so far, bytes.
     pub fn bytes(&self) -> usize {
         let levels = [self.mips.get(), self.cutout_mips.get()].into_iter().flatten().flatten();
         size_of_val(&self.texels[..]) + levels.map(|level| size_of_val(&level.texels[..])).sum::<usize>()
     }
 
-    /// Linear RGB at (u, v), v upwards: bilinear within a level, linear between levels. Level 0 and below is the image
-    /// itself. Each further level halves both sides, and beyond the last level the colour is the image's mean. `cutout`
-    /// weights the means by alpha.
+    /// Returns the linear RGB at (u, v), v upwards: bilinear within a level, linear between levels. Levels up to 0 are
+    /// the image itself. Each further level halves both sides, and beyond the last level the colour is the image's
+    /// mean. `cutout` weights the means by alpha.
     pub fn color(&self, uv: [f32; 2], level: f32, cutout: bool) -> [f32; 3] {
         // NaN counts as level 0, because `max` returns the other operand.
         let level = level.max(0.0);
@@ -80,12 +80,12 @@ impl Texture {
         std::array::from_fn(|i| fine[i] + (coarse[i] - fine[i]) * between)
     }
 
-    /// Levels 1 and coarser, down to one texel; `cutout` weights their means by alpha.
+    /// Returns levels 1 and coarser, down to one texel; `cutout` weights their means by alpha.
     pub fn coarser(&self, cutout: bool) -> &[MipLevel] {
         if cutout { &self.cutout_mips } else { &self.mips }.get_or_init(|| self.build(cutout))
     }
 
-    /// Alpha at (u, v), 0 to 1, bilinear in level 0; cut-out materials compare it with their cutoff.
+    /// Returns alpha at (u, v), 0 to 1, bilinear in level 0; cut-out materials compare it with their cutoff.
     pub fn alpha(&self, uv: [f32; 2]) -> f32 {
         let taps = TextureTaps::new(uv, self.width, self.height);
         taps.blend(|column, row| [f32::from(self.texel(column, row)[3])])[0] / 255.0
@@ -105,8 +105,8 @@ impl Texture {
         self.texels[row as usize * self.width as usize + column as usize]
     }
 
-    /// The image with both sides halved so many times, a side of one texel not further, in linear light. `cutout`
-    /// weights colours by alpha, whose mean is kept; otherwise alpha, which is not drawn, is full.
+    /// Returns the image with both sides halved `times` times in linear light, but at least one texel. `cutout`
+    /// weights colours by alpha and keeps mean alpha; otherwise alpha, which is not drawn, becomes full.
     pub fn halved(&self, times: u32, cutout: bool, progress: &Progress) -> Result<Self> {
         let (mut image, mut width, mut height) = (self.weighted(cutout), self.width, self.height);
         // More halvings than a side has bits change nothing.
@@ -122,8 +122,8 @@ impl Texture {
         Self::new(width, height, image.iter().map(stored).collect())
     }
 
-    /// Builds all levels down to one texel, on the calling thread. A rayon thread that waited here could be given a
-    /// task that waits for this texture.
+    /// Builds all levels down to one texel, on the calling thread: a rayon thread that waited here could run a task
+    /// that waits for this texture.
     fn build(&self, cutout: bool) -> Vec<MipLevel> {
         let (mut image, mut width, mut height) = (self.weighted(cutout), self.width, self.height);
         let mut levels = Vec::new();
@@ -135,7 +135,7 @@ impl Texture {
         levels
     }
 
-    /// Linear RGB times a weight, and the weight: 1, or that of alpha.
+    /// Returns the linear RGB times a weight, and the weight: alpha for `cutout`, otherwise 1.
     fn weighted(&self, cutout: bool) -> Vec<[f32; 4]> {
         let linear = linear_from_srgb();
         let weighted = |&[r, g, b, alpha]: &[u8; 4]| {
@@ -176,8 +176,8 @@ impl TextureTaps {
     }
 }
 
-/// The two texels whose centres enclose a coordinate, with `count` texels in a period of 1, and the weight of the
-/// second.
+/// Returns the two texels whose centres enclose a coordinate, given `count` texels per period of 1, and the weight of
+/// the second.
 #[inline]
 fn neighbours(coordinate: f32, count: u32) -> (u32, u32, f32) {
     let within = if coordinate.is_finite() { coordinate - coordinate.floor() } else { 0.0 };
@@ -189,7 +189,7 @@ fn neighbours(coordinate: f32, count: u32) -> (u32, u32, f32) {
     (first, if first + 1 == count { 0 } else { first + 1 }, x - floor)
 }
 
-/// An image of half the width and height, at least one texel, and these.
+/// Returns an image of half the width and height, at least one texel each, and its size.
 fn halved(image: &[[f32; 4]], width: u32, height: u32) -> (Vec<[f32; 4]>, u32, u32) {
     let (half_width, half_height) = ((width / 2).max(1), (height / 2).max(1));
     let narrow = shrink(image, width, half_width);
@@ -197,8 +197,8 @@ fn halved(image: &[[f32; 4]], width: u32, height: u32) -> (Vec<[f32; 4]>, u32, u
     (transpose(&low, half_height), half_width, half_height)
 }
 
-/// Shrinks rows from `from` to `to` texels. Each new texel is the mean over the part of the old texels that it covers,
-/// so the image's mean does not change for any size.
+/// Resamples rows from `from` to `to` texels. Each new texel is the mean over the part of the old texels that it
+/// covers, so the image's mean does not change for any size.
 fn shrink(image: &[[f32; 4]], from: u32, to: u32) -> Vec<[f32; 4]> {
     if from == to {
         return image.to_vec();
@@ -329,7 +329,7 @@ mod tests {
                 assert_eq!((halved.width, halved.height), (level.width, level.height));
                 for (&[r, g, b, _], linear) in halved.texels.iter().zip(&level.texels) {
                     let expected = linear.map(|x| i32::from(srgb_from_linear(f32::from(x) / 65535.0)));
-                    // Levels are rounded first, so a code may be the neighbour's.
+                    // Levels are rounded first, so a code may differ by one.
                     (0..3).for_each(|i| assert!((i32::from([r, g, b][i]) - expected[i]).abs() <= 1));
                 }
             }

@@ -1,4 +1,4 @@
-//! Wavefront OBJ text as arrays, in one pass over its lines.
+//! Reader for Wavefront OBJ text, in one pass over its lines.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -9,15 +9,15 @@ use crate::base::mapped::mapped;
 use crate::base::sort::sort_by_key;
 use crate::base::{Error, Progress, Result};
 
-/// Stands for the texture coordinate or normal that a corner does not name.
+/// Marks a texture coordinate or normal that a corner does not have.
 pub const NONE: u32 = u32::MAX;
 
-/// Letters of a word that messages repeat.
+/// Maximum characters of a word quoted in a message.
 const MOST_SHOWN: usize = 60;
 
-/// Kinds of rows, in the order in which a face's corner names them.
+/// Kinds of rows, in the order of indices in a face's corner.
 const KINDS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
-/// Lines between two checks whether the caller has cancelled.
+/// Lines between two checks for cancellation.
 const LINES_PER_CHECK: u64 = 1 << 12;
 
 /// Content of an OBJ file.
@@ -25,37 +25,37 @@ const LINES_PER_CHECK: u64 = 1 << 12;
 pub struct Wavefront {
     /// Positions of vertices.
     pub positions: Vec<[f64; 3]>,
-    /// Colours of vertices; empty unless all have one.
+    /// Colours of vertices; empty unless all vertices have one.
     pub colors: Vec<[f64; 3]>,
     /// Texture coordinates.
     pub uvs: Vec<[f64; 2]>,
     /// Normals.
     pub normals: Vec<[f64; 3]>,
-    /// Names of the files that hold materials.
+    /// Names of material library files.
     pub libraries: Vec<String>,
     /// Names of objects and materials.
     pub names: Vec<String>,
-    /// Faces by object and material, in the order in which they begin.
+    /// Faces by object and material, in order of first appearance.
     pub parts: Vec<Part>,
-    /// Number of faces with fewer than three corners, which are left out.
+    /// Number of skipped faces with fewer than three corners.
     pub skipped: u64,
 }
 
-/// The faces of one object that have one material.
+/// Faces of one object with one material.
 #[derive(Debug, Default, PartialEq)]
 pub struct Part {
-    /// Number of the object's name. Parts share names, which may be long.
+    /// Index of the object's name. Parts share names, which may be long.
     pub object: Option<u32>,
-    /// Number of the material's name.
+    /// Index of the material's name.
     pub material: Option<u32>,
-    /// Rows of the position, texture coordinate and normal of each vertex; `NONE` for what it lacks.
+    /// Indices of each vertex's position, texture coordinate and normal; `NONE` if it has none.
     pub vertices: Vec<[u32; 3]>,
     /// Triangles between these vertices.
     pub faces: Vec<[u32; 3]>,
 }
 
-/// Reads a text. Polygons become fans of triangles. Indices may name what follows later; those that name nothing are
-/// errors with the number of their line.
+/// Reads a text. Polygons become triangle fans. Indices may refer to later rows; indices out of range are errors that
+/// name their line.
 pub fn read(text: &[u8], progress: &Progress) -> Result<Wavefront> {
     let mut scan = Scan::default();
     let (mut start, mut line) = (0, 1);
@@ -75,16 +75,16 @@ pub fn read(text: &[u8], progress: &Progress) -> Result<Wavefront> {
 #[derive(Default)]
 struct Scan {
     read: Wavefront,
-    /// The greatest index of each kind, and its line.
+    /// Largest index of each kind, and its line.
     greatest: [(u64, u64); 3],
-    /// A vertex came without a colour.
+    /// Whether a vertex had no colour.
     lacks_color: bool,
     names: HashMap<Vec<u8>, u32>,
     object: Option<u32>,
     material: Option<u32>,
-    /// Number of the part with an object and a material.
+    /// Index of the part with a given object and material.
     numbers: HashMap<(Option<u32>, Option<u32>), usize>,
-    /// Number of the part that faces are added to; none after a change of object or material.
+    /// Index of the part that faces are added to; `None` after a change of object or material.
     part: Option<usize>,
     /// Corners of the triangles of each part.
     corners: Vec<Vec<[u32; 3]>>,
@@ -141,14 +141,14 @@ impl Scan {
         Ok(())
     }
 
-    /// The number of a name, from now on that of the object or material.
+    /// Returns the number of a name and starts a new part.
     fn named(&mut self, name: &[u8]) -> Option<u32> {
         self.part = None;
         let next = self.names.len() as u32;
         Some(*self.names.entry(name.to_vec()).or_insert(next))
     }
 
-    /// A face: corners of one to three indices.
+    /// Parses a face: corners of one to three indices.
     fn face(&mut self, stated: &[u8], line: u64) -> Result<()> {
         let key = (self.object, self.material);
         let part = match self.part {
@@ -189,13 +189,13 @@ impl Scan {
             if index > self.greatest[kind].0 {
                 self.greatest[kind] = (index, line);
             }
-            // An index that does not fit names nothing, as `finish` finds.
+            // An index that does not fit counts as out of range; `finish` reports it.
             corner[kind] = u32::try_from(index - 1).unwrap_or(NONE);
         }
         Ok(corner)
     }
 
-    /// An index counted from 1: negative ones count back from the last so far.
+    /// Converts an index to an absolute one, counted from 1; negative ones count back from the last row so far.
     fn absolute(&self, index: &[u8], kind: usize, line: u64) -> Result<u64> {
         let (digits, is_back) = match index {
             [b'-', digits @ ..] => (digits, true),
@@ -217,7 +217,7 @@ impl Scan {
         }
     }
 
-    /// Vertices, texture coordinates and normals so far.
+    /// Returns the number of vertices, texture coordinates and normals so far.
     fn counts(&self) -> [u64; 3] {
         [self.read.positions.len(), self.read.uvs.len(), self.read.normals.len()].map(|count| count as u64)
     }
@@ -240,7 +240,8 @@ impl Scan {
         for (key, number) in self.numbers {
             keys[number] = key;
         }
-        // Vertices stay in their order, with those that no face names, where nothing else does.
+        // A lone part without texture coordinates and normals keeps all vertices in their order, including unused
+        // ones.
         let is_plain = self.corners.len() == 1 && read.uvs.is_empty() && read.normals.is_empty();
         let count = read.positions.len() as u32;
         let parts = self.corners.into_par_iter().zip(keys).map(|(corners, (object, material))| {
@@ -257,7 +258,7 @@ impl Scan {
     }
 }
 
-/// The different corners in the order of their indices, and triangles between them.
+/// Deduplicates corners: sorted unique vertices, and triangles between them.
 fn unified(corners: &[[u32; 3]], progress: &Progress) -> Result<[Vec<[u32; 3]>; 2]> {
     let mut vertices = corners.to_vec();
     sort_by_key(&mut vertices, |&corner| corner, progress)?;
@@ -272,7 +273,7 @@ fn absent(line: u64, kind: &str, index: &str, count: u64) -> Error {
     Error::Scene(format!("line {line}: a face names {kind} {index} of {count}"))
 }
 
-/// The beginning of a word, for a message.
+/// Shortens a word for a message.
 fn shown(word: &[u8]) -> String {
     let text = String::from_utf8_lossy(word);
     match text.char_indices().nth(MOST_SHOWN) {
@@ -281,7 +282,7 @@ fn shown(word: &[u8]) -> String {
     }
 }
 
-/// Up to six numbers of a line, and how many it has of these; zeros stand for the others.
+/// Parses up to six numbers of a line; returns their count and the values, padded with zeros.
 fn numbers(stated: &[u8], least: usize, line: u64, what: &str) -> Result<(usize, [f64; 6])> {
     let (mut values, mut count) = ([0.0; 6], 0);
     let words = stated.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
@@ -299,13 +300,13 @@ fn numbers(stated: &[u8], least: usize, line: u64, what: &str) -> Result<(usize,
     Ok((count, values))
 }
 
-/// A line in one piece: blanks in place of its line breaks and of the backslashes before them.
+/// Joins a continued line: replaces its line breaks and the backslashes before them by blanks.
 fn joined(line: &[u8]) -> Vec<u8> {
     let ends = |at: usize| matches!(line[at..], [b'\\', b'\n', ..] | [b'\\', b'\r', b'\n', ..] | [b'\n', ..]);
     line.iter().enumerate().map(|(at, &byte)| if ends(at) { b' ' } else { byte }).collect()
 }
 
-/// The end of the line that begins here, without its last line feed, and how many lines of the text it takes.
+/// Returns the end of the logical line that begins here, without its line feed, and how many lines of text it spans.
 fn logical_end(text: &[u8], start: usize) -> (usize, u64) {
     let (mut at, mut lines) = (start, 1);
     loop {
@@ -327,7 +328,7 @@ mod tests {
         read(text.as_bytes(), &Progress::new())
     }
 
-    /// Triangles of all parts as rows of their corners' indices, counted from 1, 0 for none.
+    /// Returns the triangles of all parts as rows of their corners' indices, counted from 1, 0 for none.
     fn corners(faces: &str) -> Vec<[[u32; 3]; 3]> {
         let read = of(&format!("{CORNERS}{faces}")).unwrap();
         let corner = |part: &Part, vertex: u32| part.vertices[vertex as usize].map(|row| row.wrapping_add(1));

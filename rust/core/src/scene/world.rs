@@ -17,7 +17,7 @@ use crate::base::{Aabb, Error, Progress, Result, memory::room_for};
 /// Static instances are numbered first, then moving ones; triangles are numbered in the order of instances.
 #[derive(Clone, Debug)]
 pub struct Scene {
-    /// World position of the zero point of the float32 geometry.
+    /// World position of the origin of the float32 geometry.
     pub origin: DVec3,
     /// Instances that never move.
     pub standing: Arc<InstanceSet>,
@@ -63,22 +63,22 @@ impl Scene {
         Ok(Self { origin, standing, moving, materials, textures })
     }
 
-    /// The same scene with its moving instances replaced.
+    /// Returns the scene with its moving instances replaced.
     pub fn posed(&self, moving: Vec<Instance>) -> Self {
         Self { moving: Arc::new(InstanceSet::new(moving)), ..self.clone() }
     }
 
-    /// Both sets: static, moving.
+    /// Returns both sets: static, moving.
     pub fn sets(&self) -> [&InstanceSet; 2] {
         [&self.standing, &self.moving]
     }
 
-    /// All instances, ordered by number.
+    /// Returns all instances, ordered by number.
     pub fn instances(&self) -> impl Iterator<Item = &Instance> {
         self.standing.instances().iter().chain(self.moving.instances())
     }
 
-    /// An instance by its number.
+    /// Returns an instance by its number.
     #[inline]
     pub fn instance(&self, number: u32) -> &Instance {
         let standing = self.standing.instances();
@@ -88,12 +88,12 @@ impl Scene {
         }
     }
 
-    /// Number of instances, static and moving.
+    /// Returns the number of instances, static and moving.
     pub fn instance_count(&self) -> usize {
         self.standing.instances().len() + self.moving.instances().len()
     }
 
-    /// Number of triangles before an instance.
+    /// Returns the number of triangles before an instance.
     pub fn triangle_offset(&self, number: u32) -> i64 {
         let standing = self.standing.instances().len();
         match (number as usize).checked_sub(standing) {
@@ -102,12 +102,12 @@ impl Scene {
         }
     }
 
-    /// Number of triangles of all instances.
+    /// Returns the number of triangles of all instances.
     pub fn triangle_count(&self) -> i64 {
         self.standing.triangle_count() + self.moving.triangle_count()
     }
 
-    /// The instance and face of a triangle number.
+    /// Returns the instance and face of a triangle number.
     pub fn locate(&self, triangle: i64) -> Option<(u32, u32)> {
         let standing = self.standing.triangle_count();
         if triangle < standing {
@@ -122,8 +122,8 @@ impl Scene {
         self.sets().into_iter().try_for_each(|set| set.build(progress))
     }
 
-    /// Corners of all triangles ordered by number, nine floats each, relative to the origin. For export, not for
-    /// kernels.
+    /// Returns the corners of all triangles ordered by number, nine floats each, relative to the origin. For export,
+    /// not for kernels.
     pub fn triangles(&self, progress: &Progress) -> Result<Vec<f32>> {
         room_for(self.triangle_count() as u64 * 9 * size_of::<f32>() as u64)?;
         let mut flat = vec![0.0; self.triangle_count() as usize * 9];
@@ -143,23 +143,23 @@ impl Scene {
         Ok(flat)
     }
 
-    /// Memory of instances, meshes, their trees and textures, bytes; what is shared counts once.
+    /// Returns the memory of instances, meshes, their trees and textures, bytes; shared ones count once.
     pub fn bytes(&self) -> usize {
         let meshes: usize = distinct_meshes(self.instances()).map(Mesh::bytes).sum();
         let textures: usize = self.textures.iter().map(Texture::bytes).sum();
         self.instance_count() * size_of::<Instance>() + meshes + textures
     }
 
-    /// Number of faces without area, counting each mesh once.
+    /// Returns the number of faces without area, counting each mesh once.
     pub fn degenerate_count(&self, progress: &Progress) -> Result<usize> {
         distinct_meshes(self.instances()).map(|mesh| mesh.degenerate_count(progress)).sum()
     }
 
-    /// Tight box of all placed triangles, relative to the origin.
+    /// Returns the tight box of all placed triangles, relative to the origin.
     pub fn bounds(&self) -> Aabb {
         let mut tight = Aabb::EMPTY;
         for instance in self.instances() {
-            // If the loose box of an instance already lies inside, none of its vertices lies outside.
+            // If an instance's loose box already lies inside, none of its vertices lies outside.
             if tight.union(&instance.bounds) == tight {
                 continue;
             }

@@ -1,10 +1,10 @@
-//! Assembly: what an eye sees beyond the plane, looked up in the third camera's picture through the plane's homography.
+//! Assembly: fills an eye's background from the third camera's picture, through the plane's homography.
 //!
-//! An eye's own picture holds all surfaces before the plane, in front of black. Where its samples show none, the third
-//! camera's picture is added behind it, weighted by the share of these samples.
+//! An eye's own picture holds all surfaces before the plane, on black. Samples without a surface get the third
+//! camera's picture, weighted by the fraction of these samples in the pixel.
 //!
-//! Of the four pixels that are mixed, those whose place an eye's own surface covers are left out: where a surface
-//! crosses the plane at a slant, they may lie so far before the plane that the third camera does not draw it there.
+//! Bilinear taps whose position is covered by an eye's own surface are skipped: where a surface crosses the plane at a
+//! slant, they may lie so far before the plane that the third camera does not draw it there.
 
 use glam::{DMat3, DVec2};
 use rayon::prelude::*;
@@ -12,38 +12,38 @@ use rayon::prelude::*;
 use super::rig::{Rig, Side};
 use crate::base::{Error, Progress, Result};
 
-/// The places of an eye's pixels in the third camera's picture, and back.
+/// Mapping between an eye's pixels and the third camera's picture.
 pub(super) struct EyeMap<'a> {
     pub to_center: DMat3,
     to_eye: DMat3,
     /// Size of the third camera's picture, pixels.
     pub size: (u32, u32),
-    /// Pixels of the eye across and down.
+    /// Width and height of the eye's picture, pixels.
     pub eye: (usize, usize),
-    /// Share of each of the eye's pixels that its own surfaces cover.
+    /// Fraction of each eye pixel that its own surfaces cover.
     pub coverage: &'a [f32],
 }
 
-/// The four pixels of the third camera around a place, by row-major numbers, and the place's share between them to the
-/// right and downwards.
+/// Four pixels of the third camera around a position, by row-major numbers, and the fractions of the position between
+/// them to the right and downwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Taps {
     pub pixels: [usize; 4],
     pub share: [f32; 2],
 }
 
-/// Distance in pixels of an eye, across and down, within which the four pixels around a place lie.
+/// Distance in eye pixels, across and down, within which the four pixels around a position lie.
 const AROUND: usize = 2;
 
 impl EyeMap<'_> {
-    /// The place of position (x, y) of the eye's picture, pixels.
+    /// Returns the third camera's position for position (x, y) of the eye's picture, pixels.
     #[inline]
     pub fn place(&self, x: f64, y: f64) -> DVec2 {
         let at = self.to_center.x_axis * x + self.to_center.y_axis * y + self.to_center.z_axis;
         at.truncate() / at.z
     }
 
-    /// The pixels around a place; at the picture's edge the outermost ones.
+    /// Returns the pixels around a position; at the picture's edge the outermost ones.
     #[inline]
     pub fn taps(&self, at: DVec2) -> Taps {
         let (x, right, across) = neighbours(at.x, self.size.0);
@@ -52,8 +52,8 @@ impl EyeMap<'_> {
         Taps { pixels: [upper + x, upper + right, lower + x, lower + right], share: [across, down] }
     }
 
-    /// Weights of the pixels around the place of a pixel of the eye: bilinear, without those that own surfaces cover;
-    /// none where no own surface is near, so that all count.
+    /// Returns the weights of the taps for a pixel of the eye: bilinear, without taps covered by the eye's own
+    /// surfaces. `None` if no such surface is near, so that all taps count.
     pub fn uncovered(&self, column: usize, row: usize, taps: &Taps) -> Option<[f32; 4]> {
         let columns = column.saturating_sub(AROUND)..(column + AROUND + 1).min(self.eye.0);
         let mut rows = row.saturating_sub(AROUND)..(row + AROUND + 1).min(self.eye.1);
@@ -72,7 +72,7 @@ impl EyeMap<'_> {
         (sum > LEAST_SUM).then(|| weights.map(|weight| weight / sum))
     }
 
-    /// Share that an eye's own surfaces cover at the place of a pixel of the third camera.
+    /// Returns the fraction covered by the eye's own surfaces at the position of a third-camera pixel.
     fn coverage_at(&self, pixel: usize) -> f32 {
         let (x, y) = (pixel % self.size.0 as usize, pixel / self.size.0 as usize);
         let at = self.to_eye.x_axis * (x as f64 + 0.5) + self.to_eye.y_axis * (y as f64 + 0.5) + self.to_eye.z_axis;
@@ -81,7 +81,7 @@ impl EyeMap<'_> {
         if is_inside { self.coverage[at.y as usize * self.eye.0 + at.x as usize] } else { 0.0 }
     }
 
-    /// Mixture of the pixels around the place of a pixel of the eye.
+    /// Interpolates the taps of a pixel of the eye.
     #[inline]
     pub fn mix(&self, column: usize, row: usize, taps: &Taps, picture: &[[f32; 3]]) -> [f32; 3] {
         match self.uncovered(column, row, taps) {
@@ -94,10 +94,10 @@ impl EyeMap<'_> {
     }
 }
 
-/// Least sum of weights that can be divided by; below it, all pixels around are covered, and all count.
+/// Minimum sum of weights to divide by; below it, all taps are covered, and all count.
 const LEAST_SUM: f32 = 1e-6;
 
-/// The two pixels whose centres enclose a coordinate, and the second one's share.
+/// Returns the two pixels whose centres enclose a coordinate, and the weight of the second.
 #[inline]
 pub(super) fn neighbours(at: f64, count: u32) -> (usize, usize, f32) {
     let last = f64::from(count - 1);
@@ -107,14 +107,14 @@ pub(super) fn neighbours(at: f64, count: u32) -> (usize, usize, f32) {
 }
 
 impl Taps {
-    /// Bilinear weights.
+    /// Returns the bilinear weights.
     fn weights(&self) -> [f32; 4] {
         let [across, down] = self.share;
         let (left, upper) = (1.0 - across, 1.0 - down);
         [left * upper, across * upper, left * down, across * down]
     }
 
-    /// Bilinear interpolation of a picture.
+    /// Interpolates a picture bilinearly.
     #[inline]
     pub fn mix(&self, picture: &[[f32; 3]]) -> [f32; 3] {
         let [a, b, c, d] = self.pixels.map(|pixel| picture[pixel]);
@@ -127,7 +127,7 @@ impl Taps {
 }
 
 impl Rig {
-    /// The map of an eye, with the share of each of its pixels that its own surfaces cover.
+    /// Returns the map of an eye, given the fraction of each of its pixels that its own surfaces cover.
     pub(super) fn eye_map<'a>(&self, side: Side, coverage: &'a [f32]) -> Result<EyeMap<'a>> {
         self.check("coverage", coverage.len())?;
         let (to_eye, (width, height)) = (self.homography(side), self.size());
@@ -152,7 +152,7 @@ impl Rig {
         })
     }
 
-    /// Adds a colour behind each pixel of an eye that has samples without a surface of their own.
+    /// Adds a colour behind each pixel of an eye that has samples without an own surface.
     pub(super) fn behind(
         &self,
         coverage: &[f32],
@@ -172,7 +172,7 @@ impl Rig {
         })
     }
 
-    /// For each pixel of an eye, the number of the third camera's pixel that counts most in its mixture.
+    /// Writes, for each pixel of an eye, the third camera's pixel with the largest weight in its interpolation.
     pub fn nearest(&self, side: Side, coverage: &[f32], numbers: &mut [u32], progress: &Progress) -> Result<()> {
         self.check("numbers", numbers.len())?;
         let map = self.eye_map(side, coverage)?;

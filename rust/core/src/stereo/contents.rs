@@ -1,5 +1,5 @@
-//! Contents of a scene in the three views of a rig: which instances, whether there is anything to draw, and how many
-//! triangles.
+//! Contents of a scene in the three views of a rig: instances per view, whether there is anything to draw, and
+//! triangle counts.
 
 use glam::{DQuat, DVec3, DVec4};
 use rayon::prelude::*;
@@ -12,45 +12,45 @@ use crate::camera::Fov;
 use crate::scene::{Instance, Scene};
 use crate::trace::touches;
 
-/// Faces of one task.
+/// Faces per task.
 const TILE: usize = 1 << 16;
-/// Instances of one task.
+/// Instances per task.
 const BOXES: usize = 1 << 12;
 
-/// Instances that reach into the part of space that a view draws.
+/// Instances that reach into the volume that a view draws.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Contents {
-    /// For each instance the views that may show it, as bits: 1 the left eye's, 2 the right eye's, 4 the third camera's.
+    /// Bit mask per instance of the views that may show it: 1 left eye, 2 right eye, 4 third camera.
     pub instances: Vec<u8>,
-    /// Whether an eye may have a surface of its own to draw.
+    /// Whether an eye may have surfaces before the plane.
     pub near: bool,
-    /// Whether the third camera may have a surface to draw.
+    /// Whether the third camera may have surfaces to draw.
     pub far: bool,
 }
 
-/// Triangles that reach into the part of space that a view draws.
+/// Triangles that reach into the volume that a view draws.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Triangles {
-    /// Of the left eye, the right eye and the third camera.
+    /// Triangles drawn by the left eye, the right eye and the third camera.
     pub views: [u64; 3],
-    /// Those that all three draw.
+    /// Triangles drawn by all three.
     pub thrice: u64,
-    /// Those of each eye's whole view, which plain stereo draws.
+    /// Triangles in each eye's whole view, which plain stereo draws.
     pub plain: [u64; 2],
 }
 
-/// The half-spaces of the three views.
+/// Half-spaces of the three views.
 struct Views {
     eyes: [[DVec4; 4]; 2],
     center: [DVec4; 4],
-    /// Between the depths that the eyes draw.
+    /// Depth slab that the eyes draw.
     near: Vec<DVec4>,
-    /// Between the depths that the third camera draws.
+    /// Depth slab that the third camera draws.
     far: Vec<DVec4>,
 }
 
 impl Views {
-    /// Views that are wider by a margin in pixels on each side.
+    /// Creates the views, widened by a margin in pixels on each side.
     fn new(rig: &Rig, axes: &Axes, head: &Head, margin: f64) -> Self {
         let wider = |eye: Eye, size| axes.view(&Eye { fov: grown(&eye.fov, size, margin), ..eye });
         let eyes = Side::BOTH.map(|side| {
@@ -68,12 +68,12 @@ impl Views {
         }
     }
 
-    /// Whether the sides of each eye's view leave something, given whether some half-spaces do.
+    /// Tests the sides of each eye's view; `leave` returns whether an item survives some half-spaces.
     fn between_sides(&self, leave: impl Fn(&[DVec4]) -> bool) -> [bool; 2] {
         self.eyes.each_ref().map(|sides| leave(sides))
     }
 
-    /// The same for what the left eye, the right eye and the third camera draw.
+    /// Tests the volumes that the left eye, the right eye and the third camera draw.
     fn drawn(&self, sides: [bool; 2], leave: impl Fn(&[DVec4]) -> bool) -> [bool; 3] {
         let near = (sides[0] || sides[1]) && leave(&self.near);
         [sides[0] && near, sides[1] && near, leave(&self.far) && leave(&self.center)]
@@ -81,8 +81,8 @@ impl Views {
 }
 
 impl Rig {
-    /// Finds the instances of each view, by one pass over their boxes; where a picture is `traced`, triangles before the
-    /// plane are looked for, too. All of it may be a false alarm, because boxes are tested.
+    /// Finds the instances of each view, in one pass over their boxes. With `traced`, also tests the triangles before
+    /// the plane against the eyes' region. All results are conservative.
     pub fn contents(&self, scene: &Scene, head: &Head, traced: bool, progress: &Progress) -> Result<Contents> {
         let axes = Axes::new(self, scene, head);
         let margin = self.margin()?;
@@ -103,14 +103,14 @@ impl Rig {
         Ok(Contents { instances, near, far })
     }
 
-    /// By how many pixels something may be shown outside of the place where it is: pixels that lie off their places by a
-    /// part of one, and points in a zone.
+    /// Returns the maximum distance in pixels at which something may be shown beside its position: by pixel jitter,
+    /// and by the displacement in the zone.
     fn margin(&self) -> Result<f64> {
         let planes = self.planes();
         Ok(1.0 + if planes.begin < planes.end { self.max_error(planes.end, Axis::Both)? } else { 0.0 })
     }
 
-    /// The box of what both eyes draw, relative to the scene's origin.
+    /// Returns the box around the volumes of both eyes, relative to the scene's origin.
     fn region_before(&self, axes: &Axes, head: &Head, margin: f64) -> Aabb {
         let end = self.planes().end.min(head.far);
         let mut region = Aabb::EMPTY;
@@ -127,8 +127,8 @@ impl Rig {
         region
     }
 
-    /// Counts the triangles of each view, one by one; false alarms are those outside of a view's edge but of none of its
-    /// sides.
+    /// Counts the triangles of each view one by one. The test is conservative: it counts triangles that lie outside a
+    /// view but not outside any single side.
     pub fn triangles(&self, scene: &Scene, head: &Head, progress: &Progress) -> Result<Triangles> {
         let axes = Axes::new(self, scene, head);
         let views = Views::new(self, &axes, head, 0.0);
@@ -157,7 +157,7 @@ impl Rig {
     }
 }
 
-/// A field of view that is wider by a margin in pixels on each side.
+/// Widens a field of view by a margin in pixels on each side.
 fn grown(fov: &Fov, (width, height): (u32, u32), margin: f64) -> Fov {
     let x = margin * (fov.right - fov.left) / f64::from(width);
     let y = margin * (fov.up - fov.down) / f64::from(height);
@@ -174,20 +174,20 @@ impl Triangles {
     }
 }
 
-/// Ranges of an instance's faces.
+/// Splits an instance's faces into ranges.
 fn tiles_of(instance: &Instance) -> impl Iterator<Item = (&Instance, u32, u32)> {
     let count = instance.mesh.faces.len();
     (0..count).step_by(TILE).map(move |first| (instance, first as u32, (first + TILE).min(count) as u32))
 }
 
-/// Whether a box lies wholly outside one of some half-spaces; an empty one does.
+/// Returns whether a box lies entirely outside one of some half-spaces; an empty box does.
 fn is_outside(bounds: &Aabb, planes: &[DVec4]) -> bool {
     let (low, high) = (bounds.min.as_dvec3(), bounds.max.as_dvec3());
     bounds.is_empty()
         || planes.iter().any(|plane| {
             let n = plane.truncate();
             let farthest = DVec3::select(n.cmpgt(DVec3::ZERO), high, low);
-            // The corner's rounding error, so that nothing at the edge is lost.
+            // Covers the corner's rounding error, so that nothing at the edge is lost.
             let slack = 1e-6 * farthest.abs().max_element() * n.length();
             n.dot(farthest) + plane.w + slack < 0.0
         })

@@ -1,11 +1,11 @@
-//! The error of hybrid pictures: how far from its place an eye is shown a point beyond the plane.
+//! Error of hybrid pictures: how far from its true position an eye is shown a point beyond the plane.
 //!
 //! A point P at depth z is shown in the direction of the point of the plane m through which the third camera sees it.
-//! For an eye at p that is not turned, which would see P at the tangent a, the error is (Fink et al., Fig. 2)
+//! For an eye at p without rotation, which would see P at the tangent a, the error is (Fink et al., Fig. 2)
 //!
 //! Δ = (a s − p) (z − m) / ((z + s) m),
 //!
-//! linear in a. It grows with the depth, and is greatest at the nasal edge. In a zone, a depth d takes the place of m.
+//! linear in a. It grows with the depth, and is largest at the nasal edge. In a zone, a depth d replaces m.
 
 use glam::{DMat3, DVec2, DVec3};
 use rayon::prelude::*;
@@ -13,14 +13,14 @@ use rayon::prelude::*;
 use super::rig::{Rig, Side};
 use crate::base::{Error, Progress, Result};
 
-/// Which part of an error counts.
+/// Component of an error that counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
-    /// Its component to the side.
+    /// Horizontal component.
     Horizontal,
-    /// Its component upwards.
+    /// Vertical component.
     Vertical,
-    /// Its length.
+    /// Length.
     Both,
 }
 
@@ -34,14 +34,14 @@ impl Axis {
     }
 }
 
-/// Places across a view at which an error is taken that is not linear; between them it changes by less than a thousandth.
+/// Sample positions across a view for an error that is not linear; between them it changes by less than a thousandth.
 const PLACES: usize = 33;
-/// Sine of half the angle above which an eye counts as turned: what rounding leaves is less.
+/// Sine of half the angle above which an eye counts as rotated; rounding is below it.
 const LEAST_TURN: f64 = 1e-9;
 
 impl Rig {
-    /// Tangents at which an eye is shown a point that it would see at the tangents `at`, at a depth in metres from the
-    /// plane of the eyes; the depth may be infinite.
+    /// Returns the tangents at which an eye is shown a point that it would see at the tangents `at`, at a depth in
+    /// metres from the plane of the eyes; the depth may be infinite.
     pub fn shown(&self, side: Side, at: DVec2, depth: f64) -> DVec2 {
         let eye = self.eye(side);
         let (turn, p) = (DMat3::from_quat(eye.orientation), eye.position);
@@ -58,10 +58,10 @@ impl Rig {
         tangents(turn.transpose() * from_eye)
     }
 
-    /// Depth d at which an eye is shown a point of depth z, on its line to the third camera.
+    /// Returns the depth d at which an eye is shown a point of depth z, on its line to the third camera.
     ///
-    /// It is z up to m₁ and m from m₂ on. Between, 1/d = u + (u₁ − u)²/(2 (u₁ − u₂)) with u = 1/z: a place in the picture
-    /// is linear in u, so that straight lines become parabolas, which begin and end without a kink.
+    /// It is z up to m₁ and m from m₂ on. Between, 1/d = u + (u₁ − u)²/(2 (u₁ − u₂)) with u = 1/z: image positions are
+    /// linear in u, so straight lines become parabolas, which begin and end without a kink.
     pub(super) fn depth_shown(&self, z: f64) -> f64 {
         let planes = self.planes();
         if z <= planes.begin {
@@ -74,23 +74,24 @@ impl Rig {
         (u + (first - u).powi(2) / (2.0 * (first - last))).recip()
     }
 
-    /// The point at depth d on the line from the third camera through a point; both relative to the middle, head axes.
+    /// Returns the point at depth d on the line from the third camera through a point; both relative to the middle,
+    /// head axes.
     pub(super) fn place_shown(&self, point: DVec3, d: f64) -> DVec3 {
         let s = self.setback();
         (point.truncate() * ((d + s) / (s - point.z))).extend(-d)
     }
 
-    /// Error in pixels, to the right and upwards, of what an eye would see at the tangents `at`.
+    /// Returns the error in pixels, to the right and upwards, of a point that an eye would see at the tangents `at`.
     pub fn error(&self, side: Side, at: DVec2, depth: f64) -> DVec2 {
         (self.shown(side, at, depth) - at) * self.pixels_per_tangent(side)
     }
 
-    /// Greatest error over both eyes, pixels.
+    /// Returns the maximum error over both eyes, pixels.
     pub fn max_error(&self, depth: f64, axis: Axis) -> Result<f64> {
         check_depth(depth)?;
         let greatest = |side: Side| {
             let eye = self.eye(side);
-            // An error that is linear in the tangents is greatest at a corner.
+            // An error that is linear in the tangents is largest at a corner.
             let turns = eye.orientation.xyz().length() > LEAST_TURN;
             let count = if turns { PLACES } else { 2 };
             let share = |n: usize| n as f64 / (count - 1) as f64;
@@ -105,7 +106,7 @@ impl Rig {
         Ok(greatest(Side::Left).max(greatest(Side::Right)))
     }
 
-    /// Errors in pixels, to the right and upwards, at the centres of an eye's pixels, in row-major order.
+    /// Writes errors in pixels, to the right and upwards, at the centres of an eye's pixels, in row-major order.
     pub fn error_field(&self, side: Side, depth: f64, field: &mut [[f64; 2]], progress: &Progress) -> Result<()> {
         check_depth(depth)?;
         let (width, height) = self.size();
@@ -120,14 +121,14 @@ impl Rig {
         })
     }
 
-    /// Pixels of an eye's picture for each unit of tangent, to the side and upwards.
+    /// Returns the pixels of an eye's picture per unit of tangent, horizontally and vertically.
     pub fn pixels_per_tangent(&self, side: Side) -> DVec2 {
         let (fov, (width, height)) = (self.eye(side).fov, self.size());
         DVec2::new(f64::from(width) / (fov.right - fov.left), f64::from(height) / (fov.up - fov.down))
     }
 }
 
-/// Tangents of a direction that looks along −z.
+/// Returns the tangents of a direction that looks along −z.
 pub(super) fn tangents(direction: DVec3) -> DVec2 {
     direction.truncate() / -direction.z
 }

@@ -1,4 +1,4 @@
-//! A head in the world: its axes, and the half-spaces that its views and depths leave.
+//! Head pose: its axes, and the half-spaces of its views and depth range.
 
 use glam::{DMat3, DQuat, DVec3, DVec4};
 
@@ -6,20 +6,20 @@ use super::rig::{Eye, Rig};
 use crate::camera::Fov;
 use crate::scene::Scene;
 
-/// A head in the world, and the depths ahead of the plane of its eyes between which surfaces are drawn.
+/// A head pose, and the range of depths from the plane of its eyes in which surfaces are drawn.
 #[derive(Clone, Copy, Debug)]
 pub struct Head {
     /// World position, metres.
     pub position: DVec3,
     /// Unit quaternion head→world.
     pub orientation: DQuat,
-    /// The least depth, metres.
+    /// Minimum depth, metres.
     pub near: f64,
-    /// The greatest depth, metres; may be infinite.
+    /// Maximum depth, metres; may be infinite.
     pub far: f64,
 }
 
-/// A head's axes relative to a scene's origin.
+/// Head axes relative to a scene's origin.
 pub(super) struct Axes {
     turn: DMat3,
     head: DVec3,
@@ -33,28 +33,28 @@ impl Axes {
         Self { turn, head: place, middle: rig.middle() }
     }
 
-    /// A point in head axes, relative to the scene's origin.
+    /// Converts a point in head axes to scene axes, relative to the scene's origin.
     pub fn place(&self, point: DVec3) -> DVec3 {
         self.head + self.turn * point
     }
 
-    /// A point relative to the middle between the eyes, in head axes, relative to the scene's origin.
+    /// Converts a point relative to the middle between the eyes, in head axes, to scene axes.
     pub fn place_from_middle(&self, point: DVec3) -> DVec3 {
         self.place(self.middle + point)
     }
 
-    /// A direction of the world in head axes.
+    /// Converts a world direction to head axes.
     pub fn to_head(&self, direction: DVec3) -> DVec3 {
         self.turn.transpose() * direction
     }
 
-    /// A half-space n·x + d ≥ 0, given by n and a point of its plane in head axes.
+    /// Returns the half-space n·x + d ≥ 0 with a normal and a point of its plane in head axes.
     fn half_space(&self, normal: DVec3, through: DVec3) -> DVec4 {
         let normal = self.turn * normal;
         normal.extend(-normal.dot(self.place(through)))
     }
 
-    /// The four sides of a view; the eye's position is in head axes.
+    /// Returns the four sides of a view; the eye's position is in head axes.
     pub fn view(&self, eye: &Eye) -> [DVec4; 4] {
         let Fov { left, right, down, up } = eye.fov;
         let normals = [
@@ -66,7 +66,7 @@ impl Axes {
         normals.map(|normal| self.half_space(eye.orientation * normal, eye.position))
     }
 
-    /// The half-spaces between two depths ahead of the plane of the eyes; the second depth may be infinite.
+    /// Returns the half-spaces between two depths from the plane of the eyes; the second depth may be infinite.
     pub fn slab(&self, from: f64, to: f64) -> Vec<DVec4> {
         let at = |depth: f64| self.middle - DVec3::new(0.0, 0.0, depth);
         let begin = self.half_space(DVec3::NEG_Z, at(from));

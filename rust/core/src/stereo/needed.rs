@@ -1,7 +1,7 @@
-//! The pixels of the third camera's picture that an eye looks up.
+//! Pixels of the third camera's picture that an eye looks up.
 //!
-//! An eye looks up the pixels around the places of all its pixels that have samples without a surface of their own.
-//! Where eyes are not turned, its rows lie along rows of the third camera: whole runs of pixels are marked at once.
+//! An eye looks up the pixels around the position of each of its pixels with samples without an own surface. If eyes
+//! are not rotated, their rows lie along rows of the third camera, and whole runs of pixels are marked at once.
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -13,17 +13,16 @@ use super::rig::{Rig, Side};
 use crate::base::{Progress, Result, memory::room_for};
 use crate::render::tiles::sample_offsets;
 
-/// Greatest tilt of rows in pixels for which they are followed in runs.
+/// Maximum tilt of rows, in pixels, that counts as straight.
 const STRAIGHT: f64 = 1e-9;
-/// Pixels around a run that count as in it, far more than rounding.
+/// Margin around a run, in pixels, far more than rounding.
 const MARGIN: f64 = 1e-6;
-/// Pixels of a row that are looked at together.
+/// Pixels of a row tested at once.
 const BLOCK: usize = 64;
 
 impl Rig {
-    /// For each pixel of the third camera, whether an eye looks it up. `coverage` has the share of each eye's pixels that
-    /// its own surfaces cover. Pictures that are resolved look places up for each of their `samples`, others one for each
-    /// pixel.
+    /// Returns, for each pixel of the third camera, whether an eye looks it up. `coverage` has the fraction of each
+    /// eye pixel that its own surfaces cover. Resolved pictures look up `samples` positions per pixel, others one.
     pub fn needed(&self, coverage: [&[f32]; 2], samples: u32, progress: &Progress) -> Result<Vec<bool>> {
         room_for(pixels(self.center_size()) as u64)?;
         let [left, right] = coverage;
@@ -41,7 +40,7 @@ impl Rig {
         let mut mask = vec![false; width as usize * height as usize];
         mask.par_chunks_mut(width as usize).enumerate().try_for_each(|(y, row)| {
             for lines in &lines {
-                // Rows follow each other in both pictures.
+                // Rows have the same order in both pictures.
                 let first = lines.partition_point(|line| line.rows.end <= y);
                 for line in lines[first..].iter().take_while(|line| line.rows.start <= y) {
                     line.runs.iter().for_each(|run| row[run.clone()].fill(true));
@@ -70,14 +69,14 @@ impl Rig {
     }
 }
 
-/// Pixels of the third camera that a row of an eye looks up: runs of columns, in several rows.
+/// Third-camera pixels that a row of an eye looks up: runs of columns, in several rows.
 struct Line {
     rows: Range<usize>,
     runs: Vec<Range<usize>>,
 }
 
 impl EyeMap<'_> {
-    /// Whether the eye's rows lie along rows of the third camera, as those of eyes that are not turned.
+    /// Returns whether the eye's rows lie along rows of the third camera, as for eyes that are not rotated.
     fn is_straight(&self) -> bool {
         let [x, y, z] = [self.to_center.x_axis, self.to_center.y_axis, self.to_center.z_axis];
         let (width, height) = (self.eye.0 as f64, self.eye.1 as f64);
@@ -98,12 +97,12 @@ impl EyeMap<'_> {
     }
 }
 
-/// The pixels around all places from one to another.
+/// Returns the pixels around all positions in an interval.
 fn between(from: f64, to: f64, count: u32) -> Range<usize> {
     neighbours(from - MARGIN, count).0..neighbours(to + MARGIN, count).1 + 1
 }
 
-/// Runs of pixels that have samples without a surface.
+/// Returns the runs of pixels that have samples without a surface.
 fn uncovered_runs(shares: &[f32]) -> Vec<Range<usize>> {
     let mut runs: Vec<Range<usize>> = Vec::new();
     let mut add = |run: Range<usize>| match runs.last_mut() {

@@ -1,7 +1,7 @@
-//! Assembly without blur: an eye's pixel shows the surface that the third camera sees exactly at the pixel's place.
+//! Assembly without blur: an eye's pixel shows the surface that the third camera sees exactly at the pixel's position.
 //!
-//! Bilinear interpolation mixes four pixels, which softens textures and edges. The surface at the place between them is
-//! mostly one of theirs, so the third camera's ray through the place is intersected with these faces only.
+//! Bilinear interpolation of four pixels blurs textures and edges. The surface at a position is usually one of theirs,
+//! so the third camera's ray through the position is intersected with these faces only.
 
 use glam::{DVec2, DVec3, Vec3};
 
@@ -22,29 +22,29 @@ pub struct FarPicture<'a> {
     pub scene: &'a Scene,
     /// The third camera.
     pub camera: &'a Camera,
-    /// The part of space that it draws, in world positions.
+    /// Volume that it draws, in world coordinates.
     pub limits: Limits,
     /// Linear RGB of its pixels.
     pub color: &'a [[f32; 3]],
-    /// Triangle numbers of its pixels; −1 where it sees none.
+    /// Triangle numbers of its pixels; −1 where it sees no surface.
     pub faces: &'a [i64],
 }
 
-/// The same, ready to be looked up.
+/// Look-up state for a `FarPicture`.
 struct Resolver<'a> {
     far: FarPicture<'a>,
     rays: Rays,
-    /// Relative to the scene's origin, as the limits.
+    /// Position relative to the scene's origin, as the limits.
     eye: DVec3,
     limits: Limits,
-    /// Side of the square that a sample stands for, pixels.
+    /// Side of the square that a sample represents, pixels.
     scale: f64,
     cutouts: bool,
 }
 
 impl Rig {
-    /// Adds what the third camera sees behind an eye's own picture, with `samples` places for each pixel. Where its ray
-    /// meets none of the faces around, it sees the sky if one of them does, and else their bilinear mixture.
+    /// Adds the third camera's view behind an eye's own picture, with `samples` positions per pixel. A ray that hits
+    /// none of the faces around sees the sky if one of the pixels does, otherwise the bilinear interpolation.
     pub fn resolve(
         &self,
         side: Side,
@@ -80,7 +80,7 @@ impl Rig {
 }
 
 impl Resolver<'_> {
-    /// Linear RGB at a place; none where the faces around don't tell it.
+    /// Returns the linear RGB at a position; `None` if the faces around do not determine it.
     fn color(&self, taps: &Taps, at: DVec2) -> Option<[f32; 3]> {
         let FarPicture { scene, color, faces, .. } = self.far;
         let around = taps.pixels.map(|pixel| faces[pixel]);
@@ -107,7 +107,7 @@ impl Resolver<'_> {
         Some(Surface::of_hit(scene, &ray, &best).color(scene, width))
     }
 
-    /// Whether all points of a face have one colour, so that the pixels around have it too.
+    /// Returns whether all points of a face have one colour, so that the pixels around have it too.
     fn is_flat(&self, face: i64) -> bool {
         let scene = self.far.scene;
         let Some((instance, _)) = scene.locate(face) else { return false };
@@ -115,7 +115,7 @@ impl Resolver<'_> {
         scene.textures.is_empty() && mesh.colors.is_none() && mesh.normals.is_none()
     }
 
-    /// Where a ray meets a face, by Möller and Trumbore (1997) in float64.
+    /// Intersects a ray with a face, by Möller and Trumbore (1997) in float64.
     fn meet(&self, ray: &Ray, number: i64) -> Option<Hit> {
         let scene = self.far.scene;
         let (instance, face) = scene.locate(number)?;
@@ -128,7 +128,7 @@ impl Resolver<'_> {
         let from = origin - a;
         let q = from.cross(ab);
         let [t, u, v] = [ac.dot(q), from.dot(p), way.dot(q)].map(|x| x / determinant);
-        // NaN, of faces seen edge-on, is nowhere.
+        // NaN, from faces seen edge-on, fails every comparison.
         let is_inside = u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t >= f64::from(ray.t_min) && t <= f64::from(ray.t_max);
         let hit = Hit { t: t as f32, u: u as f32, v: v as f32, instance, face };
         let is_solid = || !self.cutouts || scene.is_solid(&placed.mesh, face, (hit.u, hit.v));

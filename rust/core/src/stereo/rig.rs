@@ -1,4 +1,4 @@
-//! The rig: two eyes, the camera behind them, and the plane through which all pictures meet.
+//! The rig: two eyes, the camera behind them, and the plane on which all pictures meet.
 
 use glam::{DMat3, DQuat, DVec2, DVec3};
 
@@ -16,7 +16,7 @@ pub struct Eye {
     pub orientation: DQuat,
 }
 
-/// The eyes, as indices.
+/// Index of an eye.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
     /// The left eye.
@@ -26,10 +26,10 @@ pub enum Side {
 }
 
 impl Side {
-    /// Both, the left one first.
+    /// Both eyes, the left one first.
     pub const BOTH: [Self; 2] = [Self::Left, Self::Right];
 
-    /// Its public name.
+    /// Returns the public name.
     pub fn name(self) -> &'static str {
         match self {
             Self::Left => "left",
@@ -38,18 +38,18 @@ impl Side {
     }
 }
 
-/// Distances of the planes from the plane of the eyes, metres.
+/// Distances of the mono planes from the plane of the eyes, metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Planes {
-    /// m₁: eyes see all that is nearer where it is.
+    /// m₁: nearer points are not displaced.
     pub begin: f64,
-    /// m₂ ≥ m₁: eyes draw what is nearer, the camera behind them what is farther away. From m₁ to m₂, points move from
-    /// the place where the eye would see them to that where the camera's picture has them.
+    /// m₂ ≥ m₁: eyes draw nearer points, the camera behind them draws farther ones. From m₁ to m₂, points move from
+    /// their true position in the eye's picture to that in the camera's picture.
     pub end: f64,
 }
 
 impl Planes {
-    /// m: the plane through whose points an eye looks up the camera's picture, the harmonic mean of m₁ and m₂.
+    /// Returns m: distance of the plane of the look-up homography, the harmonic mean of m₁ and m₂.
     pub fn mono(&self) -> f64 {
         if self.begin == self.end { self.begin } else { 2.0 / (1.0 / self.begin + 1.0 / self.end) }
     }
@@ -71,15 +71,15 @@ pub struct Rig {
 
 /// Factor k of the overlap ε = k s m of both parts, as published.
 const OVERLAP: f64 = 2.0;
-/// Distance in pixels up to which pixels are mixed: half of the eye's own, and one of the third camera's.
+/// Maximum distance of interpolated pixels, in pixels: half an eye pixel and one of the third camera's.
 const MIXED: f64 = 1.5;
-/// Distance of a slanted surface from the line of sight for which the overlap suffices, metres.
+/// Distance of a slanted surface from the line of sight up to which the overlap suffices, metres.
 const ASIDE: f64 = 1.0;
-/// Least cosine between an edge of a view and the head's forward axis; edges beyond it do not meet the plane in front.
+/// Minimum cosine between an edge of a view and the head's forward axis; other edges do not meet the plane in front.
 const LEAST_FORWARD: f64 = 1e-6;
 
 impl Rig {
-    /// Checks the eyes and places the camera behind them. `size` is the picture of an eye, pixels.
+    /// Creates a rig: checks the eyes and places the camera behind them. `size` is the picture of an eye, pixels.
     pub fn new(eyes: [Eye; 2], planes: Planes, size: (u32, u32)) -> Result<Self> {
         check_size(size)?;
         check_planes(planes)?;
@@ -104,7 +104,7 @@ impl Rig {
         Ok(Self { eyes, middle, planes, size, setback, fov, center_size, jitter: DVec2::ZERO })
     }
 
-    /// The same rig, all of whose pictures have their pixels to the right and down by a part of a pixel.
+    /// Returns the rig with the pixels of all pictures shifted right and down by a fraction of a pixel.
     pub fn jittered(&self, jitter: DVec2) -> Result<Self> {
         if !jitter.is_finite() || jitter.abs().max_element() > 1.0 {
             return Err(Error::value("jitter", "at most 1 pixel each way", jitter));
@@ -112,58 +112,60 @@ impl Rig {
         Ok(Self { jitter, ..*self })
     }
 
-    /// An eye; its position is relative to the middle between both.
+    /// Returns an eye; its position is relative to the middle between both.
     pub fn eye(&self, side: Side) -> &Eye {
         &self.eyes[side as usize]
     }
 
-    /// The middle between the eyes, in head axes.
+    /// Returns the middle between the eyes, in head axes.
     pub fn middle(&self) -> DVec3 {
         self.middle
     }
 
-    /// The planes.
+    /// Returns the planes.
     pub fn planes(&self) -> Planes {
         self.planes
     }
 
-    /// Size of an eye's picture, pixels.
+    /// Returns the size of an eye's picture, pixels.
     pub fn size(&self) -> (u32, u32) {
         self.size
     }
 
-    /// s: distance of the third camera behind the middle between the eyes, metres. It is the least one from which the
-    /// camera sees no less to each side than the eyes do in the distance: ipd/2 divided by the lesser outer tangent.
+    /// Returns s: distance of the third camera behind the middle between the eyes, metres. It is the smallest from
+    /// which the camera's view at infinity includes the eyes' on each side: ipd/2 divided by the smaller outer
+    /// tangent.
     pub fn setback(&self) -> f64 {
         self.setback
     }
 
-    /// Field of view of the third camera: the hull of both eyes' views on the plane.
+    /// Returns the field of view of the third camera: the hull of both eyes' views on the plane.
     pub fn center_fov(&self) -> Fov {
         self.fov
     }
 
-    /// Size of the third camera's picture whose pixels are as fine on the plane as those of the eyes (Eq. 8).
+    /// Returns the size of the third camera's picture, whose pixels are as fine on the plane as those of the eyes (Eq.
+    /// 8).
     pub fn center_size(&self) -> (u32, u32) {
         self.center_size
     }
 
-    /// ε: by so much nearer than the plane m₂ does the third camera begin to draw, metres. At least the published k s m; where
-    /// pixels are coarse or the plane is far away, as much as the depth of a surface at `ASIDE` changes over the pixels
-    /// that are mixed, m² / `ASIDE` for each unit of tangent.
+    /// Returns ε: distance before the plane m₂ from which the third camera draws, metres. At least the published k s
+    /// m. If pixels are coarse or the plane is far away, it is the depth change of a surface at `ASIDE` over the
+    /// interpolated pixels, m² / `ASIDE` per unit of tangent.
     pub fn overlap(&self) -> f64 {
         let (m, fov, (width, height)) = (self.planes.end, self.fov, self.center_size);
         let pixel = ((fov.right - fov.left) / f64::from(width)).max((fov.up - fov.down) / f64::from(height));
         (OVERLAP * self.setback * m).max((MIXED * pixel * m * m / ASIDE).min(0.5 * m))
     }
 
-    /// The homography of the plane: from pixels (x, y, 1) of the third camera to those of an eye, (x w, y w, w). w is the
-    /// distance of the plane's point along the eye's axis, metres.
+    /// Returns the homography of the plane: from pixels (x, y, 1) of the third camera to those of an eye, (x w, y w,
+    /// w). w is the distance of the plane's point along the eye's axis, metres.
     pub fn homography(&self, side: Side) -> DMat3 {
         let eye = self.eye(side);
         let (m, p) = (self.planes.mono(), eye.position);
         let away = m + self.setback;
-        // Tangents (x, y, 1) of the camera to the point of the plane that it sees there, relative to the eye.
+        // Maps tangents (x, y, 1) of the camera to the plane's point that it sees there, relative to the eye.
         let on_plane =
             DMat3::from_cols(DVec3::new(away, 0.0, 0.0), DVec3::new(0.0, away, 0.0), DVec3::new(-p.x, -p.y, -m - p.z));
         let to_eye = DMat3::from_quat(eye.orientation).transpose();
@@ -175,13 +177,14 @@ impl Rig {
     }
 }
 
-/// Point of the plane at distance m that an eye sees at tangents (x, y); relative to the middle, head axes.
+/// Returns the point of the plane at distance m that an eye sees at tangents (x, y); relative to the middle, head
+/// axes.
 pub(super) fn on_plane(eye: &Eye, at: DVec2, m: f64) -> DVec2 {
     let way = eye.orientation * at.extend(-1.0);
     eye.position.truncate() + way.truncate() * ((m + eye.position.z) / -way.z)
 }
 
-/// Corners of an eye's view on the plane: left bottom, right bottom, right top, left top.
+/// Returns the corners of an eye's view on the plane: left bottom, right bottom, right top, left top.
 fn footprint(eye: &Eye, m: f64) -> [DVec2; 4] {
     corners(&eye.fov).map(|corner| on_plane(eye, corner, m))
 }
@@ -191,14 +194,14 @@ pub(super) fn corners(fov: &Fov) -> [DVec2; 4] {
     [(left, down), (right, down), (right, up), (left, up)].map(|(x, y)| DVec2::new(x, y))
 }
 
-/// Tangents (x, y, 1) to pixels (x, y, 1).
+/// Returns the matrix from tangents (x, y, 1) to pixels (x, y, 1).
 fn pixels_of(fov: &Fov, (width, height): (u32, u32)) -> DMat3 {
     let x = f64::from(width) / (fov.right - fov.left);
     let y = f64::from(height) / (fov.up - fov.down);
     DMat3::from_cols(DVec3::new(x, 0.0, 0.0), DVec3::new(0.0, -y, 0.0), DVec3::new(-fov.left * x, fov.up * y, 1.0))
 }
 
-/// Distance behind the middle from which a ray along the eye's outer edge starts on the head's axis.
+/// Returns the distance behind the middle from which a ray along the eye's outer edge starts on the head's axis.
 fn setback_of(side: Side, eye: &Eye) -> Result<f64> {
     let outwards = if side == Side::Left { -1.0 } else { 1.0 };
     let edge = if side == Side::Left { eye.fov.left } else { eye.fov.right };
@@ -214,14 +217,14 @@ fn setback_of(side: Side, eye: &Eye) -> Result<f64> {
     Ok((outwards * eye.position.x / least).max(0.0))
 }
 
-/// Eq. 8: the third camera's pixels are as large on the plane as those of the coarser eye. Eyes that are turned see the
-/// plane at varying sizes, of which the mean counts.
+/// Returns the picture size by Eq. 8: the third camera's pixels are as large on the plane as those of the coarser eye.
+/// Rotated eyes see the plane at varying scales; their mean counts.
 fn center_size(feet: &[[DVec2; 4]; 2], hull: DVec2, (width, height): (u32, u32)) -> Result<(u32, u32)> {
     let across = |[a, b, c, d]: [DVec2; 4]| 0.5 * ((b - a).length() + (c - d).length());
     let upright = |[a, b, c, d]: [DVec2; 4]| 0.5 * ((d - a).length() + (c - b).length());
     let pixels = |hull: f64, widths: [f64; 2], count: u32| {
         let least = widths.map(|width| hull / width * f64::from(count)).into_iter().fold(f64::INFINITY, f64::min);
-        // Rounding must not add a pixel where the quotient is whole.
+        // Rounding must not add a pixel to an integer quotient.
         (least - 1e-6).ceil().max(1.0)
     };
     let size = [pixels(hull.x, feet.map(across), width), pixels(hull.y, feet.map(upright), height)];
@@ -249,7 +252,7 @@ fn check_planes(Planes { begin, end }: Planes) -> Result<()> {
     Ok(())
 }
 
-/// Refuses eyes behind the plane and views with edges that do not meet it in front of the head.
+/// Fails for eyes behind the plane and for views with edges that do not meet it in front of the head.
 fn check_ahead(side: Side, eye: &Eye, m: f64) -> Result<()> {
     if m + eye.position.z <= 0.0 {
         let expected = format!("a plane in front of the {} eye, which is {} m ahead", side.name(), -eye.position.z);
@@ -263,7 +266,7 @@ fn check_ahead(side: Side, eye: &Eye, m: f64) -> Result<()> {
     Ok(())
 }
 
-/// Refuses views that do not overlap on the plane, which have no picture in common.
+/// Fails for views that do not overlap on the plane.
 fn check_overlap(feet: &[[DVec2; 4]; 2]) -> Result<()> {
     let bounds = feet.map(|corners| {
         corners.into_iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)))

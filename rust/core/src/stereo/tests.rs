@@ -4,7 +4,7 @@ use super::*;
 use crate::base::Progress;
 use crate::camera::Fov;
 
-/// The Vive of the paper, tangents as it prints them.
+/// The Vive of the paper, with its printed tangents.
 fn vive() -> [Eye; 2] {
     let left = Fov { left: -1.391_937, right: 1.247_409, down: -1.464_287, up: 1.468_819 };
     let right = Fov { left: -1.246_557, right: 1.398_447, down: -1.472_458, up: 1.465_505 };
@@ -12,7 +12,7 @@ fn vive() -> [Eye; 2] {
     [eye(left, -0.032), eye(right, 0.032)]
 }
 
-/// Eyes turned outwards, moved forwards and upwards.
+/// Canted eyes, moved forwards and upwards.
 fn canted(degrees: f64) -> [Eye; 2] {
     let fov = Fov { left: -1.3, right: 1.0, down: -1.1, up: 1.2 };
     let mirrored = Fov { left: -1.0, right: 1.3, ..fov };
@@ -76,7 +76,7 @@ fn points_before_the_plane_stay() {
     assert!((rig.shown(Side::Left, at, 8.0 + 1e-9) - at).length() < 1e-9);
 }
 
-/// The oracle of `shown` and `homography`, step by step through points in space.
+/// Compares `shown` and `homography` with points computed step by step in space.
 #[test]
 fn shown_and_homography_agree_with_points_in_space() {
     for (degrees, m) in [(0.0, 2.0), (5.0, 8.0), (-10.0, 1.0), (20.0, 30.0)] {
@@ -98,7 +98,7 @@ fn shown_and_homography_agree_with_points_in_space() {
                 let seen = eye.orientation.inverse() * (through - eye.position);
                 let expected = seen.truncate() / -seen.z;
                 assert!((rig.shown(side, at, depth) - expected).length() < 1e-12);
-                // Its pixel in the third camera's picture, which the homography takes to the same place.
+                // Its pixel in the third camera's picture, which the homography maps to the same position.
                 let tangent = from_camera.truncate() / -from_camera.z;
                 let pixel = DVec3::new(
                     (tangent.x - fov.left) / (fov.right - fov.left) * f64::from(width),
@@ -137,7 +137,7 @@ fn every_pixel_of_both_eyes_has_one_of_the_third_camera() {
 
 #[test]
 fn pixels_of_the_third_camera_are_as_fine_as_those_of_the_eyes() {
-    // Eyes that are not turned see the plane at one size everywhere: the coarser one decides.
+    // Eyes without rotation see the plane at one scale everywhere: the coarser one decides.
     let rig = rig(vive(), 8.0);
     let fov = rig.center_fov();
     let ((width, height), away) = (rig.center_size(), 8.0 + rig.setback());
@@ -153,14 +153,14 @@ fn pixels_of_the_third_camera_are_as_fine_as_those_of_the_eyes() {
 fn a_zone_joins_both_parts_smoothly() {
     let planes = Planes { begin: 6.0, end: 10.0 };
     let zone = Rig::new(canted(5.0), planes, (1344, 1512)).unwrap();
-    // Their pictures meet on the plane in the middle of both in 1/z.
+    // The pictures meet on the plane midway between both in 1/z.
     let whole = rig(canted(5.0), 7.5);
     let at = DVec2::new(0.9, -0.4);
-    // At its ends the eye's own picture and the shared one.
+    // At the zone's ends: the eye's own picture and the shared one.
     assert!((zone.shown(Side::Left, at, 6.0 + 1e-9) - at).length() < 1e-9);
     assert!((zone.shown(Side::Left, at, 10.0) - whole.shown(Side::Left, at, 10.0)).length() < 1e-12);
     assert!((zone.shown(Side::Left, at, 10.0 - 1e-9) - whole.shown(Side::Left, at, 10.0)).length() < 1e-9);
-    // Without a step of the slope.
+    // The slope is continuous.
     let slope = |rig: &Rig, depth: f64| {
         (rig.shown(Side::Left, at, depth + 1e-6) - rig.shown(Side::Left, at, depth - 1e-6)) / 2e-6
     };
@@ -199,7 +199,7 @@ fn impossible_rigs_are_refused() {
     refused([Eye { fov: low, ..left }, Eye { fov: high, ..right }], 8.0, 8.0, size, "views of both eyes overlap");
 }
 
-/// Against all pixels around each place, one by one; eyes that are not turned are marked in runs.
+/// Compares with the pixels around each position, one by one; for eyes without rotation runs are marked.
 #[test]
 fn needed_pixels_are_those_around_all_places() {
     for (eyes, turned) in [(vive(), false), (canted(4.0), true)] {
@@ -230,7 +230,7 @@ fn needed_pixels_are_those_around_all_places() {
             (extra + usize::from(*found && !wanted), missing + usize::from(*wanted && !found))
         });
         assert_eq!(missing, 0);
-        // A run marks what lies between its ends, too; the third camera's pixels are about as fine as the eyes'.
+        // A run also marks all pixels between its ends; the third camera's pixels are about as fine as the eyes'.
         assert!(extra <= if turned { 0 } else { expected.len() / 100 }, "{extra}");
         assert!(expected.iter().filter(|wanted| !**wanted).count() > 100);
     }

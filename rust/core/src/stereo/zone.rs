@@ -1,8 +1,8 @@
-//! The zone between m₁ and m₂: an eye's rays are bent, so that each point is met where the eye is shown it.
+//! The zone between m₁ and m₂: an eye's rays are bent, so that each surface point appears at its displaced position.
 //!
-//! Up to m₁ a ray is straight. Beyond, its point at depth z is on the line from the third camera through the ray's own
-//! point at the depth d that z is shown at. These points are joined by straight legs. At m₂ it ends where the third
-//! camera's ray through the same place is.
+//! Up to m₁ a ray is straight. Beyond, its point at depth z lies on the line from the third camera through the ray's
+//! own point at the depth d at which z is shown. These points are joined by straight legs. The ray ends at m₂, on the
+//! third camera's ray through the same image position.
 
 use glam::{DVec3, Vec3};
 
@@ -17,17 +17,18 @@ use crate::render::truth::Truth;
 use crate::scene::Scene;
 use crate::trace::{All, AlphaFilter, Hit, Ray, closest_hits, touches};
 
-/// Share by which each part of a ray is lengthened, so that rounding leaves no gap to the next one.
+/// Relative lengthening of each leg, so that rounding leaves no gap to the next one.
 const OVERLAP: f32 = 1e-5;
-/// Greatest distance in pixels of a bent ray from its legs.
+/// Maximum distance in pixels of a bent ray from its legs.
 const TOLERANCE: f64 = 0.02;
-/// Greatest number of legs.
+/// Maximum number of legs.
 const MOST_LEGS: usize = 64;
-/// Number of legs that are skipped together where nothing lies near them.
+/// Number of legs skipped together if nothing lies near them.
 const SPAN: usize = 8;
 
 impl Rig {
-    /// Draws what an eye sees before m₂. The view's limits leave what lies before m₁; `head` says where its depths end.
+    /// Renders an eye's view before m₂. The view's limits exclude everything before m₁; `head` gives the end of its
+    /// depths.
     pub fn render_zone(
         &self,
         side: Side,
@@ -44,10 +45,10 @@ impl Rig {
         draw(view, &Zone { rig: self, side, axes, depths, aside, truth }, progress)
     }
 
-    /// Depths at which bent rays have corners, from m₁ to m₂ or to the end of what is drawn, evenly in 1/z.
+    /// Returns the depths of the corners of bent rays, from m₁ to m₂ or the maximum depth, evenly spaced in 1/z.
     ///
-    /// A bent ray is a parabola in the picture, whose greatest distance from the straight ray is D pixels, at m₂: n legs
-    /// leave D/(4 n²) pixels.
+    /// In the picture, a bent ray is a parabola with a maximum distance of D pixels from the straight ray, at m₂: n
+    /// legs reduce it to D/(4 n²) pixels.
     fn leg_depths(&self, far: f64) -> Result<Vec<f64>> {
         let planes = self.planes();
         let end = planes.end.min(far);
@@ -66,34 +67,35 @@ impl Rig {
             .collect())
     }
 
-    /// The point at depth z that an eye is shown in a direction; both in head axes, the point relative to the middle.
+    /// Returns the point at depth z that an eye is shown in a direction; both in head axes, the point relative to the
+    /// middle.
     fn point_shown(&self, side: Side, direction: DVec3, z: f64) -> DVec3 {
         let (p, d) = (self.eye(side).position, self.depth_shown(z));
         self.place_shown(p + (tangents(direction) * (d + p.z)).extend(-d - p.z), z)
     }
 }
 
-/// A scene before m₂, as an eye is shown it.
+/// Scene before m₂ as displaced for an eye.
 struct Zone<'a> {
     rig: &'a Rig,
     side: Side,
     axes: Axes,
-    /// Depths of the corners of bent rays; the first one is m₁.
+    /// Depths of the corners of bent rays; the first is m₁.
     depths: Vec<f64>,
-    /// Tangents by which points are moved at most.
+    /// Maximum displacement of points, as a tangent.
     aside: f64,
     truth: Truth<'a>,
 }
 
 impl Zone<'_> {
-    /// The k-th corner of a ray, relative to the scene's origin.
+    /// Returns the k-th corner of a ray, relative to the scene's origin.
     fn corner(&self, ray: &Ray, k: usize) -> Vec3 {
         let direction = self.axes.to_head(ray.direction.as_dvec3());
         self.axes.place_from_middle(self.rig.point_shown(self.side, direction, self.depths[k])).as_vec3()
     }
 
-    /// Whether anything may lie near several legs of some rays, from one corner to another. Between these, legs bend
-    /// aside by no more than the whole zone moves a point.
+    /// Returns whether anything may lie near several legs of some rays, from one corner to another. Between these,
+    /// legs deviate by no more than the zone's maximum displacement.
     fn reaches(&self, open: &[usize], rays: &[Ray], from: usize, to: usize) -> bool {
         let mut region = Aabb::EMPTY;
         for &n in open {
@@ -106,7 +108,7 @@ impl Zone<'_> {
         touches(self.truth.scene, &region)
     }
 
-    /// Follows the rays without a hit along their next legs; returns how many are still without one.
+    /// Traces the rays without a hit along their next leg; returns how many still have none.
     fn follow(&self, open: &mut [usize], ends: &[Vec3; PIXELS], starts: &[Vec3; PIXELS], pixels: Tile<'_>) -> usize {
         let Tile { rays, hits } = pixels;
         let mut legs = [Ray { origin: Vec3::ZERO, direction: Vec3::Z, t_min: 0.0, t_max: 1.0 + OVERLAP }; PIXELS];
@@ -131,7 +133,7 @@ impl Zone<'_> {
     }
 }
 
-/// Rays of a tile and what they meet.
+/// Rays of a tile and their hits.
 struct Tile<'a> {
     rays: &'a mut [Ray],
     hits: &'a mut [Hit],
@@ -152,7 +154,7 @@ impl Picture for Zone<'_> {
         let (mut starts, mut ends) = ([Vec3::ZERO; PIXELS], [Vec3::ZERO; PIXELS]);
         let legs = self.depths.len() - 1;
         let mut next = 0;
-        // Corner at which `ends` are.
+        // Corner at which `ends` were computed.
         let mut known = usize::MAX;
         while next < legs && count > 0 {
             let k = next;
@@ -204,8 +206,8 @@ mod tests {
         Rig::new([eye(fov, -0.031), eye(mirrored, 0.033)], planes, (1344, 1512)).unwrap()
     }
 
-    /// Points on the legs, also between their ends, are shown where the ray is, and the last ones where the third camera's
-    /// picture goes on.
+    /// Points on the legs, also between their ends, are shown at the ray's position, and the last ones where the third
+    /// camera's picture continues.
     #[test]
     fn legs_stay_close_to_the_bent_ray() {
         for (begin, end, degrees) in [(0.5, 0.6, 0.0), (3.0, 12.0, 5.0), (1.0, 100.0, 0.0), (8.0, 9.0, 10.0)] {

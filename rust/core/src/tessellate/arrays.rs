@@ -19,7 +19,7 @@ pub struct Arrays {
     pub weights: Vec<[f64; 3]>,
     /// Three vertex numbers per face.
     pub faces: Vec<[u32; 3]>,
-    /// Face of the source of which each face is a part.
+    /// Source face that contains each face.
     pub sources: Vec<u32>,
     /// Numbers of triangles before and after splitting.
     pub counts: SplitCounts,

@@ -1,4 +1,4 @@
-//! Faces and new vertices from pieces. Neighbouring pieces share vertices where the source's faces do.
+//! Assembly of pieces into faces and new vertices. Neighbouring pieces share vertices where the source's faces do.
 
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -12,12 +12,12 @@ use super::settings::Precision;
 use super::split::Piece;
 use crate::base::{Error, Progress, Result, memory::room_for};
 
-/// Number of faces in one task. It is fixed, so that the result does not depend on the number of threads.
+/// Number of faces per task: fixed, so that the result does not depend on the number of threads.
 const TILE: usize = 1 << 12;
-/// Bytes that a piece needs while it is created: the piece, its face and its share of the new vertices.
+/// Peak memory per piece, bytes: the piece, its face and its part of the new vertices.
 const BYTES: u64 = size_of::<Piece>() as u64 + 64;
 
-/// A vertex that the source does not have, on one of the source's faces.
+/// A new vertex on a face of the source.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct NewVertex {
     pub point: DVec3,
@@ -32,12 +32,12 @@ type Split = (u32, Vec<Piece>);
 #[derive(Debug, Default)]
 pub(super) struct Assembled {
     pub faces: Vec<[u32; 3]>,
-    /// Face of the source of which each face is a part.
+    /// Source face that contains each face.
     pub sources: Vec<u32>,
     pub new: Vec<NewVertex>,
 }
 
-/// Counts the pieces of all tasks and refuses them if the system lacks the memory.
+/// Counter of the pieces of all tasks; fails if the system lacks the memory.
 #[derive(Debug, Default)]
 pub(super) struct Budget(AtomicU64);
 
@@ -58,7 +58,7 @@ impl Budget {
     }
 }
 
-/// Splits the faces of a mesh; `corners` gives the corners of a face that may be split. `None` if no face is split.
+/// Splits the faces of a mesh; `corners` returns the corners of a face that may be split. `None` if no face is split.
 pub(super) fn assemble(
     source: &[[u32; 3]],
     vertex_count: usize,
@@ -93,7 +93,7 @@ pub(super) fn assemble(
     joined(source, vertex_count, &split, progress).map(Some)
 }
 
-/// Identity of a new vertex: the edge or face of the source on which it lies, and the bits of its position.
+/// Identity of a new vertex: its edge or face on the source, and the bits of its position.
 type Key = ([u32; 2], [u64; 3]);
 
 fn joined(source: &[[u32; 3]], vertex_count: usize, split: &[Split], progress: &Progress) -> Result<Assembled> {
@@ -141,7 +141,8 @@ enum VertexPlace {
     New([u32; 2]),
 }
 
-/// Position on the source of a point with these weights. Two zero weights mark a corner, one marks an edge.
+/// Returns the position on the source of a point with these weights. Two zero weights mark a corner, one marks an
+/// edge.
 fn on_source(vertices: [u32; 3], face: u32, weights: [f64; 3]) -> VertexPlace {
     let used: [bool; 3] = weights.map(|weight| weight != 0.0);
     match used {

@@ -1,4 +1,4 @@
-//! The rule that splits edges for `Kind::Blend`. It depends on the two ends of an edge alone, so all triangles at an edge
+//! Edge-splitting rule for `Kind::Blend`. It depends only on the two ends of an edge, so all triangles at an edge
 //! split it alike.
 
 use glam::{DVec2, DVec3};
@@ -8,32 +8,32 @@ use super::segment::{crossing, segment_distance, weights_of_axis};
 use super::settings::{Precision, Settings};
 use crate::base::{Error, Result};
 
-/// Share of the tolerance for points of triangles outside r₁ that lie inside it. A greater share gives fewer triangles
-/// along r₁ and more triangles elsewhere near it. Edges that these shares leave whole must be short enough for the
-/// rest, because 4/3 of the sum of this share and the next stays below the tolerance.
+/// Fraction of the tolerance for points of triangles outside r₁ that lie inside it. A larger fraction gives fewer
+/// triangles along r₁ and more elsewhere near it. Edges that these fractions leave whole must be short enough for the
+/// rest, because 4/3 of the sum of this fraction and the next stays below the tolerance.
 const PASSING_R1: f64 = 0.25;
-/// Share of the tolerance for vertices of triangles inside r₁ that lie outside it.
+/// Fraction of the tolerance for vertices of triangles inside r₁ that lie outside it.
 const MISSING_R1: f64 = 0.05;
-/// Share of the tolerance for triangles beyond r₂ that reach inside it; 4/3 of it is below 1.
+/// Fraction of the tolerance for triangles beyond r₂ that reach inside it; 4/3 of it is below 1.
 const PASSING_R2: f64 = 0.7;
-/// Greatest edge length between the radii as a share of the longest edge that any form allows. Its value, like that of
+/// Maximum edge length between the radii, relative to the longest edge that any form allows. This value, like
 /// PASSING_R1, was chosen by measurement.
 const LONGEST: f64 = 0.7;
 /// Number of distances for which a form is stored; a distance between two is rounded towards the axis.
 const RINGS: usize = 64;
-/// Shares of r₂ − r₁ below which edges are not split: the first if the tolerance is a bound, the second otherwise. The
-/// first is also the least (r₂ − r₁)/r₂ for which there is a bound.
+/// Edge lengths, relative to r₂ − r₁, below which edges are not split: the first if the tolerance is a bound, the
+/// second otherwise. The first is also the minimum (r₂ − r₁)/r₂ for which there is a bound.
 const SHORTEST: f64 = 1.0 / 4096.0;
 const COARSEST: f64 = 1.0 / 64.0;
 
-/// The rule for one centre, region of users and tolerance.
+/// Rule for one centre, region of users and tolerance.
 #[derive(Clone, Debug)]
 pub(super) struct BlendRule {
     settings: Settings,
-    /// Forms by distance from the axis, from r₁ outwards, and the distance between two of them in metres.
+    /// Forms by distance from the axis, from r₁ outwards, and the spacing of these distances, metres.
     forms: Vec<Form>,
     ring: f64,
-    /// Greatest horizontal length of an edge between the radii, metres; the forms hold up to it.
+    /// Maximum horizontal length of an edge between the radii, metres; the forms hold up to it.
     longest: f64,
     /// Length below which edges are not halved, metres.
     shortest: f64,
@@ -45,7 +45,8 @@ pub(super) struct BlendRule {
     passing_r2: f64,
     /// Length up to which no edge needs a split, wherever it lies, metres.
     harmless: f64,
-    /// Metres by which a vertex on a radius may miss it: rounding, and the sag of edges that are too short to be split.
+    /// Metres by which a vertex on a radius may miss it: rounding, and the sag of edges that are too short to be
+    /// split.
     rounding: f64,
     holds: bool,
 }
@@ -89,8 +90,8 @@ impl BlendRule {
             rounding: rounding.max(shortest * shortest / (2.0 * r1.max(width))),
             holds,
         };
-        // A share of the longest edges that any form allows. The shorter these are, the closer to an edge is the
-        // distance at which its form is taken.
+        // A fraction of the longest edges that any form allows. The shorter these are, the closer to an edge is the
+        // distance at which its form is evaluated.
         let widest = zone.form(r2, 0.0);
         rule.longest = (LONGEST * pitch(widest.along + widest.any)).min(width / 2.0).min(r1 / 2.0);
         rule.longest = rule.longest.max(4.0 * shortest);
@@ -103,7 +104,7 @@ impl BlendRule {
         rule
     }
 
-    /// The rule for r₂ = 0: every point is shown as the centre sees it.
+    /// Creates the rule for r₂ = 0: every point is shown as the centre sees it.
     fn of_nothing_near(settings: &Settings) -> Self {
         Self {
             settings: *settings,
@@ -120,8 +121,8 @@ impl BlendRule {
         }
     }
 
-    /// Whether the tolerance is a bound for every user of the region: they stay well inside r₁, and the tolerance is
-    /// not below the resolution of the coordinates.
+    /// Returns whether the tolerance is a bound for every user of the region: they stay well inside r₁, and the
+    /// tolerance is not below the resolution of the coordinates.
     pub fn holds(&self) -> bool {
         self.holds
     }
@@ -143,13 +144,14 @@ impl BlendRule {
         Ok(())
     }
 
-    /// Length up to which edges have an error below the tolerance wherever they lie, also across the radii.
+    /// Returns the length up to which edges have an error below the tolerance wherever they lie, also across the
+    /// radii.
     pub fn harmless(&self) -> f64 {
         self.harmless
     }
 
-    /// Share of the way from a to b at which their edge is split. The caller must order the ends of an edge
-    /// consistently.
+    /// Returns the fraction of the way from a to b at which their edge is split. The caller must order the ends of an
+    /// edge consistently.
     ///
     /// If an edge is left whole, each part of it must be left whole as well; otherwise thin triangles would be split
     /// for ever.
@@ -185,7 +187,7 @@ impl BlendRule {
         (parts >= 2.0).then(|| (parts / 2.0).floor() / parts)
     }
 
-    /// Number of parts into which an edge between the radii is to be split.
+    /// Returns the number of parts into which an edge between the radii is split.
     fn parts(&self, p: DVec2, q: DVec2, height: f64, nearest: f64) -> f64 {
         let Settings { r1, tolerance, .. } = self.settings;
         let (edge, middle) = (q - p, (p + q) / 2.0);
@@ -202,8 +204,8 @@ impl BlendRule {
         (parts * (1.0 - 1e-9)).ceil().min(fewest.floor())
     }
 
-    /// A point at which a triangle must be split although none of its edges is: the triangle contains the whole
-    /// cylinder.
+    /// Returns a point at which a triangle must be split although none of its edges is: the triangle contains the
+    /// whole cylinder.
     pub(super) fn inside(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
         if self.settings.r2 == 0.0 {
             return None;
@@ -213,8 +215,8 @@ impl BlendRule {
         if is_far { weights_of_axis(p) } else { None }
     }
 
-    /// Whether a distance from the axis is less than that of any end of a split edge. Edges between two points of r₁
-    /// are split too.
+    /// Returns whether a distance from the axis is below that of all ends of split edges. Edges between two points of
+    /// r₁ are split too.
     pub(super) fn is_within(&self, rho: f64) -> bool {
         rho < self.settings.r1 - self.rounding
     }

@@ -14,14 +14,14 @@
 //!
 //! - w v: w″ = −c²/(ρ(r₂−r₁)), where c is the edge's component across the radius; along the radius w is linear.
 //! - κ(A−B) u: (A−B)² + AB|u|² = |v|² and (A−B)′ = −u. The first three derivatives of X/|X| are at most 1, 2/√3 and 3,
-//!   divided by |X|, |X|², |X|³ (a symmetric form is greatest on its diagonal). So with D ≤ A, B: |(A−B)u| ≤ R²/2D,
+//!   divided by |X|, |X|², |X|³ (a symmetric form is largest on its diagonal). So with D ≤ A, B: |(A−B)u| ≤ R²/2D,
 //!   |((A−B)u)′| ≤ 4/3 (R/D)², |((A−B)u)″| ≤ √21 R²/D³.
 //! - τ d: across d only 2 τ′d′ + τ d″ remain, which are smaller by R/D.
 //!
 //! With D = ρ − R, dividing an error by D (1 − (R/D)²/8) bounds its angle for every user. The first part is the angle
 //! between the user's and the centre's view, at most RB/(B²−R²).
 
-/// A quadratic form of edges. Its value divided by 6 is the greatest error of a triangle, in radians as a user sees it.
+/// Quadratic form of edges. Its value divided by 6 is the maximum error of a triangle, in radians as a user sees it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Form {
     /// Factor of the squared length across the radius.
@@ -32,28 +32,28 @@ pub(super) struct Form {
     pub any: f64,
 }
 
-/// Least D/ρ for which the form is a bound: below it, terms that were assumed to be small are not.
+/// Minimum D/ρ for which the form is a bound: below it, terms that were assumed to be small are not.
 pub(super) const LEAST_CLEARANCE: f64 = 0.4;
-/// Greatest second derivative of X/|X|, multiplied by |X|²: 2/√3.
+/// Maximum second derivative of X/|X|, multiplied by |X|²: 2/√3.
 const SECOND_DERIVATIVE: f64 = 1.154_700_538_379_251_7;
 /// Factor for w outside 0..1: it may leave the range by a hundredth where a triangle crosses a radius within the
 /// tolerance.
 const PASSING: f64 = 1.02;
-/// The weight s in c ℓ ≤ (s c² + ℓ²/s)/2, where c is an edge's component along the radius and ℓ its length. A greater s
-/// makes the second term, which also counts for vertical edges, smaller.
+/// Weight s in c ℓ ≤ (s c² + ℓ²/s)/2, where c is an edge's component along the radius and ℓ its length. A larger s
+/// reduces the second term, which also counts for vertical edges.
 const RADIAL_SHARE: f64 = 1.5;
 
-/// The region for which a bound holds.
+/// Region for which a bound holds.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RadialZone {
-    /// R, the greatest |U−O|, metres.
+    /// R, the maximum |U−O|, metres.
     pub reach: f64,
     /// r₂ − r₁, metres.
     pub width: f64,
 }
 
 impl RadialZone {
-    /// Whether the form is a bound from a distance ρ on.
+    /// Returns whether the form is a bound from a distance ρ on.
     pub fn holds(&self, rho: f64) -> bool {
         self.clearance(rho) > LEAST_CLEARANCE * rho
     }
@@ -62,28 +62,28 @@ impl RadialZone {
         rho - self.reach
     }
 
-    /// D, R/D and the divisor of errors. Where no bound holds, the values of the nearest case that has one.
+    /// Returns D, R/D and the divisor of errors; if no bound holds, the values of the nearest case that has one.
     fn distances(&self, rho: f64) -> (f64, f64, f64) {
         let nearest = self.clearance(rho).max(LEAST_CLEARANCE * rho);
         let ratio = self.reach.min(rho) / nearest;
         (nearest, ratio, nearest * (1.0 - ratio.min(2.0).powi(2) / 8.0))
     }
 
-    /// Greatest rotation of the picture, in radians, while w changes from 1 to 0.
+    /// Returns the maximum rotation of the picture, in radians, while w changes from 1 to 0.
     fn turn(&self, rho: f64) -> f64 {
         let (nearest, ratio, _) = self.distances(rho);
         let reach = ratio * nearest;
         reach * rho / (nearest * (rho + reach)) / (1.0 - ratio.min(2.0).powi(2) / 8.0)
     }
 
-    /// Greatest angle, in radians, per metre by which a point is assigned to the wrong side of a radius.
+    /// Returns the maximum angle, in radians, per metre by which a point is assigned to the wrong side of a radius.
     pub fn slope(&self, rho: f64) -> f64 {
         let (nearest, ratio, divisor) = self.distances(rho);
         PASSING * (self.turn(rho) + ratio * ratio * nearest / (2.0 * divisor)) / self.width
     }
 
-    /// The form for triangles whose points have at least distance ρ from the axis. `spread` is the sine of the angle
-    /// between the radii of any two of their points.
+    /// Returns the form for triangles whose points have at least distance ρ from the axis. `spread` is the sine of the
+    /// angle between the radii of any two of their points.
     pub fn form(&self, rho: f64, spread: f64) -> Form {
         let (d, q, divisor) = self.distances(rho);
         let width = self.width;
@@ -94,8 +94,8 @@ impl RadialZone {
         let mut along = 2.0 * bent / (width * width) / divisor;
         let mut mixed = PASSING * 2.0 * (4.0 / 3.0) * q * q / width / divisor;
         let mut any = 21.0_f64.sqrt() / 4.0 * q * q / d / divisor;
-        // τ d. Each pair holds the derivative per metre in any direction, and the additional derivative per metre along
-        // the radius.
+        // τ d. Each pair holds the derivative per metre in any direction, and the additional derivative per metre
+        // along the radius.
         let least_n = (1.0 - (q * q / 4.0).min(0.75)).sqrt();
         let tau = q * q * d / 4.0 / (1.0 + least_n);
         let n = (SECOND_DERIVATIVE * q * q / (4.0 * d * least_n), PASSING * q * q / (2.0 * width * least_n));
@@ -128,7 +128,8 @@ mod tests {
     use glam::DVec3;
     use proptest::prelude::*;
 
-    /// Second difference of the morph along a step, across the displayed direction and as an angle; a form bounds it.
+    /// Returns the second difference of the morph along a step, across the displayed direction, as an angle; a form
+    /// bounds it.
     fn curvature(morph: &Morph, point: DVec3, step: DVec3) -> f64 {
         let [before, here, after] = [point - step, point, point + step].map(|p| morph.apply(p) - morph.user);
         let second = before + after - 2.0 * here;

@@ -1,10 +1,10 @@
-//! Where edges are split.
+//! Split positions of edges.
 
-/// Where an edge is split.
+/// Position at which an edge is split.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cut {
-    /// Share of the way along the edge.
+    /// Fraction of the way along the edge.
     pub share: f64,
-    /// Length of the edge in a measure of its own: of a triangle's edges, the longest is split first.
+    /// Length of the edge in the rule's own measure: the longest edge of a triangle is split first.
     pub size: f64,
 }

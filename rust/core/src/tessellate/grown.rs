@@ -1,5 +1,5 @@
-//! The rule that splits edges for `Kind::Cylinder`, over all radii of its growth. It depends on the two ends of an edge
-//! alone, so all triangles at an edge split it alike.
+//! Edge-splitting rule for `Kind::Cylinder`, for all radii of its growth. It depends only on the two ends of an edge,
+//! so all triangles at an edge split it alike.
 
 use glam::{DVec2, DVec3};
 
@@ -9,50 +9,51 @@ use super::segment::{crossing, segment_distance, weights_of_axis};
 use super::settings::{Precision, Settings};
 use crate::base::{Error, Result};
 
-/// Share of the error for the range of ρ along edges; the rest is for their lengths. An area takes the fewest pieces with
-/// 2/3 where the first part grows with a width and the second with the square of a length, and with a half where both grow
-/// with squares.
+/// Fraction of the error for the range of ρ along edges; the rest is for their lengths. The number of pieces per area
+/// is minimal for 2/3 if the first part is proportional to a width and the second to a squared length, and for ½ if
+/// both are proportional to squares.
 const RANGE_SHARE: f64 = 0.6;
-/// Part of r₁ within which pieces are as long as on it, if points within r₁ move: then it has pieces without end.
+/// Fraction of r₁ within which pieces stay as long as at its border, if points within r₁ move: shorter ones would be
+/// endless.
 const CENTRE: f64 = 1.0 / 64.0;
-/// Share of r₂ − r₁, or of r₂ if points within r₁ move, and of the least distance for which there is a bound, below which
-/// edges are not split where there is none.
+/// Minimum edge length if there is no bound, as a fraction of r₂ − r₁ (of r₂ if points within r₁ move) and of the
+/// minimum distance for which there is a bound.
 const COARSEST: f64 = 1.0 / 64.0;
-/// Distance of two bands as a share of the greatest range between them: the rest is for edges across the radius, which
+/// Spacing of two bands relative to the maximum range between them: the rest is for edges across the radius, which
 /// pass a band.
 const FILLED: f64 = 0.9;
-/// Least (r₂ − r₁)/r₂ for which there is a bound.
+/// Minimum (r₂ − r₁)/r₂ for which there is a bound.
 const THINNEST: f64 = 1.0 / 4096.0;
-/// Distance of a cut at a band from the ends of an edge as a share of the greatest range: half of an edge that is too long
-/// to be left whole is more than this.
+/// Minimum distance of a cut at a band from the ends of an edge, relative to the maximum range: half of an edge that
+/// is too long to be left whole is longer.
 const MARGIN: f64 = 0.25;
 const MOST_BANDS: usize = 1 << 16;
-/// Least length of harmless edges as a share of the least distance for which there is a bound: finer pieces would not fit
-/// into memory.
+/// Minimum length of harmless edges relative to the minimum distance for which there is a bound: finer pieces would
+/// not fit into memory.
 const FINEST: f64 = 1.0 / (1 << 20) as f64;
-/// Greatest share of r₁ by which edges between two of its points pass inside: h²/(8 r₁²) for h = r₁/8.
+/// Maximum sag of edges between two points of r₁, relative to r₁: h²/(8 r₁²) for h = r₁/8.
 const SAG: f64 = 0.003;
 
-/// Share of the radius up to which surfaces are drawn beyond which edges are not split: no triangle with a drawn point has
-/// such an edge, if its other edges are no longer than an eighth of their distance.
+/// Radius beyond which edges are not split, relative to the drawn radius: no triangle with a drawn point has such an
+/// edge, if its other edges are no longer than an eighth of their distance.
 const DRAWN: f64 = 1.25;
 
-/// The rule for one centre, region of users and tolerance.
+/// Rule for one centre, region of users and tolerance.
 #[derive(Clone, Debug)]
 pub(super) struct GrownRule {
     settings: Settings,
     region: Region,
     /// Radii at which edges are cut, metres.
     kinks: Vec<f64>,
-    /// Radii at which edges with too great a range of ρ are cut, metres, ascending.
+    /// Radii at which edges with too large a range of ρ are cut, metres, ascending.
     bands: Vec<f64>,
-    /// Least r₁, metres.
+    /// Minimum r₁, metres.
     inner: f64,
     /// Radius within which nothing moves, metres; 0 if all strengths count.
     still: f64,
-    /// Least distance from the axis at which edges are measured, metres.
+    /// Minimum distance from the axis at which edges are measured, metres.
     floor: f64,
-    /// Greatest sum of an edge's parts.
+    /// Maximum sum of an edge's error terms.
     allowed: f64,
     /// Lengths below which edges are not split, metres: anywhere, and nearer to the axis than `floor`.
     shortest: f64,
@@ -61,14 +62,14 @@ pub(super) struct GrownRule {
     rounding: f64,
     /// Length up to which no edge needs a split, wherever it lies, metres.
     harmless: f64,
-    /// Whether w has a slope with a bound between the radii.
+    /// Whether the slope of w between the radii is bounded.
     is_wide: bool,
-    /// Whether so it has, and the coordinates have the digits for the tolerance.
+    /// Whether it is, and the coordinates are precise enough for the tolerance.
     is_fine: bool,
 }
 
 impl GrownRule {
-    /// For settings that have been checked, all radii from `least` to r₂, and full strength or all strengths.
+    /// Creates the rule for checked settings, all radii from `least` to r₂, and full strength or all strengths.
     pub fn new(settings: &Settings, least: f64, is_full: bool, precision: Precision) -> Self {
         let Settings { r1, r2, reach, tolerance, .. } = *settings;
         let near = if r2 > 0.0 { r1 / r2 } else { 0.0 };
@@ -110,13 +111,13 @@ impl GrownRule {
         rule
     }
 
-    /// Whether the tolerance is a bound for every user of the region and all points.
+    /// Returns whether the tolerance is a bound for every user of the region and all points.
     pub fn holds(&self) -> bool {
         let is_clear = self.still > 0.0 && self.floor < self.still;
         self.settings.reach == 0.0 || self.is_fine && is_clear
     }
 
-    /// Fails if the tolerance is not a bound, except next to the axis where points within r₁ move.
+    /// Fails if the tolerance is not a bound. Next to the axis, where points within r₁ move, it need not be one.
     pub fn demand(&self) -> Result<()> {
         let inner = self.region.near * self.region.radii[0];
         let greatest = MOST_RATIO * (1.0 - SAG) * inner;
@@ -137,30 +138,31 @@ impl GrownRule {
         Ok(())
     }
 
-    /// Length up to which edges have an error below the tolerance wherever they lie.
+    /// Returns the length up to which edges have an error below the tolerance wherever they lie.
     pub fn harmless(&self) -> f64 {
         self.harmless
     }
 
-    /// Radius beyond which no edge is split.
+    /// Returns the radius beyond which no edge is split.
     pub fn outer(&self) -> f64 {
         DRAWN * self.settings.drawn
     }
 
-    /// Whether a distance from the axis is less than that of any end of a split edge.
+    /// Returns whether a distance from the axis is below that of all ends of split edges.
     pub fn is_within(&self, rho: f64) -> bool {
         rho < self.still - self.rounding
     }
 
-    /// Where a triangle around the axis, with all edges beyond what is drawn, is split.
+    /// Returns where to split a triangle around the axis whose edges all lie beyond the drawn radius.
     pub fn inside(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
         let p = corners.map(|corner| self.settings.on_ground(corner));
         let is_far = self.settings.reach > 0.0 && p.iter().all(|p| p.length() >= self.outer());
         if is_far { weights_of_axis(p) } else { None }
     }
 
-    /// Where the edge from a to b is split. The caller must order the ends of an edge consistently. If an edge is left
-    /// whole, so is each part of it, because all measures only fall: otherwise thin triangles would be split for ever.
+    /// Returns where the edge from a to b is split. The caller must order the ends of an edge consistently. If an edge
+    /// is left whole, so is each part of it, because all measures decrease: otherwise thin triangles would be split
+    /// for ever.
     pub fn cut(&self, a: DVec3, b: DVec3) -> Option<Cut> {
         let center = self.settings.center;
         let (p, q) = (self.settings.on_ground(a), self.settings.on_ground(b));
@@ -187,7 +189,7 @@ impl GrownRule {
         };
         let measure = self.measure(&extent);
         let by_range = self.by_range(&measure, greatest - nearest);
-        // The bound lets pieces high above the centre be higher than wide: by lengths in metres each width would be
+        // The bound lets pieces high above the centre be higher than wide: measured in metres, each width would be
         // split in two heights.
         let tall = (nearest.max(self.floor) / extent.distance.max(self.floor)).min(1.0);
         let size = extent.level.hypot((b.y - a.y) * tall);
@@ -211,9 +213,9 @@ impl GrownRule {
         if parts >= 2.0 { at((parts / 2.0).floor() / parts) } else { None }
     }
 
-    /// Where an edge crosses a band: of those that it crosses, the one whose number has the most factors of two. So the
-    /// edges of a triangle are cut at the same band, and the edge between the cuts lies along it. Bands next to an end
-    /// would cut off slivers.
+    /// Returns where an edge crosses a band; among several crossed bands, the one whose number has the most factors of
+    /// two. So the edges of a triangle are cut at the same band, and the edge between the cuts lies along it. Bands
+    /// close to an end are skipped, because they would cut off slivers.
     fn band_at(&self, p: DVec2, q: DVec2, allowed: f64, room: f64) -> Option<f64> {
         let margin = self.rounding.max(allowed * MARGIN);
         let (nearest, farthest) = (segment_distance(p, q) + margin, p.length().max(q.length()) - margin);
@@ -226,7 +228,7 @@ impl GrownRule {
         crossing(p, q, &[self.bands[number - 1]], room)
     }
 
-    /// Radii from one on, between which the range of ρ is small enough for all edges.
+    /// Returns radii from one on, between which the range of ρ is small enough for all edges.
     fn bands_from(&self, first: f64) -> Vec<f64> {
         let mut bands = vec![first];
         let mut rho = first;
@@ -239,10 +241,10 @@ impl GrownRule {
         bands
     }
 
-    /// The bound of all triangles at an edge.
+    /// Returns the bound of all triangles at an edge.
     fn measure(&self, edge: &Extent) -> Measure {
         let far = self.far();
-        // The points of a triangle that has an edge with the longer limit lie beyond far/SPREAD.
+        // The points of a triangle with an edge at the longer limit lie beyond far/SPREAD.
         let rho = if edge.nearest >= far {
             (edge.nearest / (1.0 + LONGEST_FAR)).max(far / SPREAD)
         } else {
@@ -252,50 +254,51 @@ impl GrownRule {
         self.region.measure(rho, away.max(rho), edge.is_flat)
     }
 
-    /// Distance from the axis from which on edges may be longer, metres: all points of their triangles lie beyond r₂.
+    /// Returns the distance from the axis beyond which edges may be longer, metres: all points of their triangles lie
+    /// beyond r₂.
     fn far(&self) -> f64 {
         self.region.radii[1].max(self.floor) * (1.0 + LONGEST_FAR)
     }
 
-    /// Into how many parts, at least, an edge must be split for its h and ℓ, before rounding up.
+    /// Returns the minimum number of parts that an edge's h and ℓ require, before rounding up.
     fn by_lengths(&self, measure: &Measure, edge: &Extent) -> f64 {
         let longest = if edge.nearest >= self.far() { LONGEST_FAR } else { LONGEST };
         let long = (edge.level / edge.nearest.max(self.floor)).max(edge.length / edge.distance.max(self.floor));
         self.by_length(measure, edge.level, edge.length).max(long / longest)
     }
 
-    /// Into how many parts, at least, an edge with these h and ℓ must be split to be within the bound.
+    /// Returns the minimum number of parts that keeps an edge with these h and ℓ within the bound.
     fn by_length(&self, measure: &Measure, level: f64, length: f64) -> f64 {
-        // Where ρ does not count, all of the error may be for lengths.
+        // If ρ does not count, the whole error is available for lengths.
         let share = if measure.range == [0.0; 2] { 1.0 } else { 1.0 - RANGE_SHARE };
         let bent = measure.length[0] * level * level + measure.length[1] * length * length;
         let [_, most_level, most_length] = measure.most;
         (bent / (self.allowed * share)).sqrt().max(level / most_level).max(length / most_length)
     }
 
-    /// Into how many parts, at least, an edge with this c must be split.
+    /// Returns the minimum number of parts that an edge with this c requires.
     fn by_range(&self, measure: &Measure, range: f64) -> f64 {
         let [first, second] = measure.range;
         let allowed = self.allowed * RANGE_SHARE;
-        // The count at which first/count + second/count² is within the share.
+        // The count at which first/count + second/count² is within the fraction.
         let (one, two) = (first * range / allowed, second * range * range / allowed);
         ((one + (one * one + 4.0 * two).sqrt()) / 2.0).max(range / measure.most[0])
     }
 }
 
-/// An edge, as the bound sees it.
+/// An edge in the measures of the bound.
 struct Extent {
     nearest: f64,
     farthest: f64,
-    /// Least distance from the centre.
+    /// Minimum distance from the centre.
     distance: f64,
     level: f64,
     length: f64,
-    /// Whether all triangles at the edge lie within the least r₁.
+    /// Whether all triangles at the edge lie within the minimum r₁.
     is_flat: bool,
 }
 
-/// Distance of the origin from a segment.
+/// Returns the distance of the origin from a segment.
 fn distance(a: DVec3, b: DVec3) -> f64 {
     let d = b - a;
     let squared = d.length_squared();

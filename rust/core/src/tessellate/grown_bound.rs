@@ -1,29 +1,28 @@
 //! Upper bound of the error of a triangle's interpolated cylinder morph, for every user within a distance u of the
-//! centre, every radius R from a least one on and every strength.
+//! centre, every radius R above a minimum and every strength.
 //!
-//! All positions are relative to O; v = U−O, |v| ≤ u; x is a point, A = |x−v|, B = |x|, ρ = |x_h|. Eq. 1 of the morph blends
-//! (x−v)/A and x/B, so the direction is that of y = x − κv with κ = wB/(wB + (1−w)A): the point is seen from an eye at κv,
-//! and shown at Q − U = μy, where |v_h + μy_h| = ρ. With weights bᵢ of the corners and m = μ(x) the interpolation is
+//! All positions are relative to O; v = U−O, |v| ≤ u; x is a point, A = |x−v|, B = |x|, ρ = |x_h|. Eq. 1 blends
+//! (x−v)/A and x/B, so the direction is that of y = x − κv with κ = wB/(wB + (1−w)A): the point is seen from an eye at
+//! κv, and shown at Q − U = μy, where |v_h + μy_h| = ρ. With corner weights bᵢ and m = μ(x) the interpolation is
 //!
 //! ```text
 //! Σ bᵢ μᵢyᵢ / m = y − (Σ bᵢκᵢ − κ) v + Σ bᵢ (μᵢ/m − 1) yᵢ,   yᵢ = y + (xᵢ−x) − (κᵢ−κ) v
 //! ```
 //!
-//! of which y itself is no error, nor what is parallel to it. Let hᵢ, ℓᵢ be the horizontal length and the length of xᵢ−x,
-//! and rᵢ = |ρᵢ−ρ|. Then
-//! Σ bᵢhᵢ² ≤ h²/3 and Σ bᵢℓᵢ² ≤ ℓ²/3 with the greatest h and ℓ of the edges, Σ bᵢρᵢ − ρ ≤ h²/(6ρ), and
-//! Σ bᵢrᵢ² ≤ c²/4 + h²/1700 with the greatest range c of ρ along an edge, as h is at most 1.141 ρ/8. With e = u/ρ, q = u/B,
-//! Y = B−u, at the least ρ and B of the triangle, e ≤ ½:
+//! y itself is no error, nor is any component parallel to it. Let hᵢ, ℓᵢ be the horizontal length and the length of
+//! xᵢ−x, and rᵢ = |ρᵢ−ρ|. Then Σ bᵢhᵢ² ≤ h²/3 and Σ bᵢℓᵢ² ≤ ℓ²/3 with the maximum h and ℓ of the edges, Σ bᵢρᵢ − ρ ≤
+//! h²/(6ρ), and Σ bᵢrᵢ² ≤ c²/4 + h²/1700 with the maximum range c of ρ along an edge, as h is at most 1.141 ρ/8. With
+//! e = u/ρ, q = u/B, Y = B−u, at the minimum ρ and B of the triangle, e ≤ ½:
 //!
 //! - κ is a function of w and a = ln(B/A): |∂κ/∂w| ≤ 1/(1−q), |∂κ/∂a| ≤ ¼, |∂²κ/∂w²| ≤ 2q/(1−q)², |∂²κ/∂w∂a| ≤ 1/(1−q),
 //!   |∂²κ/∂a²| ≤ √3/18. |∇a| = |v|/AB ≤ u/BY, and |a″| ≤ 2u/Y³ (the third derivative of ln|x| is at most 2/|x|³).
 //! - The length of v across y, divided by |y|, is |v × x|/|y|². With the angle χ between v and x it is at most
-//!   q sin χ/(1 − 2κq cos χ + κ²q²) ≤ q/(1−q²). Multiplied by ∂κ/∂w it is sin ω/n², where ω is the angle between the views
-//!   of U and O, sin ω ≤ q, and n ≥ cos ω/2 the length of the blend: at most 2 tan ω/2 = 2q/(1 + √(1−q²)).
+//!   q sin χ/(1 − 2κq cos χ + κ²q²) ≤ q/(1−q²). Multiplied by ∂κ/∂w it is sin ω/n², where ω is the angle between the
+//!   views of U and O, sin ω ≤ q, and n ≥ cos ω/2 the length of the blend: at most 2 tan ω/2 = 2q/(1 + √(1−q²)).
 //! - w is linear in ρ between kinks, with slope W = 1/((1−n)R). As R may be any radius, a kink may lie anywhere:
-//!   |Σ bᵢwᵢ − w| ≤ W (c/4 + h²/(6ρ)). Where R is known and edges are cut there, no triangle has corners on both sides, and
-//!   the first term is missing.
-//! - With p = v + μy, d ln μ = ((x/μ − p)·dx_h + p·v dκ)/(p·y), horizontally. In the unit of ρ, let y have the direction
+//!   |Σ bᵢwᵢ − w| ≤ W (c/4 + h²/(6ρ)). Where R is known and edges are cut there, no triangle has corners on both sides,
+//!   and the first term is missing.
+//! - With p = v + μy, d ln μ = ((x/μ − p)·dx_h + p·v dκ)/(p·y), horizontally. In units of ρ, let y have the direction
 //!   (1, 0), v = e (cos ψ, s), a = √(1−κ²e²s²) and b = √(1−e²s²). Then x = (a, κes), p = (b, es), |y| = a − κe cos ψ,
 //!   μ|y| = b − e cos ψ, and
 //!
@@ -35,64 +34,65 @@
 //!   - b (b − e cos ψ) ≥ (1−e)(1 + e (1−e) s²/2), because 2 b cos ψ ≤ b² + cos² ψ.
 //!   - a − κe cos ψ ≥ (1−κe)(1 + 0.46 κe s²).
 //!
-//!   Therefore the quotient is at most e (1−κ)/((1−e)(1−κe)) for e ≤ ½, without s. As b (cos ψ + e s²/b) ≤ b, the factor of
-//!   dκ is at most e/(1−κe). So |d ln μ| ≤ G |dx_h| + k |dκ| with G = e/((1−e)ρ) and k = e/(1−e).
-//! - |y| ≥ B−κu. Where w is 0, κ is 0, and |y| is B. Where w is constant, κ changes by at most δ = u ℓ/(4BY), G falls with κ
-//!   as (1−κ)/(1−κe), k |dκ| as κ(1−κ)/(1−κe), and for either the quotient by |y| is at most the bound for |y| = B, times
-//!   1 + 4δ/(1−q).
+//!   Therefore the quotient is at most e (1−κ)/((1−e)(1−κe)) for e ≤ ½, without s. As b (cos ψ + e s²/b) ≤ b, the
+//!   factor of dκ is at most e/(1−κe). So |d ln μ| ≤ G |dx_h| + k |dκ| with G = e/((1−e)ρ) and k = e/(1−e).
+//! - |y| ≥ B−κu. Where w is 0, κ is 0, and |y| is B. Where w is constant, κ changes by at most δ = u ℓ/(4BY), G falls
+//!   with κ as (1−κ)/(1−κe), k |dκ| as κ(1−κ)/(1−κe), and for either the quotient by |y| is at most the bound for |y|
+//!   = B, times 1 + 4δ/(1−q).
 //!
-//! There remain sums and products of these; a product ab is at most (sa² + b²/s)/2, with s so that lengths may grow with
-//! the height above the centre. The angle is at most the length across y, divided by |y| and by exp(−1/8)(1 − 2 angle), as
-//! μᵢ/m stays within exp(±1/8) and what v has along y is at most twice the bound of what it has across.
+//! The remaining terms are sums and products of these; a product ab is at most (sa² + b²/s)/2, with s so that lengths
+//! may grow with the height above the centre. The angle is at most the length across y, divided by |y| and by
+//! exp(−1/8)(1 − 2 angle), as μᵢ/m stays within exp(±1/8) and the component of v along y is at most twice the bound of
+//! its component across.
 
-/// Factors of the measures of an edge. The bound of a triangle, in radians, is the greatest `range` of its edges plus the
-/// greatest `length`.
+/// Factors of the measures of an edge. The bound of a triangle, in radians, is the maximum `range` term over its edges
+/// plus the maximum `length` term.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Measure {
     /// Factors of c and c², where c is the range of ρ along the edge.
     pub range: [f64; 2],
     /// Factors of h² and ℓ², the squares of the edge's horizontal length and its length.
     pub length: [f64; 2],
-    /// Greatest c, h and ℓ for which the bound holds.
+    /// Maximum c, h and ℓ for which the bound holds.
     pub most: [f64; 3],
 }
 
-/// Greatest u/ρ for which there is a bound.
+/// Maximum u/ρ for which there is a bound.
 pub(super) const MOST_RATIO: f64 = 0.5;
-/// Greatest length of an edge as a share c of its least distance from the axis or the centre.
+/// Maximum length c of an edge relative to its minimum distance from the axis or the centre.
 pub(super) const LONGEST: f64 = 0.125;
-/// Greatest quotient of the distance of an edge and that of any point of its triangle: 1 + c/(1 − c √3/2).
+/// Maximum ratio of the distance of an edge to that of any point of its triangle: 1 + c/(1 − c √3/2).
 pub(super) const SPREAD: f64 = 1.141;
 /// The same two numbers for edges where only the centre's view counts.
 pub(super) const LONGEST_FAR: f64 = 0.5;
 pub(super) const SPREAD_FAR: f64 = 1.882;
-/// exp(−1/8), where 1/8 is the greatest |ln μᵢ/m|: 1/16 by κ along ranges, and 1/32 each by h and by κ along lengths.
+/// exp(−1/8), where 1/8 is the maximum |ln μᵢ/m|: 1/16 by κ along ranges, and 1/32 each by h and by κ along lengths.
 const STEADY: f64 = 0.882;
-/// Greatest (exp(g) − 1)/g for g ≤ 1/8.
+/// Maximum (exp(g) − 1)/g for g ≤ 1/8.
 const GROWTH: f64 = 1.07;
 
-/// The morphs and users for which the bound holds.
+/// Morphs and users for which the bound holds.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Region {
     /// u, metres.
     pub reach: f64,
-    /// n, the quotient of r₁ and R.
+    /// n, the ratio of r₁ to R.
     pub near: f64,
-    /// Least and greatest R, metres.
+    /// Minimum and maximum R, metres.
     pub radii: [f64; 2],
     /// Whether edges are cut at all kinks.
     pub is_cut: bool,
 }
 
 impl Region {
-    /// Greatest slope of w for points from ρ on.
+    /// Returns the maximum slope of w for points from ρ on.
     pub fn slope(&self, rho: f64) -> f64 {
         let [least, greatest] = self.radii;
         if rho >= greatest { 0.0 } else { 1.0 / ((1.0 - self.near) * least.max(rho)) }
     }
 
-    /// The bound for triangles whose points have at least distance ρ from the axis and B ≥ ρ from the centre; `is_flat` if
-    /// they all lie within the least r₁. It only falls where ρ and B grow.
+    /// Returns the bound for triangles whose points have at least distance ρ from the axis and B ≥ ρ from the centre;
+    /// `is_flat` if they all lie within the minimum r₁. It decreases as ρ and B grow.
     pub fn measure(&self, rho: f64, distance: f64, is_flat: bool) -> Measure {
         let u = self.reach;
         let (e, q, away, tall) = (u / rho, u / distance, distance - u, distance / rho);
@@ -106,7 +106,7 @@ impl Region {
             level += factor * terms[2];
             any += factor * terms[3];
         };
-        // G, and the greatest part of v across y in radians.
+        // G, and the maximum component of v across y in radians.
         let (grows, across) = (e / ((1.0 - e) * rho), q / (1.0 - q * q));
         // Products of lengths and changes of ln μ are divided by |y|.
         let product = GROWTH
@@ -140,7 +140,7 @@ impl Region {
     }
 }
 
-/// The error in radians that the sum of the parts of a bound may have, so that the angle is within a tolerance.
+/// Returns the error in radians that the sum of a bound's terms may reach, so that the angle is within a tolerance.
 pub(super) fn allowed(tolerance: f64) -> f64 {
     let angle = tolerance.min(0.25);
     angle * STEADY * (1.0 - 2.0 * angle)

@@ -2,10 +2,10 @@
 //! for every user of a region.
 //!
 //! Popescu, Lee, Choi, Fahmy (2022) morph vertices; the error bounds are nearfar's own (`bound.rs` for blends,
-//! `grown_bound.rs` for cylinders while they grow). Edges are cut where they cross r₁ and r₂, because the morph has kinks
-//! there, and between the radii until the bound holds. The cut of an edge depends on the edge alone, so there are no
-//! cracks between triangles, meshes or objects. What stays where it is, within r₁, is never cut, nor is what a blend
-//! moves as a whole, beyond r₂: it keeps its bits.
+//! `grown_bound.rs` for cylinders while they grow). Edges are cut where they cross r₁ and r₂, because the morph has
+//! kinks there, and between the radii until the bound holds. The cut of an edge depends on the edge alone, so there
+//! are no cracks between triangles, meshes or objects. Triangles that do not move (within r₁), and triangles that a
+//! blend moves as a whole (beyond r₂), are never cut and keep their bits.
 
 mod arrays;
 mod assemble;

@@ -1,4 +1,4 @@
-//! The rule that splits edges.
+//! Edge-splitting rule.
 
 use glam::{DVec2, DVec3};
 
@@ -8,7 +8,7 @@ use super::grown::GrownRule;
 use super::settings::{Precision, Settings, Stages};
 use crate::base::Result;
 
-/// The rule for one centre, region of users and tolerance.
+/// Rule for one centre, region of users and tolerance.
 #[derive(Clone, Debug)]
 pub struct Rule {
     settings: Settings,
@@ -22,7 +22,7 @@ enum Edges {
 }
 
 impl Rule {
-    /// Checks the settings.
+    /// Creates a rule; checks the settings.
     pub fn new(settings: &Settings, precision: Precision) -> Result<Self> {
         settings.check()?;
         let edges = match settings.stages {
@@ -32,8 +32,8 @@ impl Rule {
         Ok(Self { settings: *settings, edges })
     }
 
-    /// Whether the tolerance is a bound for every user of the region: they stay well inside r₁, and the tolerance is
-    /// not below the resolution of the coordinates.
+    /// Returns whether the tolerance is a bound for every user of the region: they stay well inside r₁, and the
+    /// tolerance is not below the resolution of the coordinates.
     pub fn holds(&self) -> bool {
         match &self.edges {
             Edges::Blend(rule) => rule.holds(),
@@ -41,7 +41,7 @@ impl Rule {
         }
     }
 
-    /// Fails if the tolerance is not a bound. Of a cylinder below full strength it need not be one next to the axis.
+    /// Fails if the tolerance is not a bound. A cylinder below full strength needs none next to the axis.
     pub fn demand(&self) -> Result<()> {
         match &self.edges {
             Edges::Blend(rule) => rule.demand(),
@@ -49,7 +49,8 @@ impl Rule {
         }
     }
 
-    /// Length up to which edges have an error below the tolerance wherever they lie, also across the radii.
+    /// Returns the length up to which edges have an error below the tolerance wherever they lie, also across the
+    /// radii.
     pub fn harmless(&self) -> f64 {
         match &self.edges {
             Edges::Blend(rule) => rule.harmless(),
@@ -57,7 +58,7 @@ impl Rule {
         }
     }
 
-    /// Where the edge from a to b is split. The caller must order the ends of an edge consistently.
+    /// Returns where the edge from a to b is split. The caller must order the ends of an edge consistently.
     pub(super) fn cut(&self, a: DVec3, b: DVec3) -> Option<Cut> {
         match &self.edges {
             Edges::Blend(rule) => rule.share(a, b).map(|share| Cut { share, size: (b - a).length() }),
@@ -65,8 +66,8 @@ impl Rule {
         }
     }
 
-    /// A point at which a triangle must be split although none of its edges is: the triangle contains the whole
-    /// cylinder.
+    /// Returns a point at which a triangle must be split although none of its edges is: the triangle contains the
+    /// whole cylinder.
     pub(super) fn inside(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
         match &self.edges {
             Edges::Blend(rule) => rule.inside(corners),
@@ -74,7 +75,7 @@ impl Rule {
         }
     }
 
-    /// Radius beyond which no edge is split.
+    /// Returns the radius beyond which no edge is split.
     pub(super) fn outer(&self) -> f64 {
         match &self.edges {
             Edges::Blend(_) => self.settings.r2,
@@ -82,8 +83,8 @@ impl Rule {
         }
     }
 
-    /// Whether a distance from the axis is less than that of any end of a split edge. Edges between two points of r₁
-    /// are split too.
+    /// Returns whether a distance from the axis is below that of all ends of split edges. Edges between two points of
+    /// r₁ are split too.
     pub(super) fn is_within(&self, rho: f64) -> bool {
         match &self.edges {
             Edges::Blend(rule) => rule.is_within(rho),
@@ -91,19 +92,19 @@ impl Rule {
         }
     }
 
-    /// Whether a triangle needs no examination: by its box and corners, no point of it lies where edges are split.
+    /// Returns whether a triangle can be skipped: by its box and corners, no point of it lies where edges are split.
     pub(super) fn leaves_alone(&self, corners: &[DVec3; 3]) -> bool {
         let p = corners.map(|corner| self.on_ground(corner));
         let (low, high) = (p[0].min(p[1]).min(p[2]), p[0].max(p[1]).max(p[2]));
         low.max(-high).max(DVec2::ZERO).length() >= self.outer() || p.iter().all(|p| self.is_within(p.length()))
     }
 
-    /// Whether no point of a triangle is drawn, by a separating line.
+    /// Returns whether no point of a triangle is drawn, by a separating line.
     pub fn is_beyond(&self, corners: &[DVec3; 3]) -> bool {
         let drawn = self.settings.drawn;
         let p = corners.map(|corner| self.on_ground(corner));
         let beyond = |axis: DVec2| p.iter().all(|p| p.dot(axis) > drawn);
-        // The directions of the corners, and of the edges' normals.
+        // Directions of the corners, and of the edges' normals.
         let normal = |a: DVec2, b: DVec2| {
             let n = (b - a).perp().normalize_or_zero();
             if n.dot(a) < 0.0 { -n } else { n }

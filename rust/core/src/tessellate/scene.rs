@@ -13,8 +13,8 @@ use crate::base::{Buffer, Progress, Result};
 use crate::scene::srgb::{linear_from_srgb, srgb_from_linear};
 use crate::scene::{Instance, InstanceSet, Mesh, Scene, facing_normals};
 
-/// The scene with the static triangles of chosen objects split; fails unless the rule's tolerance is a bound. Faces without
-/// an object have the number −1.
+/// Returns the scene with the static triangles of chosen objects split; fails unless the rule's tolerance is a bound.
+/// Faces without an object have the number −1.
 pub fn tessellate_scene(
     scene: &Scene,
     rule: &Rule,
@@ -25,8 +25,8 @@ pub fn tessellate_scene(
     split_chosen(scene, rule, is_chosen, progress)
 }
 
-/// The scene with its static triangles split by a rule, whether its tolerance is a bound or not. Meshes that need no
-/// split are shared with the source. The rule's centre is relative to the scene's origin.
+/// Returns the scene with its static triangles split by a rule, whether its tolerance is a bound or not. Meshes that
+/// need no split are shared with the source. The rule's centre is relative to the scene's origin.
 pub fn split_scene(scene: &Scene, rule: &Rule, progress: &Progress) -> Result<(Scene, SplitCounts)> {
     split_chosen(scene, rule, |_| true, progress)
 }
@@ -72,7 +72,7 @@ fn split_chosen(
     Ok((split, counts))
 }
 
-/// Whether an instance reaches between the radii and has edges that need a split.
+/// Returns whether an instance reaches between the radii and has edges that need a split.
 pub fn needs_split(instance: &Instance, rule: &Rule) -> bool {
     let longest = || {
         let faces = (0..instance.mesh.faces.len() as u32).into_par_iter();
@@ -85,14 +85,14 @@ pub fn needs_split(instance: &Instance, rule: &Rule) -> bool {
     touches(instance, rule) && longest() > rule.harmless()
 }
 
-/// False if an instance's box alone proves that it has no point where edges are split.
+/// Returns false if an instance's box alone proves that it has no point where edges are split.
 fn touches(instance: &Instance, rule: &Rule) -> bool {
     let [low, high] = [instance.bounds.min, instance.bounds.max].map(|corner| rule.on_ground(corner.as_dvec3()));
     let (least, greatest) = (low.max(-high).max(glam::DVec2::ZERO), low.abs().max(high.abs()));
     !instance.mesh.faces.is_empty() && least.length() < rule.outer() && !rule.is_within(greatest.length())
 }
 
-/// The placed mesh. Vertices at which no face is split keep their bits.
+/// Builds the placed mesh. Vertices of unsplit faces keep their bits.
 fn mesh_of(instance: &Instance, made: Assembled, progress: &Progress) -> Result<Mesh> {
     let mesh = &instance.mesh;
     let place = |p: &[f32; 3]| match instance.in_place {
@@ -113,7 +113,7 @@ fn mesh_of(instance: &Instance, made: Assembled, progress: &Progress) -> Result<
     Mesh::new(positions.into(), made.faces.into(), uvs, colors, objects, materials)?.with_normals(normals)
 }
 
-/// Normal interpolated as in shading; zero between corners without normals.
+/// Returns the normal interpolated as in shading; zero between corners without normals.
 fn interpolated_normal(instance: &Instance, new: &NewVertex) -> [f32; 3] {
     let rows = instance.corner_normals(new.face).unwrap_or_default();
     let is_plain = |(row, weight): (&Vec3, f64)| *row == Vec3::ZERO || weight == 0.0;
@@ -122,7 +122,7 @@ fn interpolated_normal(instance: &Instance, new: &NewVertex) -> [f32; 3] {
     }
     let [a, b, c] = instance.corners(new.face).map(|corner| corner.as_dvec3());
     let plane = (b - a).cross(c - a).normalize_or_zero().as_vec3();
-    // Turned to the side of the corners' normals, so that these stay as they are and the new normal is on the same
+    // Flipped to the side of the corners' normals, so that these stay as they are and the new normal is on the same
     // side.
     let side = if rows.iter().sum::<Vec3>().dot(plane) < 0.0 { -plane } else { plane };
     let corners = facing_normals(rows, side).unwrap_or_default();
@@ -145,7 +145,7 @@ fn interpolated_uv(uvs: [[f32; 2]; 3], weights: [f64; 3]) -> [f32; 2] {
     [0, 1].map(|i| (0..3).map(|k| f64::from(uvs[k][i]) * weights[k]).sum::<f64>() as f32)
 }
 
-/// Colour interpolated in linear light, as in shading; alpha is linear already.
+/// Returns the colour interpolated in linear light, as in shading; alpha is linear already.
 fn interpolated_color(colors: [[u8; 4]; 3], weights: [f64; 3]) -> [u8; 4] {
     let linear = linear_from_srgb();
     let mix = |value: &dyn Fn(usize) -> f64| (0..3).map(|k| value(k) * weights[k]).sum::<f64>();

@@ -1,51 +1,51 @@
-//! For which morphs and users surfaces are split.
+//! Morphs and users for which surfaces are split.
 
 use glam::{DVec2, DVec3};
 
 use crate::base::{Error, Result};
 use crate::morph::{Kind, Morph};
 
-/// The cylinders and the region of users for which surfaces are split.
+/// Cylinders and region of users for which surfaces are split.
 #[derive(Clone, Copy, Debug)]
 pub struct Settings {
     /// The centre O, in the frame of the points.
     pub center: DVec3,
-    /// r₁, metres: at full strength points inside are not moved.
+    /// r₁, metres: at full strength points inside do not move.
     pub r1: f64,
     /// r₂, metres: for points outside, the weight w of the user's view is 0.
     pub r2: f64,
     /// Radius up to which surfaces are drawn, metres; at least r₂.
     pub drawn: f64,
-    /// Greatest distance of a user from the centre, metres.
+    /// Maximum distance of a user from the centre, metres.
     pub reach: f64,
-    /// Greatest error in radians as the user sees it.
+    /// Maximum error in radians as the user sees it.
     pub tolerance: f64,
-    /// The kind of the morph, and which of its stages.
+    /// Kind of the morph, and the stages to serve.
     pub stages: Stages,
 }
 
-/// The kind of a morph, and the stages that a split serves.
+/// Kind of a morph, and the stages that a split serves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stages {
     /// `Kind::Blend` with these radii and full strength.
     Blend,
     /// `Kind::Cylinder` while it grows.
     Cylinder {
-        /// Least radius R, metres. The split serves all radii from it to r₂, with r₁ in proportion.
+        /// Minimum radius R, metres. The split serves all radii from it to r₂, with r₁ in proportion.
         least: f64,
-        /// Whether it serves full strength only, else all strengths.
+        /// Whether it serves only full strength; otherwise all strengths.
         is_full: bool,
     },
 }
 
-/// Radius from which on a morph bends triangles: r₁, or 0 if points within r₁ move too.
+/// Returns the radius from which a morph bends triangles: r₁, or 0 if points within r₁ move too.
 pub fn bent_from(morph: &Morph) -> f64 {
     if morph.strength < 1.0 { 0.0 } else { morph.r1 }
 }
 
 impl Settings {
-    /// For one morph. Where a blend bends triangles from the axis on, w falls over r₂ − r₁ nonetheless, and the tolerance
-    /// is smaller in proportion.
+    /// Creates settings for one morph. If a blend bends triangles from the axis on, w still falls over r₂ − r₁, so the
+    /// tolerance is reduced in proportion.
     pub fn of(morph: &Morph, drawn: f64, reach: f64, tolerance: f64) -> Self {
         let Morph { center, r1, r2, strength, .. } = *morph;
         match morph.kind {
@@ -90,7 +90,7 @@ impl Settings {
         DVec2::new(p.x - self.center.x, p.z - self.center.z)
     }
 
-    /// Metres by which a vertex that is placed on a radius may miss it.
+    /// Returns the metres by which a vertex placed on a radius may miss it.
     pub(super) fn rounding(&self, precision: Precision) -> f64 {
         (self.center.abs().max_element() + self.r2) * precision.step() * 2.0
     }
@@ -106,7 +106,7 @@ pub enum Precision {
 }
 
 impl Precision {
-    /// A point rounded to this type.
+    /// Rounds a point to this type.
     pub fn round(self, p: DVec3) -> DVec3 {
         match self {
             Self::Single => p.as_vec3().as_dvec3(),

@@ -20,10 +20,10 @@ pub struct Piece {
 /// Weights of a whole triangle's own corners.
 const WHOLE: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// Height of a triangle, as a share of its longest edge, below which it covers no pixel.
+/// Height of a triangle, relative to its longest edge, below which it covers no pixel.
 const THINNEST: f64 = 1e-9;
 
-/// Greatest depth of splits. The rule ends long before, but rounding could make an edge reappear.
+/// Maximum depth of splits. The rule ends long before, but rounding could make an edge reappear.
 const DEEPEST: u32 = 192;
 
 /// Number of pieces between two calls of `made`.
@@ -32,13 +32,13 @@ const BATCH: usize = 4096;
 type Corner = (DVec3, [f64; 3]);
 
 impl Piece {
-    /// A whole triangle.
+    /// Creates a whole triangle.
     pub fn whole(corners: [DVec3; 3]) -> Self {
         Self { corners, weights: WHOLE }
     }
 
-    /// Pieces that cover a triangle; a single piece is the triangle itself. Pieces for which `unseen` is true are left
-    /// out. `made` receives the number of pieces after every few thousand and may stop the split.
+    /// Returns pieces that cover a triangle; a single piece is the triangle itself. Pieces for which `unseen` is true
+    /// are omitted. `made` receives the number of pieces after every few thousand and may stop the split.
     pub fn split(
         self,
         rule: &Rule,
@@ -65,7 +65,7 @@ impl Piece {
         Ok(pieces)
     }
 
-    /// The parts after one split; `None` if the rule leaves the piece whole.
+    /// Returns the parts after one split; `None` if the rule leaves the piece whole.
     fn parts(&self, rule: &Rule, precision: Precision) -> Option<Vec<Self>> {
         let corner = |i: usize| (self.corners[i], self.weights[i]);
         let [a, b, c] = [corner(0), corner(1), corner(2)];
@@ -85,7 +85,7 @@ impl Piece {
         Some(parts.into_iter().map(Self::from_corners).collect())
     }
 
-    /// Whether a triangle has no visible area.
+    /// Returns whether a triangle has no visible area.
     pub fn is_thin([a, b, c]: &[DVec3; 3]) -> bool {
         let [a, b, c] = [*a, *b, *c];
         let longest = (b - a).length_squared().max((c - b).length_squared()).max((a - c).length_squared());
@@ -97,7 +97,7 @@ impl Piece {
     }
 }
 
-/// The new vertex on an edge, and the size of the edge. The ends are ordered, so both triangles at the edge get the same bits.
+/// Returns the new vertex on an edge, and the edge's size. The ends are ordered, so both triangles get the same bits.
 fn cut(rule: &Rule, precision: Precision, a: Corner, b: Corner) -> Option<(Corner, f64)> {
     let (a, b) = if (a.0.x, a.0.y, a.0.z) > (b.0.x, b.0.y, b.0.z) { (b, a) } else { (a, b) };
     let Cut { share, size } = rule.cut(a.0, b.0)?;

@@ -1,13 +1,13 @@
-//! Steps of reach and tolerance, so that a split serves all users at about the same distance from the centre.
+//! Quantisation of reach and tolerance, so that one split serves all users at similar distances from the centre.
 
 use super::settings::{Settings, Stages};
 
-/// Shares of r₁ within which the error of a user's picture has a bound, less how far triangles may pass r₁: 0.6 for a
-/// blend, a half for a cylinder.
+/// Fraction of r₁ within which a user's error has a bound, reduced by how far triangles may pass r₁: 0.6 for a blend,
+/// 0.5 for a cylinder.
 const MOST_BLEND_REACH: f64 = 0.59;
 const MOST_CYLINDER_REACH: f64 = 0.498;
 
-/// Steps of √2 of a reach and of a tolerance.
+/// Reach and tolerance in steps of √2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Steps {
     reach: i32,
@@ -15,8 +15,8 @@ pub struct Steps {
 }
 
 impl Settings {
-    /// The next step of the reach outwards and of the tolerance inwards, and the settings there. A reach with a bound
-    /// keeps it.
+    /// Rounds the reach up and the tolerance down to the next step; returns both steps and the settings there. A reach
+    /// with a bound keeps it.
     pub fn stepped(self) -> (Steps, Self) {
         let Self { r1, drawn, reach, tolerance, .. } = self;
         let unit = r1.max(drawn / 16.0);

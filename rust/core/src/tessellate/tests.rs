@@ -19,7 +19,7 @@ fn pieces(corners: [DVec3; 3], rule: &Rule) -> Vec<Piece> {
     Piece::whole(corners).split(rule, Precision::Double, |_| false, |_| Ok(())).unwrap()
 }
 
-/// Random numbers from 0 to 1, a new one at each call.
+/// Returns a generator of random numbers from 0 to 1.
 fn numbers(seed: u64) -> impl FnMut() -> f64 {
     let mut count = 0;
     move || {
@@ -28,7 +28,7 @@ fn numbers(seed: u64) -> impl FnMut() -> f64 {
     }
 }
 
-/// Angle between the interpolated morph of a piece's corners and the morph of the point itself.
+/// Returns the angle between the interpolated morph of a piece's corners and the morph of the point itself.
 fn miss(morph: &Morph, corners: &[DVec3; 3], [s, t, u]: [f64; 3]) -> f64 {
     let [a, b, c] = *corners;
     let exact = morph.apply(a * s + b * t + c * u) - morph.user;
@@ -37,7 +37,7 @@ fn miss(morph: &Morph, corners: &[DVec3; 3], [s, t, u]: [f64; 3]) -> f64 {
     exact.cross(shown).length().atan2(exact.dot(shown))
 }
 
-/// The greatest error at some points of each piece for some users, most of them at the region's border.
+/// Returns the maximum error at some points of each piece for some users, most of them at the region's border.
 fn greatest_miss(pieces: &[Piece], settings: &Settings, seed: u64, users: usize, points: usize) -> f64 {
     let mut next = numbers(seed);
     let mut greatest: f64 = 0.0;
@@ -115,8 +115,7 @@ proptest! {
         let on_edge = |third: DVec3, turned: bool| {
             let corners = if turned { [b, a, third] } else { [a, b, third] };
             let made = Piece::whole(corners).split(&rule, precision, |_| false, |_| Ok(())).unwrap();
-            // Area vectors: a piece that is turned over would reduce the sum. New vertices are rounded, to 4e-6 m for
-            // float32.
+            // Area vectors: a flipped piece would reduce the sum. New vertices are rounded, to 4e-6 m for float32.
             let sum: DVec3 = made.iter().map(|piece| area(&piece.corners)).sum();
             assert!((sum - area(&corners)).length() <= 1e-4 * (1.0 + area(&corners).length()));
             for piece in &made {

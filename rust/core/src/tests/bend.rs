@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use super::{assert_near, cases, morph_of, number, numbers, row, rows};
 
-/// Without near geometry there is no blend.
+/// Returns the kinds of a case; without near geometry there is no blend.
 fn kinds(case: &Value) -> &'static [Kind] {
     if number(&case["r2"]) > 0.0 { &[Kind::Blend, Kind::Cylinder] } else { &[Kind::Cylinder] }
 }
@@ -32,7 +32,7 @@ fn curves_run_where_the_equation_says() {
 
 #[test]
 fn polylines_lie_on_the_curve_and_end_on_the_rays_from_the_centre() {
-    // Radians; the bounds for polylines are of this tolerance.
+    // Radians; the bounds for polylines use this tolerance.
     let tolerance = 1e-6;
     for case in cases("bend", "cases") {
         for &kind in kinds(&case) {

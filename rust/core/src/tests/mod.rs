@@ -1,4 +1,4 @@
-//! Kernels against the vectors that all languages read: inputs, exact outputs, and by how much a consumer may be off.
+//! Kernels against the test vectors of all languages: inputs, exact outputs, and error bounds for consumers.
 
 mod bend;
 mod cubemap;
@@ -10,7 +10,7 @@ use crate::morph::{Kind, Morph};
 use glam::DVec3;
 use serde_json::Value;
 
-/// Cases of a section of a file.
+/// Returns the cases of a section of a file.
 fn cases(file: &str, section: &str) -> Vec<Value> {
     let path = format!("{}/../../tests/vectors/{file}.json", env!("CARGO_MANIFEST_DIR"));
     let document: Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
@@ -40,20 +40,20 @@ fn rows<const N: usize>(value: &Value) -> Vec<[f64; N]> {
     value.as_array().unwrap().iter().map(row).collect()
 }
 
-/// The morph of a case.
+/// Returns the morph of a case.
 fn morph_of(case: &Value, kind: Kind) -> Morph {
     let [user, center] = ["user", "center"].map(|name| DVec3::from_array(row(&case[name])));
     let full = Morph::new(user, center, number(&case["r1"]), number(&case["r2"]), kind).unwrap();
     full.with_strength(case["strength"].as_f64().unwrap_or(1.0)).unwrap()
 }
 
-/// Fails where numbers are further from the expected ones than a bound.
+/// Asserts that numbers differ from the expected ones by at most a bound.
 #[track_caller]
 fn assert_near(case: &Value, found: &[f64], expected: &[f64], bound: f64) {
     assert_within(case, found, expected, |_| bound);
 }
 
-/// Fails where numbers are further from the expected ones than a share of these.
+/// Asserts that numbers differ from the expected ones by at most a relative bound.
 #[track_caller]
 fn assert_share(case: &Value, found: &[f64], expected: &[f64], share: f64) {
     assert_within(case, found, expected, |expected| share * expected.abs());

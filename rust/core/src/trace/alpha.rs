@@ -3,15 +3,15 @@
 use super::ray::{FaceHits, Hit, HitFilter, Ray};
 use crate::scene::Scene;
 
-/// Rejects hits in the holes of cut-out materials; another filter decides about the rest.
+/// Rejects hits in the holes of cut-out materials; `inner` decides about all other hits.
 pub struct AlphaFilter<'a, F> {
-    /// The scene whose materials are looked up, if it has any with holes.
+    /// Scene whose materials are looked up; `None` if no material has holes.
     cutouts: Option<&'a Scene>,
     inner: F,
 }
 
 impl<'a, F: HitFilter> AlphaFilter<'a, F> {
-    /// The filter for hits on a scene; `inner` decides about hits outside holes.
+    /// Creates a filter for hits on a scene.
     pub fn new(scene: &'a Scene, inner: F) -> Self {
         Self { cutouts: scene.has_cutouts().then_some(scene), inner }
     }

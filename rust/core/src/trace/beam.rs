@@ -1,4 +1,4 @@
-//! Packets of rays through both levels of trees.
+//! Traversal of both levels of trees by packets of rays.
 
 use std::mem::MaybeUninit;
 
@@ -10,7 +10,7 @@ use super::triangle::{self, Crossing};
 use crate::bvh::{Block, Bvh, LEAF, Tlas, WIDTH, Wide};
 use crate::scene::{Instance, InstanceSet};
 
-/// Least number of rays of a beam; fewer are traced one by one.
+/// Minimum number of rays traced as a beam; fewer are traced one by one.
 const LEAST_BEAM: usize = 8;
 
 /// Query of a packet: its rays and their filter.
@@ -69,7 +69,7 @@ pub(crate) fn walk_some<I: Isa>(
     walk(isa, &tlas.wide, packet, &mut BeamInstances { tlas, instances, first: 0, quest, room });
 }
 
-/// Returns true if the packet's beam meets a leaf of a set's trees or the box of a placed instance.
+/// Returns true if the packet's beam intersects a leaf of a set's trees or the box of a placed instance.
 #[inline(always)]
 pub(crate) fn touches_set<I: Isa>(isa: I, set: &InstanceSet, packet: &mut Packet) -> bool {
     let Some(tlas) = set.tlas() else { return false };
@@ -176,7 +176,7 @@ impl<I: Isa> BeamLeaves<I> for BeamInstances<'_> {
 }
 
 impl BeamInstances<'_> {
-    /// Traces the rays in `room` through a placed instance, together if they still make a beam.
+    /// Traces the rays in `room` through a placed instance, as a packet if they still form a beam.
     #[inline(always)]
     fn enter_instance<I: Isa>(&mut self, isa: I, bvh: &Bvh, number: u32, packet: &mut Packet) {
         let Some(room) = self.room.as_deref_mut() else { return };
@@ -234,7 +234,7 @@ impl<I: Isa> BeamLeaves<I> for BeamTriangles<'_> {
 }
 
 impl BeamTriangles<'_> {
-    /// Intersects a group of rays with the triangles of a block, one triangle after the other.
+    /// Intersects a group of rays with the triangles of a block, one triangle at a time.
     #[inline(always)]
     fn test_block<I: Isa>(&self, isa: I, block: &Block, packet: &mut Packet, at: usize, mask: u32) -> bool {
         let load = Loader(isa);
@@ -260,7 +260,7 @@ impl BeamTriangles<'_> {
         found
     }
 
-    /// Stores the crossings that are nearer than the best hits, by the same conditions as `single::test_block`.
+    /// Stores the crossings that are nearer than the best hits, under the same conditions as `single::test_block`.
     #[inline(always)]
     fn accept<I: Isa>(
         &self,
@@ -310,7 +310,7 @@ impl BeamTriangles<'_> {
         self.ask(packet, at, mask, (face, hits), &lanes)
     }
 
-    /// The slow path, for ties and filters.
+    /// Slow path, for ties and filters.
     #[inline(never)]
     fn ask(
         &self,
@@ -348,19 +348,19 @@ fn greatest(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
-/// Greatest stack size, in entries, that needs no allocation.
+/// Maximum stack size, in entries, that needs no allocation.
 const LOCAL_STACK: usize = 256;
 
-/// A child of a node, and the distance at which the beam enters it.
+/// A child of a node and the distance at which the beam enters it.
 #[derive(Clone, Copy)]
 struct Entry {
     near: f32,
     child: u32,
-    /// Number of its node and slot, from which its box is read.
+    /// Index of its node and slot, from which its box is read.
     place: u32,
 }
 
-/// Visits leaves whose boxes the beam meets before all its rays have hit something, the nearest leaf first.
+/// Visits leaves whose boxes the beam intersects, nearest leaf first, until all its rays have hit something.
 #[inline(always)]
 fn walk<I: Isa>(isa: I, tree: &Wide, packet: &mut Packet, leaves: &mut impl BeamLeaves<I>) {
     if tree.nodes.is_empty() {

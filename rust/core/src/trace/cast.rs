@@ -1,4 +1,4 @@
-//! Many rays with world positions as input and arrays as output.
+//! Ray casting for arrays of world-space rays.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -9,7 +9,7 @@ use super::ray::{All, Hit, HitFilter, Ray};
 use crate::base::{Error, Progress, REACH, Result};
 use crate::scene::Scene;
 
-/// Number of rays in one task. It is fixed, so that groups of neighbours do not depend on the number of threads.
+/// Number of rays per task: fixed, so that packets do not depend on the number of threads.
 pub(super) const TILE: usize = 4096;
 
 /// Rows of three coordinates, float32 or float64.
@@ -43,7 +43,7 @@ impl Points<'_> {
         }
     }
 
-    /// Number of invalid rows, and the index of the first.
+    /// Returns the number of invalid rows and the index of the first.
     pub(super) fn find(&self, is_wrong: impl Fn(DVec3) -> bool + Sync) -> Option<(usize, usize)> {
         let tile = |start: usize| {
             let rows = start..(start + TILE).min(self.len());
@@ -68,8 +68,8 @@ pub struct Hits {
     pub barycentric: Vec<[f32; 2]>,
 }
 
-/// Nearest hits, within `t_max` metres, of rays from world positions (one for all rays, or one per ray). Directions of
-/// any length are normalised. Rays pass through the holes of cut-out materials.
+/// Returns the nearest hits, within `t_max` metres, of rays from world positions (one for all rays, or one per ray).
+/// Directions of any length are normalised. Rays pass through the holes of cut-out materials.
 pub fn cast(
     scene: &Scene,
     origins: Points<'_>,
@@ -109,7 +109,7 @@ pub(super) fn refuse(argument: &'static str, expected: &str, wrong: Option<(usiz
     }
 }
 
-/// Unit direction, also for directions whose squares overflow or underflow.
+/// Returns the unit direction, also for directions whose squares overflow or underflow.
 #[inline(always)]
 fn unit(direction: DVec3) -> DVec3 {
     let square = direction.length_squared();

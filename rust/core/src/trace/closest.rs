@@ -1,12 +1,12 @@
-//! The point of a triangle nearest to the origin.
+//! Nearest point of a triangle to the origin.
 //!
 //! Ericson: Real-time collision detection, 2005, section 5.1.5, distinguishes cases by the signs of barycentric
-//! weights. These signs are unreliable for slivers, so here the least distance among the three edges and the plane
-//! decides.
+//! weights. These signs are unreliable for slivers, so this code takes the minimum distance over the three edges and
+//! the plane.
 
 use glam::DVec3;
 
-/// Weights of the second and third corner, and the squared distance.
+/// Barycentric weights of the nearest point, and its squared distance.
 #[derive(Clone, Copy, Debug)]
 pub struct Closest {
     /// Weight of the second corner.
@@ -21,7 +21,7 @@ pub struct Closest {
 /// length.
 const SLIVER: f64 = 1e-26;
 
-/// Weight of the second end, and squared distance, of an edge's nearest point.
+/// Returns the weight of the second end, and the squared distance, of an edge's nearest point.
 #[inline(always)]
 fn on_edge(a: DVec3, b: DVec3) -> (f64, f64) {
     let edge = b - a;
@@ -34,12 +34,12 @@ fn on_edge(a: DVec3, b: DVec3) -> (f64, f64) {
     } else {
         along / length
     };
-    // Measured from the nearer end, so that a distant end costs no digits.
+    // Measured from the nearer end, so that a distant end costs no precision.
     let from = if t > 0.5 { b - edge * (1.0 - t) } else { a + edge * t };
     (t, from.length_squared())
 }
 
-/// Weights and squared distance within the plane, if the foot of the perpendicular lies in the triangle.
+/// Returns weights and squared distance in the plane, if the foot of the perpendicular lies in the triangle.
 #[inline(always)]
 fn on_plane([a, b, c]: [DVec3; 3]) -> Option<([f64; 2], f64)> {
     let (ab, ac) = (b - a, c - a);
@@ -56,7 +56,7 @@ fn on_plane([a, b, c]: [DVec3; 3]) -> Option<([f64; 2], f64)> {
     Some(([v, w], height * height / area))
 }
 
-/// Squared distance of a triangle from the origin.
+/// Returns the squared distance of a triangle from the origin.
 #[inline(always)]
 pub(super) fn square(corners: [DVec3; 3]) -> f64 {
     match on_plane(corners) {
@@ -68,7 +68,7 @@ pub(super) fn square(corners: [DVec3; 3]) -> f64 {
     }
 }
 
-/// The point of a triangle nearest to the origin.
+/// Returns the point of a triangle nearest to the origin.
 pub fn closest(corners: [DVec3; 3]) -> Closest {
     if let Some(([u, v], square)) = on_plane(corners) {
         return Closest { u, v, square };

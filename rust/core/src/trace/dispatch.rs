@@ -1,4 +1,4 @@
-//! Hits of many rays, by the kernels for the processor's instruction set.
+//! Entry points for tracing many rays, with kernels compiled for the processor's instruction set.
 
 use std::slice;
 
@@ -12,34 +12,34 @@ use super::ray::{All, Hit, HitFilter, Ray};
 use super::single::{Search, walk_set};
 use crate::scene::{InstanceSet, Scene};
 
-/// The nearest hit of one ray. The scene must have been built (`Scene::build`).
+/// Returns the nearest hit of one ray. The scene must have been built (`Scene::build`).
 pub fn closest_hit(scene: &Scene, ray: &Ray, filter: &dyn HitFilter) -> Hit {
     let mut hit = [Hit::MISS];
     closest_hits(scene, slice::from_ref(ray), filter, &mut hit);
     hit[0]
 }
 
-/// Nearest hits of many rays; neighbours in the slice are assumed to be coherent.
+/// Writes the nearest hit of each ray; neighbours in the slice are assumed to be coherent.
 pub fn closest_hits(scene: &Scene, rays: &[Ray], filter: &dyn HitFilter, hits: &mut [Hit]) {
     closest_hits_with(InstructionSet::current(), scene, rays, filter, hits);
 }
 
-/// Writes the nearest hit of each ray, traced alone. This is faster than packets for rays that are not coherent, and
-/// where so many triangles lie between neighbouring rays that packets share few nodes of the tree.
+/// Writes the nearest hit of each ray, traced alone. This is faster than packets for incoherent rays, and where so
+/// many triangles lie between neighbouring rays that packets share few nodes of the tree.
 pub fn closest_hits_apart(scene: &Scene, rays: &[Ray], filter: &dyn HitFilter, hits: &mut [Hit]) {
     closest_hits_apart_with(InstructionSet::current(), scene, rays, filter, hits);
 }
 
-/// Writes for each layer the nearest hits of a packet among the surfaces of that layer and those before it. There may be
-/// at most `RAYS` rays. The scene's moving instances are in no layer.
+/// Writes for each layer the nearest hits of a packet among the surfaces of that layer and all earlier ones. A packet
+/// has at most `RAYS` rays. The scene's moving instances are in no layer.
 ///
-/// The best hits of one layer bound the search in the next: a layer of far surfaces should come first if all hits are
-/// wanted. Hits are those of `closest_hits` in a scene where other faces are not shown, bit for bit.
+/// The best hits of one layer bound the search in the next, so a layer of distant surfaces should come first if all
+/// hits are wanted. The hits equal, bit for bit, those of `closest_hits` in a scene without the other faces.
 pub fn closest_hits_by_layer(scene: &Scene, rays: &[Ray], layers: &[Layer<'_>], hits: &mut [LayerHits]) {
     closest_hits_by_layer_with(InstructionSet::current(), scene, rays, layers, hits);
 }
 
-/// Returns false if no ray between four rays with one start can hit anything. It may return true for a near miss.
+/// Returns false if no ray between four corner rays from one origin can hit anything. Near misses may return true.
 pub fn beam_touches(scene: &Scene, corners: &[Ray; 4]) -> bool {
     let mut touched = [true];
     beam_touches_with(InstructionSet::current(), scene, corners, &All, &mut touched);
@@ -118,7 +118,7 @@ fn closest<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], filter: &dyn HitFilter, 
 fn touches<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], _filter: &dyn HitFilter, touched: &mut [bool]) {
     let mut packet = Packet::new();
     packet.clear();
-    // This is a loop because a closure would be compiled without the instruction set.
+    // A loop, because a closure would be compiled without the instruction set.
     for (set, _) in numbered(scene) {
         let Some(tlas) = set.tlas() else { continue };
         if !packet.fill(isa, rays, &tlas.bounds) {
@@ -132,7 +132,7 @@ fn touches<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], _filter: &dyn HitFilter,
     touched.fill(false);
 }
 
-/// Sets of instances with the number of their first instance; empty sets are left out.
+/// Returns the non-empty sets of instances, each with the number of its first instance.
 #[inline(always)]
 fn numbered(scene: &Scene) -> impl Iterator<Item = (&InstanceSet, u32)> {
     let moving = scene.standing.instances().len() as u32;

@@ -1,4 +1,4 @@
-//! Rays through the static instances of a scene, layer by layer.
+//! Tracing of a scene's static instances layer by layer.
 
 use super::beam::{self, Quest};
 use super::lanes::Isa;
@@ -14,7 +14,7 @@ use crate::scene::Scene;
 pub struct LayerTree(Tlas);
 
 impl LayerTree {
-    /// The tree of the instances whose numbers fulfil a condition.
+    /// Builds the tree of the instances whose numbers fulfil a condition.
     pub fn new(scene: &Scene, holds: impl Fn(usize) -> bool, progress: &Progress) -> Result<Self> {
         let instances = scene.standing.instances().iter().enumerate();
         let boxes = instances.map(|(number, instance)| if holds(number) { instance.bounds } else { Aabb::EMPTY });
@@ -22,20 +22,20 @@ impl LayerTree {
     }
 }
 
-/// Some static instances of a scene.
+/// A subset of a scene's static instances.
 pub struct Layer<'a> {
-    /// The tree of their boxes.
+    /// Tree of their boxes.
     pub tree: &'a LayerTree,
-    /// Filter of their faces.
+    /// Filter for their faces.
     pub filter: Box<dyn HitFilter + 'a>,
 }
 
-/// The hits of a packet after a layer.
+/// Hits of a packet after a layer.
 #[derive(Clone, Debug)]
 pub struct LayerHits {
-    /// The nearest hit of each ray in this layer and those before; not written if none has changed.
+    /// Nearest hit of each ray in this layer and all earlier ones; not written if no hit has changed.
     pub hits: [Hit; RAYS],
-    /// Rays that hit something else than in the layers before, one bit each.
+    /// Bit mask of the rays whose hit differs from the previous layer's.
     pub changed: u64,
 }
 
@@ -46,7 +46,7 @@ impl Default for LayerHits {
 }
 
 impl LayerHits {
-    /// Stores hits, given those of the layer before, and replaces these.
+    /// Stores this layer's hits if they differ from the previous layer's, and updates `last`.
     fn store(&mut self, count: usize, last: &mut [Hit; RAYS], hit: impl Fn(usize) -> Hit) {
         for (i, last) in last.iter_mut().enumerate().take(count) {
             let hit = hit(i);
@@ -61,7 +61,7 @@ impl LayerHits {
     }
 }
 
-/// See `closest_hits_by_layer`.
+/// Implements `closest_hits_by_layer`.
 #[inline(always)]
 pub(super) fn by_layer<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], layers: &[Layer<'_>], out: &mut [LayerHits]) {
     out.iter_mut().for_each(|out| out.changed = 0);

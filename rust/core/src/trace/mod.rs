@@ -1,4 +1,4 @@
-//! Rays traced through a scene: nearest hits through both levels of trees; and nearest points of the scene's surface.
+//! Ray tracing through both levels of trees, and nearest points of the scene's surface.
 
 mod alpha;
 mod beam;

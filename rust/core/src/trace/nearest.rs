@@ -1,7 +1,7 @@
-//! Nearest points of a scene's surface: branch and bound over both levels of trees.
+//! Nearest points on a scene's surface: branch and bound over both levels of trees.
 //!
-//! Boxes are compared in float32 with lower bounds of their distances. Distances of triangles are computed in float64
-//! from the float32 corners, by the plane and the three edges, so slivers need no special treatment.
+//! Boxes are compared by float32 lower bounds of their distances. Triangle distances are computed in float64 from the
+//! float32 corners, over the plane and the three edges, so slivers need no special case.
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -17,14 +17,14 @@ use crate::scene::{Instance, Scene};
 pub struct Nearest {
     /// Distance in metres; infinite if no triangle faces the given direction.
     pub distance: Vec<f64>,
-    /// Triangle number in the scene; −1 for none.
+    /// Triangle number in the scene; −1 if there is none.
     pub triangle_index: Vec<i64>,
-    /// Weights of the second and third corner; NaN for none.
+    /// Weights of the second and third corner; NaN if there is none.
     pub barycentric: Vec<[f64; 2]>,
 }
 
-/// The nearest surface point of each world position. `facing` gives a direction for each point; only triangles whose
-/// outward normal is within 90° of it count.
+/// Returns the nearest surface point of each world position. `facing` gives a direction for each point; only triangles
+/// whose outward normal is within 90° of it count.
 pub fn nearest(scene: &Scene, points: Points<'_>, facing: Option<&[[f32; 3]]>, progress: &Progress) -> Result<Nearest> {
     let count = points.len();
     if let Some(rows) = facing.map(<[_]>::len).filter(|&rows| rows != count) {
@@ -80,7 +80,7 @@ struct Found {
 impl Found {
     const NOTHING: Self = Self { square: f64::INFINITY, instance: u32::MAX, face: u32::MAX };
 
-    /// Ties go to the lower (instance, face), so the result depends neither on the tree nor on the start.
+    /// Ties go to the lower (instance, face), so the result depends neither on the tree nor on the initial bound.
     fn is_before(&self, other: &Self) -> bool {
         self.square < other.square
             || (self.square == other.square && (self.instance, self.face) < (other.instance, other.face))
@@ -94,15 +94,15 @@ struct NearestSearch {
     best: Found,
 }
 
-/// Boxes still to be opened: least squared distance and reference.
+/// Stack of boxes still to be opened: lower bound of the squared distance, and reference.
 type Room = Vec<(f32, u32)>;
 
-/// The frame of a tree's boxes: the query point in it, and the relation of its distances to those in scene space.
+/// Frame of a tree's boxes: the query point in it, and how its distances relate to those in scene space.
 struct TreeFrame {
     point: Vec3,
-    /// Metres that the rounding of the point to float32 may add to a distance.
+    /// Maximum error, in metres, that rounding the point to float32 adds to a distance.
     slack: f32,
-    /// Square of the least factor by which the transform to scene space stretches lengths.
+    /// Square of the minimum factor by which the transform to scene space stretches lengths.
     scale: f64,
 }
 
@@ -112,7 +112,7 @@ impl TreeFrame {
         Self { point: rounded, slack: rounded.abs().max_element() * f32::EPSILON, scale }
     }
 
-    /// Lower bounds of the squared distances of a node's children, in the frame's own units.
+    /// Returns lower bounds of the squared distances of a node's children, in the frame's own units.
     #[inline(always)]
     fn squares(&self, node: &Node) -> [f32; WIDTH] {
         /// Factor that covers the rounding of the sum.
@@ -132,7 +132,7 @@ impl TreeFrame {
 
 impl NearestSearch {
     fn run(mut self, scene: &Scene, start: Found, room: &mut Room) -> Found {
-        // Neighbours in the list are usually close to each other, so the last nearest triangle gives a good first
+        // Neighbours in the list are usually close together, so the previous point's triangle gives a good first
         // bound.
         if start.instance != u32::MAX {
             self.try_triangle(scene.instance(start.instance).corners(start.face), start.instance, start.face);
@@ -157,7 +157,7 @@ impl NearestSearch {
         let frame = if instance.in_place {
             TreeFrame::new(self.point, 1.0)
         } else {
-            // The least stretch of a map is the reciprocal of the greatest stretch of its inverse, which this norm
+            // The minimum stretch of a map is the reciprocal of the maximum stretch of its inverse, which this norm
             // bounds.
             let inverse = instance.to_object.matrix3;
             let columns = [inverse.x_axis, inverse.y_axis, inverse.z_axis];
@@ -169,7 +169,7 @@ impl NearestSearch {
         });
     }
 
-    /// Visits leaves that may be as near as the best triangle, the nearest leaf first.
+    /// Visits leaves that may be nearer than the best triangle, nearest leaf first.
     #[inline(always)]
     fn walk(&mut self, tree: &Wide, frame: &TreeFrame, room: &mut Room, leaf: impl Fn(&mut Self, u32, &mut Room)) {
         if tree.nodes.is_empty() {
@@ -195,7 +195,7 @@ impl NearestSearch {
                 }
                 room.push((square, child));
                 let mut at = room.len() - 1;
-                // Nearer boxes are moved to the top.
+                // Insertion sort: nearer boxes go to the top.
                 while at > start && room[at - 1].0 < square {
                     room.swap(at - 1, at);
                     at -= 1;

@@ -1,8 +1,8 @@
-//! Up to 64 rays as arrays, and the beam that contains them all.
+//! Packets of up to 64 rays as arrays, and the beam that contains all rays of a packet.
 //!
 //! After Overbeck, Ramamoorthi, Mark: Large ray packets for real-time Whitted ray tracing, 2008, and Boulos, Wald,
-//! Benthin: Adaptive ray packet reordering, 2008. Boxes inside the tree are tested against the beam, eight boxes at a
-//! time; single rays are tested only at leaves. A test of the beam accepts each box that any of its rays would accept,
+//! Benthin: Adaptive ray packet reordering, 2008. Inner boxes of the tree are tested against the beam, eight boxes at
+//! a time; single rays are tested only at leaves. The beam test accepts every box that one of its rays would accept,
 //! and values of a ray are computed as in `single`, so both give the same bits.
 
 use super::lanes::{Isa, Lanes};
@@ -11,21 +11,21 @@ use super::triangle::Shear;
 use crate::base::Aabb;
 use crate::bvh::Node;
 
-/// Greatest number of rays in a packet: a tile of 8 × 8 pixels.
+/// Maximum number of rays in a packet: a tile of 8 × 8 pixels.
 pub(crate) const RAYS: usize = 64;
-/// Least number of rays for which a packet saves time.
+/// Minimum number of rays for which a packet saves time.
 pub(super) const LEAST_PACKET: usize = 8;
-/// Greatest range of slopes across the main axis at which rays still make a beam.
+/// Maximum spread of slopes relative to the main axis at which rays still form a beam.
 const MAX_SLOPE_SPREAD: f32 = 0.35;
-/// Relative widening of a beam, far more than the rounding between a ray's own box test and the beam's.
+/// Relative widening of a beam, far above the rounding difference between a ray's box test and the beam's.
 const BEAM_MARGIN: f32 = 16.0 * f32::EPSILON;
-/// The constant of `slab`.
+/// See `slab::LEAST_SLOPE`.
 const LEAST_SLOPE: f32 = super::slab::LEAST_SLOPE;
 
 type Row = [f32; RAYS];
 
-/// Rays in columns. Rows that belong to axes are in the order x, y, z; those of `origin` and `scale` are in the
-/// shear's.
+/// Rays as a structure of arrays. Rows indexed by axis are in the order x, y, z; those of `origin` and `scale` are in
+/// the shear's order.
 #[repr(align(64))]
 pub(crate) struct Packet {
     pub(crate) count: usize,
@@ -36,7 +36,7 @@ pub(crate) struct Packet {
     far_origin: [Row; 3],
     near_scale: [Row; 3],
     far_scale: [Row; 3],
-    /// Rays with a negative direction on each axis, one bit per ray.
+    /// Rays with a negative direction on each axis, as bit masks.
     backwards: [u64; 3],
     pub(crate) t_min: Row,
     pub(crate) t_max: Row,
@@ -44,12 +44,12 @@ pub(crate) struct Packet {
     /// Distance along the main axis per unit of t.
     step: Row,
     pub(crate) best: Best,
-    /// How often best hits have been stored; equal numbers mean that none has changed in between.
+    /// Number of times best hits have been stored; an unchanged number means unchanged hits.
     pub(crate) changes: u32,
     beam: Beam,
 }
 
-/// The best hits in columns; numbers of instances and faces are stored as bits.
+/// Best hits as a structure of arrays; numbers of instances and faces are stored as bits.
 pub(crate) struct Best {
     pub(crate) t: Row,
     pub(crate) u: Row,
@@ -58,7 +58,7 @@ pub(crate) struct Best {
     pub(crate) face: Row,
 }
 
-/// Bounds of all rays, by the distance along their common main axis.
+/// Bounds of all rays as functions of the distance along their common main axis.
 #[derive(Clone, Copy, Default)]
 struct Beam {
     first: [usize; 3],
@@ -66,14 +66,14 @@ struct Beam {
     near_scale: [f32; 3],
     far_origin: [f32; 3],
     far_scale: [f32; 3],
-    /// Axes on which ray directions have both signs: there both planes bound the entry, and neither bounds the exit.
+    /// Axes on which ray directions have both signs: there both planes bound the entry and neither bounds the exit.
     both_ways: [bool; 3],
     /// Distance beyond which no ray can find a nearer hit.
     limit: f32,
 }
 
 impl Packet {
-    /// An empty packet.
+    /// Creates an empty packet.
     pub(crate) fn new() -> Self {
         let rows = [[0.0; RAYS]; 3];
         Self {
@@ -96,13 +96,13 @@ impl Packet {
         }
     }
 
-    /// Fills the packet with rays, for boxes inside `bounds`. Returns false if the rays do not make a beam.
+    /// Fills the packet with rays, for boxes inside `bounds`. Returns false if the rays do not form a beam.
     #[inline(always)]
     pub(crate) fn fill<I: Isa>(&mut self, isa: I, rays: &[Ray], bounds: &Aabb) -> bool {
         let Some(lead) = rays.first() else { return false };
         self.count = rays.len();
         self.axes = Shear::new(lead.direction).axes;
-        // The rows of near planes first hold the origins, and the rows of their reciprocals first hold the directions.
+        // The rows of near planes temporarily hold the origins, and the rows of their reciprocals the directions.
         for i in 0..RAYS {
             let ray = rays.get(i).unwrap_or(lead);
             for axis in 0..3 {
@@ -111,7 +111,7 @@ impl Packet {
             }
             let is_ray = i < rays.len();
             self.t_min[i] = ray.t_min;
-            // Slots without a ray, which pad the last group, get an empty segment.
+            // Unused slots, which pad the last group, get an empty segment.
             self.t_max[i] = if is_ray { ray.t_max.min(f32::MAX) } else { f32::NEG_INFINITY };
             if ray.t_min < 0.0 {
                 return false;
@@ -139,7 +139,7 @@ impl Packet {
         self.beam.limit = f32::INFINITY;
     }
 
-    /// The same arithmetic as `Shear::new` and `Slabs::new`, for a group of rays.
+    /// Same arithmetic as `Shear::new` and `Slabs::new`, for a group of rays.
     #[inline(always)]
     fn fill_group<I: Isa>(
         &mut self,
@@ -224,7 +224,8 @@ impl Packet {
         true
     }
 
-    /// The children of a node that some ray may need to visit, and the distance at which the beam enters them.
+    /// Returns a mask of a node's children that some ray may need to visit, and the distances at which the beam enters
+    /// them.
     #[inline(always)]
     pub(crate) fn intersect_node<I: Isa>(&self, isa: I, node: &Node) -> (u32, I::Eight) {
         let beam = &self.beam;
@@ -246,19 +247,19 @@ impl Packet {
         (near.le(far), near)
     }
 
-    /// Ends the walk, as if no box needed to be visited.
+    /// Ends the traversal: no box is visited any more.
     #[inline(always)]
     pub(crate) fn stop(&mut self) {
         self.beam.limit = f32::NEG_INFINITY;
     }
 
-    /// Distance beyond which no box needs to be visited.
+    /// Returns the distance beyond which no box needs to be visited.
     #[inline(always)]
     pub(crate) fn limit(&self) -> f32 {
         self.beam.limit
     }
 
-    /// The rays of a group that enter a box within their segments and not beyond their best hits.
+    /// Returns a mask of the rays of a group that enter a box within their segments and not beyond their best hits.
     #[inline(always)]
     pub(crate) fn enter<I: Isa>(&self, isa: I, at: usize, planes: &[f32; 6]) -> u32 {
         let (near, far) = self.slabs(isa, at, planes);
@@ -268,7 +269,8 @@ impl Packet {
         near.le(far.min(limit))
     }
 
-    /// The distances at which the rays of a group enter and leave a box, by the same arithmetic as `Slabs::intersect`.
+    /// Returns the distances at which a group's rays enter and leave a box, by the same arithmetic as
+    /// `Slabs::intersect`.
     #[inline(always)]
     pub(crate) fn slabs<I: Isa>(&self, isa: I, at: usize, planes: &[f32; 6]) -> (I::Group, I::Group) {
         let (x, y, z) = (self.slab(isa, at, 0, planes), self.slab(isa, at, 1, planes), self.slab(isa, at, 2, planes));
@@ -324,7 +326,7 @@ impl Packet {
     }
 }
 
-/// Least and greatest origins and slopes of rays, lane by lane, for each axis.
+/// Minimum and maximum of ray origins and slopes, per lane and axis.
 struct Extent<L>([[L; 4]; 3]);
 
 impl<L> Extent<L> {

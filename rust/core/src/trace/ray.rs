@@ -1,17 +1,17 @@
-//! Rays, hits, and the filters that decide which intersections count.
+//! Rays, hits, and hit filters.
 
 use glam::Vec3;
 
 /// A segment of a ray in scene space. The direction may have any length; `t` is in units of it.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
-    /// Start, relative to the scene's origin, with coordinates of at most `base::REACH`.
+    /// Start relative to the scene's origin; coordinates are at most `base::REACH`.
     pub origin: Vec3,
     /// Direction, finite and not zero.
     pub direction: Vec3,
-    /// Least parameter that counts as a hit.
+    /// Minimum parameter of a hit.
     pub t_min: f32,
-    /// Greatest parameter that counts as a hit.
+    /// Maximum parameter of a hit.
     pub t_max: f32,
 }
 
@@ -31,10 +31,10 @@ pub struct Hit {
 }
 
 impl Hit {
-    /// The value for a ray without a hit.
+    /// Value for a ray without a hit.
     pub const MISS: Self = Self { t: f32::INFINITY, u: 0.0, v: 0.0, instance: u32::MAX, face: u32::MAX };
 
-    /// Whether nothing was hit.
+    /// Returns whether nothing was hit.
     pub fn is_miss(&self) -> bool {
         self.instance == u32::MAX
     }
@@ -45,34 +45,34 @@ impl Hit {
     }
 }
 
-/// Hits on a face that count, whichever ray makes them.
+/// Subset of the hits on a face that count, independent of the ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FaceHits {
-    /// No hit.
+    /// No hit counts.
     None,
-    /// The hits that the filter accepts.
+    /// Hits that `HitFilter::accepts` accepts.
     Accepted,
-    /// Every hit.
+    /// Every hit counts.
     All,
 }
 
-/// Decides which intersections count, for cut-out materials and for pixels split at a radius.
+/// Filter of intersections, for cut-out materials and for pixels split at a radius.
 ///
-/// The kernels take it as a trait object: they ask it only about triangles that a ray crosses before its best hit, and a
-/// copy of the kernels for each filter would take half of the crate's compile time.
+/// The kernels take a trait object: they call it only for triangles that a ray crosses before its best hit, and a copy
+/// of the kernels for each filter would take half of the crate's compile time.
 pub trait HitFilter: Sync {
-    /// Returns the hits on a face that count. It is asked first, and once for many rays.
+    /// Returns the hits on a face that count. Called before `accepts`, once for many rays.
     fn face_hits(&self, _instance: u32, _face: u32) -> FaceHits {
         FaceHits::Accepted
     }
 
-    /// Whether a hit counts on a face of which not all hits do.
+    /// Returns whether a hit counts; called only for faces with `FaceHits::Accepted`.
     fn accepts(&self, _ray: &Ray, _candidate: &Hit) -> bool {
         true
     }
 }
 
-/// The filter that accepts every intersection.
+/// Filter that accepts every intersection.
 pub struct All;
 
 impl HitFilter for All {

@@ -1,11 +1,11 @@
-//! A test whether a box contains geometry, so that empty regions can be skipped.
+//! Test whether a box contains geometry, used to skip empty regions.
 
 use crate::base::Aabb;
 use crate::bvh::{LEAF, NO_CHILD, Node, WIDTH, Wide};
 use crate::scene::{Instance, InstanceSet, Scene};
 
-/// False if no triangle of a scene reaches into a box. True may be a false alarm, because leaves and placed instances
-/// are tested by their boxes. The scene must have been built.
+/// Returns false if no triangle of a scene reaches into a box. It may return true for an empty box, because leaves and
+/// placed instances are tested by their boxes. The scene must have been built.
 pub fn touches(scene: &Scene, region: &Aabb) -> bool {
     [&*scene.standing, &*scene.moving].into_iter().any(|set| set_touches(set, region))
 }
@@ -32,7 +32,7 @@ fn overlap(a: &Aabb, b: &Aabb) -> bool {
     a.min.cmple(b.max).all() && b.min.cmple(a.max).all()
 }
 
-/// Whether a leaf whose box overlaps the region satisfies a condition.
+/// Returns whether a leaf whose box overlaps the region satisfies a condition.
 fn any_leaf(wide: &Wide, region: &Aabb, condition: &mut impl FnMut(u32) -> bool) -> bool {
     !wide.nodes.is_empty() && below(wide, 0, region, condition)
 }

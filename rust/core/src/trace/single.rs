@@ -1,4 +1,4 @@
-//! One ray through both levels of trees.
+//! Traversal of both levels of trees by a single ray.
 
 use std::mem::MaybeUninit;
 
@@ -12,7 +12,7 @@ use crate::base::Aabb;
 use crate::bvh::{Block, Bvh, LEAF, Tlas, WIDTH, Wide};
 use crate::scene::{Instance, InstanceSet};
 
-/// A ray prepared for one frame: the scene's, or an instance's own.
+/// A ray prepared for one frame: the scene's or an instance's.
 #[derive(Clone, Copy)]
 pub(crate) struct Local {
     pub(crate) origin: Vec3,
@@ -20,8 +20,8 @@ pub(crate) struct Local {
     pub(crate) slabs: Slabs,
     pub(crate) t_min: f32,
     pub(crate) t_max: f32,
-    /// Parameter at which the ray enters the instance's box in scene space. No hit counts before it, so that culling by
-    /// the box agrees with every hit below it.
+    /// Parameter at which the ray enters the instance's box in scene space. Hits before it do not count, so that
+    /// culling by the box agrees with every hit below it.
     pub(crate) floor: f32,
 }
 
@@ -34,7 +34,7 @@ impl Local {
             shear: Shear::new(ray.direction),
             slabs: Slabs::new(ray.origin, ray.direction, bounds),
             t_min: ray.t_min,
-            // An infinite parameter is a miss.
+            // A hit at an infinite parameter would be a miss.
             t_max: ray.t_max.min(f32::MAX),
             floor: f32::NEG_INFINITY,
         }
@@ -42,7 +42,7 @@ impl Local {
 }
 
 impl Ray {
-    /// The ray in an instance's own frame, with the same parameter.
+    /// Returns the ray in an instance's own frame, with the same parameter.
     #[inline(always)]
     pub(crate) fn in_object(&self, instance: &Instance) -> Self {
         let origin = instance.to_object.transform_point3(self.origin.as_dvec3()).as_vec3();
@@ -51,13 +51,13 @@ impl Ray {
     }
 }
 
-/// The search of one ray: its segment and filter, and the best hit so far.
+/// State of one ray's search: its segment, its filter and the best hit so far.
 pub(crate) struct Search<'a> {
     /// The ray in scene space.
     pub(crate) ray: &'a Ray,
     pub(crate) filter: &'a dyn HitFilter,
     pub(crate) best: Hit,
-    /// Whether any hit ends the search.
+    /// Whether the search ends at the first hit.
     pub(crate) any: bool,
 }
 
@@ -94,14 +94,14 @@ pub(crate) fn walk_set<I: Isa>(isa: I, set: &InstanceSet, first: u32, search: &m
     walk(isa, &tlas.wide, &local, search, &Instances { tlas, instances, first });
 }
 
-/// Traverses a tree over some of a set's instances with a ray that is prepared for all of them.
+/// Traverses a tree over some of a set's instances with a ray prepared for all of them.
 #[inline(always)]
 pub(crate) fn walk_some<I: Isa>(isa: I, tlas: &Tlas, instances: &[Instance], local: &Local, search: &mut Search<'_>) {
     walk(isa, &tlas.wide, local, search, &Instances { tlas, instances, first: 0 });
 }
 
-/// Action at a leaf. It is a trait instead of a closure, because only code that is certainly inlined is compiled with
-/// the caller's instruction set.
+/// Action at a leaf. A trait instead of a closure, because only code that is certainly inlined is compiled with the
+/// caller's instruction set.
 trait Leaves<I> {
     fn visit(&self, isa: I, leaf: u32, local: &Local, search: &mut Search<'_>);
 }
@@ -142,7 +142,7 @@ impl<I: Isa> Leaves<I> for Triangles<'_> {
     }
 }
 
-/// Parameter at which a ray enters a box; `None` if it does not within its segment.
+/// Returns the parameter at which a ray enters a box; `None` if it misses the box within its segment.
 #[inline(always)]
 pub(crate) fn enter(local: &Local, bounds: &Aabb) -> Option<f32> {
     let (near, far) = local.slabs.enter_leave(bounds);
@@ -155,10 +155,10 @@ pub(crate) fn walk_mesh<I: Isa>(isa: I, bvh: &Bvh, local: &Local, instance: u32,
     walk(isa, &bvh.wide, local, search, &Triangles { bvh, instance });
 }
 
-/// Greatest stack size, in entries, that needs no allocation.
+/// Maximum stack size, in entries, that needs no allocation.
 const LOCAL_STACK: usize = 256;
 
-/// Visits leaves whose boxes the ray meets within its segment and not beyond the best hit, the nearest leaf first.
+/// Visits leaves whose boxes the ray enters within its segment and before the best hit, nearest leaf first.
 #[inline(always)]
 fn walk<I: Isa>(isa: I, tree: &Wide, local: &Local, search: &mut Search<'_>, leaves: &impl Leaves<I>) {
     if tree.nodes.is_empty() {
@@ -198,7 +198,7 @@ fn walk<I: Isa>(isa: I, tree: &Wide, local: &Local, search: &mut Search<'_>, lea
             }
             let mut distances = [0.0; WIDTH];
             near.store(&mut distances);
-            // The nearest child is opened next; the others go on the stack, sorted, with the nearest on top.
+            // The nearest child is opened next; the others go on the stack, sorted, the nearest on top.
             let mut nearest = (distances[slot], node.children[slot]);
             let base = size;
             while mask != 0 {
@@ -274,7 +274,7 @@ fn test_block<I: Isa>(isa: I, block: &Block, local: &Local, instance: u32, searc
     }
 }
 
-/// One corner of each triangle of a block relative to the ray's origin, with axes in the shear's order.
+/// Loads one corner of each triangle of a block, relative to the ray's origin, with axes in the shear's order.
 #[inline(always)]
 fn gather<I: Isa>(isa: I, block: &Block, local: &Local, corner: usize) -> [I::Four; 3] {
     let rows = &block.corners[corner];

@@ -1,8 +1,8 @@
 //! Conservative ray–box intersection.
 //!
 //! Woop, Benthin, Wald: Watertight ray/triangle intersection, JCGT 2(1), 2013, section 5, and Ize: Robust BVH ray
-//! traversal, JCGT 2(2), 2013. The triangle test may find a point that lies outside its triangle by the rounding of the
-//! sheared corners. A box must not exclude such a point; otherwise rays would pass through the seams between boxes. So
+//! traversal, JCGT 2(2), 2013. The triangle test may find a point that lies outside its triangle by the rounding error
+//! of the sheared corners. A box must not exclude such a point, or rays would pass through the seams between boxes. So
 //! the origin for the near planes is moved towards them, and the origin for the far planes away from them.
 //!
 //! Nested boxes give monotone results: every operation preserves the order of its operands, so a ray that enters a box
@@ -14,20 +14,20 @@ use super::lanes::{Isa, Lanes};
 use crate::base::Aabb;
 use crate::bvh::{Node, WIDTH};
 
-/// Greatest error of the sheared corners, relative to the reach: five roundings of half an ulp, as in the paper, of two
-/// coordinates.
+/// Maximum error of the sheared corners, relative to the reach: five roundings of half an ulp, as in the paper, for
+/// two coordinates.
 pub(super) const ERROR: f32 = 2.0 * 5.0 / (1 << 24) as f32;
 /// Factors, towards zero and away from zero, that cover the rounding of a reciprocal and a product.
 pub(super) const SHORTER: f32 = 1.0 - 4.0 * f32::EPSILON;
 pub(super) const LONGER: f32 = 1.0 + 4.0 * f32::EPSILON;
-/// Least slope; smaller slopes are replaced by it. So no product with a plane's distance is NaN, and the deviation of
-/// the ray over the whole box is far below one rounding.
+/// Minimum slope; smaller slopes are replaced by it. So no product with a plane's distance is NaN, and the ray's
+/// deviation over the whole box stays far below one rounding.
 pub(super) const LEAST_SLOPE: f32 = 1e-12;
 
 /// A ray prepared for all boxes below one root.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slabs {
-    /// Plane of a node that the ray meets first on each axis: `2 axis` or `2 axis + 1`.
+    /// First plane of a node that the ray meets on each axis: `2 axis` or `2 axis + 1`.
     pub(crate) first: [usize; 3],
     /// Origins for the near planes.
     pub(crate) near_origin: [f32; 3],
@@ -56,7 +56,7 @@ impl Slabs {
         for axis in 0..3 {
             let d = direction[axis];
             let scale = 1.0 / d.abs().max(least);
-            // −0.0 counts as positive: with the least slope, either sign accepts each box that touches the ray.
+            // −0.0 counts as positive: with the minimum slope, either sign accepts each box that touches the ray.
             let negative = d < 0.0;
             let sign = if negative { -1.0 } else { 1.0 };
             slabs.first[axis] = 2 * axis + usize::from(negative);
@@ -68,7 +68,7 @@ impl Slabs {
         slabs
     }
 
-    /// Parameters at which the ray enters and leaves boxes, given the first and last plane on each axis.
+    /// Returns the parameters at which the ray enters and leaves boxes, given the first and last plane on each axis.
     #[inline(always)]
     pub(crate) fn intersect<I: Isa, L: Lanes<I>>(&self, isa: I, first: [L; 3], last: [L; 3]) -> (L, L) {
         let near = self.near(isa, 0, first[0]).max(self.near(isa, 1, first[1])).max(self.near(isa, 2, first[2]));
@@ -86,7 +86,7 @@ impl Slabs {
         plane.sub(L::splat(isa, self.far_origin[axis])).mul(L::splat(isa, self.far_scale[axis]))
     }
 
-    /// Parameters at which the ray enters and leaves the children of a node.
+    /// Returns the parameters at which the ray enters and leaves the children of a node.
     #[inline(always)]
     pub(crate) fn intersect_node<I: Isa>(&self, isa: I, node: &Node) -> (I::Eight, I::Eight) {
         let [x, y, z] = self.first;
@@ -96,7 +96,7 @@ impl Slabs {
         self.intersect(isa, first, last)
     }
 
-    /// Parameters at which the ray enters and leaves one box.
+    /// Returns the parameters at which the ray enters and leaves one box.
     #[inline(always)]
     pub(crate) fn enter_leave(&self, bounds: &Aabb) -> (f32, f32) {
         let plane = |number: usize| if number & 1 == 0 { bounds.min[number / 2] } else { bounds.max[number / 2] };

@@ -1,5 +1,5 @@
-//! Tests of the tracer against a brute-force search over every triangle of every instance. Single rays, packets and
-//! every instruction set must also give the same bits.
+//! Tests of the tracer against a brute-force search over all triangles of all instances. Single rays, packets and all
+//! instruction sets must also give the same bits.
 
 mod defects;
 mod watertight;
@@ -59,8 +59,8 @@ fn bits(hit: &Hit) -> [u32; 5] {
     [hit.t.to_bits(), hit.u.to_bits(), hit.v.to_bits(), hit.instance, hit.face]
 }
 
-/// Traces in packets and one by one on every instruction set, asserts that all results have the same bits, and returns
-/// them.
+/// Traces in packets and one by one with every instruction set, asserts that all results have the same bits, and
+/// returns them.
 fn trace_all_ways(scene: &Scene, rays: &[Ray], filter: &dyn HitFilter) -> Vec<Hit> {
     let mut expected = vec![Hit::MISS; rays.len()];
     for (ray, hit) in rays.iter().zip(&mut expected) {

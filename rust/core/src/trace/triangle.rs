@@ -1,19 +1,20 @@
 //! Watertight ray–triangle intersection.
 //!
 //! Woop, Benthin, Wald: Watertight ray/triangle intersection, JCGT 2(1), 2013. Corners are sheared so that the ray
-//! becomes the z axis. The sign of an edge is then the same for both triangles that share it, and 0 counts as inside.
+//! becomes the z axis. Both triangles that share an edge then compute the same sign for it, and 0 counts as inside.
 
 use glam::Vec3;
 
 use super::lanes::{Isa, Lanes};
 
-/// Range of determinants; others come from products that overflow or underflow in float32, and float64 decides.
+/// Valid range of determinants; others come from products that overflow or underflow in float32 and are recomputed in
+/// float64.
 const LEAST_DETERMINANT: f32 = 1e-30;
 const GREATEST_DETERMINANT: f32 = 1e30;
-/// Greatest number of lanes of any instruction set.
+/// Maximum number of lanes of any instruction set.
 const MAX_LANES: usize = 16;
 
-/// The shear of a ray direction: the axis that becomes z, and the slopes of the other two.
+/// Shear along a ray direction: the axis that becomes z, and the slopes of the other two.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Shear {
     pub(crate) axes: [usize; 3],
@@ -21,7 +22,7 @@ pub(crate) struct Shear {
 }
 
 impl Shear {
-    /// The axis of the longest component becomes z.
+    /// Computes the shear; the axis of the longest component becomes z.
     #[inline(always)]
     pub(crate) fn new(direction: Vec3) -> Self {
         let d = direction.to_array();
@@ -33,13 +34,13 @@ impl Shear {
         } else {
             2
         };
-        // If the ray runs backwards along z, x and y are exchanged, which preserves the orientation.
+        // If the ray points towards −z, x and y are exchanged, which preserves the orientation.
         let (x, y) = if d[z] < 0.0 { ((z + 2) % 3, (z + 1) % 3) } else { ((z + 1) % 3, (z + 2) % 3) };
         Self { axes: [x, y, z], scale: [d[x] / d[z], d[y] / d[z], 1.0 / d[z]] }
     }
 }
 
-/// Parameters and weights of the lanes in `mask`; the values of other lanes are meaningless.
+/// Parameters and barycentric weights of the lanes in `mask`; other lanes are undefined.
 #[derive(Clone, Copy)]
 pub(crate) struct Crossing<L> {
     pub(crate) mask: u32,
@@ -92,14 +93,14 @@ pub(crate) fn intersect<I: Isa, L: Lanes<I>>(
     (mask != 0).then_some(crossing)
 }
 
-/// The shear: projects a corner along the ray on the plane of x and y.
+/// Applies the shear: projects a corner along the ray onto the plane of x and y.
 #[inline(always)]
 fn flatten<I, L: Lanes<I>>(p: [L; 3], scale: [L; 3]) -> (L, L) {
     (p[0].sub(scale[0].mul(p[2])), p[1].sub(scale[1].mul(p[2])))
 }
 
-/// Decides the lanes of `special` in float64, in which products of float32 numbers are exact: a remaining zero is
-/// exact, and nothing overflows. Writes the values of lanes that hit and returns their mask.
+/// Decides the lanes of `special` in float64, where products of float32 numbers are exact, so a remaining zero is
+/// exact and nothing overflows. Writes the values of lanes that hit and returns their mask.
 #[cold]
 #[inline(never)]
 fn repair(sheared: &[[[f32; MAX_LANES]; 3]; 3], special: u32, values: &mut [[f32; MAX_LANES]; 3]) -> u32 {
@@ -114,7 +115,7 @@ fn repair(sheared: &[[[f32; MAX_LANES]; 3]; 3], special: u32, values: &mut [[f32
     mask
 }
 
-/// Parameter and weights of b and c, from sheared corners.
+/// Returns the parameter and the weights of b and c, from sheared corners.
 fn exact(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> Option<[f64; 3]> {
     let edge = |p: [f64; 3], q: [f64; 3]| p[0] * q[1] - p[1] * q[0];
     let (u, v, w) = (edge(c, b), edge(a, c), edge(b, a));

@@ -1,6 +1,5 @@
-//! Discontinuity: how far neighbours in the true picture are torn apart in a frame: Popescu, Lee, Choi, Fahmy (2022),
-//! Eq. 5–6. Points are binned by their place in the truth, then each looks for neighbours in the nine cells around its
-//! own.
+//! Discontinuity of a frame: how far neighbours in the true picture are torn apart. Popescu, Lee, Choi, Fahmy (2022),
+//! Eq. 5–6. Points are binned by their position in the truth, then each point searches the nine cells around its own.
 
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, DVec4};
@@ -14,13 +13,13 @@ use super::programs::{Program, Work, groups};
 use crate::device::{Device, Submission};
 use crate::draw::{Axes, DeviceFrame};
 
-/// Pairs in one submission: between two, the caller may cancel.
+/// Pairs per submission; cancellation is checked between submissions.
 const PAIRS_PER_SUBMISSION: f64 = 2e9;
-/// Points of each cell that one call looks at. Its loop takes nine times as many turns; software drivers end loops
+/// Points of each cell that one call visits. Its loop has nine times as many iterations; software drivers end loops
 /// after 65,535.
 const POINTS_PER_SLICE: u32 = 1 << 12;
 const _: () = assert!(9 * POINTS_PER_SLICE < 65_535);
-/// Least side of a cell in pixels: smaller ones hold few points.
+/// Minimum side of a cell, pixels: smaller ones hold few points.
 const MIN_CELL_PX: f64 = 4.0;
 
 /// The uniform block `Torn` of `compute_discontinuity.wgsl`.
@@ -43,18 +42,18 @@ type Kernel = (&'static str, &'static [u32]);
 
 /// Finds the cell of each pixel, and counts the pixels of each cell.
 const PLACE: Kernel = ("discontinuity_place", &[0, 1, 2, 3, 4, 8]);
-/// Adds the counts up to where each cell starts, and finds the greatest.
+/// Computes where each cell starts, and the maximum count, from the counts.
 const ADD_UP: Kernel = ("discontinuity_add_up", &[0, 4, 5, 9]);
 /// Lists the pixels of each cell, in any order.
 const SCATTER: Kernel = ("discontinuity_scatter", &[0, 3, 5, 6]);
-/// Counts, for each pixel, those of a slice of its cell that come before it.
+/// Counts, for each pixel, the earlier pixels in a slice of its cell.
 const ORDER: Kernel = ("discontinuity_order", &[0, 3, 5, 6]);
-/// Puts the points of each cell side by side.
+/// Stores the points of each cell contiguously.
 const GATHER: Kernel = ("discontinuity_gather", &[0, 2, 3, 5, 7]);
-/// Adds the neighbours in a slice of each cell to those of some points.
+/// Adds the neighbours in a slice of each cell to the sums of some points.
 const TEAR: Kernel = ("discontinuity_tear", &[0, 2, 3, 5, 7, 8]);
 
-/// Points sorted by cells of their place in the truth, and what is known of their neighbours.
+/// Points sorted by cells of their position in the truth, and the sums over their neighbours.
 struct Bins<'a> {
     positions: BindingResource<'a>,
     shifts: LentBuffer<'a>,
@@ -67,7 +66,7 @@ struct Bins<'a> {
     most: Results<'a>,
 }
 
-/// δ for each pixel of a frame with positions, NaN where there is none.
+/// Returns δ for each pixel of a frame with positions; NaN where there is none.
 pub fn discontinuity(
     frame: &DeviceFrame,
     truth: &Camera,
@@ -85,7 +84,7 @@ pub fn discontinuity(
     let pixels = width * height;
     check(device, [width, height])?;
     progress.expect(u64::from(pixels));
-    // Longer than ε by more than the rounding of places up to 10⁵ pixels, so that no neighbour is missed.
+    // Longer than ε by more than the rounding of positions up to 10⁵ pixels, so that no neighbour is missed.
     let cell = (around.epsilon * 1.001 + 0.05).max(MIN_CELL_PX);
     let across = |truth: u32, here: u32| ((f64::from(truth) / cell).ceil() as u32 + 2).clamp(3, here / 2 + 3);
     let grid = [across(truth.width, width), across(truth.height, height)];
@@ -137,7 +136,7 @@ pub fn discontinuity(
     Ok(image)
 }
 
-/// The last submission: at most one is under way while the next is encoded.
+/// Last submission: at most one is in flight while the next is encoded.
 struct UnderWay<'a> {
     device: &'a Device,
     progress: &'a Progress,
@@ -145,7 +144,7 @@ struct UnderWay<'a> {
 }
 
 impl UnderWay<'_> {
-    /// Submits work that finishes some points, and waits for the submission before.
+    /// Submits work that finishes some points, and waits for the previous submission.
     fn submit(&mut self, work: Work<'_>, points: u32) -> Result<()> {
         if let Some((before, points)) = self.last.replace((work.submit(self.progress)?, points)) {
             self.device.wait(&before, self.progress)?;
@@ -166,7 +165,7 @@ fn check(device: &Device, [width, height]: [u32; 2]) -> Result<()> {
     Ok(())
 }
 
-/// Rows that take a point to its place in the truth, and the limits.
+/// Returns the uniform block: rows that map a point to its position in the truth, and the limits.
 fn torn_block(
     frame: &DeviceFrame,
     truth: &Camera,

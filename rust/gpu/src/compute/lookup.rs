@@ -1,4 +1,4 @@
-//! Ranges of a cube map along many directions.
+//! Look-up of a cube map's ranges along many directions.
 
 use bytemuck::{Pod, Zeroable};
 use nearfar_core::base::{Error, Progress, Result};
@@ -10,29 +10,29 @@ use super::programs::{Program, groups};
 use super::stream::stream;
 use crate::device::Device;
 
-/// A choice among the texels around a direction.
+/// Selection among the texels around a direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Filter {
-    /// The one that it passes through.
+    /// The texel that the direction hits.
     Nearest,
-    /// The least of those that the seamless bilinear filter would mix.
+    /// Minimum of the texels that the seamless bilinear filter would mix.
     Min,
-    /// The greatest of them.
+    /// Maximum of these texels.
     Max,
 }
 
 /// Six faces of `size`² texels of `channels` values each.
 #[derive(Clone, Copy, Debug)]
 pub struct CubeMap<'a> {
-    /// Their values.
+    /// Values of all texels.
     pub values: &'a [f32],
     /// Texels across a face.
     pub size: u32,
-    /// Values of a texel.
+    /// Values per texel.
     pub channels: u32,
 }
 
-/// Values of a texel at most: drivers in software end loops after 65,535 turns.
+/// Maximum number of values per texel: software drivers end loops after 65,535 iterations.
 const MAX_CHANNELS: usize = 1 << 12;
 
 /// The uniform block `Lookup` of `compute_lookup.wgsl`.
@@ -83,7 +83,7 @@ pub fn lookup(
         }
         let block = LookupBlock {
             map: [map.size, map.channels, 0, 0],
-            // Counted from the end, so that the greatest number is that of the first wrong direction.
+            // Counted from the end, so that the largest number is that of the first invalid direction.
             rows: [rows.len() as u32, (directions.len() - rows.start) as u32, 0, 0],
         };
         let uniform = device.filled_buffer("lookup", bytemuck::cast_slice(&[block]), BufferUsages::UNIFORM)?;

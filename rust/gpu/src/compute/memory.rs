@@ -1,4 +1,4 @@
-//! Buffers of kernels, which are used again, and copies to and from the processor.
+//! Reusable buffers of kernels, and copies to and from the processor.
 
 use std::ops::Deref;
 use std::sync::{Mutex, PoisonError};
@@ -9,17 +9,17 @@ use wgpu::{Buffer, BufferUsages, CommandEncoder, MapMode};
 
 use crate::device::{Counted, Device};
 
-/// Buffers that wait for the next call, at most, and bytes of them.
+/// Maximum number and total bytes of buffers kept for reuse.
 const MAX_SPARE_BUFFERS: usize = 24;
 const MAX_SPARE_BYTES: u64 = 1 << 28;
 /// Bytes that one thread copies at a time.
 const COPY_BYTES: usize = 1 << 20;
 
-/// Buffers of a device that no kernel uses.
+/// Unused buffers of a device.
 #[derive(Default)]
 struct SpareBuffers(Mutex<Vec<Buffer>>);
 
-/// A buffer that goes back to the spare ones once it is dropped. Its next use comes later in the queue.
+/// A buffer that returns to the spare ones when dropped. Its next use comes later in the queue.
 pub(crate) struct LentBuffer<'a> {
     device: &'a Device,
     buffer: Buffer,
@@ -28,12 +28,12 @@ pub(crate) struct LentBuffer<'a> {
 }
 
 impl<'a> LentBuffer<'a> {
-    /// Room that only kernels use.
+    /// Creates a buffer that only kernels use.
     pub fn scratch(device: &'a Device, bytes: u64) -> Result<Self> {
         Self::new(device, "scratch", bytes, BufferUsages::STORAGE | BufferUsages::COPY_DST)
     }
 
-    /// Room that the processor fills.
+    /// Creates a buffer that the processor fills.
     pub fn input(device: &'a Device, bytes: u64) -> Result<Self> {
         let way_in = if device.shares_memory { BufferUsages::MAP_WRITE } else { BufferUsages::COPY_DST };
         Self::new(device, "input", bytes, BufferUsages::STORAGE | way_in)
@@ -52,7 +52,7 @@ impl<'a> LentBuffer<'a> {
         Ok(Self { device, buffer, usage, bytes })
     }
 
-    /// Fills its beginning.
+    /// Writes to the beginning of the buffer.
     pub fn fill(&self, bytes: &[u8], progress: &Progress) -> Result<()> {
         let length = bytes.len() as u64;
         self.device.count(Counted::UploadedBytes, length);
@@ -73,7 +73,7 @@ impl<'a> LentBuffer<'a> {
         filled
     }
 
-    /// A binding of as many bytes as were asked for.
+    /// Returns a binding of the requested size.
     pub fn binding(&self) -> wgpu::BindingResource<'_> {
         let size = std::num::NonZeroU64::new(self.bytes);
         wgpu::BindingResource::Buffer(wgpu::BufferBinding { buffer: self, offset: 0, size })
@@ -98,7 +98,7 @@ impl Drop for LentBuffer<'_> {
     }
 }
 
-/// Room for the results of a kernel, which the processor reads.
+/// Results of a kernel, readable by the processor.
 pub(crate) struct Results<'a> {
     pub on_device: LentBuffer<'a>,
     staging: Option<LentBuffer<'a>>,
@@ -118,7 +118,7 @@ impl<'a> Results<'a> {
         })
     }
 
-    /// Encodes the copy to the processor; call it after the kernel is encoded.
+    /// Encodes the copy to the processor; call it after encoding the kernel.
     pub fn bring(&self, encoder: &mut CommandEncoder) {
         if let Some(staging) = &self.staging {
             encoder.copy_buffer_to_buffer(&self.on_device, 0, staging, 0, self.bytes.next_multiple_of(4));
@@ -132,7 +132,7 @@ impl<'a> Results<'a> {
     }
 }
 
-/// A copy by all threads.
+/// Copies with all threads.
 pub(crate) fn copy(to: &mut [u8], from: &[u8]) {
     to.par_chunks_mut(COPY_BYTES).zip(from.par_chunks(COPY_BYTES)).for_each(|(to, from)| to.copy_from_slice(from));
 }

@@ -1,4 +1,4 @@
-//! Kernels on frames that stay on the device, and on long arrays.
+//! Compute kernels on frames that stay on the device, and on long arrays.
 
 mod discontinuity;
 mod lookup;

@@ -1,4 +1,4 @@
-//! The morph of long arrays of float32 points.
+//! Morph of long arrays of float32 points.
 
 use bytemuck::{Pod, Zeroable};
 use nearfar_core::base::{Progress, Result};
@@ -20,7 +20,7 @@ struct MorphBlock {
     count: [u32; 4],
 }
 
-/// Writes where points are shown.
+/// Writes the morphed points.
 pub fn morph(
     device: &Device,
     morph: &Morph,
@@ -55,7 +55,7 @@ fn morph_block(morph: &Morph, points: usize) -> MorphBlock {
     // O as the sum of two numbers: float32 alone would be off by metres at 10⁷ m.
     let high = morph.center.as_vec3();
     let low = (morph.center - high.as_dvec3()).as_vec3();
-    // As `zones_of`, in more digits. Where both radii are 0 nothing is near: w is 0, and no point stays.
+    // Same as `zones_of`, in float64. If both radii are 0, nothing is near: w is 0, and all points move.
     let slope = if morph.r2 > 0.0 { 1.0 / (morph.r2 - morph.r1) } else { 0.0 };
     let stays = if morph.r2 > 0.0 && morph.strength == 1.0 { morph.r1 } else { -1.0 };
     MorphBlock {

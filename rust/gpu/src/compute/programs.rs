@@ -1,4 +1,4 @@
-//! Compute shaders, each compiled once on a device, and work that calls them.
+//! Compute shaders, each compiled once per device, and command encoding for them.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -12,23 +12,23 @@ use wgpu::{
 
 use crate::device::{Device, Scope, Submission};
 
-/// Workgroups in a row of a dispatch; more of them take several rows.
+/// Maximum number of workgroups in one row of a dispatch; more take several rows.
 pub(crate) const ROW: u32 = 1 << 15;
-/// Rows, pixels or points of one workgroup.
+/// Rows, pixels or points per workgroup.
 pub(crate) const GROUP: u32 = 256;
 
-/// An entry point of a shader.
+/// An entry point of a shader with its constants.
 pub(crate) struct Program<'a> {
     /// The shader's text.
     pub text: &'a [&'a str],
     pub entry: &'static str,
-    /// Numbers that are known when it is compiled.
+    /// Compile-time constants.
     pub constants: &'a [(&'static str, u32)],
-    /// The group that it binds.
+    /// Bind group of the resources.
     pub group: u32,
 }
 
-/// Programs that were compiled on a device, by entry point and constants: names of entry points are unique.
+/// Cache of compiled programs, by entry point and constants: names of entry points are unique.
 #[derive(Default)]
 struct Programs(Mutex<HashMap<ProgramKey, Arc<ComputePipeline>>>);
 
@@ -53,7 +53,7 @@ impl Programs {
             layout: None,
             module: &module,
             entry_point: Some(program.entry),
-            // Every kernel writes its workgroup's memory before it reads it. On OpenGL zeros would be written out as one
+            // Every kernel writes its workgroup memory before it reads it. On OpenGL, zero initialisation would be one
             // constant of thousands of numbers, which Mesa takes a minute to compile.
             compilation_options: PipelineCompilationOptions {
                 zero_initialize_workgroup_memory: false,
@@ -68,7 +68,7 @@ impl Programs {
     }
 }
 
-/// Commands that are submitted at once.
+/// Commands of one submission.
 pub(crate) struct Work<'a> {
     device: &'a Device,
     pub encoder: CommandEncoder,
@@ -104,7 +104,7 @@ impl<'a> Work<'a> {
         Ok(())
     }
 
-    /// Submits the commands, or fails if the caller cancels.
+    /// Submits the commands; fails if the caller cancels.
     pub fn submit(self, progress: &Progress) -> Result<Submission> {
         let submission = self.device.submit(self.encoder.finish(), progress)?;
         self.scope.close()?;
@@ -112,7 +112,7 @@ impl<'a> Work<'a> {
     }
 }
 
-/// Workgroups for a number of rows, points or pixels.
+/// Returns the workgroups for a number of rows, points or pixels.
 pub(crate) fn groups(count: u32) -> [u32; 2] {
     let groups = count.div_ceil(GROUP).max(1);
     [groups.min(ROW), groups.div_ceil(ROW)]

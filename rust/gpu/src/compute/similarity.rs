@@ -1,5 +1,5 @@
-//! Structural similarity of two frames. Wang, Bovik, Sheikh, Simoncelli (2004), of the sRGB-encoded Rec. 709 luma with
-//! a range of 1, with moments as `metrics::moments` takes them.
+//! Structural similarity of two frames: Wang, Bovik, Sheikh, Simoncelli (2004), on the sRGB-encoded Rec. 709 luma with
+//! a range of 1, with moments as in `metrics::moments`.
 
 use bytemuck::{Pod, Zeroable};
 use nearfar_core::base::{Error, Progress, Result};
@@ -10,9 +10,9 @@ use super::memory::{LentBuffer, Results, copy};
 use super::programs::{Program, Work, groups};
 use crate::draw::DeviceFrame;
 
-/// Pixels across a window at most: the pixels that a workgroup reads must fit into 16 KiB.
+/// Maximum window width in pixels: the pixels that a workgroup reads must fit into 16 KiB.
 pub const MAX_TAPS: usize = 17;
-/// Pixels across a workgroup's tile.
+/// Width of a workgroup's tile, pixels.
 const TILE: u32 = 16;
 /// (k₁ L)² and (k₂ L)² with Wang's k₁ = 0.01, k₂ = 0.03.
 const C1_C2: [f64; 2] = [1e-4, 9e-4];
@@ -30,13 +30,13 @@ struct SimilarityBlock {
 
 /// Structural similarity of two frames.
 pub struct Similarity {
-    /// Over the windows that lie within the picture, or over all where none does.
+    /// Mean over the windows inside the picture, or over all if none fits.
     pub mean: f64,
-    /// Around each pixel, where it was wanted.
+    /// Similarity around each pixel, if requested.
     pub map: Option<Vec<f32>>,
 }
 
-/// Compares the colour of two frames of one device and size.
+/// Compares the colours of two frames of one device and size.
 pub fn similarity(
     [reference, test]: [&DeviceFrame; 2],
     window: &Window,
@@ -112,9 +112,9 @@ fn weights(window: &Window) -> Result<Vec<f64>> {
     }
 }
 
-/// Width and height of both.
+/// Checks that both frames fit together; returns their width and height.
 fn check(reference: &DeviceFrame, test: &DeviceFrame) -> Result<[u32; 2]> {
-    // A device that was lost and opened again has the same name.
+    // A device that was lost and reopened has the same name.
     reference.device().check()?;
     test.device().check()?;
     if !std::ptr::eq(&**reference.device(), &**test.device()) {
@@ -134,7 +134,7 @@ fn check(reference: &DeviceFrame, test: &DeviceFrame) -> Result<[u32; 2]> {
     Ok(expected)
 }
 
-/// The pixels whose windows count: first column and row, and one past the last.
+/// Returns the pixels whose windows count: first column and row, end column and row.
 fn inside([width, height]: [u32; 2], taps: u32) -> [u32; 4] {
     if width < taps || height < taps {
         return [0, 0, width, height];

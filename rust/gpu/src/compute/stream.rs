@@ -1,4 +1,4 @@
-//! Arrays of any length in pieces: while the device works on one, the next is sent.
+//! Processing of arrays of any length in pieces: while the device works on one, the next is uploaded.
 
 use std::collections::VecDeque;
 use std::ops::Range;
@@ -9,12 +9,12 @@ use super::memory::{LentBuffer, Results, copy};
 use super::programs::Work;
 use crate::device::Device;
 
-/// Bytes of a piece's rows: so many that the cost of a call is small, so few that several pieces are under way.
+/// Bytes of a piece: large enough that the cost of a call is small, small enough that several pieces are in flight.
 const PIECE_BYTES: u64 = 1 << 24;
-/// Pieces under way.
+/// Pieces in flight.
 const PIECES_AHEAD: usize = 2;
 
-/// Runs rows through a kernel: `encode` gets work, input, results, and the piece's rows. Rows are of 4-byte words.
+/// Runs rows through a kernel: `encode` gets work, input, results, and the piece's rows. Rows are 4-byte words.
 pub(super) fn stream<'a>(
     device: &'a Device,
     points: &[[f32; 3]],

@@ -1,24 +1,24 @@
-//! Adapters: which can be used, and in which order they are taken.
+//! Adapters: capabilities and order of preference.
 
 use wgpu::{Adapter, Backend, DeviceType, DownlevelFlags, TextureFormat, TextureUsages};
 
-/// The kind of processor that executes an adapter's work.
+/// Kind of processor behind an adapter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum AdapterKind {
-    /// A card with memory of its own.
+    /// A card with dedicated memory.
     Discrete,
     /// A GPU that shares the processor's memory.
     Integrated,
     /// A share of another machine's GPU.
     Virtual,
-    /// The driver doesn't say.
+    /// Not reported by the driver.
     Unknown,
     /// The processor itself: lavapipe, llvmpipe, WARP.
     Software,
 }
 
 impl AdapterKind {
-    /// The name that users read.
+    /// Returns the name shown to users.
     pub fn name(self) -> &'static str {
         match self {
             Self::Discrete => "discrete",
@@ -30,30 +30,30 @@ impl AdapterKind {
     }
 }
 
-/// An adapter that was found.
+/// Description of an adapter.
 #[derive(Clone, Debug)]
 pub struct AdapterReport {
-    /// The driver's name for it.
+    /// Name from the driver.
     pub name: String,
     /// "vulkan", "metal", "dx12" or "gl".
     pub backend: &'static str,
-    /// The kind of processor that executes its work.
+    /// Kind of processor behind it.
     pub kind: AdapterKind,
     /// Driver and version.
     pub driver: String,
-    /// Why it can't be used; empty where it can.
+    /// Reason why it cannot be used; empty if usable.
     pub refused: String,
-    /// Bytes that one binding may have: larger scenes and images are drawn in parts.
+    /// Maximum size of a binding, bytes: larger scenes and images are drawn in parts.
     pub largest_binding: u64,
-    /// Pixels across that one picture may have: larger ones are drawn in parts.
+    /// Maximum width of a picture, pixels: larger ones are drawn in parts.
     pub largest_image: u32,
 }
 
-/// Format of targets that hold the visible faces: a record and a face in four halves. Every adapter in use draws it.
+/// Format of visibility targets: a record and a face in four halves. Every adapter in use can render to it.
 pub(crate) const VISIBLE: TextureFormat = TextureFormat::Rgba16Uint;
-/// Samples of a pixel of targets that have several.
+/// Samples per pixel of multisampled targets.
 pub(crate) const SAMPLES: u32 = 4;
-/// Storage buffers that a pass binds.
+/// Number of storage buffers bound by a pass.
 const STORAGE_BUFFERS: u32 = 8;
 
 impl AdapterReport {
@@ -77,18 +77,18 @@ impl AdapterReport {
         }
     }
 
-    /// Name and back end, by which messages and users name it.
+    /// Returns name and back end, as shown in messages and accepted from users.
     pub fn label(&self) -> String {
         format!("{} ({})", self.name, self.backend)
     }
 
-    /// True where the text is its back end or a part of its name.
+    /// Returns whether a text is its back end or a part of its label.
     pub fn answers_to(&self, wanted: &str) -> bool {
         let wanted = wanted.to_lowercase();
         self.backend == wanted || self.label().to_lowercase().contains(&wanted)
     }
 
-    /// Sort key: the adapter with the least one is taken first.
+    /// Returns the sort key; the adapter with the smallest key is preferred.
     pub(super) fn rank(&self) -> (bool, AdapterKind, usize) {
         let order = ["metal", "vulkan", "dx12", "gl"];
         let backend = order.iter().position(|&name| name == self.backend).unwrap_or(order.len());
@@ -106,7 +106,7 @@ fn backend_name(backend: Backend) -> &'static str {
     }
 }
 
-/// Features that an adapter lacks, as a sentence; none where it has all.
+/// Returns the features that an adapter lacks, as a sentence; `None` if it has all.
 fn refusal(adapter: &Adapter) -> Option<String> {
     let needed = DownlevelFlags::COMPUTE_SHADERS | DownlevelFlags::VERTEX_STORAGE | DownlevelFlags::FRAGMENT_STORAGE;
     let missing = needed - adapter.get_downlevel_capabilities().flags;

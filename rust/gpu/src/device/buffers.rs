@@ -1,4 +1,4 @@
-//! Buffers and textures, and counters of what was allocated and sent: a steady frame allocates nothing.
+//! Buffers and textures, with counters of allocations and uploads: a steady frame allocates nothing.
 
 use std::sync::atomic::Ordering;
 
@@ -11,11 +11,11 @@ use super::{AdapterKind, Device, Scope};
 /// Allocations and transfers since the device was opened.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counters {
-    /// Buffers and textures.
+    /// Number of buffers and textures.
     pub allocations: u64,
-    /// Bytes of them.
+    /// Bytes of buffers and textures.
     pub allocated_bytes: u64,
-    /// Bytes that were sent to the device.
+    /// Bytes uploaded to the device.
     pub uploaded_bytes: u64,
     /// Triangles in draw calls, after culling.
     pub triangles: u64,
@@ -23,7 +23,7 @@ pub struct Counters {
     pub pass_nanoseconds: [u64; 2],
 }
 
-/// The quantity that a counter counts.
+/// Quantity of a counter.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Counted {
     /// Buffers and textures.
@@ -41,7 +41,7 @@ pub(crate) enum Counted {
 }
 
 impl Device {
-    /// Counts so far.
+    /// Returns the counts so far.
     pub fn counters(&self) -> Counters {
         let [allocations, allocated_bytes, uploaded_bytes, triangles, raster, resolve] =
             [0, 1, 2, 3, 4, 5].map(|i: usize| self.made[i].load(Ordering::Relaxed));
@@ -52,17 +52,17 @@ impl Device {
         self.made[what as usize].fetch_add(amount, Ordering::Relaxed);
     }
 
-    /// An empty buffer.
+    /// Creates an empty buffer.
     pub(crate) fn buffer(&self, label: &str, bytes: u64, usage: BufferUsages) -> Result<wgpu::Buffer> {
         self.new_buffer(label, bytes, usage, false)
     }
 
-    /// An empty buffer that the processor may write to at once.
+    /// Creates an empty buffer that is mapped for writing.
     pub(crate) fn mapped_buffer(&self, label: &str, bytes: u64, usage: BufferUsages) -> Result<wgpu::Buffer> {
         self.new_buffer(label, bytes, usage, true)
     }
 
-    /// A buffer of words that stay as they are.
+    /// Creates a constant buffer of words.
     pub(crate) fn filled_buffer(&self, label: &str, words: &[u32], usage: BufferUsages) -> Result<wgpu::Buffer> {
         let bytes: &[u8] = bytemuck::cast_slice(words);
         let buffer = self.mapped_buffer(label, bytes.len() as u64, usage)?;
@@ -98,7 +98,7 @@ impl Device {
         Ok(texture)
     }
 
-    /// Checks that the system has memory where the device uses the system's: after a failed allocation some drivers
+    /// Checks that the system has memory if the device uses system memory: after a failed allocation some drivers
     /// close the device, and others end the process.
     fn ask_for(&self, bytes: u64) -> Result<()> {
         match self.report.kind {
@@ -110,7 +110,7 @@ impl Device {
     fn new_buffer(&self, label: &str, bytes: u64, usage: BufferUsages, mapped: bool) -> Result<wgpu::Buffer> {
         // A binding must hold at least one entry of a table.
         let size = bytes.next_multiple_of(16).max(256);
-        // OpenGL's mapped buffers are copies.
+        // Mapped buffers of OpenGL are copies.
         self.ask_for(if mapped { 2 * size } else { size })?;
         let scope = Scope::open(self);
         let descriptor = BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: mapped };

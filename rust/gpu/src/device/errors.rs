@@ -1,4 +1,4 @@
-//! Errors of wgpu as sentences that name the adapter and say what to try.
+//! Errors of wgpu as sentences that name the adapter and a remedy.
 
 use nearfar_core::base::{Error, Result};
 use wgpu::{ErrorFilter, ErrorScopeGuard};
@@ -6,7 +6,7 @@ use wgpu::{ErrorFilter, ErrorScopeGuard};
 use super::Device;
 use super::registry::FORKED;
 
-/// Catches errors that wgpu reports while the scope is open; errors outside of any scope would end the process.
+/// Catches errors that wgpu reports while the scope is open; uncaught errors would end the process.
 #[must_use]
 pub(crate) struct Scope<'a> {
     device: &'a Device,
@@ -22,7 +22,7 @@ impl<'a> Scope<'a> {
         Self { device, guards }
     }
 
-    /// The reported error, if any; the loss of the device before all others, which follow from it.
+    /// Returns the reported error, if any. Loss of the device takes precedence, because other errors follow from it.
     pub fn close(self) -> Result<()> {
         let errors = self.guards.map(|guard| pollster::block_on(guard.pop()));
         self.device.check()?;

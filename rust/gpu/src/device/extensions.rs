@@ -1,11 +1,10 @@
-//! State that other modules keep on a device between frames, one value of each type, so that a device knows none of
+//! State that other modules keep on a device between frames, one value per type, so that a device depends on none of
 //! them.
 
 use std::any::Any;
 use std::sync::OnceLock;
 
-/// A list that only grows: values are made on first use and stay where they are, so that no lock is held while they are
-/// used.
+/// An append-only list: values are created on first use and never move, so no lock is held while they are used.
 #[derive(Default)]
 pub(super) struct Extensions(OnceLock<Box<Extension>>);
 
@@ -15,11 +14,11 @@ struct Extension {
 }
 
 impl Extensions {
-    /// The value of a type.
+    /// Returns the value of a type.
     pub fn get<T: Default + Send + Sync + 'static>(&self) -> &T {
         let mut rest = self;
         loop {
-            // Another thread may have made a value of another type here meanwhile: then the next place is looked at.
+            // If another thread has just stored a value of another type here, the loop goes on to the next entry.
             let make = || Box::new(Extension { value: Box::<T>::default(), rest: Extensions::default() });
             let extension = rest.0.get_or_init(make);
             if let Some(value) = extension.value.downcast_ref() {

@@ -1,7 +1,7 @@
 //! The exit of a forked child.
 
-/// Makes this process exit without the exit handlers that its parent's drivers registered. Those of Mesa wait for the
-/// drivers' threads, which a forked child does not have: it would hang or crash after all its work was done.
+/// Makes this process exit without the exit handlers that its parent's drivers registered. Those of Mesa wait for
+/// driver threads, which a forked child does not have: it would hang or crash after all its work was done.
 pub fn end_without_drivers() {
     #[cfg(all(target_os = "linux", target_env = "gnu"))]
     gnu::end_at_once();
@@ -27,7 +27,7 @@ mod gnu {
     }
 
     pub fn end_at_once() {
-        // Handlers run in the opposite order of registration: this one before the inherited ones.
+        // Handlers run in reverse order of registration: this one before the inherited ones.
         // SAFETY: the function exists until the process ends, and does not read its argument.
         unsafe { on_exit(leave, ptr::null_mut()) };
     }

@@ -1,4 +1,4 @@
-//! Adapters, the device that is opened on one, and the state that is kept on it between frames.
+//! Adapters, the device opened on one, and the state kept on it between frames.
 
 mod adapters;
 mod buffers;

@@ -1,4 +1,4 @@
-//! An open device: its queue, its limits, and the state that is kept on it.
+//! An open device: its queue, limits and state.
 
 use std::process;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -10,38 +10,38 @@ use wgpu::{Adapter, DeviceDescriptor, DeviceLostReason, Features, Limits, PollTy
 use super::adapters::{AdapterKind, AdapterReport, SAMPLES, VISIBLE};
 use super::extensions::Extensions;
 
-/// Features that atomic integers of 64 bits need.
+/// Features needed for 64-bit atomics.
 const LONG_ATOMICS: Features = Features::SHADER_INT64.union(Features::SHADER_INT64_ATOMIC_MIN_MAX);
 
-/// A device with the state that is kept on it between frames.
+/// A device with the state kept on it between frames.
 pub struct Device {
     pub(crate) wgpu: wgpu::Device,
     queue: wgpu::Queue,
-    /// Held by all who use the queue, and alone by who closes the device: wgpu 30 locks its parts in one order when it
-    /// writes and in another when it destroys them, and two threads wait for each other for ever.
+    /// Shared by users of the queue, exclusive while the device is closed: wgpu 30 locks its parts in one order when
+    /// it writes and in another when it destroys them, which deadlocks.
     closing: RwLock<()>,
     pub(crate) report: AdapterReport,
     pub(crate) limits: Limits,
-    /// Storage buffers can be read where they are, because device and processor share their memory.
+    /// Whether storage buffers can be read in place, because device and processor share memory.
     pub(crate) shares_memory: bool,
-    /// Depth is written by fragments: OpenGL's own has no reversed z.
+    /// Whether fragments write depth: OpenGL has no reversed z.
     pub(crate) writes_depth: bool,
-    /// Integer targets of several samples work. Mesa's OpenGL reports them and reads other numbers than it drew.
+    /// Whether multisampled integer targets work. Mesa's OpenGL reports them and reads other values than it drew.
     pub(crate) multisamples: bool,
     extensions: Extensions,
-    /// Triangles can be clipped at planes.
+    /// Whether triangles can be clipped at planes.
     pub(crate) clips: bool,
-    /// Storage buffers have atomic integers of 64 bits, and whether kernels may use them.
+    /// Whether storage buffers have 64-bit atomics, and whether kernels may use them.
     has_long_atomics: bool,
     allows_long_atomics: AtomicBool,
-    /// One pass can draw two views, and whether it may.
+    /// Whether one pass can draw two views, and whether it may.
     two_views: bool,
     allows_two_views: AtomicBool,
-    /// Passes can read the device's clock.
+    /// Whether passes can read the device's clock.
     pub(crate) has_clock: bool,
     pub(crate) nanoseconds_per_tick: f32,
     pub(super) made: [AtomicU64; 6],
-    /// Process that opened it: a forked child has none of its driver's threads.
+    /// Process that opened it; a forked child has no driver threads.
     pub(super) process: u32,
     lost: Arc<Mutex<Option<String>>>,
 }
@@ -49,7 +49,7 @@ pub struct Device {
 impl Device {
     pub(super) fn open(adapter: &Adapter, report: AdapterReport) -> Result<Self> {
         let limits = adapter.limits();
-        // wgpu 30 has none of them for all of OpenGL's adapters that report them.
+        // wgpu 30 implements none of these for all of OpenGL's adapters that report them.
         let native = Features::TIMESTAMP_QUERY | Features::CLIP_DISTANCES | Features::MULTIVIEW | LONG_ATOMICS;
         let native = if report.backend == "gl" { Features::empty() } else { native };
         let descriptor = DeviceDescriptor {
@@ -73,7 +73,7 @@ impl Device {
             };
             *reason_of_loss.lock().unwrap_or_else(PoisonError::into_inner) = Some(reason);
         });
-        // Errors outside of any scope would end the process. After such an error the device's state is unknown.
+        // Uncaught errors would end the process. After such an error the device's state is unknown.
         let reason_of_loss = Arc::clone(&lost);
         wgpu.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
             reason_of_loss.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_with(|| error.to_string());
@@ -113,70 +113,70 @@ impl Device {
         })
     }
 
-    /// Whether passes are timed.
+    /// Returns whether passes are timed.
     pub fn has_clock(&self) -> bool {
         self.has_clock
     }
 
-    /// Whether kernels use atomic integers of 64 bits.
+    /// Returns whether kernels use 64-bit atomics.
     pub fn uses_long_atomics(&self) -> bool {
         self.has_long_atomics && self.allows_long_atomics.load(Ordering::Relaxed)
     }
 
-    /// Lets kernels use atomic integers of 64 bits or not; returns whether they may have done so before.
+    /// Sets whether kernels may use 64-bit atomics; returns the previous setting.
     pub fn allow_long_atomics(&self, allowed: bool) -> bool {
         self.allows_long_atomics.swap(allowed, Ordering::Relaxed)
     }
 
-    /// Whether one pass draws two views.
+    /// Returns whether one pass draws two views.
     pub(crate) fn draws_two_views(&self) -> bool {
         self.two_views && self.allows_two_views.load(Ordering::Relaxed)
     }
 
-    /// Lets one pass draw two views or not, whatever the adapter's kind; returns whether it may have done so before. Tests
-    /// in software draw triangles that cross no edge of a picture.
+    /// Sets whether one pass may draw two views, whatever the adapter's kind; returns the previous setting. Software
+    /// tests only draw triangles that cross no edge of a picture.
     pub fn allow_two_views(&self, allowed: bool) -> bool {
         self.allows_two_views.swap(allowed, Ordering::Relaxed)
     }
 
-    /// The adapter that it was opened on.
+    /// Returns the report of its adapter.
     pub fn report(&self) -> &AdapterReport {
         &self.report
     }
 
-    /// The value of a type that a module keeps on the device, made on first use.
+    /// Returns a module's state on the device, created on first use.
     pub(crate) fn state<T: Default + Send + Sync + 'static>(&self) -> &T {
         self.extensions.get()
     }
 
-    /// Calls a function with the queue; nothing closes the device meanwhile.
+    /// Calls a function with the queue; the device cannot be closed meanwhile.
     pub(crate) fn with_queue<R>(&self, job: impl FnOnce(&wgpu::Queue) -> R) -> R {
         let _shared = self.closing.read().unwrap_or_else(PoisonError::into_inner);
         job(&self.queue)
     }
 
-    /// True once the device is unusable.
+    /// Returns whether the device is unusable.
     pub fn is_lost(&self) -> bool {
         self.lost_because().is_some()
     }
 
-    /// Closes the device as a driver's fault would, so that recovery can be tested.
+    /// Closes the device as a driver failure would, to test recovery.
     pub fn lose(&self) {
         self.alone(|| self.destroy());
     }
 
-    /// Calls a function while nobody else uses the queue.
+    /// Calls a function with exclusive use of the queue.
     pub(super) fn alone<R>(&self, job: impl FnOnce() -> R) -> R {
         let _alone = self.closing.write().unwrap_or_else(PoisonError::into_inner);
         job()
     }
 
-    /// Closes the device, whose queue nobody else uses meanwhile.
+    /// Closes the device; requires exclusive use of the queue.
     pub(super) fn destroy(&self) {
-        // Before the device goes: another thread may read a frame, and looks after that whether it was whole.
+        // Set before the device is destroyed: another thread that reads a frame checks it afterwards.
         self.lost.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_with(|| "it was closed".to_string());
         self.wgpu.destroy();
-        // The callback comes with the next poll.
+        // The callback runs in the next poll.
         let _ = self.wgpu.poll(PollType::Poll);
     }
 
@@ -184,9 +184,9 @@ impl Device {
         self.lost.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    /// Bytes that one binding may have, and so one part of a scene or image.
+    /// Returns the maximum size of a binding, and so of a part of a scene or image, bytes.
     pub(crate) fn largest_binding(&self) -> u64 {
-        // A page is addressed by 32-bit numbers of words; 2³⁰ bytes suffice and leave room for drivers.
+        // Pages are addressed by 32-bit word numbers; 2³⁰ bytes suffice and leave a reserve for drivers.
         self.report.largest_binding.min(1 << 30)
     }
 }

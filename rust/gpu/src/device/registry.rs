@@ -1,4 +1,4 @@
-//! The adapters of this machine and the devices opened on them, each once in a process.
+//! Registry of this machine's adapters and of one open device per adapter and process.
 
 use std::process;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -21,11 +21,11 @@ struct Found {
 }
 
 /// The registry, and the process that it belongs to. A forked child has none of the drivers' threads and connections,
-/// and Mesa's OpenGL waits for them forever: there, adapters are refused before a lock is taken that may have been
+/// and Mesa's OpenGL waits for them for ever: there, adapters are refused before taking a lock that may have been
 /// held.
 static KNOWN: OnceLock<(u32, Mutex<Registry>)> = OnceLock::new();
 
-/// All adapters, best first, with reasons where one can't be used.
+/// Returns all adapters, best first, with the reason if one cannot be used.
 pub fn adapters() -> Result<Vec<AdapterReport>> {
     with_registry(|registry| {
         let mut reports: Vec<AdapterReport> = registry.all().map(|found| found.report.clone()).collect();
@@ -34,14 +34,13 @@ pub fn adapters() -> Result<Vec<AdapterReport>> {
     })
 }
 
-/// True where there is a usable adapter other than the processor itself. OpenGL is searched last, because that takes
-/// longest.
+/// Returns whether there is a usable hardware adapter. OpenGL is searched last, because that takes longest.
 pub fn is_hardware(wanted: Option<&str>) -> Result<bool> {
     let is_one = |found: &Found| found.is_usable(wanted) && found.report.kind != AdapterKind::Software;
     with_registry(|registry| registry.native().iter().any(is_one) || registry.gl().iter().any(is_one))
 }
 
-/// The device on the best adapter among the `wanted` ones, opened on first use and again after it was lost.
+/// Returns the device on the best `wanted` adapter, opened on first use and again after a loss.
 pub fn device(wanted: Option<&str>) -> Result<Arc<Device>> {
     with_registry(|registry| {
         // A native software adapter is preferred to OpenGL's, and hardware behind OpenGL to both.
@@ -60,7 +59,7 @@ pub fn device(wanted: Option<&str>) -> Result<Arc<Device>> {
     })?
 }
 
-/// Waits for the work of all devices and closes them. Mesa's drivers crash at the end of a process in which they work.
+/// Waits for the work of all devices and closes them. Mesa's drivers crash at process exit while they work.
 pub fn close(progress: &Progress) -> Result<()> {
     let Some((owner, registry)) = KNOWN.get() else { return Ok(()) };
     if *owner != process::id() {
@@ -117,7 +116,7 @@ fn find(backends: Backends) -> Vec<Found> {
     adapters.into_iter().map(found).collect()
 }
 
-/// Message where no adapter can be used: the reason, and what to install.
+/// Returns the message for the case that no adapter is usable: the reason, and what to install.
 fn absence(registry: &mut Registry, wanted: Option<&str>) -> String {
     let seen: Vec<String> = registry
         .all()

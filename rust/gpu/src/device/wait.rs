@@ -1,4 +1,4 @@
-//! Waiting for the device until the caller cancels.
+//! Cancellable waiting for the device.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
@@ -10,24 +10,24 @@ use wgpu::{Buffer, CommandBuffer, MapMode, PollStatus, PollType};
 
 use super::{AdapterKind, Device};
 
-/// Least time between two looks at the device.
+/// Minimum polling interval.
 const SHORTEST_NAP: Duration = Duration::from_micros(20);
 
-/// Greatest time between two looks at the device.
+/// Maximum polling interval.
 const LONGEST_NAP: Duration = Duration::from_micros(500);
 
-/// Work that was submitted; true once it is done, as a look at the device finds.
+/// Submitted work; true once a poll has found it complete.
 #[derive(Clone, Default)]
 pub(crate) struct Submission(Arc<AtomicBool>);
 
 impl Device {
-    /// Whether the processor itself executes the device's work.
+    /// Returns whether the processor itself executes the device's work.
     pub(crate) fn is_software(&self) -> bool {
         self.report.kind == AdapterKind::Software
     }
 
-    /// Submits commands, or fails if the caller cancels. Drivers in software hold whoever submits before their last work
-    /// is complete, so that is waited for here.
+    /// Submits commands; fails if the caller cancels. Software drivers block a submission until the previous work is
+    /// complete, so this waits for it, cancellably.
     pub(crate) fn submit(&self, commands: CommandBuffer, progress: &Progress) -> base::Result<Submission> {
         if self.is_software() {
             self.look_until(progress, |status| (status == PollStatus::QueueEmpty).then_some(()))?;
@@ -41,12 +41,12 @@ impl Device {
         Ok(submission)
     }
 
-    /// Waits for submitted work, or until the caller cancels.
+    /// Waits for submitted work; fails if the caller cancels.
     pub(crate) fn wait(&self, submission: &Submission, progress: &Progress) -> base::Result<()> {
         self.look_until(progress, |_| submission.0.load(Ordering::Acquire).then_some(()))
     }
 
-    /// Waits for all submitted work, or until the caller cancels, and closes the device.
+    /// Waits for all submitted work and closes the device; fails if the caller cancels.
     pub(super) fn close(&self, progress: &Progress) -> base::Result<()> {
         self.alone(|| {
             let waited = self.look_until(progress, |status| (status == PollStatus::QueueEmpty).then_some(()));
@@ -59,12 +59,12 @@ impl Device {
         })
     }
 
-    /// Looks at the device, which answers what was asked for, until `found` has a result or the caller cancels.
+    /// Polls the device, which runs pending callbacks, until `found` has a result or the caller cancels.
     ///
-    /// Nobody asks wgpu to wait, for three reasons. Mesa's drivers in software ignore a timeout above zero and return
-    /// when the work is complete. After a timeout wgpu 30 compares what it knew before with a list that other threads
-    /// change, and panics where their work ended meanwhile, on every adapter. A lock against that would hold those who
-    /// submit for as long as others wait.
+    /// Never uses wgpu's blocking wait, for three reasons. Mesa's software drivers ignore a timeout above zero and
+    /// return when the work is complete. After a timeout, wgpu 30 compares its old state with a list that other
+    /// threads change, and panics if their work ended meanwhile, on every adapter. A lock against that would block
+    /// submissions during waits.
     fn look_until<R>(&self, progress: &Progress, found: impl Fn(PollStatus) -> Option<R>) -> base::Result<R> {
         let mut nap = SHORTEST_NAP;
         loop {
@@ -77,7 +77,7 @@ impl Device {
                 return Ok(result);
             }
             thread::sleep(nap);
-            // Naps stay a tenth of the time so far, so that long waits cost few looks and short ones little time.
+            // The interval is a tenth of the time so far: long waits need few polls, short ones little time.
             nap = (nap * 11 / 10).min(LONGEST_NAP);
         }
     }
@@ -90,7 +90,7 @@ impl Device {
         progress: &Progress,
         take: impl FnOnce(&[u8]) -> R,
     ) -> base::Result<R> {
-        // Mapped ranges are of whole pairs of words.
+        // Mapped ranges are multiples of 8 bytes.
         let room = bytes.next_multiple_of(8);
         self.open_buffer(buffer, room, MapMode::Read, progress)?;
         let view = buffer.get_mapped_range(..room);
@@ -101,7 +101,7 @@ impl Device {
         taken
     }
 
-    /// Waits until the beginning of a buffer is mapped for the processor; on failure it is unmapped.
+    /// Waits until the beginning of a buffer is mapped for the processor; unmaps it on failure.
     pub(crate) fn open_buffer(
         &self,
         buffer: &Buffer,

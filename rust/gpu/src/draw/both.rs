@@ -1,4 +1,4 @@
-//! Two pictures that one pass draws.
+//! Drawing of two views in one pass.
 
 use nearfar_core::camera::Camera;
 use nearfar_core::render::Channels;
@@ -9,8 +9,8 @@ use super::picture::Picture;
 use super::style::{Cut, Style};
 use crate::device::{Device, SAMPLES};
 
-/// Whether a device draws the frames of two cameras at once: each triangle is sent once and placed in both. All triangles
-/// are drawn whole, and both frames fit into one window.
+/// Returns whether a device draws the frames of two cameras at once: each triangle is submitted once and placed in
+/// both. All triangles must be drawn whole, and both frames must fit into one window.
 pub(crate) fn draws_both(
     device: &Device,
     picture: &Picture,

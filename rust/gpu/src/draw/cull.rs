@@ -1,4 +1,4 @@
-//! Culling: whether a view can see a box.
+//! Frustum culling of boxes.
 
 use std::sync::Arc;
 
@@ -16,17 +16,17 @@ use super::window::Window;
 #[derive(Clone)]
 pub(crate) struct Frustum {
     planes: Vec<DVec4>,
-    /// It is that of the whole picture.
+    /// Whether it belongs to the whole picture.
     whole: bool,
-    /// That of another view, which is drawn at once.
+    /// Frustum of the second view, if two are drawn at once.
     other: Option<Box<Frustum>>,
-    /// The picture's mask, and its camera relative to the scene's origin.
+    /// Mask of the picture, and its camera relative to the scene's origin.
     mask: Option<(Arc<Mask>, Camera)>,
 }
 
 impl Frustum {
-    /// The frustum of a camera's window, as far as its limits let see, for points that are shown elsewhere; eye and limits
-    /// are relative to the scene's origin.
+    /// Creates the frustum of a camera's window, bounded by the limits, for displaced points; eye and limits are
+    /// relative to the scene's origin.
     pub fn new(camera: &Camera, window: &Window, eye: DVec3, limits: &Limits, moved: &Displacement) -> Self {
         let Displacement { shift, slack } = *moved;
         let (eye, far) = (eye - shift, f64::from(limits.segment.t_max));
@@ -56,17 +56,17 @@ impl Frustum {
         Self { planes, whole: (window.width, window.height) == (camera.width, camera.height), other: None, mask: None }
     }
 
-    /// All that this one or another one sees.
+    /// Returns the union with another frustum.
     pub fn or(self, other: Self) -> Self {
         Self { other: Some(Box::new(other)), ..self }
     }
 
-    /// The same, without what no drawn pixel of a mask shows; the camera is relative to the scene's origin.
+    /// Returns the frustum restricted to the drawn pixels of a mask; the camera is relative to the scene's origin.
     pub fn masked(self, mask: &Arc<Mask>, camera: Camera) -> Self {
         Self { mask: Some((Arc::clone(mask), camera)), ..self }
     }
 
-    /// False where no point of a box is seen.
+    /// Returns false if no point of a box is visible.
     #[inline]
     pub fn sees(&self, bounds: &Aabb) -> bool {
         if bounds.is_empty() {
@@ -76,20 +76,20 @@ impl Frustum {
         let inside = self.planes.iter().all(|plane| {
             let pick = |i: usize| if plane[i] > 0.0 { high[i] } else { low[i] };
             let farthest = Vec3::new(pick(0), pick(1), pick(2)).as_dvec3();
-            // The corner's rounding error, so that nothing at the edge is lost.
+            // Covers the corner's rounding error, so that nothing at the edge is lost.
             let slack = 1e-6 * farthest.abs().max_element();
             plane.truncate().dot(farthest) + plane.w + slack >= 0.0
         });
         inside && self.is_drawn(bounds) || self.other.as_ref().is_some_and(|other| other.sees(bounds))
     }
 
-    /// The same for a box that the whole picture's half-spaces are known to leave.
+    /// Same as `sees`, for a box that is known to pass the whole picture's half-spaces.
     #[inline]
     pub fn sees_of_seen(&self, bounds: &Aabb) -> bool {
         if self.whole { self.is_drawn(bounds) } else { self.sees(bounds) }
     }
 
-    /// False where no drawn pixel of the mask shows a box.
+    /// Returns false if no drawn pixel of the mask shows a box.
     fn is_drawn(&self, bounds: &Aabb) -> bool {
         self.mask
             .as_ref()
@@ -111,7 +111,7 @@ mod tests {
             let turn = DQuat::from_rotation_y(2.0) * DQuat::from_rotation_x(-0.5);
             let camera = Camera::new(DVec3::new(3.0, 1.0, 2.0), turn, projection, 16, 16).unwrap();
             let window = Window { column: 0, row: 0, width: 16, height: 16 };
-            // Points above y = 1 are seen by the last one.
+            // Points above y = 1 pass the last one.
             let limited = |t_max, planes: &[[f64; 4]]| {
                 let limits = Limits::new(Segment { t_min: 0.0, t_max }, planes).unwrap();
                 Frustum::new(&camera, &window, camera.position, &limits, &Displacement::NONE)

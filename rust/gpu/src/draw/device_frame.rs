@@ -17,7 +17,7 @@ use super::slots::Slots;
 use super::submitted::Submitted;
 use crate::device::Device;
 
-/// A frame's images on the device. Its slot is used again once it is dropped.
+/// Images of a frame on the device. Its slot is reused after the frame is dropped.
 pub struct DeviceFrame {
     device: Arc<Device>,
     picture: Picture,
@@ -26,11 +26,11 @@ pub struct DeviceFrame {
     submitted: Option<Submitted>,
 }
 
-/// A device's lock of its frames.
+/// Lock of a device's frames.
 #[derive(Default)]
 struct Alone(Mutex<()>);
 
-/// A channel's place in a buffer.
+/// Location of a channel in a buffer.
 pub(crate) struct Section<'a> {
     pub buffer: &'a wgpu::Buffer,
     /// Its first word.
@@ -38,7 +38,7 @@ pub(crate) struct Section<'a> {
 }
 
 impl Job {
-    /// Leaves the frame on the device without waiting: kernels that read it come after it in the queue.
+    /// Keeps the frame on the device without waiting: kernels that read it come later in the queue.
     pub fn keep(mut self, progress: &Progress) -> Result<DeviceFrame> {
         let [camera] = self.cameras[..] else {
             return Err(Error::value("frame", "one picture", "two that are drawn at once"));
@@ -47,7 +47,7 @@ impl Job {
         let Some(submitted) = self.submitted.pop_front() else {
             return Err(self.device.failure(&"a frame without a window"));
         };
-        // The output was asked for in case it is read; kernels can't read it while it is open to the processor.
+        // The output was mapped in case it is read; kernels cannot use a mapped buffer.
         submitted.slot.readable().unmap();
         progress.report(submitted.window.pixels() as u64)?;
         let Self { device, picture, channels, .. } = self;
@@ -56,7 +56,7 @@ impl Job {
 }
 
 impl Device {
-    /// Fails for a frame that is too large to stay on the device: it would be drawn in several windows.
+    /// Fails for a frame that is too large to stay on the device, because it would be drawn in several windows.
     pub fn check_whole(&self, camera: &Camera, channels: Channels) -> Result<()> {
         let (most, side) = window_limits(self, channels);
         let Camera { width, height, .. } = *camera;
@@ -70,22 +70,22 @@ impl Device {
 }
 
 impl DeviceFrame {
-    /// The device that holds it.
+    /// Returns the device that holds it.
     pub fn device(&self) -> &Arc<Device> {
         &self.device
     }
 
-    /// The camera that took it.
+    /// Returns its camera.
     pub fn camera(&self) -> &Camera {
         &self.camera
     }
 
-    /// World position that points are relative to.
+    /// Returns the world position that points are relative to.
     pub fn origin(&self) -> DVec3 {
         self.picture.origin
     }
 
-    /// Its images, copied to the processor.
+    /// Copies its images to the processor.
     pub fn read(&self, progress: &Progress) -> Result<Frame> {
         let submitted = self.submitted()?;
         let pixels = submitted.window.pixels();
@@ -97,13 +97,13 @@ impl DeviceFrame {
         Ok(frame)
     }
 
-    /// A lock that is held while a frame is open to the processor, and while work that reads one is submitted: never
-    /// both at a time.
+    /// Locks the frames of the device: held while a frame is mapped, and while work that reads one is submitted, which
+    /// exclude each other.
     pub(crate) fn alone(&self) -> MutexGuard<'_, ()> {
         self.device.state::<Alone>().0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The output's words, copied by this thread alone: a thread that waits inside rayon may run another task, which
+    /// Copies the output's words on this thread alone: a thread that waits inside rayon may run another task, which
     /// may need the same lock.
     fn words(&self, submitted: &Submitted, progress: &Progress) -> Result<Vec<u32>> {
         let _alone = self.alone();
@@ -114,12 +114,12 @@ impl DeviceFrame {
         })
     }
 
-    /// Linear colour, three words for each pixel.
+    /// Returns the linear colour, three words per pixel.
     pub(crate) fn color(&self) -> Result<Section<'_>> {
         self.section(0, "color")
     }
 
-    /// Points relative to the origin, three words for each pixel.
+    /// Returns the points relative to the origin, three words per pixel.
     pub(crate) fn position(&self) -> Result<Section<'_>> {
         self.section(3, "position")
     }
@@ -141,11 +141,11 @@ impl DeviceFrame {
 impl Drop for DeviceFrame {
     fn drop(&mut self) {
         let Some(submitted) = self.submitted.take() else { return };
-        // Answers come with a poll.
+        // Mapping callbacks run during a poll.
         let polled = self.device.wgpu.poll(PollType::Poll);
         let [opened, refused] = [0, 1].map(|i: usize| submitted.opened[i].load(Ordering::Acquire));
-        // Of the two that were asked for, the output was closed again, and may have been so before it was open. The
-        // inputs must be open for the next frame.
+        // Two mappings were requested. The output was unmapped, possibly before its mapping succeeded; the inputs must
+        // be mapped for the next frame.
         if polled.is_ok() && !self.device.is_lost() && opened > 0 && opened + refused == 2 {
             self.device.state::<Slots>().give_back(submitted.slot);
         }

@@ -1,4 +1,4 @@
-//! Commands of a frame's passes: raster layer by layer, then resolve batch by batch.
+//! Command encoding of a frame's passes: raster layer by layer, then resolve batch by batch.
 
 use nearfar_core::base::Result;
 use wgpu::{
@@ -18,40 +18,40 @@ use super::timing::Stopwatch;
 use crate::device::{Device, SAMPLES};
 use crate::upload::{Page, Placeholders, SceneTables};
 
-/// Clear colour of the visible faces: four halves of ones.
+/// Clear colour of visible faces: four halves of ones, for no face.
 const NOTHING: Color = Color { r: 65535.0, g: 65535.0, b: 65535.0, a: 65535.0 };
 
-/// One pass over a window.
+/// A pass over a window.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PassKind {
-    /// Its place among the frame's passes.
+    /// Index among the frame's passes.
     pub number: usize,
     pub color: bool,
     pub surface: bool,
     pub multisampled: bool,
 }
 
-/// A frame's bind groups.
+/// Bind groups of a frame.
 pub(super) struct Bound<'a> {
     device: &'a Device,
     picture: &'a Picture,
     plan: &'a Plan,
     slot: &'a Slot,
     view: BindGroup,
-    /// Those of both views, where a pass draws two.
+    /// Bind group of both views, if a pass draws two.
     views: Option<BindGroup>,
     raster: Vec<BindGroup>,
     resolve: Vec<BindGroup>,
     /// Bind group and block of the batch without records.
     empty: (BindGroup, u32),
-    /// The visible instances of each view, with one sample and with several.
+    /// Visible instances of each view, single-sampled and multisampled.
     targets: [Vec<BindGroup>; 2],
-    /// Bits of the pixels that are drawn.
+    /// Bit mask of the drawn pixels.
     mask: Option<BindGroup>,
 }
 
 impl<'a> Bound<'a> {
-    /// None before the slot has inputs.
+    /// Creates the bind groups; `None` before the slot has inputs.
     pub fn new(
         device: &'a Device,
         picture: &'a Picture,
@@ -122,8 +122,8 @@ impl<'a> Bound<'a> {
         let mut first = true;
         while first || start < self.plan.groups.len() {
             let groups = &self.plan.groups[start..];
-            // A layer that covers the ones before it begins a pass with a new depth buffer, for itself and for those
-            // after it, even where nothing of it is visible.
+            // A layer that covers earlier ones begins a pass with a new depth buffer, for itself and for later layers,
+            // even if nothing of it is visible.
             let section = |n: usize| layers[..=groups[n].layer].iter().filter(|layer| layer.covers).count();
             let same = |n: usize| section(n) == section(0);
             let count = (0..groups.len()).take_while(|&n| same(n)).count();

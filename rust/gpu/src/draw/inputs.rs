@@ -1,26 +1,26 @@
-//! Numbers that shaders read for a frame. Only those that differ from the last frame's are sent.
+//! Shader inputs of a frame. Only bytes that differ from the last frame's are uploaded.
 
 use nearfar_core::base::Result;
 use wgpu::{BufferUsages, MapMode};
 
 use crate::device::{Counted, Device};
 
-/// Bytes that offsets of uniform blocks are multiples of.
+/// Alignment of uniform blocks, bytes.
 pub(super) const BLOCK: usize = 256;
-/// Blocks that a pass takes.
+/// Number of blocks per pass.
 pub(super) const PASS_BLOCKS: usize = 3;
 
-/// A frame's numbers for shaders: uniform blocks, records of moving instances and the order of records.
+/// Shader inputs of a frame: uniform blocks, records of moving instances and the order of records.
 #[derive(Default)]
 pub(super) struct ShaderInputs {
-    /// The buffer on the device, and the mapped one that changes pass through.
+    /// Device buffer, and the mapped staging buffer for changes.
     buffers: Option<(wgpu::Buffer, wgpu::Buffer)>,
-    /// Bytes that the device has already.
+    /// Bytes that are on the device.
     on_device: Vec<u8>,
 }
 
 impl ShaderInputs {
-    /// Sends the bytes that differ from the last frame's.
+    /// Uploads the bytes that differ from the last frame's.
     pub fn send(&mut self, device: &Device, encoder: &mut wgpu::CommandEncoder, bytes: Vec<u8>) -> Result<()> {
         let size = (bytes.len() as u64).next_multiple_of(BLOCK as u64).next_power_of_two();
         if self.buffers.as_ref().is_none_or(|(buffer, _)| buffer.size() < size) {
@@ -49,12 +49,12 @@ impl ShaderInputs {
         Ok(())
     }
 
-    /// The buffer on the device.
+    /// Returns the buffer on the device.
     pub fn buffer(&self) -> Option<&wgpu::Buffer> {
         self.buffers.as_ref().map(|(buffer, _)| buffer)
     }
 
-    /// Asks for the mapped buffer to be open again once the device has finished; the answer comes with its next poll.
+    /// Requests to map the staging buffer again after the device has finished; `answer` is called in its next poll.
     pub fn reopen(&self, answer: impl FnOnce(bool) + Send + 'static) {
         match &self.buffers {
             Some((_, staging)) => staging.map_async(MapMode::Write, .., move |result| answer(result.is_ok())),
@@ -63,7 +63,7 @@ impl ShaderInputs {
     }
 }
 
-/// Runs of pieces that differ.
+/// Returns runs of differing pieces.
 fn changes(before: &[u8], bytes: &[u8]) -> Vec<std::ops::Range<usize>> {
     const PIECE_BYTES: usize = 16;
     let mut runs: Vec<std::ops::Range<usize>> = Vec::new();

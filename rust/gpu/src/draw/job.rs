@@ -1,4 +1,4 @@
-//! A frame under way: its windows are submitted ahead and read in order, so that drawing and reading overlap.
+//! A frame in progress: its windows are submitted ahead and read in order, so that drawing and reading overlap.
 
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -28,11 +28,12 @@ use crate::upload::Residents;
 
 /// Windows in flight at a time.
 const WINDOWS_AHEAD: usize = 2;
-/// Passes in one submission: between two, the caller may cancel. In software a pass of millions of pixels takes a second.
+/// Passes per submission; cancellation is checked between submissions. In software a pass of millions of pixels takes
+/// a second.
 const PASSES_PER_SUBMISSION: usize = 8;
 const PASSES_IN_SOFTWARE: usize = 1;
 
-/// Frames that are being drawn: one, or two at once.
+/// Frames being drawn: one, or two at once.
 pub struct Job {
     pub(super) device: Arc<Device>,
     pub(super) picture: Picture,
@@ -46,7 +47,7 @@ pub struct Job {
 }
 
 impl Job {
-    /// Begins a frame; the layers' scenes are on the device already.
+    /// Begins a frame; the layers' scenes must be on the device.
     pub(crate) fn begin(
         device: &Arc<Device>,
         picture: Picture,
@@ -58,7 +59,7 @@ impl Job {
         Self::begin_views(device, picture, vec![*camera], channels, samples, progress)
     }
 
-    /// Begins a frame for each camera; two only where `draws_both` says so.
+    /// Begins a frame for each camera; two only if `draws_both` allows it.
     pub(crate) fn begin_views(
         device: &Arc<Device>,
         picture: Picture,
@@ -97,12 +98,12 @@ impl Job {
         Ok(job)
     }
 
-    /// Waits for the frame and returns its images; of two, those of the first one.
+    /// Waits for the frame and returns its images; the first frame's if there are two.
     pub fn finish(self, progress: &Progress) -> Result<Frame> {
         Ok(self.finish_all(progress)?.swap_remove(0))
     }
 
-    /// Waits for the frames' windows, submits those that are left, and returns the images of each.
+    /// Waits for the frames' windows, submits remaining ones, and returns the images of each frame.
     pub fn finish_all(mut self, progress: &Progress) -> Result<Vec<Frame>> {
         while let Some(submitted) = self.submitted.pop_front() {
             self.device.wait(&submitted.submission, progress)?;
@@ -117,7 +118,7 @@ impl Job {
         Ok(self.frames)
     }
 
-    /// Number of its frames.
+    /// Returns the number of frames.
     pub fn frame_count(&self) -> usize {
         self.frames.len()
     }
@@ -190,7 +191,7 @@ impl Job {
         Ok(Submitted { window, slot, outputs, numbering: plan.numbering, submission, opened })
     }
 
-    /// Passes of a window: colour and the other channels at once where one sample serves both.
+    /// Returns the passes of a window: colour and the other channels in one pass if one sample serves both.
     fn passes(&self) -> Vec<(PassKind, Sampling)> {
         let (color, surface) = (self.channels.any_sampled(), self.channels.any_surface());
         let pass = |number, color, surface, multisampled| PassKind { number, color, surface, multisampled };
@@ -201,7 +202,7 @@ impl Job {
         if surface {
             passes.push((pass(0, false, true, false), Sampling::CENTER));
         }
-        // Fragments are discarded at limits for a whole pixel, which multisampling would leave jagged.
+        // Limits discard fragments for whole pixels, so multisampling would leave jagged edges.
         let is_smooth = |layer| self.picture.limits.is_none() || self.picture.clips(&self.device, layer);
         let smooth = self.picture.multisampled && self.picture.layers.iter().all(is_smooth);
         if self.samples == SAMPLES && self.device.multisamples && smooth {
@@ -216,7 +217,7 @@ impl Job {
         passes
     }
 
-    /// Half-spaces that visible points of a layer lie in; none where its displacement has no bound.
+    /// Returns the frustum for the visible points of a layer; `None` if its displacement is unbounded.
     fn frustum(&self, layer: &Layer, window: &Window) -> Option<Frustum> {
         let limits = self.picture.limits.unwrap_or(Limits::NONE);
         let moved = layer.displacement?;
@@ -231,7 +232,7 @@ impl Job {
         self.cameras.iter().map(of_view).reduce(Frustum::or)
     }
 
-    /// Depth of the farthest point along parallel rays.
+    /// Returns the depth of the farthest point along parallel rays.
     fn farthest(&self) -> f64 {
         let [camera] = &self.cameras[..] else { return 1.0 };
         if !camera.is_parallel() {

@@ -1,4 +1,4 @@
-//! Layers: sets of instances, each shown in one way.
+//! Layers: sets of instances that share a style.
 
 use std::sync::Arc;
 
@@ -7,50 +7,50 @@ use nearfar_core::scene::{Instance, Scene};
 use super::style::{Cut, Displacement, Style};
 use crate::upload::{RECORD_WORDS, SceneTables, SetTables};
 
-/// Half of a scene's instances.
+/// One of a scene's two instance sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Set {
-    /// Those that never move.
+    /// Static instances.
     Standing,
-    /// Those that are posed anew.
+    /// Moving instances.
     Moving,
 }
 
-/// Instances that are drawn in one way.
+/// Instances drawn with one style.
 #[derive(Clone)]
 pub(crate) struct Layer {
-    /// The scene with the instances.
+    /// Scene with the instances.
     pub scene: Scene,
-    /// The scene on the device.
+    /// Device tables of the scene.
     pub tables: Arc<SceneTables>,
-    /// The half of its instances that is drawn.
+    /// Instance set that is drawn.
     pub set: Set,
-    /// Where their points are shown.
+    /// Displacement of points.
     pub style: Style,
-    /// Which of their fragments are drawn.
+    /// Filter of fragments.
     pub cut: Cut,
-    /// How far from their places they are shown; none where that has no bound, so that nothing is culled.
+    /// Bound of the displacement; `None` if unbounded, so that nothing is culled.
     pub displacement: Option<Displacement>,
-    /// It hides all layers before it: the depth buffer is cleared.
+    /// Whether it hides all earlier layers: the depth buffer is cleared.
     pub covers: bool,
-    /// For each of its instances whether the picture may show it, where that is known.
+    /// Flag per instance whether the picture may show it, if known.
     pub seen: Option<Arc<[bool]>>,
-    /// Faces of another scene that the layer's faces were made from: images hold their objects and triangles.
+    /// Source faces in another scene, whose objects and triangles appear in images.
     pub sources: Option<Arc<Sources>>,
 }
 
-/// Faces and instances that a scene was made from.
+/// Source faces and instances of a derived scene.
 pub(crate) struct Sources {
-    /// The scene that they belong to.
+    /// Scene that they belong to.
     pub scene: Scene,
-    /// Instance and face; objects of the standing meshes are places in this list.
+    /// Instance and face; object numbers of the static meshes are indices of this list.
     pub faces: Vec<(u32, u32)>,
     /// Numbers of the moving instances.
     pub moving: Vec<u32>,
 }
 
 impl Layer {
-    /// Instances that are shown where they are, with all their fragments.
+    /// Creates a layer without displacement and cut.
     pub fn plain(scene: Scene, tables: Arc<SceneTables>, set: Set) -> Self {
         Self {
             scene,
@@ -65,17 +65,17 @@ impl Layer {
         }
     }
 
-    /// For each record of the set, its instance and first face.
+    /// Returns instance and first face of each record of the set.
     pub fn record_faces(&self) -> &[(u32, u32)] {
         &self.set_tables().record_faces
     }
 
-    /// A record of the set.
+    /// Returns a record of the set.
     pub fn record(&self, record: u32) -> [u32; RECORD_WORDS] {
         self.set_tables().record(self.instances(), record as usize)
     }
 
-    /// Object of a face of the nth instance of the set.
+    /// Returns the object of a face of the nth instance of the set.
     pub fn object_of(&self, instance: u32, face: u32) -> i32 {
         match self.source(instance, face) {
             Some((scene, instance, face)) => scene.instance(instance).object_of(face),
@@ -83,7 +83,7 @@ impl Layer {
         }
     }
 
-    /// Number of a triangle of the nth instance of the set.
+    /// Returns the number of a triangle of the nth instance of the set.
     pub fn triangle_of(&self, instance: u32, face: u32) -> i64 {
         let first = match self.set {
             Set::Standing => 0,
@@ -93,7 +93,7 @@ impl Layer {
         scene.triangle_offset(instance) + i64::from(face)
     }
 
-    /// The face that one was made from, where the layer's scene was made from another.
+    /// Returns the source of a face, if the layer's scene was derived from another.
     fn source(&self, instance: u32, face: u32) -> Option<(&Scene, u32, u32)> {
         let sources = self.sources.as_ref()?;
         let (instance, face) = match self.set {
@@ -103,7 +103,7 @@ impl Layer {
         Some((&sources.scene, instance, face))
     }
 
-    /// The set's instances.
+    /// Returns the instances of the set.
     pub fn instances(&self) -> &[Instance] {
         match self.set {
             Set::Standing => self.scene.standing.instances(),
@@ -111,7 +111,7 @@ impl Layer {
         }
     }
 
-    /// The set on the device.
+    /// Returns the device tables of the set.
     pub fn set_tables(&self) -> &SetTables {
         match self.set {
             Set::Standing => &self.tables.standing,

@@ -1,4 +1,4 @@
-//! Masks: the pixels of a picture that are drawn.
+//! Masks: drawn pixels of a picture.
 
 use std::sync::Arc;
 
@@ -8,16 +8,16 @@ use nearfar_core::render::{MaskPyramid, Pixels};
 
 use super::window::Window;
 
-/// Pixels that are drawn, and what of the geometry behind the others is left out.
+/// Drawn pixels, and a pyramid for culling geometry behind the others.
 pub(crate) struct Mask {
-    /// For each pixel of the picture whether it is drawn, by rows.
+    /// Row-major flags of the drawn pixels.
     pub pixels: Vec<bool>,
-    /// The same at several resolutions, where geometry that no drawn pixel shows is not drawn.
+    /// Mask pyramid, if geometry that no drawn pixel shows is to be culled.
     pub pyramid: Option<MaskPyramid>,
 }
 
 impl Mask {
-    /// The mask of a picture, if it has one.
+    /// Returns the mask of a picture, if it has one.
     pub fn of(pixels: &Pixels<'_>, camera: &Camera) -> Result<Option<Arc<Self>>> {
         let Some(mask) = pixels.mask else { return Ok(None) };
         let count = camera.width as usize * camera.height as usize;
@@ -28,7 +28,7 @@ impl Mask {
         Ok(Some(Arc::new(Self { pixels: mask.to_vec(), pyramid })))
     }
 
-    /// A bit for each pixel of a window, by rows.
+    /// Returns one bit per pixel of a window, row by row.
     pub fn bits(&self, window: &Window, width: u32) -> Vec<u32> {
         let mut words = vec![0u32; window.pixels().div_ceil(32)];
         let mut n = 0;

@@ -1,4 +1,4 @@
-//! Frames: sets of instances drawn in order, each in its style, and the images that come back.
+//! Drawing of frames: instance sets drawn in order, each in its style, and the resulting images.
 
 mod both;
 mod cull;

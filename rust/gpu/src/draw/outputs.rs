@@ -1,4 +1,4 @@
-//! The output of a window: the words of each channel, for one view after the other.
+//! Output layout of a window: the words of each channel, view by view.
 
 use nearfar_core::render::Channels;
 
@@ -6,27 +6,27 @@ use super::view::{CHANNELS, Outputs};
 use super::window::Window;
 use crate::device::Device;
 
-/// Bytes of a pixel's channels: colour, range, ids, position, normal, albedo, shading normal, coverage.
+/// Bytes per pixel of each channel: colour, range, ids, position, normal, albedo, shading normal, coverage.
 const CHANNEL_BYTES: [u64; CHANNELS] = [12, 4, 8, 12, 12, 12, 12, 4];
 
-/// Flags of the wanted channels, in the order of `CHANNEL_BYTES`.
+/// Returns flags of the requested channels, in the order of `CHANNEL_BYTES`.
 fn wanted(channels: Channels) -> [bool; CHANNELS] {
     let Channels { color, coverage, range, object_id, face_id, position, normal, albedo, shading_normal } = channels;
     [color, range, object_id || face_id, position, normal, albedo, shading_normal, coverage]
 }
 
-/// Bytes of a pixel.
+/// Returns the bytes per pixel.
 pub(super) fn bytes_per_pixel(channels: Channels) -> u64 {
     wanted(channels).iter().zip(CHANNEL_BYTES).map(|(&wanted, bytes)| u64::from(wanted) * bytes).sum()
 }
 
-/// The most pixels that a window may have, and the most across and down.
+/// Returns the maximum number of pixels of a window, and its maximum width and height.
 pub(super) fn window_limits(device: &Device, channels: Channels) -> (u64, u32) {
     let most = device.largest_binding() / bytes_per_pixel(channels).max(1);
     (most.max(1), device.limits.max_texture_dimension_2d)
 }
 
-/// First word of each channel of a window, for each of some views.
+/// Returns the first word of each channel of a window, for each view.
 pub(super) fn layouts(channels: Channels, window: &Window, views: usize) -> Vec<Outputs> {
     let mut at = 0;
     let mut layout = || {

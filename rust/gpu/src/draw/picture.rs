@@ -1,4 +1,4 @@
-//! Pictures: layers before a backdrop.
+//! Pictures: layers in front of a backdrop.
 
 use std::sync::Arc;
 
@@ -12,49 +12,49 @@ use super::style::{Cut, Parameters, Style};
 use crate::device::Device;
 use crate::upload::EnvTexels;
 
-/// A picture to be taken by a camera.
+/// A picture to be drawn for a camera.
 #[derive(Clone)]
 pub(crate) struct Picture {
-    /// In order of drawing.
+    /// Layers in drawing order.
     pub layers: Vec<Layer>,
-    /// Numbers that the layers' styles and cuts read.
+    /// Parameters of the layers' styles and cuts.
     pub parameters: Parameters,
-    /// The environment map where nothing is drawn; the sky without one.
+    /// Environment map behind all layers; `None` for the sky.
     pub backdrop: Option<Backdrop>,
-    /// Style whose `backdrop_range` tells how far away the backdrop is shown.
+    /// Style whose `backdrop_range` gives the displayed distance of the backdrop.
     pub backdrop_style: Style,
     /// World position of the scenes' origin.
     pub origin: DVec3,
-    /// Four samples may be the adapter's own, which shade each face once per pixel: for frames, not for baked maps.
+    /// Whether four samples may use hardware multisampling, which shades each face once per pixel: for frames, not for
+    /// baked maps.
     pub multisampled: bool,
-    /// The part of space in which surfaces and map are seen, relative to the scenes' origin; none for all of it, which
-    /// costs nothing to test.
+    /// Visible volume of surfaces and map, relative to the scenes' origin; `None` for no limits, which needs no test.
     pub limits: Option<Limits>,
-    /// Samples that see no triangle are black instead of showing map or sky.
+    /// Whether samples without a triangle are black instead of showing map or sky.
     pub bare: bool,
-    /// The pixels that are drawn; all without a mask.
+    /// Drawn pixels; `None` draws all.
     pub mask: Option<Arc<Mask>>,
 }
 
-/// An environment map behind everything that is drawn.
+/// Environment map behind all layers.
 #[derive(Clone)]
 pub(crate) struct Backdrop {
     pub texels: Arc<EnvTexels>,
-    /// Objects of its texels, where it has them.
+    /// Objects of its texels, if present.
     pub objects: Option<Buffer<i32>>,
-    /// Where it was taken, relative to the scenes' origin.
+    /// Centre of the map, relative to the scenes' origin.
     pub center: DVec3,
 }
 
 impl Picture {
-    /// Whether the adapter clips a layer's triangles at the limits: planes alone, which cut points where they are shown.
+    /// Returns whether the adapter clips a layer's triangles: only planes, and only undisplaced whole triangles.
     pub fn clips(&self, device: &Device, layer: &Layer) -> bool {
         let whole = layer.style == Style::PLAIN && layer.cut == Cut::NONE && !layer.scene.has_cutouts();
         let planes = self.limits.is_some_and(|limits| limits.segment == Segment::WHOLE);
         device.clips && whole && planes
     }
 
-    /// Layers without parameters, before the sky.
+    /// Creates a picture of layers without parameters, in front of the sky.
     pub fn plain(layers: Vec<Layer>, origin: DVec3) -> Self {
         Self {
             layers,

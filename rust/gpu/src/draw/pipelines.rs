@@ -1,4 +1,4 @@
-//! Shaders and pipelines, each compiled once on a device, and the layouts of their bindings.
+//! Shaders and pipelines, each compiled once per device, and their bind group layouts.
 
 use std::collections::HashMap;
 use std::num::NonZeroU32;
@@ -17,7 +17,7 @@ use wgpu::{
 use super::style::{Cut, Style};
 use crate::device::{Device, Scope, VISIBLE};
 
-/// Depth, reversed.
+/// Depth format; depth is reversed.
 pub(super) const DEPTH: TextureFormat = TextureFormat::Depth32Float;
 
 /// Settings of a layer's raster pipeline.
@@ -26,18 +26,18 @@ pub(super) struct RasterKey {
     pub style: Style,
     pub cut: Cut,
     pub cutout: bool,
-    /// Fragments outside of a part of space are discarded.
+    /// Whether fragments outside the visible volume are discarded.
     pub limited: bool,
-    /// The adapter clips triangles at planes; whole ones only.
+    /// Whether the adapter clips triangles at planes; whole triangles only.
     pub clipped: bool,
     pub single: bool,
     pub samples: u32,
-    /// The views that one pass draws, 1 or 2.
+    /// Number of views per pass, 1 or 2.
     pub views: u32,
 }
 
 impl RasterKey {
-    /// Entry points of vertices and fragments.
+    /// Returns the entry points of vertex and fragment shader.
     fn entries(&self, writes_depth: bool) -> [&'static str; 2] {
         let plain = self.cut == Cut::NONE && !self.cutout && !self.limited;
         let plain_vertex = match (self.clipped, self.views) {
@@ -59,9 +59,9 @@ impl RasterKey {
 pub(super) struct ResolveKey {
     pub style: Style,
     pub mapped: bool,
-    /// The map is seen on a part of each ray.
+    /// Whether the map is visible only on a segment of each ray.
     pub limited: bool,
-    /// Samples without a face are black.
+    /// Whether samples without a face are black.
     pub bare: bool,
     pub color: bool,
     pub surface: bool,
@@ -69,7 +69,7 @@ pub(super) struct ResolveKey {
     pub textured: bool,
     pub colored: bool,
     pub smooth: bool,
-    /// Some material emits light or is unlit.
+    /// Whether some material emits light or is unlit.
     pub glowing: bool,
     pub samples: u32,
 }
@@ -86,15 +86,15 @@ pub(crate) struct Pipelines {
 
 /// Layouts of the bind groups.
 pub(super) struct Layouts {
-    /// A scene's tables and the order of its records.
+    /// Tables of a scene and the order of its records.
     pub raster_scene: BindGroupLayout,
-    /// A scene's tables.
+    /// Tables of a scene.
     pub resolve_scene: BindGroupLayout,
     /// Pass, batch and environment map.
     pub view: BindGroupLayout,
-    /// Visible faces, of one sample or several, and the output.
+    /// Visible faces, single-sampled or multisampled, and the output.
     pub target: [BindGroupLayout; 2],
-    /// Bits of the pixels that are drawn.
+    /// Bit mask of the drawn pixels.
     pub mask: BindGroupLayout,
 }
 
@@ -140,7 +140,7 @@ impl Pipelines {
             depth_stencil: Some(DepthStencilState {
                 format: DEPTH,
                 depth_write_enabled: Some(true),
-                // Of equal depths the first one drawn stays, which is the lower triangle, as in the tracer.
+                // At equal depths the first fragment stays, which is the lower triangle, as in the tracer.
                 depth_compare: Some(CompareFunction::Greater),
                 stencil: wgpu::StencilState::default(),
                 bias: wgpu::DepthBiasState::default(),
@@ -208,7 +208,7 @@ impl Pipelines {
         Ok(pipeline)
     }
 
-    /// Writes the nearest depth to pixels that are not drawn.
+    /// Returns the pipeline that writes the nearest depth to pixels that are not drawn.
     pub(super) fn mask(&self, device: &Device, samples: u32) -> Result<Arc<RenderPipeline>> {
         let mut known = self.masks.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(pipeline) = known.get(&samples) {
@@ -275,7 +275,7 @@ const TWO_VIEWS: &str = include_str!("../shaders/two_views.wgsl");
 const MASK: &str = include_str!("../shaders/mask.wgsl");
 const RESOLVE: &str = include_str!("../shaders/resolve.wgsl");
 
-/// The views of a pass, as a mask, where it draws more than one.
+/// Returns the view mask of a pass that draws several views.
 pub(super) fn views_mask(views: u32) -> Option<NonZeroU32> {
     NonZeroU32::new(if views > 1 { (1 << views) - 1 } else { 0 })
 }
@@ -297,7 +297,7 @@ fn resolve_source(style: Style, samples: u32) -> String {
     [&shading_constants()[..], SCENE, ONE_VIEW, CUBE, SURFACE, style.0.text, &load, RESOLVE].concat()
 }
 
-/// The shading formula's numbers, written once for all renderers.
+/// Returns the constants of the shading formula, shared by all renderers.
 pub(crate) fn shading_constants() -> String {
     let [nadir, horizon, zenith] = shade::BACKGROUND;
     let vectors = [

@@ -1,4 +1,4 @@
-//! A frame's batches: the draw calls of each, and the blocks of numbers that shaders read for them.
+//! Batches of a frame: the draw calls of each, and their shader inputs.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -22,35 +22,35 @@ struct BatchBlock {
     part: [u32; PART_WORDS],
 }
 
-/// The place of a batch's records.
+/// Location of a batch's records.
 #[derive(Clone)]
 pub(super) enum RecordsAt {
-    /// In a buffer of their own.
+    /// In their own buffer.
     Buffer(Arc<wgpu::Buffer>),
     /// Among the frame's inputs.
     Inputs(Range<usize>),
 }
 
-/// Triangles of one page that one batch of a layer's records places.
+/// Triangles of one page placed by one batch of a layer's records.
 pub(super) struct Group {
     pub layer: usize,
     pub page: Arc<Page>,
     pub records: RecordsAt,
     pub calls: Vec<Call>,
-    /// Where its uniform block stands among the inputs.
+    /// Offset of its uniform block in the inputs.
     pub block: usize,
-    /// All pixels of its batch show one record.
+    /// Whether all pixels of its batch show one record.
     pub single: bool,
 }
 
 /// A draw call.
 pub(super) struct Call {
     pub vertices: Range<u32>,
-    /// Places in the order of records; unused where the block has the only record.
+    /// Range in the order of records; unused if the block has the only record.
     pub instances: Range<u32>,
-    /// Where a uniform block with the call's part and first record stands among the inputs.
+    /// Offset in the inputs of a uniform block with the call's part and first record.
     pub block: usize,
-    /// The first record is the only one.
+    /// Whether the first record is the only one.
     pub single: bool,
 }
 
@@ -58,30 +58,30 @@ pub(super) struct Call {
 #[derive(Clone, Debug)]
 pub(super) struct Numbering {
     pub layer: usize,
-    /// Its first number in the frame.
+    /// First number in the frame.
     pub first: u32,
     pub count: u32,
-    /// Its first record in the layer's set.
+    /// First record in the layer's set.
     pub first_in_set: u32,
 }
 
-/// All that a frame draws, and its inputs.
+/// Draw plan of a frame, with its inputs.
 pub(super) struct Plan {
     pub groups: Vec<Group>,
     pub numbering: Vec<Numbering>,
-    /// Bytes that shaders read; blocks of passes stand first.
+    /// Bytes of the shader inputs; blocks of passes come first.
     pub inputs: Vec<u8>,
-    /// Where the block of a batch without records stands among them: it resolves pixels that show nothing.
+    /// Offset of the block of the batch without records, which resolves pixels without a face.
     pub empty: usize,
-    /// The order of records, among the inputs.
+    /// Order of records, among the inputs.
     pub order: Range<usize>,
     pub triangles: u64,
-    /// Bits of the window's pixels, among the inputs, where not all are drawn.
+    /// Bit mask of the window's pixels, among the inputs, if not all are drawn.
     pub mask: Option<Range<usize>>,
 }
 
 impl Plan {
-    /// Plans the visible part of the layers; the inputs begin with room for the blocks of `passes` passes.
+    /// Plans the visible part of the layers; the inputs begin with space for the blocks of `passes` passes.
     pub fn new(picture: &Picture, frustum: impl Fn(&Layer) -> Option<Frustum>, passes: usize) -> Self {
         let empty = passes * BLOCK * PASS_BLOCKS;
         let mut plan = Self {
@@ -108,7 +108,7 @@ impl Plan {
         plan
     }
 
-    /// Adds a bit for each pixel of the window.
+    /// Adds one bit per pixel of the window.
     pub fn add_mask(&mut self, bits: &[u32]) {
         self.align();
         let start = self.inputs.len();
@@ -168,7 +168,8 @@ impl Plan {
         let (mut calls, mut last) = (Vec::with_capacity(draws.len()), None);
         for Drawn { vertices, records } in draws {
             self.triangles += u64::from(vertices.end - vertices.start) / 3 * records.len() as u64;
-            // All records of a call place one part. Looking it up for every vertex takes longer than sending it once.
+            // All records of a call place one part. Looking it up for every vertex takes longer than uploading it
+            // once.
             let known =
                 if count == 1 { Some(at) } else { last.filter(|(first, _)| *first == records[0]).map(|(_, at)| at) };
             let block = known.unwrap_or_else(|| push_first(self, records[0]));
@@ -189,7 +190,7 @@ impl Plan {
         at
     }
 
-    /// Lets the first batch resolve pixels that show nothing too, where its style is the backdrop's.
+    /// Lets the first batch also resolve pixels without a face, if its style is the backdrop's.
     fn let_first_write(&mut self, picture: &Picture) {
         if let Some(first) =
             self.groups.first().filter(|first| picture.layers[first.layer].style == picture.backdrop_style)
@@ -199,7 +200,7 @@ impl Plan {
         }
     }
 
-    /// True where pixels that show nothing need a batch of their own.
+    /// Returns whether pixels without a face need their own batch.
     pub fn needs_empty(&self, picture: &Picture) -> bool {
         self.groups.first().is_none_or(|first| picture.layers[first.layer].style != picture.backdrop_style)
     }

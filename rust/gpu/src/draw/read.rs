@@ -1,4 +1,4 @@
-//! The output as a frame's images: copies, and numbers of records and faces replaced by the scene's.
+//! Conversion of the output to a frame's images: copies, and conversion of record and face numbers to the scene's.
 
 use bytemuck::Pod;
 use nearfar_core::base::Result;
@@ -13,7 +13,7 @@ use super::view::Outputs;
 use super::window::Window;
 use crate::device::Device;
 
-/// Copies a window into its place in each view's frame, of `width` pixels a row.
+/// Copies a window to its position in each view's frame, with `width` pixels per row.
 pub(super) fn copy(
     device: &Device,
     submitted: &Submitted,
@@ -30,7 +30,7 @@ pub(super) fn copy(
     device.check()
 }
 
-/// Puts a window's words into its place in a frame of `width` pixels a row.
+/// Writes a window's words to its position in a frame with `width` pixels per row.
 pub(super) fn fill(
     words: &[u32],
     submitted: &Submitted,
@@ -72,7 +72,7 @@ pub(super) fn fill(
     }
 }
 
-/// Fills the parts of an image's rows that a window covers from the words of the window's pixels.
+/// Fills the parts of an image's rows that a window covers from the window's words.
 fn fill_rows<T: Send, W: Pod + Sync>(
     image: &mut [T],
     words: &[u32],
@@ -86,14 +86,14 @@ fn fill_rows<T: Send, W: Pod + Sync>(
     rows.zip(pixels.par_chunks(columns)).for_each(|(row, from)| fill(&mut row[first..first + columns], from));
 }
 
-/// Numbers of the scene by numbers of a frame's records.
+/// Map from a frame's record numbers to the scene's numbers.
 struct FaceNumbers<'a> {
     picture: &'a Picture,
     numbering: &'a [Numbering],
 }
 
 impl FaceNumbers<'_> {
-    /// Numbers of a row's pixels; neighbours mostly show one face.
+    /// Writes the numbers of a row's pixels; neighbours mostly show one face.
     fn fill<T: Copy>(
         &self,
         to: &mut [T],
@@ -120,7 +120,7 @@ impl FaceNumbers<'_> {
         }
     }
 
-    /// The layer of a record, and its place in the layer's set.
+    /// Returns the layer of a record, and its index in the layer's set.
     fn locate(&self, record: u32) -> Option<(&Layer, u32)> {
         let after = self.numbering.partition_point(|numbering| numbering.first <= record);
         let found = self.numbering.get(after.checked_sub(1)?)?;

@@ -1,4 +1,4 @@
-//! Targets and buffers of frames in flight. A frame takes a slot that fits and gives it back, so that steady frames
+//! Pool of targets and buffers for frames in flight. A frame takes a fitting slot and returns it, so steady frames
 //! allocate nothing.
 
 use std::sync::{Mutex, PoisonError};
@@ -14,11 +14,11 @@ use super::pipelines::DEPTH;
 use super::timing::Stopwatch;
 use crate::device::{Device, SAMPLES, VISIBLE};
 
-/// Slots that wait for frames of their size, at most, and bytes of them: the last one waits however large it is.
+/// Maximum number and bytes of idle slots; the last one is kept whatever its size.
 const MAX_IDLE_SLOTS: usize = 6;
 const MAX_IDLE_BYTES: u64 = 1 << 29;
 
-/// Slots that no frame uses.
+/// Idle slots.
 #[derive(Default)]
 pub(crate) struct Slots(Mutex<Vec<Slot>>);
 
@@ -27,16 +27,16 @@ pub(crate) struct Slots(Mutex<Vec<Slot>>);
 pub(super) struct Shape {
     pub width: u32,
     pub height: u32,
-    /// Views that are drawn at once.
+    /// Number of views drawn at once.
     pub views: u32,
-    /// A target of several samples is there besides.
+    /// Whether there is an additional multisampled target.
     pub multisampled: bool,
     /// Bytes of the output.
     pub bytes: u64,
 }
 
 impl Shape {
-    /// Bytes of all that a slot of this shape holds, but for the inputs.
+    /// Returns the bytes of a slot of this shape, without inputs.
     fn total_bytes(&self) -> u64 {
         let samples = 1 + if self.multisampled { u64::from(SAMPLES) } else { 0 };
         2 * self.bytes + 12 * samples * u64::from(self.views) * u64::from(self.width) * u64::from(self.height)
@@ -47,26 +47,26 @@ impl Shape {
 pub(super) struct Target {
     pub visible: TextureView,
     pub depth: TextureView,
-    /// The visible instances of each view.
+    /// Visible instances of each view.
     pub views: Vec<TextureView>,
 }
 
-/// The memory of one window in flight.
+/// Memory of one window in flight.
 pub(super) struct Slot {
     pub shape: Shape,
     pub single: Target,
     pub multisampled: Option<Target>,
     pub output: wgpu::Buffer,
-    /// The copy that the processor reads; none where it can read the output itself.
+    /// Staging copy for the processor; `None` if it can read the output itself.
     pub staging: Option<wgpu::Buffer>,
-    /// Numbers that shaders read.
+    /// Shader inputs.
     pub inputs: ShaderInputs,
-    /// Times of the passes, where the device has a clock.
+    /// Timer of the passes, if the device has a clock.
     pub watch: Option<Stopwatch>,
 }
 
 impl Slots {
-    /// A slot of a shape, made where none is left.
+    /// Takes a slot of a shape, creating one if none is idle.
     pub(super) fn take(&self, device: &Device, shape: Shape) -> Result<Slot> {
         let mut slots = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         match slots.iter().rposition(|slot| slot.shape == shape) {
@@ -78,7 +78,7 @@ impl Slots {
         }
     }
 
-    /// Gives back a slot whose frame is read and whose buffers are as they were.
+    /// Returns a slot after its frame is read and its buffers are mapped again.
     pub(super) fn give_back(&self, slot: Slot) {
         let mut slots = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         slots.push(slot);
@@ -108,7 +108,7 @@ impl Slot {
         })
     }
 
-    /// The buffer that is read.
+    /// Returns the buffer that the processor reads.
     pub fn readable(&self) -> &wgpu::Buffer {
         self.staging.as_ref().unwrap_or(&self.output)
     }

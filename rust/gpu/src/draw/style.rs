@@ -1,13 +1,13 @@
-//! How a layer is shown: parts of shaders that a technique brings along, and the numbers that they read.
+//! Styles and cuts: shader snippets of a technique, and their parameters.
 
 use std::hash::{Hash, Hasher};
 
 use glam::DVec3;
 
-/// Numbers of a technique in the uniform block of a pass.
+/// Parameters of a technique in a pass's uniform block.
 pub(crate) type Parameters = [[f32; 4]; 4];
 
-/// WGSL that is compiled together with the shaders of `draw`, and the variant of it that is used.
+/// WGSL that is compiled together with the shaders of `draw`, and its selected variant.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Snippet {
     /// Identity of the text.
@@ -31,44 +31,45 @@ impl Hash for Snippet {
     }
 }
 
-/// Where points are shown. The snippet defines `shown` (a point's place), `shown_range` (a surface's distance) and
-/// `backdrop_range` (the distance of what the environment map shows), by the override `STYLE`: see `plain.wgsl`.
+/// Displacement of points. The snippet defines `shown` (the displayed position of a point), `shown_range` (the
+/// displayed distance of a surface) and `backdrop_range` (the displayed distance of the environment map), by the
+/// override `STYLE`: see `plain.wgsl`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Style(pub Snippet);
 
 impl Style {
-    /// Points are shown where they are.
+    /// No displacement.
     pub const PLAIN: Self = Self(Snippet { name: "plain", text: include_str!("../shaders/plain.wgsl"), variant: 0 });
 }
 
-/// Which fragments are drawn. The snippet defines `cut_place` (a vector of each vertex, interpolated for `is_kept`) and
-/// `is_kept` (of a fragment), by the override `CUT`: see `whole.wgsl`.
+/// Filter of fragments. The snippet defines `cut_place` (a vertex vector, interpolated for `is_kept`) and `is_kept`
+/// (whether a fragment is drawn), by the override `CUT`: see `whole.wgsl`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Cut {
     pub snippet: Snippet,
-    /// `is_kept` reads the face's normal.
+    /// Whether `is_kept` reads the face's normal.
     pub face_normals: bool,
 }
 
 impl Cut {
-    /// All fragments are drawn.
+    /// Keeps all fragments.
     pub const NONE: Self = Self {
         snippet: Snippet { name: "whole", text: include_str!("../shaders/whole.wgsl"), variant: 0 },
         face_normals: false,
     };
 }
 
-/// A bound on how far from their places points are shown, for culling by boxes.
+/// Bound of the displacement of points, for culling by boxes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Displacement {
-    /// The shift of all points.
+    /// Common shift of all points.
     pub shift: DVec3,
-    /// Metres by which points may lie elsewhere, in any direction.
+    /// Maximum additional displacement in any direction, metres.
     pub slack: f64,
 }
 
 impl Displacement {
-    /// Points are shown where they are.
+    /// No displacement.
     pub const NONE: Self = Self { shift: DVec3::ZERO, slack: 0.0 };
 }
 
@@ -88,7 +89,7 @@ mod tests {
     use crate::draw::{Job, Layer, Picture, Set};
     use crate::upload::Residents;
 
-    /// A technique of which `draw` knows nothing: all points are moved, and those to the left of the eye are left out.
+    /// A technique unknown to `draw`: all points are moved, and those to the left of the eye are cut.
     const MOVED: Style = Style(Snippet {
         name: "moved",
         text: "fn shown(p: vec3<f32>) -> vec3<f32> { return p + view.parameters[0].xyz; }

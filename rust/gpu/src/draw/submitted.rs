@@ -1,4 +1,4 @@
-//! A window of a frame that the device works on.
+//! A window of a frame that the device is processing.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -12,20 +12,20 @@ use super::view::Outputs;
 use super::window::Window;
 use crate::device::{Device, Submission};
 
-/// A window that the device works on.
+/// A window that the device is processing.
 pub(super) struct Submitted {
     pub window: Window,
     pub slot: Slot,
-    /// Of each view.
+    /// Output layout of each view.
     pub outputs: Vec<Outputs>,
     pub numbering: Vec<Numbering>,
     pub submission: Submission,
-    /// Buffers that are open again, and those that could not be opened.
+    /// Number of buffers mapped again, and of failed mappings.
     pub opened: Arc<[AtomicU32; 2]>,
 }
 
 impl Submitted {
-    /// Waits until the output can be read and the inputs are open again.
+    /// Waits until the output is mapped for reading and the inputs are mapped again.
     pub fn await_opening(&self, device: &Device, progress: &Progress) -> Result<()> {
         loop {
             let [opened, failed] = [0, 1].map(|i: usize| self.opened[i].load(Ordering::Acquire));
@@ -41,7 +41,7 @@ impl Submitted {
     }
 }
 
-/// Asks for the output and the inputs to be open to the processor; the answers are counted.
+/// Requests to map the output and the inputs; counts the results.
 pub(super) fn open_buffers(slot: &Slot, bytes: u64) -> Arc<[AtomicU32; 2]> {
     let opened: Arc<[AtomicU32; 2]> = Arc::default();
     let count = |opened: &Arc<[AtomicU32; 2]>| {

@@ -1,4 +1,4 @@
-//! How long a device works on a frame's passes, by its own clock, where it has one that passes can read.
+//! Timing of a frame's passes by the device's clock, if passes can read one.
 
 use std::sync::atomic::{AtomicU32, Ordering};
 
@@ -10,22 +10,22 @@ use wgpu::{
 
 use crate::device::{Counted, Device, Scope};
 
-/// Passes of a kind that are timed; more of them count as if they took as long. Both kinds fill a set of queries.
+/// Maximum number of timed passes of a kind; further ones are assumed to take as long. Both kinds fill a query set.
 const PASSES: u32 = 1024;
-/// Bytes of the times of a kind: when each pass began and when it ended.
+/// Bytes of the times of a kind: start and end of each pass.
 const BYTES: u64 = 2 * PASSES as u64 * size_of::<u64>() as u64;
 
-/// The times of the passes of one window.
+/// Timer of the passes of one window.
 pub(super) struct Stopwatch {
     queries: QuerySet,
     resolved: Buffer,
     readable: Buffer,
-    /// Raster and resolve passes so far.
+    /// Number of raster and of resolve passes so far.
     counts: [AtomicU32; 2],
 }
 
 impl Stopwatch {
-    /// None on devices without such a clock.
+    /// Creates a timer; `None` on devices without such a clock.
     pub fn new(device: &Device) -> Result<Option<Self>> {
         if !device.has_clock {
             return Ok(None);
@@ -43,7 +43,7 @@ impl Stopwatch {
         }))
     }
 
-    /// Forgets the passes of a frame that was not read.
+    /// Discards the passes of a frame that was not read.
     pub fn restart(&self) {
         self.counts.iter().for_each(|count| count.store(0, Ordering::Relaxed));
     }
@@ -68,13 +68,13 @@ impl Stopwatch {
         })
     }
 
-    /// The first query of the next pass of a kind; none if there is no room.
+    /// Returns the first query of the next pass of a kind; `None` if the set is full.
     fn next(&self, kind: u32) -> Option<u32> {
         let number = self.counts[kind as usize].fetch_add(1, Ordering::Relaxed);
         (number < PASSES).then_some(2 * (kind * PASSES + number))
     }
 
-    /// Copies the times to where they can be read, after the last pass.
+    /// Copies the times to a readable buffer, after the last pass.
     pub fn stop(&self, commands: &mut CommandEncoder) {
         for kind in 0..2 {
             let timed = self.timed(kind);
@@ -90,7 +90,7 @@ impl Stopwatch {
         self.counts[kind].load(Ordering::Relaxed).min(PASSES)
     }
 
-    /// Adds the times of a window that is done to the device's counters.
+    /// Adds the times of a completed window to the device's counters.
     pub fn count(&self, device: &Device, progress: &Progress) -> Result<()> {
         let ticks: Vec<u64> = device.read_buffer(&self.readable, 2 * BYTES, progress, bytemuck::pod_collect_to_vec)?;
         for (kind, counted) in [Counted::RasterNanoseconds, Counted::ResolveNanoseconds].into_iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Cameras as numbers for shaders: windows of an image, and the uniform block of a pass.
+//! Camera data for shaders: windows of an image, and the uniform block of a pass.
 
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec2, DVec3, DVec4};
@@ -11,7 +11,7 @@ use super::picture::Picture;
 use super::style::Parameters;
 use super::window::Window;
 
-/// Distance of the near plane in metres. The precision of reversed floating-point depth does not depend on it.
+/// Distance of the near plane, metres. The precision of reversed floating-point depth does not depend on it.
 const NEAR: f64 = 1e-6;
 
 /// The uniform block `Pass` of `scene.wgsl`.
@@ -32,7 +32,7 @@ pub(super) struct Pass {
     segment: [f32; 4],
     planes: [[f32; 4]; MOST_PLANES],
     parameters: Parameters,
-    /// Up to whole blocks, so that the passes of two views follow each other as an array.
+    /// Padding to whole blocks, so that the passes of two views form an array.
     unused: [[f32; 4]; 15],
 }
 
@@ -41,19 +41,19 @@ const _: () = assert!(size_of::<Pass>() == PASS_BLOCKS * BLOCK);
 /// Number of an image's channels in the output.
 pub(super) const CHANNELS: usize = 8;
 
-/// Places of an image's channels in the output: the first word of each, or `u32::MAX`.
+/// First word of each of an image's channels in the output, or `u32::MAX`.
 pub(super) type Outputs = [u32; CHANNELS];
 
-/// The sample that a pass takes of each pixel of a window.
+/// Sample that a pass takes in each pixel of a window.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sampling {
-    /// Where in its pixel a sample lies.
+    /// Position of the sample in its pixel.
     pub offset: [f64; 2],
-    /// Side of the square that it stands for, in pixels.
+    /// Side of the square that it represents, pixels.
     pub scale: f64,
-    /// Its share of the pixel's colour.
+    /// Weight in the pixel's colour.
     pub weight: f32,
-    /// Its colour is added to that of the samples before.
+    /// Whether its colour is added to that of earlier samples.
     pub adds: bool,
 }
 
@@ -86,12 +86,12 @@ impl Axes {
     }
 }
 
-/// The eye as the tracer rounds it: relative to the scenes' origin, in float32.
+/// Returns the eye as the tracer rounds it: relative to the scenes' origin, in float32.
 pub(super) fn eye_of(camera: &Camera, picture: &Picture) -> DVec3 {
     (camera.position - picture.origin).as_vec3().as_dvec3()
 }
 
-/// The uniform block of a pass over a window. `farthest` is the depth of all that is drawn, for parallel rays.
+/// Returns the uniform block of a pass over a window. `farthest` is the maximum drawn depth, for parallel rays.
 pub(super) fn pass_of(
     picture: &Picture,
     camera: &Camera,
@@ -104,7 +104,7 @@ pub(super) fn pass_of(
     let near = if camera.is_parallel() { 0.0 } else { NEAR };
     let taken_at = picture.backdrop.as_ref().map_or(DVec3::ZERO, |backdrop| backdrop.center);
     let from_backdrop = camera.position - picture.origin - taken_at;
-    // Rays of the window's pixel (0, 0) through the sample's place, and their steps.
+    // Rays of the window's pixel (0, 0) through the sample's position, and their steps.
     let place = DVec2::new(f64::from(window.column) + sampling.offset[0], f64::from(window.row) + sampling.offset[1]);
     let ray = |x: f64, y: f64| camera.ray(place.x + x, place.y + y);
     let (first, right, down) = (ray(0.0, 0.0), ray(1.0, 0.0), ray(0.0, 1.0));
@@ -140,7 +140,7 @@ pub(super) fn pass_of(
     }
 }
 
-/// Ends of the part of each ray that is seen, whether it has no end, as infinity itself is no number for shaders, and the
+/// Returns start and end of each ray's visible segment, whether it is unbounded (shaders have no infinity), and the
 /// number of planes.
 fn segment_of(picture: &Picture) -> [f32; 4] {
     let limits = picture.limits.unwrap_or(Limits::NONE);
@@ -149,7 +149,7 @@ fn segment_of(picture: &Picture) -> [f32; 4] {
     [t_min.min(f32::MAX), t_max.min(f32::MAX), f32::from(u8::from(t_max.is_infinite())), count]
 }
 
-/// Half-spaces that are seen, for points relative to the eye.
+/// Returns the clip half-spaces for points relative to the eye.
 fn planes_of(picture: &Picture, eye: DVec3) -> [[f32; 4]; MOST_PLANES] {
     let mut planes = [[0.0; 4]; MOST_PLANES];
     let limits = picture.limits.unwrap_or(Limits::NONE).relative_to(eye);
@@ -159,9 +159,9 @@ fn planes_of(picture: &Picture, eye: DVec3) -> [[f32; 4]; MOST_PLANES] {
     planes
 }
 
-/// The direction of pixel (0, 0) and its steps, each as a multiple of a grid so coarse that shaders add and multiply it
-/// without rounding, and the rest. A direction that were rounded three times would be off by 10⁻⁷, which moves what is
-/// seen at a slant of 1 : 100 by 10⁻⁵ of its range.
+/// Returns the direction of pixel (0, 0) and its steps, each as a multiple of a grid so coarse that shaders add and
+/// multiply it exactly, and the remainder. A direction rounded three times would be off by 10⁻⁷, which moves surfaces
+/// at a slope of 1 : 100 by 10⁻⁵ of their range.
 fn on_grid(vectors: [DVec3; 3], window: &Window) -> [(DVec3, DVec3); 3] {
     let [first, right, down] = vectors.map(DVec3::abs);
     let largest = (first + right * f64::from(window.width) + down * f64::from(window.height)).max_element();
@@ -172,8 +172,8 @@ fn on_grid(vectors: [DVec3; 3], window: &Window) -> [(DVec3, DVec3); 3] {
     })
 }
 
-/// Rows that take (point relative to the eye, 1) to clip space: reversed depth, 1 at the near plane and 0 at infinity;
-/// for parallel rays 1 at the image plane and 0 at the farthest depth.
+/// Returns the rows that map (point relative to the eye, 1) to clip space: reversed depth, 1 at the near plane and 0
+/// at infinity; for parallel rays 1 at the image plane and 0 at the farthest depth.
 fn clip_rows(camera: &Camera, window: &Window, sampling: &Sampling, farthest: f64) -> [DVec4; 4] {
     let Axes { right, up, ahead, fov } = Axes::of(camera);
     let (center, size) =
@@ -193,7 +193,7 @@ fn clip_rows(camera: &Camera, window: &Window, sampling: &Sampling, farthest: f6
             ahead.extend(0.0),
         )
     };
-    // The window fills clip space, and the sample's place the pixel's centre.
+    // The window fills clip space, and the sample's position maps to the pixel's centre.
     let (width, height) = (f64::from(camera.width), f64::from(camera.height));
     let (columns, rows) = (f64::from(window.width), f64::from(window.height));
     let shift_x = width - columns - 2.0 * f64::from(window.column) + 2.0 * (0.5 - sampling.offset[0]);
@@ -221,7 +221,7 @@ mod tests {
                 let clip = rows.map(|row| row.dot(point.extend(1.0)));
                 let column = (clip[0] / clip[3] + 1.0) / 2.0 * f64::from(window.width) + f64::from(window.column);
                 let row = (1.0 - clip[1] / clip[3]) / 2.0 * f64::from(window.height) + f64::from(window.row);
-                // A sample at its place is drawn at the pixel's centre.
+                // A sample at its position is drawn at the pixel's centre.
                 assert!((column - 33.5).abs() < 1e-9 && (row - 20.5).abs() < 1e-9, "{projection:?} {column} {row}");
                 assert!((0.0..=1.0).contains(&(clip[2] / clip[3])));
             }
@@ -241,7 +241,7 @@ mod tests {
             let [a, b, c] = parts.map(|(_, rest)| rest.as_vec3());
             let got = (sum + (a + x * b + y * c)).as_dvec3();
             let exact = vectors[0] + f64::from(x) * vectors[1] + f64::from(y) * vectors[2];
-            // Half a step of float32 at 2, and what the small rest is rounded by.
+            // Half a step of float32 at 2, plus the rounding of the small remainder.
             assert!((got - exact).abs().max_element() <= 1.01 * f64::from(f32::EPSILON), "{x} {y}");
         }
     }

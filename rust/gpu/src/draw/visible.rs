@@ -1,4 +1,4 @@
-//! Draw calls of the visible instances and runs of faces.
+//! Draw calls of the visible instances and face runs.
 
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
@@ -16,15 +16,15 @@ pub(super) struct Drawn {
     pub records: Vec<u32>,
 }
 
-/// The visible part of a set: draws by record and part.
+/// Visible part of a set: draws by record and part.
 pub(super) struct Visible {
-    /// Records of each part and run of vertices, in order of their first appearance.
+    /// Records of each part and vertex run, in order of first appearance.
     calls: Vec<(Arc<Page>, Range<u32>, Vec<u32>)>,
 }
 
 impl Visible {
-    /// Instances of a set and runs of their faces that a frustum sees; all of them without one. Where `seen` tells which
-    /// instances the whole picture may show, they are not found out again.
+    /// Finds the instances of a set and the runs of their faces that pass a frustum; all without one. If `seen` is
+    /// given, the whole picture's half-spaces are not tested again.
     pub fn new(
         instances: &[Instance],
         placed: &[InstanceParts],
@@ -37,7 +37,7 @@ impl Visible {
             None => sees(bounds),
         };
         let mut calls: Vec<(Arc<Page>, Range<u32>, Vec<u32>)> = Vec::new();
-        // Whole parts of meshes that are placed many times are drawn with one call.
+        // Whole parts of meshes with many placements are drawn with one call.
         let mut whole: HashMap<(u64, u32), usize> = HashMap::new();
         for (n, (instance, InstanceParts { first_record, parts })) in instances.iter().zip(placed).enumerate() {
             if instance.mesh.faces.is_empty() || !shows(n, &instance.bounds) {
@@ -74,7 +74,7 @@ impl Visible {
         Self { calls }
     }
 
-    /// Draws of the records in a range, page by page, their records counted from the range's start.
+    /// Removes and returns the draws of a range of records, page by page, with record numbers relative to the range.
     pub fn remove_within(&mut self, range: &Range<u32>) -> Vec<(Arc<Page>, Vec<Drawn>)> {
         let mut pages: BTreeMap<u64, (Arc<Page>, Vec<Drawn>)> = BTreeMap::new();
         for (page, vertices, records) in &mut self.calls {

@@ -1,8 +1,8 @@
-//! Windows: parts of an image that are drawn one after the other.
+//! Windows: parts of an image drawn one after the other.
 
 use nearfar_core::camera::{Camera, Fov};
 
-/// A part of an image that is drawn at once.
+/// A part of an image drawn at once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Window {
     pub column: u32,
@@ -16,7 +16,7 @@ impl Window {
         self.width as usize * self.height as usize
     }
 
-    /// The bounds of a view that it covers, with a pixel around for samples beside the centres.
+    /// Returns the bounds of the view that it covers, with a margin of one pixel for samples beside the centres.
     pub fn part_of(&self, camera: &Camera, fov: &Fov) -> Fov {
         let (across, down) = (fov.right - fov.left, fov.up - fov.down);
         let column = |pixel: f64| fov.left + across * pixel / f64::from(camera.width);
@@ -29,7 +29,7 @@ impl Window {
         }
     }
 
-    /// Windows of an image, each with no more pixels and no wider than allowed.
+    /// Splits an image into windows with limited pixels and side length.
     pub fn split(width: u32, height: u32, pixels: u64, side: u32) -> Vec<Self> {
         let across = side.min(width).min(pixels.min(u64::from(u32::MAX)) as u32).max(1);
         let down = ((pixels / u64::from(across)).min(u64::from(side)) as u32).clamp(1, height);

@@ -1,4 +1,5 @@
-//! The far part of a scene as an environment map: six faces drawn from the centre, cut where the near cylinder ends.
+//! Baking of the far part of a scene into an environment map: six faces drawn from the centre, cut at the near
+//! cylinder.
 
 use std::sync::Arc;
 
@@ -13,7 +14,7 @@ use crate::device::Device;
 use crate::draw::{Job, Layer, Picture, Set};
 use crate::upload::Residents;
 
-/// Six faces of the standing instances, one after the other; each is read while the next one is drawn.
+/// Bakes six faces of the static instances, one after the other; each is read while the next is drawn.
 pub fn bake(device: &Arc<Device>, scene: &Scene, settings: &Bake, progress: &Progress) -> Result<Frame> {
     settings.check(scene)?;
     let channels = settings.channels();

@@ -1,4 +1,4 @@
-//! The pictures of `nearfar_core::render`, drawn by a device.
+//! Pictures of `nearfar_core::render`, drawn by a device.
 
 pub mod truth;
 mod near_far;

@@ -1,4 +1,4 @@
-//! The near–far method in shaders: styles that morph points, and cuts at the radii of its zones.
+//! Near–far method in shaders: styles that morph points, and cuts at the radii of its zones.
 
 use glam::DVec3;
 use nearfar_core::morph::Kind;
@@ -8,10 +8,10 @@ use crate::draw::{Cut, Displacement, Parameters, Snippet, Style};
 const SHOWN: &str = concat!(include_str!("../shaders/morph.wgsl"), include_str!("../shaders/shown.wgsl"));
 const ZONES: &str = include_str!("../shaders/zones.wgsl");
 
-/// Where points are shown: variants of `shown.wgsl`.
+/// Displacement of points: variants of `shown.wgsl`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Shown {
-    /// Where they are.
+    /// Not displaced.
     AsItIs = 0,
     /// Morphed by the blend of 2022.
     Blend = 1,
@@ -19,9 +19,10 @@ pub(super) enum Shown {
     Cylinder = 2,
     /// As the centre sees them: moved by the user's offset from it.
     FromCenter = 3,
-    /// The same, but as far away as they are shown by CloVR's cylinder.
+    /// In the direction from the centre, at the distance of CloVR's cylinder.
     FromCenterOnCylinder = 4,
-    /// By CloVR's cylinder, but drawn as far away as the centre sees it, before what is drawn from there.
+    /// Morphed by CloVR's cylinder, but drawn at its distance from the centre, to compare depths with layers drawn
+    /// from there.
     CylinderFromCenter = 5,
 }
 
@@ -35,7 +36,7 @@ impl From<Kind> for Shown {
 }
 
 impl Shown {
-    /// The style of a layer.
+    /// Returns the style of a layer.
     pub fn style(self) -> Style {
         match self {
             Self::AsItIs => Style::PLAIN,
@@ -43,13 +44,13 @@ impl Shown {
         }
     }
 
-    /// How far points are moved; none where that has no bound.
+    /// Returns a bound of the displacement; `None` if unbounded.
     pub fn displacement(self, near_far: &NearFar) -> Option<Displacement> {
         let NearFar { offset, apart, radii: [r1, _], .. } = *near_far;
         match self {
             Self::AsItIs => Some(Displacement::NONE),
             Self::FromCenter | Self::FromCenterOnCylinder => Some(Displacement { shift: offset + apart, slack: 0.0 }),
-            // Points move at most by the user's offset, where user and centre don't see them in opposite directions.
+            // Points move at most by the user's offset, unless user and centre see them in opposite directions.
             Self::Blend if offset.length() < r1 => {
                 Some(Displacement { shift: DVec3::ZERO, slack: 2.0 * offset.length() })
             }
@@ -58,23 +59,23 @@ impl Shown {
     }
 }
 
-/// Fragments by their distance from the centre's axis: variants of `zones.wgsl`.
+/// Cut of fragments by their distance from the centre's axis: variants of `zones.wgsl`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Zone {
-    /// All.
+    /// All fragments.
     Whole = 0,
-    /// Those within the radius.
+    /// Fragments within the radius.
     Within = 1,
-    /// Those beyond it.
+    /// Fragments beyond the radius.
     Beyond = 2,
-    /// Those beyond it that the map's range does not hide.
+    /// Fragments beyond the radius that the map's range does not hide.
     BeyondAndUnhidden = 3,
-    /// Those beyond it, and as much within as two texels of a map reach.
+    /// Fragments beyond the radius, and inside it within the reach of two texels of a map.
     Overlapping = 4,
 }
 
 impl Zone {
-    /// The cut of a layer.
+    /// Returns the cut of a layer.
     pub fn cut(self) -> Cut {
         match self {
             Self::Whole => Cut::NONE,
@@ -89,22 +90,22 @@ impl Zone {
 /// Lengths that define the zones.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NearFar {
-    /// The user's position relative to the centre O.
+    /// User's position relative to the centre O.
     pub offset: DVec3,
-    /// The camera's position relative to the user's.
+    /// Camera's position relative to the user's.
     pub apart: DVec3,
     /// r₁ and r₂.
     pub radii: [f64; 2],
-    /// Strength of the morph; below 1 no point stays where it is.
+    /// Strength of the morph; below 1 every point moves.
     pub strength: f64,
-    /// Radius where pixels are split.
+    /// Radius at which pixels are split.
     pub split: f64,
     /// Tangent of two texels of the map, for `Zone::Overlapping`.
     pub two_texels: f64,
 }
 
 impl NearFar {
-    /// As `shown.wgsl` and `zones.wgsl` read them.
+    /// Returns the parameters of `shown.wgsl` and `zones.wgsl`.
     pub fn parameters(&self) -> Parameters {
         let [r1, r2] = self.radii;
         let slope = if r2 > r1 { 1.0 / (r2 - r1) } else { 0.0 };

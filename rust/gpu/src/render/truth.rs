@@ -1,4 +1,4 @@
-//! Ground truth: the scene as it is.
+//! Ground truth: rendering of the unchanged scene.
 
 use std::sync::Arc;
 
@@ -11,8 +11,8 @@ use crate::device::Device;
 use crate::draw::{Job, Layer, Mask, Picture, Set, draws_both};
 use crate::upload::Residents;
 
-/// Begins frames of a scene, one for each camera; meshes and materials that the device lacks are sent first. Two cameras
-/// may have one job, which draws both frames at once.
+/// Begins frames of a scene, one per camera; uploads meshes and materials that the device lacks. Two cameras may share
+/// one job, which draws both frames at once.
 pub fn begin(
     device: &Arc<Device>,
     scene: &Scene,
@@ -39,7 +39,7 @@ pub fn begin(
     cameras.iter().map(begin).collect()
 }
 
-/// Which standing and which moving instances the picture may show, where that is known.
+/// Returns flags of the static and of the moving instances that the picture may show, if known.
 fn seen_of(scene: &Scene, pixels: &Pixels<'_>) -> Result<[Option<Arc<[bool]>>; 2]> {
     let Some(seen) = pixels.instances else { return Ok([None, None]) };
     let counts = [scene.standing.instances().len(), scene.moving.instances().len()];

@@ -1,8 +1,8 @@
-// Discontinuity, Eq. 5-6 of Popescu, Lee, Choi, Fahmy (2022): points binned by their place in the truth, then every pair
-// of neighbours.
+// Discontinuity, Eq. 5-6 of Popescu, Lee, Choi, Fahmy (2022): points binned by their position in the truth, then all
+// pairs of neighbours.
 
 struct Torn {
-    // Image position in the truth of a point relative to its eye: dot(xyz) / depth + w, and depth by the third.
+    // Image position in the truth of a point relative to its eye: dot(xyz) / depth + w, with the depth from `ahead`.
     x: vec4<f32>,
     y: vec4<f32>,
     // w: 1 for parallel rays.
@@ -10,37 +10,37 @@ struct Torn {
     // The truth's eye as the sum of two numbers.
     eye_high: vec4<f32>,
     eye_low: vec4<f32>,
-    // Squared epsilon, squared least distance, 1 / a cell's side.
+    // Squared epsilon, squared minimum distance, 1 / side of a cell.
     limits: vec4<f32>,
     // Width, pixels, first word of positions, cells.
     size: vec4<u32>,
-    // Cells across and down: those beyond are the first ones again. First point and how many this call takes.
+    // Cells across and down; cells beyond wrap around. First point and number of points of this call.
     grid: vec4<u32>,
-    // Of each cell the points from one number on, and how many: drivers in software end loops after 65,535 turns.
+    // First point of each cell to visit, and how many: software drivers end loops after 65,535 iterations.
     slice: vec4<u32>,
 }
 
 @group(0) @binding(0) var<uniform> settings: Torn;
 @group(0) @binding(1) var<storage, read> frame: array<u32>;
-// From each pixel to its point's place in the truth; later the sum over its neighbours, and how many these are.
+// Shift from each pixel to its point's position in the truth; later the sum over its neighbours, and their number.
 @group(0) @binding(2) var<storage, read_write> shifts: array<vec2<f32>>;
-// Cell of each pixel's point, and its number there: first as it came, then in order of pixels.
+// Cell of each pixel's point, and its number there: first in order of arrival, then in order of pixels.
 @group(0) @binding(3) var<storage, read_write> cells: array<vec2<u32>>;
 @group(0) @binding(4) var<storage, read_write> counts: array<atomic<u32>>;
-// Of each cell, and behind the last.
+// First entry of each cell, and the total.
 @group(0) @binding(5) var<storage, read_write> starts: array<u32>;
 // Pixels, cell by cell.
 @group(0) @binding(6) var<storage, read_write> list: array<u32>;
-// Pixel's centre and shift, cell by cell, in order of pixels.
+// Pixel centre and shift, cell by cell, in order of pixels.
 @group(0) @binding(7) var<storage, read_write> points: array<vec4<f32>>;
 @group(0) @binding(8) var<storage, read_write> torn: array<u32>;
-// Most points of a cell.
+// Maximum number of points in a cell.
 @group(0) @binding(9) var<storage, read_write> most: array<u32>;
 
 const NONE: u32 = 0xffffffffu;
 const NAN: u32 = 0x7fc00000u;
 const EXPONENT: u32 = 0x7f800000u;
-// Pixels from which on no neighbours are looked for.
+// Distance in pixels beyond which points have no neighbours.
 const FARTHEST: f32 = 1e7;
 
 fn number_of(group: vec3<u32>, local: u32) -> u32 {
@@ -51,7 +51,7 @@ fn center_of(pixel: u32) -> vec2<f32> {
     return vec2<f32>(f32(pixel % settings.size.x), f32(pixel / settings.size.x)) + 0.5;
 }
 
-// Decided by bits: compilers may assume that there are numbers only.
+// Decided by bits: compilers may assume that there are no NaNs.
 fn is_finite(bits: u32) -> bool {
     return (bits & EXPONENT) != EXPONENT;
 }
@@ -86,7 +86,7 @@ fn discontinuity_place(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_i
     cells[pixel] = vec2<u32>(wrapped, atomicAdd(&counts[wrapped], 1u));
 }
 
-// OpenGL's remainders of negative numbers may be anything.
+// In OpenGL, remainders of negative numbers are undefined.
 fn wrap(i: i32, length: u32) -> u32 {
     return select(u32(i) % length, length - 1u - u32(-1 - i) % length, i < 0);
 }
@@ -94,7 +94,7 @@ fn wrap(i: i32, length: u32) -> u32 {
 var<workgroup> parts: array<u32, GROUP>;
 var<workgroup> fullest: array<u32, GROUP>;
 
-// Where each cell's points begin: one workgroup, each of whose threads adds up a run of cells.
+// Computes where each cell's points begin: one workgroup, in which each thread sums a run of cells.
 @compute @workgroup_size(GROUP)
 fn discontinuity_add_up(@builtin(local_invocation_index) local: u32) {
     let run = (settings.size.w + GROUP - 1u) / GROUP;
@@ -137,7 +137,7 @@ fn discontinuity_scatter(@builtin(workgroup_id) group: vec3<u32>, @builtin(local
     }
 }
 
-// The order in which points came to their cell is chance; by their pixels it is always one, and so are sums.
+// Points reach their cell in random order; sorting by pixel makes it deterministic, and so the sums.
 @compute @workgroup_size(GROUP)
 fn discontinuity_order(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     let number = number_of(group, local);
@@ -154,7 +154,7 @@ fn discontinuity_order(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_i
     cells[pixel].y = before;
 }
 
-// First point of a cell's slice, and the one behind its last.
+// Returns the first point of a cell's slice and its end.
 fn slice_of(cell: u32) -> vec2<u32> {
     let end = starts[cell + 1u];
     let first = min(starts[cell] + settings.slice.x, end);
@@ -179,16 +179,16 @@ fn discontinuity_tear(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_in
     let point = points[own];
     let pixel = u32(point.y) * settings.size.x + u32(point.x);
     let cell = vec2<u32>(cells[pixel].x % settings.grid.x, cells[pixel].x / settings.grid.x);
-    // Sum, and how many.
+    // Sum, and count.
     var found = vec2<f32>(0.0);
     if settings.slice.x > 0u {
         found = shifts[pixel];
     }
     for (var i = 0u; i < 9u; i++) {
-        // From the one before to the one behind, around the grid's end.
+        // Neighbouring cells wrap around the grid's end.
         let beside = (cell + settings.grid.xy - 1u + vec2<u32>(i % 3u, i / 3u)) % settings.grid.xy;
         let slice = slice_of(beside.x + settings.grid.x * beside.y);
-        // A cell at a time, so that long sums lose no digits.
+        // Summed cell by cell, so that long sums lose no digits.
         var part = vec2<f32>(0.0);
         for (var other = slice.x; other < slice.y; other++) {
             let there = points[other];

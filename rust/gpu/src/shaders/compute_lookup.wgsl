@@ -1,9 +1,9 @@
-// Ranges of a cube map along directions: the texel, or the least or greatest of those that `taps_of` finds.
+// Ranges of a cube map along directions: the texel, or the minimum or maximum of those that `taps_of` finds.
 
 struct Lookup {
-    // Texels across a face, values of a texel.
+    // Texels across a face, values per texel.
     map: vec4<u32>,
-    // Directions, and how many there are from the first of these on.
+    // Number of directions, and the number of directions from the first one to the end.
     rows: vec4<u32>,
 }
 
@@ -13,7 +13,7 @@ struct Lookup {
 @group(2) @binding(3) var<storage, read_write> values: array<u32>;
 @group(2) @binding(4) var<storage, read_write> wrong: atomic<u32>;
 
-// Weights below this may be rounding.
+// Weights below this may be due to rounding.
 const NEGLIGIBLE: f32 = 1e-10;
 const EXPONENT: u32 = 0x7f800000u;
 const SIGN: u32 = 0x80000000u;
@@ -26,7 +26,7 @@ fn direction_of(number: u32) -> vec3<f32> {
     return vec3<f32>(directions[3u * number], directions[3u * number + 1u], directions[3u * number + 2u]);
 }
 
-// Zero and numbers that are not finite are found by bits: compilers may assume that there are numbers only.
+// Zero and non-finite numbers are found by bits: compilers may assume that there are none.
 fn is_wrong(d: vec3<f32>) -> bool {
     let bits = bitcast<vec3<u32>>(d) & vec3<u32>(~SIGN);
     return all(bits == vec3<u32>(0u)) || any(bits >= vec3<u32>(EXPONENT));
@@ -36,7 +36,7 @@ fn note(number: u32) {
     atomicMax(&wrong, lookup.rows.y - number);
 }
 
-// Numbers whose order is that of the floats with these bits.
+// Converts the bits of floats to numbers in the same order.
 fn ordered(bits: u32) -> u32 {
     return select(bits | SIGN, ~bits, (bits & SIGN) != 0u);
 }
@@ -58,7 +58,7 @@ fn extreme(number: u32, greatest: bool) {
         var known = false;
         for (var i = 0u; i < 4u; i++) {
             let bits = faces[taps.texel[i] * channels + channel];
-            // NaN are skipped: they are what nobody knows.
+            // NaN marks an unknown value and is skipped.
             if taps.weight[i] > NEGLIGIBLE && (bits & ~SIGN) <= EXPONENT {
                 let order = ordered(bits);
                 let other = select(min(found, order), max(found, order), greatest);

@@ -1,14 +1,14 @@
-// The morph of arrays, by the functions of `morph.wgsl` and `world.wgsl`.
+// Morph of arrays, by the functions of `morph.wgsl` and `world.wgsl`.
 
 struct Morph {
-    // The centre as the sum of two numbers; w of the first: the strength.
+    // Centre as the sum of two numbers; w of the first: the strength.
     center_high: vec4<f32>,
     center_low: vec4<f32>,
-    // From the centre to the user.
+    // Vector from the centre to the user.
     offset: vec4<f32>,
     // Radius within which points stay, r2, 1 / (r2 - r1).
     radii: vec4<f32>,
-    // Points.
+    // Number of points.
     count: vec4<u32>,
 }
 
@@ -30,7 +30,7 @@ fn store(number: u32, point: vec3<f32>) {
     moved[3u * number + 2u] = point.z;
 }
 
-// Comparisons don't tell: compilers may assume that there is nothing but numbers.
+// Tested by bits: compilers may assume that there are no NaNs.
 fn is_finite(p: vec3<f32>) -> bool {
     return all((bitcast<vec3<u32>>(p) & vec3<u32>(0x7f800000u)) != vec3<u32>(0x7f800000u));
 }

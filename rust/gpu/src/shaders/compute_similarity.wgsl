@@ -1,15 +1,15 @@
-// Structural similarity in windows of TAPS pixels: first both lumas' sum and difference, then moments tile by tile.
+// Structural similarity in windows of TAPS pixels: sum and difference of both lumas, then moments tile by tile.
 
 struct Similarity {
     // Width, height, pixels, tiles across.
     size: vec4<u32>,
-    // First words of both frames' colour.
+    // First word of each frame's colour.
     first: vec4<u32>,
-    // Where windows count: first column and row, and behind the last.
+    // Windows that count: first column and row, end column and row.
     inside: vec4<u32>,
     // c1, c2.
     constants: vec4<f32>,
-    // Of the window, along one axis.
+    // Window weights along one axis.
     weights: array<vec4<f32>, 5>,
 }
 
@@ -20,8 +20,8 @@ struct Similarity {
 @group(0) @binding(4) var<storage, read_write> sums: array<f32>;
 @group(0) @binding(5) var<storage, read_write> map: array<f32>;
 
-// sRGB (IEC 61966-2-1). Drivers' powers are off by 2^-21; y^12 = x^5 tells by how much, and one step of Newton's method
-// leaves a rounding or two.
+// sRGB (IEC 61966-2-1). Drivers' powers are off by 2^-21; the residual of y^12 = x^5 and one Newton step leave a
+// rounding or two.
 fn encoded(linear: f32) -> f32 {
     let x = clamp(linear, 0.0, 1.0);
     if x <= 0.0031308 {
@@ -54,13 +54,13 @@ const TILE: u32 = 16u;
 const SIDE: u32 = TILE + TAPS - 1u;
 const MIDDLE: u32 = TAPS / 2u;
 
-// Sum and difference of all that a tile's windows see.
+// Sum and difference of all pixels seen by a tile's windows.
 var<workgroup> around: array<vec2<f32>, SIDE * SIDE>;
 // Means and variances of sum and difference along each row.
 var<workgroup> across: array<vec4<f32>, SIDE * TILE>;
 
-// Where a line continues beyond its ends: d c b a | a b c d | d c b a. OpenGL's remainders of negative numbers may be
-// anything, so windows, which reach less than TAPS beyond, are moved by as many whole lines.
+// Mirrors an index at the ends of a line: d c b a | a b c d | d c b a. In OpenGL, remainders of negative numbers are
+// undefined, so indices, which are off by less than TAPS lines, are shifted by whole periods first.
 fn mirror(i: i32, length: i32) -> u32 {
     let there = (i + 2 * i32(TAPS) * length) % (2 * length);
     return u32(select(2 * length - 1 - there, there, there < length));
@@ -70,7 +70,7 @@ fn weight(k: u32) -> f32 {
     return settings.weights[k / 4u][k % 4u];
 }
 
-// Pixels that the windows of this workgroup see.
+// Loads the pixels seen by the windows of this workgroup.
 fn load(tile: vec2<u32>, local: u32) {
     for (var i = local; i < SIDE * SIDE; i += TILE * TILE) {
         let at = vec2<i32>(tile * TILE + vec2<u32>(i % SIDE, i / SIDE)) - i32(MIDDLE);
@@ -80,7 +80,8 @@ fn load(tile: vec2<u32>, local: u32) {
     }
 }
 
-// Moments along rows, about the pixel in the window's middle: what is left to subtract from the mean of squares is small.
+// Computes moments along rows, about the window's middle pixel: little remains to be subtracted from the mean of
+// squares.
 fn pass_along_rows(local: u32) {
     for (var i = local; i < SIDE * TILE; i += TILE * TILE) {
         let first = i / TILE * SIDE + i % TILE;
@@ -96,8 +97,8 @@ fn pass_along_rows(local: u32) {
     }
 }
 
-// 1 less the similarity of the window around a pixel. Both factors are 1 less something that is never negative and
-// nothing for equal images: D^2 / ((S^2 + D^2)/2 + c1) and var d / ((var s + var d)/2 + c2).
+// Returns 1 minus the similarity of the window around a pixel. Both factors are 1 minus a non-negative term that is 0
+// for equal images: D^2 / ((S^2 + D^2)/2 + c1) and var d / ((var s + var d)/2 + c2).
 fn unlikeness(column: u32, row: u32) -> f32 {
     let center = across[(row + MIDDLE) * TILE + column].xy;
     var mean = vec2<f32>(0.0);
@@ -124,7 +125,7 @@ fn measure(tile: vec2<u32>, local: u32) -> f32 {
     return unlikeness(local % TILE, local / TILE);
 }
 
-// Sum over the windows of this workgroup that count, always in one order.
+// Sums the windows of this workgroup that count, in a fixed order.
 fn add_up(tile: vec2<u32>, local: u32, value: f32) {
     let pixel = tile * TILE + vec2<u32>(local % TILE, local / TILE);
     let counts = all(pixel >= settings.inside.xy) && all(pixel < settings.inside.zw);

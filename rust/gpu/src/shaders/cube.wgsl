@@ -1,4 +1,4 @@
-// Lookups in the environment map: seamless, as `cubemap::Taps`.
+// Seamless look-ups in the environment map, as `cubemap::Taps`.
 
 @group(1) @binding(2) var map_color: texture_2d_array<f32>;
 @group(1) @binding(3) var map_range: texture_2d_array<f32>;
@@ -8,7 +8,7 @@ struct Taps {
     weight: vec4<f32>,
 }
 
-// Face, and place on it from -1 to 1 to the right and down.
+// Returns the face, and the position on it from -1 to 1 to the right and down.
 fn face_of(d: vec3<f32>) -> vec3<f32> {
     let size = abs(d);
     if size.x >= size.y && size.x >= size.z {
@@ -30,7 +30,7 @@ fn texel_number(d: vec3<f32>, size: u32) -> u32 {
     return (u32(at.x) * size + place.y) * size + place.x;
 }
 
-// The texel whose centre lies at or below a place, and how far on the next one it is.
+// Returns the texel whose centre lies at or below a position, and the fraction of the way to the next one.
 fn below(place: f32, size: u32) -> vec2<f32> {
     let x = max((place + 1.0) * 0.5 * f32(size) - 0.5, 0.0);
     let index = min(floor(x), f32(size - 1u));
@@ -56,7 +56,7 @@ fn taps_of(d: vec3<f32>, size: u32) -> Taps {
     );
 }
 
-// Axes from the largest component to the smallest, the first in the alphabet where they are equal.
+// Returns the axes from the largest component to the smallest, in alphabetical order for ties.
 fn descending(size: vec3<f32>) -> vec3<u32> {
     var axes = vec3<u32>(0u, 1u, 2u);
     if size[axes.x] < size[axes.y] {
@@ -71,7 +71,7 @@ fn descending(size: vec3<f32>) -> vec3<u32> {
     return axes;
 }
 
-// The texel of the point with these components along the axes, in the octant of d.
+// Returns the texel of the point with these components along the axes, in the octant of d.
 fn texel_along(d: vec3<f32>, axes: vec3<u32>, components: vec3<f32>, size: u32) -> u32 {
     var p = vec3<f32>(0.0);
     p[axes.x] = select(components.x, -components.x, d[axes.x] < 0.0);
@@ -130,7 +130,7 @@ fn map_range_of(texel: u32) -> f32 {
     return textureLoad(map_range, at.xy, at.z, 0).r;
 }
 
-// Linear RGB of the map along a direction.
+// Returns the linear RGB of the map along a direction.
 fn environment_color(d: vec3<f32>) -> vec3<f32> {
     let taps = taps_of(d, view.environment.x);
     return taps.weight.x * map_color_of(taps.texel.x) + taps.weight.y * map_color_of(taps.texel.y)

@@ -1,4 +1,4 @@
-// The shading formula of all renderers, `render::shade`.
+// Shading formula of all renderers, `render::shade`.
 
 fn irradiance(n: vec3<f32>) -> vec3<f32> {
     let sky = 0.5 + 0.5 * dot(n, SKY_DIRECTION);
@@ -11,7 +11,7 @@ fn background(direction: vec3<f32>) -> vec3<f32> {
     return HORIZON + (end - HORIZON) * sqrt(abs(direction.y));
 }
 
-// Linear colour of sRGB from 0 to 1.
+// Converts sRGB from 0 to 1 to linear colour.
 fn linear_of(code: vec3<f32>) -> vec3<f32> {
     return select(pow((code + 0.055) / 1.055, vec3<f32>(2.4)), code / 12.92, code <= vec3<f32>(0.04045));
 }

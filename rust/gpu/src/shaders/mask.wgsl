@@ -1,19 +1,19 @@
-// Pixels that are not drawn: their depth is the nearest, so that every fragment is hidden before its shader runs.
+// Pixels that are not drawn get the nearest depth, so that every fragment is hidden before its shader runs.
 
 // As in `scene.wgsl`.
 struct Pass {
     before: array<vec4<f32>, 16>,
-    // Width and height of the window, and two numbers that are not read.
+    // Width and height of the window, and two unused numbers.
     window: vec4<u32>,
 }
 
-// A bit for each pixel of the window, by rows; 1 is drawn.
+// One bit per pixel of the window, row by row; 1 is drawn.
 @group(0) @binding(0) var<storage, read> bits: array<u32>;
 @group(1) @binding(0) var<uniform> view: Pass;
 
 @vertex
 fn whole_window(@builtin(vertex_index) n: u32) -> @builtin(position) vec4<f32> {
-    // One triangle that covers the window; reversed depth is 1 where it is nearest.
+    // One triangle that covers the window, at the nearest depth, 1 in reversed depth.
     return vec4<f32>(f32(n & 1u) * 4.0 - 1.0, f32(n >> 1u) * 4.0 - 1.0, 1.0, 1.0);
 }
 

@@ -1,2 +1,2 @@
-// The pass of the view that is drawn.
+// Pass of the view that is drawn.
 @group(1) @binding(0) var<uniform> view: Pass;

@@ -1,16 +1,16 @@
-// The plain style: points are shown where they are.
+// Plain style: points are not displaced.
 
-// Where a point relative to the eye is shown, relative to the eye.
+// Returns the displayed position of a point; both are relative to the eye.
 fn shown(p: vec3<f32>) -> vec3<f32> {
     return p;
 }
 
-// How far away a surface is shown that is drawn at a distance along a unit direction.
+// Returns the displayed distance of a surface drawn at a distance along a unit direction.
 fn shown_range(direction: vec3<f32>, range: f32) -> f32 {
     return range;
 }
 
-// How far away is shown what the environment map has at a distance along a unit direction.
+// Returns the displayed distance of the environment map's surface at a distance along a unit direction.
 fn backdrop_range(direction: vec3<f32>, range: f32) -> f32 {
     return range;
 }

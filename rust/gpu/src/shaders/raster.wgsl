@@ -1,16 +1,17 @@
-// Which face each pixel shows: a record and a face of its part. All else is computed once for each pixel afterwards.
+// Writes the face that each pixel shows, as a record and a face of its part. The resolve pass computes everything
+// else.
 
-// The variant of the cut, and whether it reads the face's normal.
+// Variant of the cut, and whether it reads the face's normal.
 override CUT: u32 = 0u;
 override FACE_NORMALS: bool = false;
-// Holes of cut-out materials are not drawn.
+// Whether holes of cut-out materials are discarded.
 override CUTOUT: bool = false;
-// Fragments are drawn in a part of space.
+// Whether fragments outside the visible volume are discarded.
 override LIMITED: bool = false;
 
 @group(0) @binding(6) var<storage, read> order: array<u32>;
 
-// A vertex of a triangle: its record, and where it is and is shown.
+// A vertex of a triangle: its record, its position and its displayed position.
 struct Corner {
     local: u32,
     record: Record,
@@ -44,7 +45,7 @@ fn packed(id: vec2<u32>) -> vec4<u32> {
     return vec4<u32>(id.x & 0xffffu, id.x >> 16u, id.y & 0xffffu, id.y >> 16u);
 }
 
-// OpenGL maps depths from -1..1 and loses what reversed z is for; a fragment's own depth is stored as it is.
+// OpenGL maps depths from -1..1 and loses the precision of reversed z; a fragment's own depth is stored unchanged.
 fn own_depth(position: vec4<f32>) -> f32 {
     return select(position.z, view.eye.w * position.w, view.eye.w > 0.0);
 }
@@ -54,7 +55,7 @@ struct WithDepth {
     @builtin(frag_depth) depth: f32,
 }
 
-// Triangles that are drawn whole carry their number and nothing else.
+// Triangles that are drawn whole output only their number.
 struct Plain {
     @builtin(position) position: vec4<f32>,
     @location(0) @interpolate(flat) id: vec2<u32>,
@@ -83,9 +84,9 @@ fn plain_fragment_with_depth(in: Plain) -> WithDepth {
 struct Vertex {
     @builtin(position) position: vec4<f32>,
     @location(0) @interpolate(flat) id: vec2<u32>,
-    // As the cut says.
+    // Vector for the cut.
     @location(1) place: vec3<f32>,
-    // Where it is shown, from the eye.
+    // Displayed position, relative to the eye.
     @location(2) from_eye: vec3<f32>,
     @location(3) @interpolate(flat) normal: vec3<f32>,
     @location(4) uv: vec2<f32>,
@@ -132,7 +133,7 @@ fn is_drawn(in: Vertex) -> bool {
     return drawn;
 }
 
-// By where it is shown; along parallel rays the distance is that from the image plane.
+// Tests the displayed position; along parallel rays the distance is that from the image plane.
 fn is_within_limits(from_eye: vec3<f32>) -> bool {
     var distance = length(from_eye);
     var place = from_eye;

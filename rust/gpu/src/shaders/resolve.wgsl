@@ -1,18 +1,18 @@
-// Everything that is known of a pixel once its face is: along the pixel's own ray, in the wanted channels only.
+// Computes the requested channels of a pixel from its face, along the pixel's own ray.
 
 override MAPPED: bool = false;
-// Samples without a face are black.
+// Whether samples without a face are black.
 override BARE: bool = false;
-// The map is seen on a part of each ray.
+// Whether the map is visible only on a segment of each ray.
 override LIMITED: bool = false;
-// Colour and coverage, of all samples.
+// Whether to compute colour and coverage, from all samples.
 override COLOR: bool = true;
-// Any channel but those of all samples: of one sample, at the pixel's centre.
+// Whether to compute the other channels, from one sample at the pixel's centre.
 override SURFACE: bool = true;
 
 @group(2) @binding(1) var<storage, read_write> output: array<u32>;
 
-// The face that a sample of a pixel shows; record NONE for none.
+// Returns the face that a sample of a pixel shows; record NONE for none.
 fn face_at(pixel: vec2<u32>, sample: u32) -> vec2<u32> {
     let words = load_visible(pixel, sample);
     return vec2<u32>(words.x | (words.y << 16u), words.z | (words.w << 16u));
@@ -21,7 +21,7 @@ fn face_at(pixel: vec2<u32>, sample: u32) -> vec2<u32> {
 struct Ray {
     start: vec3<f32>,
     direction: vec3<f32>,
-    // Width across the ray at its start, and for each metre.
+    // Width across the ray at its start, and its increase per metre.
     footprint: vec2<f32>,
 }
 
@@ -39,18 +39,18 @@ fn ray_of(pixel: vec2<u32>) -> Ray {
 struct Surface {
     // Weights of the face's second and third corner.
     at: vec2<f32>,
-    // Along the ray.
+    // Distance along the ray.
     range: f32,
-    // From the eye, where it is.
+    // Undisplaced point, relative to the eye.
     point: vec3<f32>,
-    // Towards the viewer.
+    // Normal towards the viewer.
     normal: vec3<f32>,
     cosine: f32,
     doubled_area: f32,
 }
 
-// Components across a ray and, third, the distance along it at which its largest component is the point's: the shear of
-// Woop, Benthin, Wald (2013), which the tracer takes too. A corner far along the ray stays small across it, so that
+// Returns components across a ray and, third, the distance along it at which its largest component is the point's: the
+// shear of Woop, Benthin, Wald (2013), as in the tracer. A corner far along the ray stays small across it, so that
 // products of large faces seen at a slant keep their digits.
 fn along_ray(p: vec3<f32>, direction: vec3<f32>) -> vec3<f32> {
     let size = abs(direction);
@@ -66,8 +66,8 @@ fn along_ray(p: vec3<f32>, direction: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(q.x - d.x / d.z * q.z, q.y - d.y / d.z * q.z, q.z / d.z);
 }
 
-// The point of a face that a ray meets; the nearest point of the face where it passes by, as rasters do by a fraction
-// of a pixel.
+// Returns the point where a ray intersects a face; if it misses by a fraction of a pixel, as rasterisation allows, the
+// nearest point of the face.
 fn surface_of(record: Record, part: Part, face: u32, ray: Ray) -> Surface {
     let a = seen_from_eye(record, part, corner_number(part, face, 0u));
     let b = seen_from_eye(record, part, corner_number(part, face, 1u));
@@ -128,8 +128,8 @@ fn surface_color(record: Record, part: Part, face: u32, surface: Surface, ray: R
     return color;
 }
 
-// Whether the map is seen along a direction: where the part of the ray has no end and the map's surface is not nearer
-// than its beginning.
+// Returns whether the map is visible along a direction: the ray's segment is unbounded, and the map's surface is not
+// nearer than its start.
 fn sees_map(direction: vec3<f32>) -> bool {
     if !LIMITED {
         return true;
@@ -153,7 +153,7 @@ fn missed_color(ray: Ray) -> vec3<f32> {
     return background(ray.direction);
 }
 
-// True where this batch's records and page hold a face.
+// Returns whether this batch's records and page contain a face.
 fn is_mine(id: vec2<u32>) -> bool {
     if id.x - batch.records.x >= batch.records.y {
         return false;
@@ -183,7 +183,7 @@ fn color_of_sample(id: vec2<u32>, ray: Ray) -> vec3<f32> {
     return surface_color(record, part, id.y, surface_of(record, part, id.y, ray), ray);
 }
 
-// Colour of a pixel's samples, as far as they are this batch's: each face is shaded once, at the pixel's centre.
+// Returns the colour of a pixel's samples that belong to this batch: each face is shaded once, at the pixel's centre.
 fn color_of_samples(pixel: vec2<u32>, ray: Ray) -> vec3<f32> {
     var last = face_at(pixel, 0u);
     var color = color_of_sample(last, ray);
@@ -215,7 +215,7 @@ fn store_color(number: u32, color: vec3<f32>, adds: bool) {
     store_3(word, sum);
 }
 
-// Share of a pixel's samples that show a face.
+// Stores the fraction of a pixel's samples that show a face.
 fn store_coverage(number: u32, pixel: vec2<u32>, adds: bool) {
     let word = view.more_outputs.w + number;
     var shown = 0.0;
@@ -296,7 +296,7 @@ fn store_surface(number: u32, id: vec2<u32>, surface: Surface, ray: Ray) {
     }
 }
 
-// A pixel without a face: the map's range, and the number of its texel in place of a face.
+// Stores a pixel without a face: the map's range, and the number of its texel in place of a face.
 fn store_miss(number: u32, ray: Ray) {
     let infinite = bitcast<f32>(0x7f800000u + view.window.w * 0u);
     let nan = bitcast<f32>(0x7fc00000u + view.window.w * 0u);

@@ -1,42 +1,42 @@
 // A scene as tables: pages of words, parts of meshes in them, and instances that place parts.
 
 struct Pass {
-    // Rows that take (point relative to the eye, 1) to clip space.
+    // Rows that map (point relative to the eye, 1) to clip space.
     clip_x: vec4<f32>,
     clip_y: vec4<f32>,
     clip_z: vec4<f32>,
     clip_w: vec4<f32>,
     // The eye relative to the scene's origin; w: distance of the near plane, 0 for parallel rays.
     eye: vec4<f32>,
-    // From where the environment map was taken to the eye.
+    // Vector from the centre of the environment map to the eye.
     backdrop: vec4<f32>,
-    // Where the ray of pixel (0, 0) starts relative to the eye, and its change from pixel to pixel.
+    // Start of the ray of pixel (0, 0) relative to the eye, and its change per pixel.
     start: vec4<f32>,
     start_x: vec4<f32>,
     start_y: vec4<f32>,
-    // Its direction, of any length.
+    // Direction of the ray, of any length.
     direction: vec4<f32>,
     direction_x: vec4<f32>,
     direction_y: vec4<f32>,
-    // The remainders of the three, finer than a grid on which sums are exact.
+    // Remainders of the three directions, finer than a grid on which sums are exact.
     rest: vec4<f32>,
     rest_x: vec4<f32>,
     rest_y: vec4<f32>,
     // Size of a sample's pixel at one metre ahead, 1 for parallel rays, weight of the sample, unused.
     footprint: vec4<f32>,
-    // Width and height of the window, samples of the target, whether colour is added to what is there.
+    // Width and height of the window, samples of the target, whether colour is accumulated.
     window: vec4<u32>,
-    // The map: texels across, shifts of its colour and its range, whether it has ranges.
+    // Environment map: texels across, shifts of its colour and its range, whether it has ranges.
     environment: vec4<u32>,
-    // First words of colour, range, ids and position in the output; NONE for those that are not wanted.
+    // First words of colour, range, ids and position in the output; NONE if not requested.
     outputs: vec4<u32>,
     // First words of normals, albedo, shading normals and coverage.
     more_outputs: vec4<u32>,
-    // The part of each ray that is seen: from, to, 1 where it has no end, and the number of planes.
+    // Visible segment of each ray: start, end, 1 if it is unbounded, and the number of planes.
     segment: vec4<f32>,
-    // Half-spaces that are seen: points p relative to the eye with dot(xyz, p) + w at least 0.
+    // Clip half-spaces: visible points p, relative to the eye, have dot(xyz, p) + w >= 0.
     planes: array<vec4<f32>, 8>,
-    // Numbers that the style and the cut read.
+    // Parameters of the style and the cut.
     parameters: array<vec4<f32>, 4>,
     unused: array<vec4<f32>, 15>,
 }
@@ -60,11 +60,11 @@ struct Part {
 }
 
 struct Batch {
-    // Number of its first record among all of the frame's, how many there are, the page, whether it writes first.
+    // First record number in the frame, number of records, page, whether it writes first.
     records: vec4<u32>,
     // Shift of the scene's texels, and the number of the first record of a call, or of the only one of a batch.
     shifts: vec4<u32>,
-    // That record, and its part: all records of a call place one part.
+    // First record and its part: all records of a call place one part.
     record: Record,
     part: Part,
 }
@@ -100,9 +100,9 @@ const NONE: u32 = 0xffffffffu;
 @group(0) @binding(5) var texels: texture_2d_array<u32>;
 @group(1) @binding(1) var<uniform> batch: Batch;
 
-// The variant of the style.
+// Variant of the style.
 override STYLE: u32 = 0u;
-// All faces belong to one record, which the batch tells: nothing is looked up.
+// Whether all faces belong to the batch's single record, so that no look-up is needed.
 override SINGLE: bool = false;
 
 fn record_of(local: u32) -> Record {
@@ -119,7 +119,7 @@ fn part_of(record: Record) -> Part {
     return parts[record.part.x];
 }
 
-// Place of the nth texel where rows have 2^shift of them and layers 2^shift rows: column, row, layer.
+// Returns column, row and layer of the nth texel, with 2^shift texels per row and 2^shift rows per layer.
 fn place_of(n: u32, shift: u32) -> vec3<i32> {
     let mask = (1u << shift) - 1u;
     return vec3<i32>(vec3<u32>(n & mask, (n >> shift) & mask, (n >> shift) >> shift));
@@ -129,12 +129,13 @@ fn corner_number(part: Part, face: u32, corner: u32) -> u32 {
     return page[part.faces + 3u * face + corner];
 }
 
-// A vertex where its instance stands, relative to the eye.
+// Returns the position of a placed vertex relative to the eye.
 fn seen_from_eye(record: Record, part: Part, vertex: u32) -> vec3<f32> {
     let at = part.positions + 3u * vertex;
     let p = vec3<f32>(bitcast<f32>(page[at]), bitcast<f32>(page[at + 1u]), bitcast<f32>(page[at + 2u]));
     let turned = vec3<f32>(dot(record.x.xyz, p), dot(record.y.xyz, p), dot(record.z.xyz, p));
-    // Instances stand near their mesh's origin, merged meshes far from it: both differences are of the eye's distance.
+    // Instances lie near their mesh's origin, merged meshes far from it: both differences are of the size of the eye's
+    // distance.
     return turned + (vec3<f32>(record.x.w, record.y.w, record.z.w) - view.eye.xyz);
 }
 
@@ -157,11 +158,11 @@ fn material_of(part: Part, face: u32) -> Material {
     if part.materials != NONE {
         number = page[part.materials + face];
     }
-    // The last one is for faces that have none.
+    // The last material is for faces without one.
     return materials[min(number, arrayLength(&materials) - 1u)];
 }
 
-// Whether planes leave a point relative to the eye.
+// Returns whether a point relative to the eye passes the planes.
 fn is_within_planes(p: vec3<f32>) -> bool {
     for (var i = 0u; i < u32(view.segment.w); i++) {
         if dot(view.planes[i].xyz, p) + view.planes[i].w < 0.0 {
@@ -171,7 +172,7 @@ fn is_within_planes(p: vec3<f32>) -> bool {
     return true;
 }
 
-// Where the part of a ray from the eye begins that is seen, and 1 where it has no end.
+// Returns the start of the visible segment of a ray from the eye, and 1 if it is unbounded.
 fn seen_along(direction: vec3<f32>) -> vec2<f32> {
     var begin = view.segment.x;
     var endless = view.segment.z;

@@ -1,4 +1,4 @@
-// The styles of the near-far method: where points are shown by the functions of `morph.wgsl`.
+// Styles of the near-far method: displacement of points by the functions of `morph.wgsl`.
 //
 // Parameters: from the centre to the eye, and the tangent of two texels; the radius within which points stay, r2, the
 // radius where pixels are split, and 1 / (r2 - r1); from the user to the eye, which is the camera's, and the strength.
@@ -9,12 +9,12 @@ const FROM_CENTER: u32 = 3u;
 const FROM_CENTER_ON_CYLINDER: u32 = 4u;
 const CYLINDER_FROM_CENTER: u32 = 5u;
 
-// The user, on the ground.
+// Returns the user's position on the ground.
 fn user_place() -> Place {
     return ground_place(view.parameters[0].xyz - view.parameters[2].xyz);
 }
 
-// Where a point relative to the eye is shown, relative to the eye.
+// Returns the displayed position of a point; both are relative to the eye.
 fn shown(p: vec3<f32>) -> vec3<f32> {
     let q = morphed(p);
     if STYLE == CYLINDER_FROM_CENTER {
@@ -23,8 +23,8 @@ fn shown(p: vec3<f32>) -> vec3<f32> {
     return q;
 }
 
-// In the direction of a point that is shown beyond r2, the place whose distance is the point's from the centre: the
-// inverse of `backdrop_range`.
+// Moves a point displayed beyond r2 along its direction to its distance from the centre: the inverse of
+// `backdrop_range`.
 fn as_far_as_from_center(q: vec3<f32>) -> vec3<f32> {
     let slope = length(q.xz);
     return q * (length(user_place().at + q.xz) / max(slope, 1e-30));
@@ -51,7 +51,7 @@ fn morphed(p: vec3<f32>) -> vec3<f32> {
     return to.w * to.xyz - view.parameters[2].xyz;
 }
 
-// How far away the user is shown what the centre sees at a distance beyond r2.
+// Returns the displayed distance of a surface that the centre sees at a distance beyond r2.
 fn backdrop_range(direction: vec3<f32>, from_center: f32) -> f32 {
     let is_on_cylinder = STYLE == CYLINDER || STYLE == FROM_CENTER_ON_CYLINDER || STYLE == CYLINDER_FROM_CENTER;
     if !is_on_cylinder {
@@ -60,7 +60,7 @@ fn backdrop_range(direction: vec3<f32>, from_center: f32) -> f32 {
     return range_on_cylinder(user_place(), direction, from_center);
 }
 
-// A surface that is drawn as far away as it is from the centre is shown as far away as the cylinder says.
+// A surface drawn at its distance from the centre is displayed at the cylinder's distance.
 fn shown_range(direction: vec3<f32>, range: f32) -> f32 {
     if STYLE == FROM_CENTER_ON_CYLINDER || STYLE == CYLINDER_FROM_CENTER {
         return backdrop_range(direction, range);

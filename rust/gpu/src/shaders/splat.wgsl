@@ -1,15 +1,15 @@
-// Views as splats: what is the same for all kernels of a picture.
+// Views as splats: declarations shared by all kernels of a picture.
 
 struct View {
-    // Changes of the projector's functions X, Y, W by a column, a row and a depth step.
+    // Changes of the projector's functions X, Y, W per column, row and depth step.
     steps: array<vec4<f32>, 3>,
-    // The projector's gradients, times the radius of a ball over that of an ellipse.
+    // Gradients of the projector, times the ratio of a ball's radius to an ellipse's.
     gradients: array<vec4<f32>, 3>,
-    // Right, up, towards the viewer; the first two in depth steps for each pixel.
+    // Right, up, towards the viewer; the first two in depth steps per pixel.
     axes: array<vec4<f32>, 3>,
-    // Scale of a normal's numbers, least distance that is shown.
+    // Scale of a normal's components, minimum visible distance.
     rest: vec4<f32>,
-    // Number of its first block among all views', page, first words of its heads and of its bits.
+    // Number of its first block among all views', page, first words of its headers and of its bits.
     place: vec4<u32>,
 }
 
@@ -27,18 +27,19 @@ struct Piece {
 }
 
 struct Draw {
-    // Width and height of the samples that are drawn, the picture's first row of them, samples along an axis of a pixel.
+    // Width and height of the drawn samples, first row in the picture, samples along each axis of a pixel.
     size: vec4<u32>,
     // First piece, number of pieces, number of the pass, number of views.
     work: vec4<u32>,
-    // First words of the output: colours, samples that show what was before, keys of middles; NONE where not wanted.
+    // First words of the output: colours, samples that show `before`, keys of centres; NONE if not requested.
     outputs: vec4<u32>,
-    // Half-spaces, whether anything is cut off, whether the background is black, whether something was there before.
+    // Number of half-spaces, whether anything is clipped, whether the background is black, whether there is a
+    // `before`.
     limits: vec4<u32>,
     // Rays of the samples: start relative to the eye and direction, at the picture's corner, and their changes.
     start: array<vec4<f32>, 3>,
     direction: array<vec4<f32>, 3>,
-    // The part of each ray that is seen: from, to.
+    // Visible segment of each ray: start, end.
     segment: vec4<f32>,
     planes: array<vec4<f32>, 8>,
 }
@@ -47,20 +48,20 @@ struct Draw {
 @group(0) @binding(1) var<storage, read> views: array<View>;
 
 const NONE: u32 = 0xffffffffu;
-// Width and height of a tile of samples whose farthest order is known.
+// Width and height of a tile of samples with a farthest order.
 const TILE: u32 = 16u;
 // Side of a block, pixels.
 const BLOCK: u32 = 8u;
-// Bits of the fraction of slopes.
+// Fraction bits of slopes.
 const FRACTION: u32 = 3u;
-// A surfel inside of a surface; others are balls (0) and surfels at a border (1).
+// A surfel inside a surface; other kinds are balls (0) and surfels at a border (1).
 const INNER: u32 = 2u;
 
 fn tile_columns() -> u32 {
     return (draw.size.x + TILE - 1u) / TILE;
 }
 
-// Numbers whose order is that of floats.
+// Converts a float to a number in the same order.
 fn ordered(value: f32) -> u32 {
     let bits = bitcast<u32>(value);
     return select(bits | 0x80000000u, ~bits, (bits & 0x80000000u) != 0u);

@@ -1,14 +1,14 @@
-// Draws pieces of views: a workgroup for each piece, a thread for each pixel of a block.
+// Draws pieces of views: one workgroup per piece, one thread per pixel of a block.
 
 @group(0) @binding(6) var<storage, read_write> pieces: array<Piece>;
-// The number of splats of pieces that were drawn, then the farthest order of each tile.
+// Number of splats of drawn pieces, then the farthest order of each tile.
 @group(0) @binding(7) var<storage, read_write> tiles: array<atomic<u32>>;
 
 const DRAWN: u32 = 0x80000000u;
 
 var<workgroup> reached: atomic<u32>;
 
-// First tile and number of tiles that a piece may show in, along both axes.
+// Returns the first tile and the number of tiles that a piece may cover, along both axes.
 fn tiles_of(piece: Piece) -> vec4<u32> {
     let rows = vec2<i32>(i32(draw.size.z), i32(draw.size.z + draw.size.y));
     let low = vec2<i32>(piece.low.x, max(piece.low.y, rows.x) - rows.x);
@@ -22,7 +22,7 @@ fn tiles_of(piece: Piece) -> vec4<u32> {
 
 struct Ellipse {
     place: vec2<f32>,
-    // By rows.
+    // Inverse axes, row by row.
     inverse: vec4<f32>,
     nearness: f32,
     slope: vec2<f32>,
@@ -31,7 +31,7 @@ struct Ellipse {
     middle: vec2<i32>,
 }
 
-// The derivative of a place X/W, for a change of X and of W.
+// Returns the derivative of a position X/W, given the changes of X and W.
 fn shown(change: f32, of_distance: f32, place: f32, over: f32) -> f32 {
     if PARALLEL == 1u {
         return change;
@@ -39,7 +39,7 @@ fn shown(change: f32, of_distance: f32, place: f32, over: f32) -> f32 {
     return (change - place * of_distance) * over;
 }
 
-// The derivative of nearness, for a change of W.
+// Returns the derivative of nearness, given the change of W.
 fn nearer(of_distance: f32, over: f32) -> f32 {
     if PARALLEL == 1u {
         return -of_distance;
@@ -47,7 +47,7 @@ fn nearer(of_distance: f32, over: f32) -> f32 {
     return -of_distance * over * over;
 }
 
-// Half of the extent of a ball along an axis: the length of the gradient of X/W.
+// Returns the half extent of a ball along an axis: the length of the gradient of X/W.
 fn disc(own: vec3<f32>, distance: vec3<f32>, place: f32, over: f32) -> f32 {
     return length(vec3<f32>(
         shown(own.x, distance.x, place, over),
@@ -56,7 +56,7 @@ fn disc(own: vec3<f32>, distance: vec3<f32>, place: f32, over: f32) -> f32 {
     ));
 }
 
-// Of `orthoview::splat::lanes`, with the same formulas.
+// Projects a splat, by the formulas of `orthoview::splat::lanes`.
 fn projected(view: View, start: vec3<f32>, at: vec2<f32>, splat: Splat) -> Ellipse {
     let along = start + at.x * view.steps[0].xyz + at.y * view.steps[1].xyz + f32(splat.depth) * view.steps[2].xyz;
     let w = along.z;
@@ -116,7 +116,7 @@ fn projected(view: View, start: vec3<f32>, at: vec2<f32>, splat: Splat) -> Ellip
     return found;
 }
 
-// Whether a point at a place of the picture and a distance along the axis lies within the limits.
+// Returns whether a point at an image position and a distance along the axis lies within the limits.
 fn is_seen(place: vec2<f32>, w: f32) -> bool {
     if draw.limits.y == 0u {
         return true;

@@ -1,4 +1,4 @@
-// Keys of samples as one number: the nearest splat counts, and of equally near ones the first.
+// Keys of samples as one number: the nearest splat wins, and the first of equally near ones.
 
 @group(0) @binding(8) var<storage, read_write> keys: array<atomic<u64>>;
 

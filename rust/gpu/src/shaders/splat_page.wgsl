@@ -1,4 +1,4 @@
-// One page of words, which all views of a call lie in.
+// The page of words that contains all views of a call.
 
 @group(0) @binding(2) var<storage, read> page_0: array<u32>;
 

@@ -3,16 +3,16 @@
 @group(0) @binding(6) var<storage, read_write> found: array<u32>;
 @group(0) @binding(8) var<storage, read> keys: array<u32>;
 
-// The splat that was looked up last: neighbouring samples often show the same.
+// Cache of the last splat: neighbouring samples often show the same.
 struct Lit {
     place: u32,
     normal: vec3<f32>,
-    // Its colours on the side of the normal and on the other one.
+    // Colours on the side of the normal and on the other side.
     front: vec3<f32>,
     back: vec3<f32>,
 }
 
-// Number of the view that has a block.
+// Returns the number of the view that contains a block.
 fn view_of(block: u32) -> u32 {
     var low = 0u;
     var high = draw.work.w;

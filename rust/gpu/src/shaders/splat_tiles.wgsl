@@ -1,4 +1,4 @@
-// The farthest order of each tile of samples: pieces that lie behind it are left out.
+// Computes the farthest order of each tile of samples: pieces behind it are culled.
 
 @group(0) @binding(7) var<storage, read_write> tiles: array<u32>;
 @group(0) @binding(8) var<storage, read> keys: array<u32>;

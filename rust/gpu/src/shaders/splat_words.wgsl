@@ -1,9 +1,9 @@
-// Splats from the words of blocks, of which `orthoview::splat::compressed` tells.
+// Unpacks splats from the words of blocks; see `orthoview::splat::compressed`.
 
 struct Head {
     corner: vec2<u32>,
     shown: vec2<u32>,
-    // First word of its bits, widths of the fields, least kind.
+    // First word of its bits, widths of the fields, minimum kind.
     first: u32,
     widths: u32,
     depth: i32,
@@ -36,12 +36,12 @@ fn head_of(place: vec4<u32>, block: u32) -> Head {
     return head;
 }
 
-// Whether a pixel of a block shows something.
+// Returns whether a pixel of a block shows a surface.
 fn is_shown(head: Head, lane: u32) -> bool {
     return ((select(head.shown.x, head.shown.y, lane >= 32u) >> (lane & 31u)) & 1u) == 1u;
 }
 
-// Number of a block's splats before a pixel.
+// Returns the number of a block's splats before a pixel.
 fn rank_of(head: Head, lane: u32) -> u32 {
     let below = (1u << (lane & 31u)) - 1u;
     if lane < 32u {
@@ -50,7 +50,7 @@ fn rank_of(head: Head, lane: u32) -> u32 {
     return countOneBits(head.shown.x) + countOneBits(head.shown.y & below);
 }
 
-// A field of bits, which two words may share.
+// Reads a bit field that may span two words.
 fn field(page: u32, first: u32, at: u32, width: u32) -> u32 {
     if width == 0u {
         return 0u;
@@ -91,7 +91,7 @@ fn splat_of(page: u32, head: Head, lane: u32) -> Splat {
     return splat;
 }
 
-// The normal of two numbers, of any length.
+// Returns the normal of two components, not normalised.
 fn normal_of(numbers: vec2<u32>, scale: f32) -> vec3<f32> {
     let flat = vec2<f32>(numbers) * scale - 1.0;
     let z = 1.0 - abs(flat.x) - abs(flat.y);

@@ -1,6 +1,6 @@
-// Base colours and emission, filtered as `scene::Texture` does it, and the one shading formula.
+// Base colours and emission, filtered as in `scene::Texture`, and the common shading formula.
 
-// The scene has textures, and colours and normals of vertices; some of its materials emit light or are unlit.
+// Whether the scene has textures, vertex colours and vertex normals; whether some material emits light or is unlit.
 override TEXTURED: bool = true;
 override COLORED: bool = true;
 override SMOOTH: bool = true;
@@ -11,7 +11,8 @@ fn texel_color(n: u32) -> vec4<f32> {
     return vec4<f32>(textureLoad(texels, at.xy, at.z, 0)) * (1.0 / 65535.0);
 }
 
-// The two texels whose centres enclose a coordinate, of `count` in a period of 1, and the second one's weight.
+// Returns the two texels whose centres enclose a coordinate, given `count` per period of 1, and the second one's
+// weight.
 fn neighbours(coordinate: f32, count: u32) -> vec3<f32> {
     let x = (coordinate - floor(coordinate)) * f32(count) - 0.5;
     let low = floor(x);
@@ -19,7 +20,7 @@ fn neighbours(coordinate: f32, count: u32) -> vec3<f32> {
     return vec3<f32>(first, select(first + 1.0, 0.0, first + 1.0 == f32(count)), x - low);
 }
 
-// Bilinear in an image of width x height texels from `first` on; v upwards.
+// Samples an image of width x height texels from `first` on bilinearly; v upwards.
 fn bilinear(first: u32, width: u32, height: u32, uv: vec2<f32>) -> vec4<f32> {
     let column = neighbours(uv.x, width);
     let row = neighbours(1.0 - uv.y, height);
@@ -65,7 +66,7 @@ fn blend_3(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>, at: vec2<f32>) -> vec3<f32>
     return a + (b - a) * at.x + (c - a) * at.y;
 }
 
-// A place on a face: weights of its second and third corner, width of the ray on it, and twice its area.
+// A spot on a face: weights of its second and third corner, width of the ray on it, and twice its area.
 struct Spot {
     face: u32,
     at: vec2<f32>,
@@ -77,7 +78,7 @@ fn corners_of(part: Part, face: u32) -> vec3<u32> {
     return vec3<u32>(corner_number(part, face, 0u), corner_number(part, face, 1u), corner_number(part, face, 2u));
 }
 
-// Linear colour of a texture; white without one, or without coordinates.
+// Returns the linear colour of a texture; white without texture or texture coordinates.
 fn texture_at(part: Part, number: u32, spot: Spot, cutout: bool) -> vec3<f32> {
     if !TEXTURED || number == NONE || part.uvs == NONE {
         return vec3<f32>(1.0);
@@ -94,7 +95,7 @@ fn texture_at(part: Part, number: u32, spot: Spot, cutout: bool) -> vec3<f32> {
     return texture_color(texture, blend_2(a, b, c, spot.at), level, cutout);
 }
 
-// Linear base colour.
+// Returns the linear base colour.
 fn albedo(part: Part, material: Material, spot: Spot) -> vec3<f32> {
     var color = material.base_color.rgb;
     if COLORED && part.colors != NONE {
@@ -107,14 +108,15 @@ fn albedo(part: Part, material: Material, spot: Spot) -> vec3<f32> {
     return color * texture_at(part, material.texture, spot, material.cutoff >= 0.0);
 }
 
-// A vector of length 1; zero for zero.
+// Normalises a vector; zero stays zero.
 fn unit(v: vec3<f32>) -> vec3<f32> {
     let length_squared = dot(v, v);
     return select(vec3<f32>(0.0), v * inverseSqrt(length_squared), length_squared > 0.0);
 }
 
-// The normal that the colour takes at weights `at` of a face whose own one, towards the viewer, is `normal`. Those of the
-// corners go by the cofactors of the instance's matrix to the side of the face's; see `scene::facing_normals`.
+// Returns the shading normal at weights `at` of a face whose own normal, towards the viewer, is `normal`. Corner
+// normals are transformed by the cofactors of the instance's matrix and flipped to the face's side; see
+// `scene::facing_normals`.
 fn shading_normal(record: Record, part: Part, face: u32, at: vec2<f32>, normal: vec3<f32>) -> vec3<f32> {
     if !SMOOTH || part.normals == NONE {
         return normal;

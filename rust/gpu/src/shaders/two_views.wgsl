@@ -1,8 +1,8 @@
-// Two views that one pass draws: each vertex is placed in both.
+// Two views drawn in one pass: each vertex is placed in both.
 
 @group(1) @binding(0) var<uniform> views: array<Pass, 2>;
 
-// The pass of the view that a vertex is placed in.
+// Pass of the view that a vertex is placed in.
 var<private> view: Pass;
 
 @vertex

@@ -5,14 +5,14 @@ const BEYOND: u32 = 2u;
 const BEYOND_AND_UNHIDDEN: u32 = 3u;
 const OVERLAPPING: u32 = 4u;
 
-// Share of its range by which a fragment may lie behind the map before it counts as hidden.
+// Relative range by which a fragment may lie behind the map before it counts as hidden.
 const BIAS: f32 = 4e-3;
 
 fn cut_place(p: vec3<f32>) -> vec3<f32> {
     return p + view.parameters[0].xyz;
 }
 
-// How far from the centre something beyond the near part may be before the map hides it.
+// Returns the distance from the centre beyond which the map hides objects beyond the near part.
 fn range_limit(d: vec3<f32>) -> f32 {
     let taps = taps_of(d, view.environment.x);
     let farthest = max(
@@ -22,7 +22,7 @@ fn range_limit(d: vec3<f32>) -> f32 {
     return farthest * (1.0 + BIAS);
 }
 
-// How much the distance from the axis grows along a surface when the direction from the centre turns by two texels.
+// Returns the growth of the distance from the axis along a surface when the direction turns by two texels.
 fn reach(from_center: vec3<f32>, normal: vec3<f32>) -> f32 {
     let direction = normalize(from_center);
     let flat_part = vec3<f32>(direction.x, 0.0, direction.z);
@@ -45,7 +45,7 @@ fn is_kept(from_center: vec3<f32>, from_eye: vec3<f32>, normal: vec3<f32>) -> bo
         let distance = length(from_eye);
         let direction = from_eye / distance;
         let limit = backdrop_range(direction, range_limit(direction));
-        // A surface of the map that is nearer than surfaces are seen hides nothing.
+        // A surface of the map nearer than the visible segment hides nothing.
         kept = kept && (distance <= limit || limit < seen_along(direction).x);
     }
     return kept;

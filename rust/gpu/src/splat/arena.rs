@@ -1,5 +1,4 @@
-//! Room on a device for views: pages of words, in which those that are no longer referenced, or not used for the longest
-//! time, make room for others.
+//! Device memory for views: pages of words, from which unreferenced and then least recently used views are evicted.
 
 use std::collections::{HashMap, HashSet};
 use std::sync::{Arc, Weak};
@@ -11,14 +10,14 @@ use wgpu::{Buffer, BufferUsages};
 use super::room::Room;
 use crate::device::{Counted, Device, Scope};
 
-/// Words of the pages, of which a pass binds all.
+/// Words of the pages; a pass binds all of them.
 const PAGES: [u64; 4] = [1 << 24, 1 << 26, 1 << 28, 1 << 28];
 const WORD: u64 = 4;
 
-/// Where a view lies: its page, and the first words of its blocks' heads and of their bits.
+/// Location of a view: its page, and the first words of its block headers and of their bits.
 pub(super) type Place = [u32; 3];
 
-/// Views as words, by their identities.
+/// Views as words, by identity.
 pub(super) type Words = HashMap<usize, Compressed>;
 
 /// Views on a device.
@@ -28,7 +27,7 @@ pub(super) struct Arena {
     known: HashMap<usize, Resident>,
     /// Views of the last picture.
     shown: HashSet<usize>,
-    /// There was no memory for one page more.
+    /// Whether allocating another page has failed.
     is_full: bool,
     /// Number of calls so far.
     now: u64,
@@ -49,13 +48,13 @@ struct Resident {
 }
 
 impl Arena {
-    /// The places of a picture's views, which are brought to the device where they do not lie there.
+    /// Returns the locations of a picture's views; uploads those that are not on the device.
     pub fn show(&mut self, device: &Device, views: &[Arc<Splats>], compressed: &Words) -> Result<Vec<Place>> {
         self.begin();
         self.shown = views.iter().map(identity).collect();
         let wanted = self.shown.clone();
         match self.place_all(device, views, compressed, &wanted) {
-            // Free room may lie in pieces: once more from empty pages.
+            // Free space may be fragmented: retries with empty pages.
             Err(Error::Device(_)) if device.check().is_ok() => {
                 self.forget(|_| true);
                 self.place_all(device, views, compressed, &wanted)
@@ -64,20 +63,20 @@ impl Arena {
         }
     }
 
-    /// Brings views to the device before a picture shows them; those of the last picture stay.
+    /// Uploads views before a picture shows them; those of the last picture stay.
     pub fn keep(&mut self, device: &Device, views: &[Arc<Splats>], compressed: &Words) -> Result<()> {
         self.begin();
         let wanted = self.shown.iter().copied().chain(views.iter().map(identity)).collect();
         self.place_all(device, views, compressed, &wanted).map(|_| ())
     }
 
-    /// Counts a call, and forgets views that nobody references any more.
+    /// Counts a call, and evicts unreferenced views.
     fn begin(&mut self) {
         self.now += 1;
         self.forget(|resident| resident.view.strong_count() == 0);
     }
 
-    /// Views that do not lie on the device, each once.
+    /// Returns the views that are not on the device, without duplicates.
     pub fn missing(&self, views: &[Arc<Splats>]) -> Vec<Arc<Splats>> {
         let mut seen = HashSet::new();
         let is_known = |view: &Arc<Splats>| {
@@ -86,12 +85,12 @@ impl Arena {
         views.iter().filter(|view| !is_known(view) && seen.insert(identity(view))).cloned().collect()
     }
 
-    /// Bytes of all views.
+    /// Returns the bytes of all views.
     pub fn bytes(&self) -> u64 {
         self.known.values().map(|resident| WORD * u64::from(resident.words)).sum()
     }
 
-    /// The buffers of all pages; one at least.
+    /// Returns the buffers of all pages, at least one.
     pub fn buffers(&mut self, device: &Device) -> Result<Vec<&Buffer>> {
         if self.pages.is_empty() {
             self.add_page(device, 1)?;
@@ -138,7 +137,7 @@ impl Arena {
         views.iter().map(one).collect()
     }
 
-    /// A page and the first of as many free words.
+    /// Allocates words; returns the page and the first word.
     fn room(&mut self, device: &Device, words: u64, wanted: &HashSet<usize>) -> Result<(usize, u32)> {
         loop {
             let take = |page: &mut Page| page.room.take(words as u32);
@@ -148,7 +147,7 @@ impl Arena {
             if !self.is_full && self.pages.len() < PAGES.len() && words <= device.largest_binding() / WORD {
                 let added = self.add_page(device, words);
                 device.check()?;
-                // Without memory for it, others make room.
+                // If there is no memory for a page, other views are evicted.
                 self.is_full = added.is_err();
                 continue;
             }
@@ -184,7 +183,7 @@ impl Resident {
     }
 }
 
-/// Number of a view, as long as it is referenced.
+/// Returns a number that identifies a view while it is referenced.
 pub(super) fn identity(view: &Arc<Splats>) -> usize {
     Arc::as_ptr(view) as usize
 }

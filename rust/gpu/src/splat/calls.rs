@@ -1,24 +1,24 @@
-//! The calls that draw a picture's pieces: nearest first in a few batches, each page's pieces of a batch by themselves.
+//! Calls that draw a picture's pieces: nearest first in a few batches, grouped by page within each batch.
 
 use std::ops::Range;
 
 use nearfar_core::orthoview::splat::Piece;
 
-/// Shares of a picture's splats that are drawn before tiles are looked at again, as powers of ½.
+/// Fractions of a picture's splats after which tiles are updated, as powers of ½.
 const BATCHES: [u32; 5] = [4, 3, 2, 1, 0];
 
 /// A call for some pieces.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Call {
     pub pieces: Range<u32>,
-    /// Page in which their views lie.
+    /// Page of their views.
     pub page: u32,
-    /// Whether a batch begins with it.
+    /// Whether it begins a batch.
     pub begins: bool,
 }
 
-/// The calls for pieces that are sorted nearest first, which are sorted by pages within their batches; `page_of` tells
-/// where a view lies.
+/// Returns the calls for pieces in order of distance, and sorts the pieces by page within their batches; `page_of`
+/// returns the page of a view.
 pub(super) fn calls(pieces: &mut [Piece], page_of: impl Fn(u32) -> u32) -> Vec<Call> {
     let mut found = Vec::new();
     for batch in batches(pieces) {
@@ -34,7 +34,7 @@ pub(super) fn calls(pieces: &mut [Piece], page_of: impl Fn(u32) -> u32) -> Vec<C
     found
 }
 
-/// Pieces of which each batch draws a share of the splats; the last one has the rest.
+/// Divides pieces into batches at the fractions of the splats; the last batch has the rest.
 fn batches(pieces: &[Piece]) -> Vec<Range<u32>> {
     let total: u64 = pieces.iter().map(|piece| u64::from(piece.count)).sum();
     let (mut found, mut drawn, mut start) = (Vec::new(), 0, 0);
@@ -67,7 +67,7 @@ mod tests {
     fn batches_have_all_pieces_once_and_grow() {
         assert_eq!(batches(&pieces(&[64; 32])), [0..2, 2..4, 4..8, 8..16, 16..32]);
         assert_eq!(batches(&pieces(&[1000, 1, 1])), [0..1, 1..3]);
-        // Pieces of split splats may have no share.
+        // Pieces of split splats may have a count of 0.
         assert_eq!(batches(&pieces(&[5, 0, 0])), [0..1, 1..3]);
         assert_eq!(batches(&pieces(&[0, 0])), [0..1, 1..2]);
         assert_eq!(batches(&[]), Vec::<Range<u32>>::new());

@@ -1,4 +1,4 @@
-//! A picture of views, drawn by a device in bands of rows.
+//! Drawing of views by a device, in bands of rows.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -21,7 +21,7 @@ use crate::device::Device;
 /// Width and height of a tile of samples.
 const TILE: u32 = 16;
 
-/// Draws views; of the samples that show none, those of `before` or the sky.
+/// Draws views; samples without a splat show `before` or the sky.
 pub fn draw(
     device: &Device,
     views: &[Arc<Splats>],
@@ -38,8 +38,8 @@ pub fn draw(
     progress.expect(u64::from(layout.bands().count() as u32) + 1);
     let before = plan.before();
     let bands = {
-        // Until the work is submitted nobody else may take the room of these views. Nothing runs in parallel meanwhile: a
-        // thread that waits inside rayon may run another picture, which needs the same lock.
+        // The arena is locked until the work is submitted, so that these views cannot be evicted. Nothing runs in
+        // parallel meanwhile: a thread that waits inside rayon may run another picture, which needs the same lock.
         let mut arena = residents.arena();
         let places = arena.show(device, views, &compressed)?;
         set_places(&mut plan, &places);
@@ -65,7 +65,7 @@ fn set_places(plan: &mut Plan<'_>, places: &[Place]) {
     }
 }
 
-/// Work that was submitted for a band.
+/// Submitted work of a band.
 struct Band<'a> {
     pixels: u32,
     found: Results<'a>,
@@ -78,7 +78,7 @@ struct Drawing<'a, 'b> {
     plan: &'b Plan<'b>,
     layout: &'b Layout,
     calls: &'b [Call],
-    /// Keys of all samples before anything is drawn, if there was something.
+    /// Initial keys of all samples, if there is a `before`.
     before: Option<&'b [[u32; 2]]>,
     pages: [BindingResource<'b>; 4],
     kernels: Kernels,
@@ -193,7 +193,7 @@ impl<'a, 'b> Drawing<'a, 'b> {
     }
 }
 
-/// Workgroups of a kernel of which each does one thing.
+/// Returns the workgroups of a kernel with one item per workgroup.
 fn rows_of(count: u32) -> [u32; 2] {
     [count.clamp(1, ROW), count.div_ceil(ROW).max(1)]
 }

@@ -1,4 +1,4 @@
-//! How a picture is divided into bands, and the words of its output.
+//! Division of a picture into bands, and its output layout.
 
 use std::ops::Range;
 
@@ -10,26 +10,26 @@ use crate::device::Device;
 
 /// Bytes of a sample's key.
 pub(super) const KEY: u64 = 8;
-/// Bytes of the keys of a band, at most.
+/// Maximum bytes of a band's keys.
 const BAND: u64 = 1 << 28;
-/// Place of an image that is not wanted.
+/// Offset of an image that is not requested.
 const NONE: u32 = u32::MAX;
-/// Words of a pixel: colours, samples that show what was before, the middle's key.
+/// Words per pixel: colours, samples that show `before`, the centre's key.
 const WORDS: [u32; 3] = [4, 2, 2];
 
-/// The bands of a picture and the words of its output.
+/// Bands of a picture and its output layout.
 pub(super) struct Layout {
-    /// Width and height of the picture, and samples along an axis of a pixel.
+    /// Width and height of the picture, and samples along each axis of a pixel.
     pub size: [u32; 2],
     pub grid: u32,
-    /// Rows of pixels of a band.
+    /// Rows of pixels per band.
     pub rows: u32,
-    /// Which images are found.
+    /// Flags of the requested images.
     wanted: [bool; 3],
 }
 
 impl Layout {
-    /// The bands of a plan's picture on a device.
+    /// Creates the bands of a plan's picture on a device.
     pub fn new(device: &Device, plan: &Plan<'_>) -> Result<Self> {
         let picture = plan.picture();
         let (grid, size) = (picture.grid, [picture.camera.width, picture.camera.height]);
@@ -54,13 +54,13 @@ impl Layout {
         Ok(Self { size, grid, rows, wanted })
     }
 
-    /// Rows of pixels of all bands.
+    /// Returns the rows of pixels of each band.
     pub fn bands(&self) -> impl Iterator<Item = Range<u32>> {
         let (rows, height) = (self.rows, self.size[1]);
         (0..height).step_by(rows as usize).map(move |first| first..(first + rows).min(height))
     }
 
-    /// First words of the images of some pixels, and the number of all words.
+    /// Returns the first word of each image for some pixels, and the total number of words.
     pub fn outputs(&self, pixels: u32) -> ([u32; 3], u32) {
         let mut next = 0;
         let place = |n: usize| {
@@ -72,7 +72,7 @@ impl Layout {
     }
 }
 
-/// The images of a picture.
+/// Images of a picture.
 pub(super) struct Images {
     colors: Vec<[f32; 4]>,
     others: Vec<[u32; 2]>,
@@ -80,7 +80,7 @@ pub(super) struct Images {
 }
 
 impl Images {
-    /// Room for the images.
+    /// Creates empty images.
     pub fn new(layout: &Layout) -> Self {
         let pixels = layout.size[0] as usize * layout.size[1] as usize;
         let room = |n: usize| if layout.wanted[n] { pixels } else { 0 };
@@ -91,7 +91,7 @@ impl Images {
         }
     }
 
-    /// Adds what a band found.
+    /// Adds a band's results.
     pub fn add(&mut self, layout: &Layout, pixels: u32, words: &[u32]) {
         let ([colors, others, middles], _) = layout.outputs(pixels);
         let part = |first: u32, n: usize| {
@@ -103,7 +103,7 @@ impl Images {
         self.middles.extend_from_slice(bytemuck::cast_slice(part(middles, 2)));
     }
 
-    /// The whole images.
+    /// Returns the complete images.
     pub fn whole(&self) -> Found<'_> {
         Found { colors: &self.colors, others: &self.others, middles: &self.middles }
     }

@@ -1,4 +1,4 @@
-//! The kernels of a picture.
+//! Kernels of a picture.
 
 use nearfar_core::base::Result;
 use nearfar_core::orthoview::splat::{BORDER, HEAD, LANE_BITS, LEAST_COSINE, SQUARED_RADIUS};
@@ -21,19 +21,19 @@ const RESOLVE: &str = include_str!("../shaders/splat_resolve.wgsl");
 /// A kernel.
 #[derive(Clone, Copy)]
 pub(super) enum Kernel {
-    /// Draws pieces of views that lie in one page.
+    /// Draws pieces of views in one page.
     Draw,
-    /// Takes the farthest order of each tile.
+    /// Computes the farthest depth order of each tile.
     Tiles,
-    /// Makes colours of keys.
+    /// Converts keys to colours.
     Resolve,
 }
 
-/// The kernels of a picture.
+/// Kernels of a picture.
 pub(super) struct Kernels {
-    /// Rays are parallel.
+    /// Whether rays are parallel.
     pub is_parallel: bool,
-    /// Atomic integers have 64 bits.
+    /// Whether 64-bit atomics are used.
     pub is_long: bool,
 }
 
@@ -60,7 +60,7 @@ impl Kernels {
     }
 }
 
-/// The numbers that shaders share with the processor's kernels.
+/// Returns the constants that shaders share with the processor's kernels.
 fn numbers() -> String {
     let epsilon = f32::EPSILON;
     format!(

@@ -1,4 +1,4 @@
-//! Views that stay on a device between pictures.
+//! Views kept on a device between pictures.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -10,34 +10,34 @@ use super::arena::{Arena, Words, identity};
 use crate::compute::programs::Work;
 use crate::device::Device;
 
-/// Views that lie on a device.
+/// Views on a device.
 #[derive(Default)]
 pub(super) struct Views(Mutex<Arena>);
 
 impl Views {
-    /// The views, which nobody else changes meanwhile.
+    /// Locks and returns the views.
     pub fn arena(&self) -> MutexGuard<'_, Arena> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Views that do not lie on the device yet, as words. No lock is held during parallel work.
+    /// Packs the views that are not yet on the device into words. No lock is held during parallel work.
     pub fn compressed(&self, views: &[Arc<Splats>]) -> Words {
         let missing = self.arena().missing(views);
         missing.par_iter().map(|view| (identity(view), view.compressed())).collect()
     }
 }
 
-/// Brings views to a device before a picture shows them.
+/// Uploads views to a device before a picture shows them.
 pub fn keep(device: &Device, views: &[Arc<Splats>], progress: &Progress) -> Result<()> {
     device.check()?;
     let own = device.state::<Views>();
     let compressed = own.compressed(views);
     own.arena().keep(device, views, &compressed)?;
-    // Until something is submitted copies of the words wait in the processor's memory.
+    // Until a submission, copies of the words stay in the processor's memory.
     Work::new(device).submit(progress).map(|_| ())
 }
 
-/// Bytes of the views that lie on a device.
+/// Returns the bytes of the views on a device.
 pub fn kept_bytes(device: &Device) -> u64 {
     device.state::<Views>().arena().bytes()
 }

@@ -1,17 +1,17 @@
-//! Free words of a page.
+//! Free-list allocator for the words of a page.
 
 use std::collections::BTreeMap;
 
-/// Free words: lengths by their starts, which never touch each other.
+/// Free runs: lengths by start; adjacent runs are merged.
 pub(super) struct Room(BTreeMap<u32, u32>);
 
 impl Room {
-    /// A page of free words.
+    /// Creates a page of free words.
     pub fn new(words: u32) -> Self {
         Self(BTreeMap::from([(0, words)]))
     }
 
-    /// The first word of as many that are free.
+    /// Allocates words; returns the first one.
     pub fn take(&mut self, words: u32) -> Option<u32> {
         let (&first, &length) = self.0.iter().find(|(_, length)| **length >= words)?;
         self.0.remove(&first);
@@ -21,7 +21,7 @@ impl Room {
         Some(first)
     }
 
-    /// Frees words that were taken.
+    /// Frees allocated words.
     pub fn give_back(&mut self, mut first: u32, mut words: u32) {
         if let Some((&start, &length)) = self.0.range(..first).next_back()
             && start + length == first

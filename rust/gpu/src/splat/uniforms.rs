@@ -1,4 +1,4 @@
-//! Uniform blocks: values that all threads of a kernel share.
+//! Uniform blocks of a picture's kernels.
 
 use std::num::NonZeroU64;
 use std::ops::Range;
@@ -10,7 +10,7 @@ use wgpu::{BindingResource, Buffer, BufferBinding, BufferUsages};
 
 use crate::device::Device;
 
-/// Bytes from block to block: a multiple of every adapter's alignment.
+/// Bytes between blocks: a multiple of every adapter's alignment.
 const STRIDE: usize = 512;
 
 /// The uniform block `Draw` of `splat.wgsl`.
@@ -28,7 +28,7 @@ pub(super) struct DrawBlock {
 }
 
 impl DrawBlock {
-    /// The block of a picture, without size, work and outputs.
+    /// Creates the block of a picture, without size, work and outputs.
     pub fn new(plan: &Plan<'_>) -> Self {
         let (picture, own) = (plan.picture(), plan.planes());
         let mut planes = [[0.0; 4]; 8];
@@ -52,7 +52,7 @@ impl DrawBlock {
         }
     }
 
-    /// The same for a pass over some pieces.
+    /// Returns the block for a pass over some pieces.
     pub fn with_work(mut self, pieces: &Range<u32>, pass: u32) -> Self {
         [self.work[0], self.work[1], self.work[2]] = [pieces.start, pieces.end - pieces.start, pass];
         self

@@ -1,4 +1,4 @@
-//! An environment map as texels: colour, and range where the map has it. Texels have the map's numbers.
+//! Environment map as texels: colour, and range if the map has it. Texels are numbered as in the map.
 
 use half::f16;
 use nearfar_core::base::Result;
@@ -14,7 +14,7 @@ use crate::device::Device;
 pub(crate) struct EnvTexels {
     pub size: u32,
     pub color: Texels,
-    /// One texel where the map has no range.
+    /// Ranges; one placeholder texel if the map has none.
     pub range: Texels,
     pub has_range: bool,
 }
@@ -27,7 +27,7 @@ impl EnvTexels {
         let texels =
             Texels::new(device, "map's range", TextureFormat::R32Float, 4, range.map_or(0, |r| r.len() as u64))?;
         if let Some(map) = map {
-            // A few rows at a time: a copy of the whole would double the memory of a large map.
+            // A few rows at a time: a full copy would double the memory of a large map.
             let rows = 1usize << color.shift.max(20);
             for (n, part) in map.color.chunks(rows).enumerate() {
                 let halves: Vec<[f16; 4]> = part.par_iter().map(|&rgb| half_rgba(rgb)).collect();

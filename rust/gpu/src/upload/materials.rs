@@ -1,4 +1,4 @@
-//! Materials: a table of them, a table of textures, and all their levels as texels of linear light.
+//! Materials on the device: tables of materials and textures, and all mip levels as texels of linear light.
 
 use half::f16;
 use nearfar_core::base::{Error, Result};
@@ -13,7 +13,7 @@ use crate::device::Device;
 /// Words of a material and of a texture in their tables.
 const MATERIAL_WORDS: usize = 12;
 const TEXTURE_WORDS: usize = 8;
-/// The texture number of a material without a texture.
+/// Texture number of a material without a texture.
 const NONE: u32 = u32::MAX;
 
 /// Materials and textures of a scene.
@@ -21,15 +21,15 @@ pub(crate) struct MaterialTable {
     pub materials: wgpu::Buffer,
     pub textures: wgpu::Buffer,
     pub texels: Texels,
-    /// Some material has a texture.
+    /// Whether some material has a texture.
     pub textured: bool,
-    /// Some material emits light or is unlit.
+    /// Whether some material emits light or is unlit.
     pub glowing: bool,
 }
 
 impl MaterialTable {
     pub fn new(device: &Device, scene: &Scene) -> Result<Self> {
-        // The last material is for faces that have none.
+        // The last material is for faces without one.
         let materials: Vec<u32> =
             scene.materials.iter().chain([&Material::default()]).flat_map(material_words).collect();
         let has_cutouts = scene.has_cutouts();
@@ -79,7 +79,7 @@ fn material_words(material: &Material) -> [u32; MATERIAL_WORDS] {
     [r, g, b, a, red, green, blue, u32::from(material.unlit), texture, cutoff.to_bits(), emission_texture, 0]
 }
 
-/// Texels of a texture with all its levels.
+/// Returns the texels of a texture with all its levels.
 fn levels_size(texture: &Texture) -> u64 {
     let (mut width, mut height) = (u64::from(texture.width), u64::from(texture.height));
     let mut sum = width * height;
@@ -90,7 +90,7 @@ fn levels_size(texture: &Texture) -> u64 {
     sum
 }
 
-/// The image itself in steps of 1/65535 of linear light, with its alpha: a fortieth of the step between the darkest
+/// Appends level 0 in steps of 1/65535 of linear light, with its alpha: a fortieth of the step between the darkest
 /// codes.
 fn push_finest(texture: &Texture, all: &mut Vec<[u16; 4]>) {
     let linear = linear_from_srgb().map(|x| (x * 65535.0 + 0.5) as u16);
@@ -107,7 +107,7 @@ fn push_coarser(texture: &Texture, cutout: bool, all: &mut Vec<[u16; 4]>) {
     }
 }
 
-/// Linear light as half floats, clamped to their greatest finite value.
+/// Converts linear light to half floats, clamped to their maximum finite value.
 pub(super) fn half_rgba([r, g, b]: [f32; 3]) -> [f16; 4] {
     let half = |x: f32| f16::from_f32(x.min(65504.0));
     [half(r), half(g), half(b), f16::ONE]

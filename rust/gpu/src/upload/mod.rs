@@ -1,4 +1,4 @@
-//! Scenes on the device between frames: meshes by their identity, materials and textures, instances as transforms.
+//! Scenes kept on the device between frames: meshes by identity, materials and textures, instances as transforms.
 
 mod environment;
 mod materials;

@@ -1,5 +1,5 @@
-//! Meshes as words in pages: buffers no larger than one binding. Small meshes share a page; large ones are cut into
-//! runs of faces, each with its vertices. Pages have room for meshes that come later.
+//! Meshes as words in pages: buffers no larger than one binding. Small meshes share a page; large ones are split into
+//! runs of faces, each with its vertices. Pages have spare space for later meshes.
 
 use std::sync::Arc;
 
@@ -11,14 +11,14 @@ use super::runs::{NONE, Run, gathered, runs_of};
 use super::shelf::Shelf;
 use crate::device::{Counted, Device, Scope};
 
-/// Bytes of a word.
+/// Bytes per word.
 const WORD: u64 = 4;
 
 /// A buffer of meshes.
 #[derive(Debug)]
 pub(crate) struct Page {
     pub buffer: wgpu::Buffer,
-    /// Identity of the page.
+    /// Number that identifies the page.
     pub number: u64,
 }
 
@@ -29,9 +29,9 @@ pub(crate) struct Part {
     /// First face in the mesh.
     pub first_face: u32,
     pub face_count: u32,
-    /// Where in the page, in words: positions, faces, texture coordinates, colours, materials, normals.
+    /// Offsets in the page, in words: positions, faces, texture coordinates, colours, materials, normals.
     pub words: [u32; 6],
-    /// Material of all faces, where they have one.
+    /// Material of all faces, if they share one.
     pub material: i32,
     /// Boxes of `CHUNK` faces each, in the mesh's frame.
     pub chunks: Arc<[Aabb]>,
@@ -40,7 +40,7 @@ pub(crate) struct Part {
 /// A mesh's parts, in order of faces.
 pub(crate) type Parts = Arc<Vec<Part>>;
 
-/// Writes meshes to pages, first to those with room. Returns a list of parts for each mesh, in order of faces.
+/// Writes meshes to pages, first to those with space. Returns a list of parts for each mesh, in order of faces.
 pub(crate) fn pack(device: &Device, meshes: &[Arc<Mesh>], shelf: &Shelf<Page>) -> Result<Vec<Vec<Part>>> {
     let limit = device.largest_binding() / WORD;
     let own = meshes.iter().map(|mesh| gathered(mesh, limit)).collect::<Result<Vec<_>>>()?;
@@ -79,7 +79,7 @@ pub(crate) fn pack(device: &Device, meshes: &[Arc<Mesh>], shelf: &Shelf<Page>) -
     Ok(parts)
 }
 
-/// Writes runs where there is room, or else into a new page.
+/// Writes runs to a page with space, or else to a new page.
 fn place(
     device: &Device,
     runs: &[(usize, u32, Run<'_>)],
@@ -114,7 +114,7 @@ fn place(
     Ok(())
 }
 
-/// Calls `put` with the bytes of each run, one after the other from the word `start` of a page, and lists their parts.
+/// Calls `put` with the bytes of each run, consecutively from the word `start` of a page, and lists their parts.
 fn write(
     runs: &[(usize, u32, Run<'_>)],
     page: &Arc<Page>,

@@ -1,4 +1,4 @@
-//! Instances as records: a transform and a part of the mesh that it places.
+//! Instances as records: a transform and the part of the mesh that it places.
 
 use std::sync::Arc;
 
@@ -10,10 +10,10 @@ use crate::device::Device;
 
 /// Words of a record: three rows of a matrix mesh→scene, and the part.
 pub(crate) const RECORD_WORDS: usize = 16;
-/// Place of the part among them.
+/// Index of the part in a record.
 pub(super) const PART_WORD: usize = 12;
 
-/// Records of instances that never move, no more than fit into one binding.
+/// Records of static instances that fit into one binding.
 pub(crate) struct Records {
     pub buffer: Arc<wgpu::Buffer>,
     /// First record of the set.
@@ -22,7 +22,7 @@ pub(crate) struct Records {
 }
 
 impl Records {
-    /// Sends records in as many buffers as they need.
+    /// Uploads records in as many buffers as they need.
     pub fn standing(device: &Device, words: &[u32]) -> Result<Vec<Self>> {
         let most = device.largest_binding() as usize / (4 * RECORD_WORDS);
         let mut first = 0;
@@ -36,7 +36,7 @@ impl Records {
     }
 }
 
-/// A record of an instance and a part's number.
+/// Returns a record of an instance and a part's number.
 pub(super) fn record_words(instance: &Instance, part: u32) -> [u32; RECORD_WORDS] {
     let (m, t) = (instance.to_scene.matrix3, instance.to_scene.translation);
     let row = |i: usize| [m.x_axis[i], m.y_axis[i], m.z_axis[i], t[i]].map(|x| (x as f32).to_bits());

@@ -1,4 +1,4 @@
-//! Meshes and scenes that lie on the device, by their identity; those that are no longer referenced are dropped.
+//! Meshes and scenes on the device, by identity; unreferenced ones are dropped.
 
 use std::collections::{HashMap, HashSet};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
@@ -15,10 +15,10 @@ use super::shelf::Shelf;
 use super::tables::{Key, SceneTables};
 use crate::device::Device;
 
-/// Scenes whose tables are kept at most: each selection of moving objects is a scene of its own.
+/// Maximum number of scenes with cached tables: each selection of moving objects is a separate scene.
 const MAX_SCENES: usize = 64;
 
-/// Lists of materials and textures.
+/// Identity of a material list and a texture list.
 type MaterialKey = (Weak<Vec<Material>>, Weak<Vec<Texture>>);
 
 /// Meshes and scenes on the device.
@@ -46,7 +46,7 @@ impl Known {
         self.materials.iter().find(|(key, _)| is_of(key)).map(|(_, table)| Arc::clone(table))
     }
 
-    /// A scene's tables, which then are the last to be dropped.
+    /// Returns a scene's tables and marks them as most recently used.
     fn tables_of(&mut self, scene: &Scene) -> Option<Arc<SceneTables>> {
         let found = self.scenes.iter().position(|(key, _)| key.is_of(scene))?;
         let entry = self.scenes.remove(found);
@@ -62,7 +62,7 @@ impl Known {
         self.scenes.push((Key::of(scene), Arc::clone(tables)));
     }
 
-    /// Meshes that are not on the device, each once.
+    /// Returns the meshes that are not on the device, without duplicates.
     fn missing_of(&self, scene: &Scene) -> Vec<Arc<Mesh>> {
         let mut seen = HashSet::new();
         let meshes = scene.instances().map(|instance| &instance.mesh);
@@ -82,15 +82,15 @@ pub(crate) struct Placeholders {
 struct Known {
     meshes: HashMap<usize, (Weak<Mesh>, Parts)>,
     scenes: Vec<(Key, Arc<SceneTables>)>,
-    /// By their lists' identities: scenes that were made from one share them.
+    /// Material tables by their lists' identities: derived scenes share them.
     materials: Vec<(MaterialKey, Arc<MaterialTable>)>,
 }
 
 impl Residents {
-    /// A scene's tables, shared by all of its poses. Meshes and materials that the device lacks are sent.
+    /// Returns a scene's tables, shared by all of its poses. Uploads meshes and materials that the device lacks.
     ///
     /// No lock is held during parallel work: a thread that waits inside rayon may run another frame, which needs the
-    /// same lock. Where two frames send the same at once, the first result is kept.
+    /// same lock. If two frames upload the same data concurrently, the first result is kept.
     pub fn scene(&self, device: &Device, scene: &Scene) -> Result<Arc<SceneTables>> {
         device.check()?;
         let missing = {
@@ -141,7 +141,7 @@ impl Residents {
         self.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The device's placeholders.
+    /// Returns the device's placeholders.
     pub fn placeholders(&self, device: &Device) -> Result<Arc<Placeholders>> {
         let mut known = self.placeholders.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(made) = &*known {

@@ -9,10 +9,10 @@ use rayon::prelude::*;
 
 /// Number of consecutive faces that are culled together.
 pub(crate) const CHUNK: usize = 4096;
-/// Place of an attribute that a mesh lacks.
+/// Offset of a missing attribute.
 pub(crate) const NONE: u32 = u32::MAX;
 
-/// Faces of a mesh and the vertices that they lie among.
+/// Faces of a mesh and the vertex range that contains theirs.
 pub(super) struct Run<'a> {
     pub mesh: &'a Mesh,
     pub faces: Range<usize>,
@@ -20,7 +20,7 @@ pub(super) struct Run<'a> {
 }
 
 impl Run<'_> {
-    /// Words of all its arrays.
+    /// Returns the number of words of all its arrays.
     pub fn words(&self) -> u64 {
         let (vertices, faces) = (self.vertices.len() as u64, self.faces.len() as u64);
         let [uvs, colors, normals] =
@@ -29,7 +29,7 @@ impl Run<'_> {
         vertices * per_vertex + faces * (3 + u64::from(self.uniform_material().is_none()))
     }
 
-    /// The material of all faces, where they have one.
+    /// Returns the material of all faces, if they share one.
     pub fn uniform_material(&self) -> Option<i32> {
         match self.mesh.materials {
             FaceMap::Uniform(material) => Some(material),
@@ -37,7 +37,7 @@ impl Run<'_> {
         }
     }
 
-    /// First words of its arrays, counted from its own first word, and the number of words.
+    /// Returns the first word of each array, relative to the run, and the number of words.
     pub fn layout(&self) -> ([u32; 6], u64) {
         let (vertices, faces) = (self.vertices.len() as u32, self.faces.len() as u32);
         let mut at = 3 * vertices + 3 * faces;
@@ -77,7 +77,7 @@ impl Run<'_> {
         }
     }
 
-    /// Boxes of `CHUNK` faces each, in the mesh's frame.
+    /// Returns the boxes of `CHUNK` faces each, in the mesh's frame.
     pub fn chunk_boxes(&self) -> Arc<[Aabb]> {
         let faces = &self.mesh.faces[self.faces.clone()];
         let of_chunk = |faces: &[[u32; 3]]| {
@@ -89,8 +89,8 @@ impl Run<'_> {
     }
 }
 
-/// Runs of faces that each fit into a page together with the vertices between their least and greatest one; none where
-/// those are too many.
+/// Splits a mesh into runs of faces that each fit into a page together with the range of vertices that they use;
+/// `None` if a range is too large.
 pub(super) fn runs_of(mesh: &Mesh, limit: u64) -> Option<Vec<Run<'_>>> {
     let whole = Run { mesh, faces: 0..mesh.faces.len(), vertices: 0..mesh.positions.len() };
     if mesh.faces.is_empty() {
@@ -114,12 +114,12 @@ pub(super) fn runs_of(mesh: &Mesh, limit: u64) -> Option<Vec<Run<'_>>> {
     })
 }
 
-/// The mesh as several with vertices of their own, where `runs_of` finds none; none where it finds some.
+/// Splits a mesh that `runs_of` cannot split into several meshes with their own vertices; `None` if it can.
 pub(super) fn gathered(mesh: &Arc<Mesh>, limit: u64) -> Result<Option<Vec<Arc<Mesh>>>> {
     if runs_of(mesh, limit).is_some() {
         return Ok(None);
     }
-    // A face has at most three vertices of its own, with all attributes: 3 × (3 + 2 + 1 + 3) + 4 words.
+    // A face has at most three unshared vertices with all attributes: 3 × (3 + 2 + 1 + 3) + 4 words.
     let each = (limit / 31).max(1) as usize;
     let faces = 0..mesh.faces.len() as u32;
     let starts: Vec<u32> = faces.clone().step_by(each).collect();
@@ -151,7 +151,7 @@ mod tests {
         Arc::new(mesh.with_normals(normals).unwrap())
     }
 
-    /// Corners and material of a run's faces, read from its words as a shader reads them.
+    /// Reads corners and material of a run's faces from its words, as a shader does.
     fn read(run: &Run<'_>) -> Vec<([[f32; 3]; 3], u32)> {
         let mut words = Vec::new();
         run.write(&mut words);

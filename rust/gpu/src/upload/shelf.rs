@@ -1,21 +1,21 @@
-//! Free room in pages, so that meshes that come later share one: each visible page costs a pass over the whole picture.
+//! Allocation of page space, so that later meshes share pages: each visible page costs a pass over the whole picture.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 
-/// Words of room that a page has at most beyond what it begins with: 16 MiB.
+/// Maximum spare words of a new page: 16 MiB.
 const MAX_ROOM_WORDS: u64 = 1 << 22;
 
-/// Words of room that it has at least, but for pages as large as they may be: 4 MiB.
+/// Minimum spare words of a new page below the size limit: 4 MiB.
 const MIN_ROOM_WORDS: u64 = 1 << 20;
 
-/// The page with room, which lives as long as a mesh in it is referenced.
+/// Page with spare space, alive as long as a mesh in it is referenced.
 pub(crate) struct Shelf<P> {
     pages: AtomicU64,
     open: Mutex<Open<P>>,
 }
 
-/// Words of a page, and how many of them are taken.
+/// Size of a page and its used words.
 struct Open<P> {
     page: Weak<P>,
     taken: u64,
@@ -29,12 +29,12 @@ impl<P> Default for Shelf<P> {
 }
 
 impl<P> Shelf<P> {
-    /// A page's number.
+    /// Returns a new page number.
     pub fn next_number(&self) -> u64 {
         self.pages.fetch_add(1, Ordering::Relaxed)
     }
 
-    /// Takes words where there is room: the page and the first word.
+    /// Allocates words if there is space; returns the page and the first word.
     pub fn take(&self, words: u64) -> Option<(Arc<P>, u64)> {
         let mut open = self.open();
         let page = open.page.upgrade().filter(|_| open.size - open.taken >= words)?;
@@ -43,8 +43,9 @@ impl<P> Shelf<P> {
         Some((page, start))
     }
 
-    /// Words of a new page that begins with some: as many again, or all the room where meshes came before, so that few
-    /// pages hold many meshes. Large pages have no room: a small mesh that came later would keep all of one.
+    /// Returns the size of a new page that begins with some words: twice as many, or the maximum spare space after
+    /// earlier meshes, so that few pages hold many meshes. Large pages have no spare space: a small later mesh would
+    /// keep all of one alive.
     pub fn size_of_new(&self, words: u64, limit: u64) -> u64 {
         if words > MAX_ROOM_WORDS {
             return words;
@@ -54,7 +55,7 @@ impl<P> Shelf<P> {
         (words + room).min(limit.max(words))
     }
 
-    /// Offers what is left of a new page, where that is more than there is.
+    /// Keeps a new page for allocations if it has more space left than the current one.
     pub fn put(&self, page: &Arc<P>, taken: u64, size: u64) {
         let mut open = self.open();
         let left = if open.page.strong_count() > 0 { open.size - open.taken } else { 0 };
@@ -72,7 +73,7 @@ impl<P> Shelf<P> {
 mod tests {
     use super::*;
 
-    /// Meshes of as many words come one by one: the pages that hold them.
+    /// Adds meshes of these sizes one by one; returns their pages.
     fn pages_of(sizes: impl Iterator<Item = u64>, limit: u64) -> Vec<Arc<()>> {
         let (shelf, mut pages) = (Shelf::default(), Vec::new());
         for words in sizes {

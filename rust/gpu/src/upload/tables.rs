@@ -1,4 +1,4 @@
-//! A scene on the device: the parts of its meshes, its materials, and its instances as records.
+//! Tables of a scene on the device: parts of its meshes, materials, and instances as records.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Weak};
@@ -15,7 +15,7 @@ use crate::device::Device;
 /// Words of a part in its table.
 pub(crate) const PART_WORDS: usize = 8;
 
-/// Parts of a scene that its tables are made from; poses of moving instances are not in them.
+/// Cache key of a scene's tables; it does not include poses of moving instances.
 pub(super) struct Key {
     standing: Weak<InstanceSet>,
     materials: Weak<Vec<Material>>,
@@ -49,35 +49,35 @@ impl Key {
     }
 }
 
-/// An instance's parts and their records in its set.
+/// Parts of an instance and their records in its set.
 #[derive(Clone, Debug)]
 pub(crate) struct InstanceParts {
-    /// First record; one for each part, in order.
+    /// First record; one per part, in order.
     pub first_record: u32,
     pub parts: Parts,
 }
 
-/// The instances of a set, standing or moving.
+/// Instances of a set, static or moving.
 pub(crate) struct SetTables {
     pub instances: Vec<InstanceParts>,
-    /// For each record, the number of its instance in the set and the first face of its part.
+    /// Instance number in the set and first face of the part, for each record.
     pub record_faces: Arc<Vec<(u32, u32)>>,
     /// Part number of each record.
     parts: Vec<u32>,
 }
 
-/// A scene's tables.
+/// Tables of a scene.
 pub(crate) struct SceneTables {
     pub standing: SetTables,
     pub moving: SetTables,
-    /// Records of the standing instances; those of moving ones are sent with each pose.
+    /// Records of the static instances; those of moving ones are uploaded with each pose.
     pub records: Vec<Records>,
     /// Table of all parts.
     pub parts: wgpu::Buffer,
     part_words: Vec<u32>,
-    /// Some mesh has vertex colours.
+    /// Whether some mesh has vertex colours.
     pub colored: bool,
-    /// Some mesh has vertex normals.
+    /// Whether some mesh has vertex normals.
     pub smooth: bool,
     pub materials: Arc<MaterialTable>,
 }
@@ -108,7 +108,7 @@ impl SceneTables {
         Ok(Self { standing, moving, records, parts, part_words: words, colored, smooth, materials })
     }
 
-    /// A record's part as its table has it.
+    /// Returns a record's part as in its table.
     pub fn part_of(&self, record: &[u32; RECORD_WORDS]) -> [u32; PART_WORDS] {
         let start = record[PART_WORD] as usize * PART_WORDS;
         std::array::from_fn(|i| self.part_words[start + i])
@@ -130,12 +130,12 @@ impl SetTables {
         Self { instances: placed, record_faces: Arc::new(record_faces), parts: numbers }
     }
 
-    /// Records of all instances in their present poses.
+    /// Returns the records of all instances in their current poses.
     pub fn record_words(&self, instances: &[Instance]) -> Vec<u32> {
         (0..self.parts.len()).flat_map(|record| self.record(instances, record)).collect()
     }
 
-    /// One of them.
+    /// Returns one record.
     pub fn record(&self, instances: &[Instance], record: usize) -> [u32; RECORD_WORDS] {
         record_words(&instances[self.record_faces[record].0 as usize], self.parts[record])
     }

@@ -1,7 +1,7 @@
-//! Memory for texels that are numbered in one row: a texture array that shaders read by number.
+//! Linear memory for texels: a texture array that shaders index by number.
 //!
-//! Buffers are bound up to a limit that is 128 MiB on some adapters; a texture array has none below many gigabytes, and
-//! images of any size lie in it without being packed.
+//! Buffer bindings are limited to 128 MiB on some adapters; a texture array is limited only to many gigabytes, and
+//! images of any size are stored in it without packing.
 
 use nearfar_core::base::{Error, Result};
 use wgpu::{
@@ -11,19 +11,19 @@ use wgpu::{
 
 use crate::device::{Counted, Device};
 
-/// Texels by number, of one format.
+/// Numbered texels of one format.
 pub(crate) struct Texels {
     texture: wgpu::Texture,
     pub view: TextureView,
-    /// Base-2 logarithm of the texels in a row, and of the rows in a layer.
+    /// Base-2 logarithm of the texels per row, and of the rows per layer.
     pub shift: u32,
     bytes: u32,
 }
 
 impl Texels {
-    /// Room for a number of texels of `bytes` each, at least one.
+    /// Allocates a number of texels of `bytes` each, at least one.
     pub fn new(device: &Device, label: &str, format: TextureFormat, bytes: u32, count: u64) -> Result<Self> {
-        // OpenGL knows no views: a texture of one layer is no array there.
+        // OpenGL has no views: a texture of one layer is no array there.
         let least = if device.report().backend == "gl" { 2 } else { 1 };
         let side = (count.max(1).div_ceil(least) as f64).sqrt().ceil() as u64;
         let shift = side.next_power_of_two().ilog2().min(device.limits.max_texture_dimension_2d.ilog2());
@@ -59,7 +59,7 @@ impl Texels {
         Ok(Self { texture, view, shift, bytes })
     }
 
-    /// Sends texels from a number on, row by row. `first` must begin a row, so that callers fill it up front to back.
+    /// Writes texels from a number on, row by row. `first` must begin a row, so that callers fill it front to back.
     pub fn write(&self, device: &Device, first: u64, data: &[u8]) {
         let row = 1u64 << self.shift;
         debug_assert_eq!(first % row, 0);
@@ -68,7 +68,7 @@ impl Texels {
         while !rest.is_empty() {
             let texels = rest.len() as u64 / u64::from(self.bytes);
             let line = (at >> self.shift) & (row - 1);
-            // As many whole rows as the layer has, or else the beginning of one.
+            // The remaining whole rows of the layer, or else the beginning of one row.
             let rows = (texels >> self.shift).min(row - line);
             let (width, height) = if rows > 0 { (row, rows) } else { (texels, 1) };
             let layer = (at >> (2 * self.shift)) as u32;

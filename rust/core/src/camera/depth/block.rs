@@ -21,11 +21,11 @@ pub struct DepthRow {
     pub parallel: bool,
 }
 
-/// A type that depth buffers store, with values from 0 to `GREATEST`.
+/// Storage type of depth buffers, with values from 0 to `GREATEST`.
 pub trait Depth: Copy + Into<f64> + Send + Sync + 'static {
     /// Type of the ranges.
     type Range: Real + Into<f64>;
-    /// The stored value that stands for depth 1.
+    /// Stored value of depth 1.
     const GREATEST: f64;
     /// Description of the accepted values, for messages.
     const EXPECTED: &'static str;
@@ -33,15 +33,15 @@ pub trait Depth: Copy + Into<f64> + Send + Sync + 'static {
 
 /// Types of ranges that can be converted to depths: float32 or float64.
 pub trait Ranged: Depth<Range = Self> + Real {
-    /// A point may lie before the near plane by this share of its range.
+    /// Relative distance by which a point may lie before the near plane.
     const NEAR_TOLERANCE: f64;
 }
 
 vectorized! {
-    /// The ranges of a block. Returns true if a value is no valid depth.
+    /// Writes the ranges of a block. Returns true if a value is no valid depth.
     pub fn ranges<T: Depth>(line: &DepthRow, column: i32, depth: &[T; BLOCK], ranges: &mut [T::Range; BLOCK]) -> bool
         = ranges_kernel;
-    /// The depths of a block. Returns true if a range is negative or lies before the near plane.
+    /// Writes the depths of a block. Returns true if a range is negative or lies before the near plane.
     pub fn depths<T: Ranged>(line: &DepthRow, column: i32, ranges: &[T; BLOCK], depth: &mut [T; BLOCK]) -> bool
         = depths_kernel;
 }
@@ -50,7 +50,7 @@ vectorized! {
 #[repr(align(64))]
 struct PixelLanes([f64; BLOCK]);
 
-/// Length of the direction through each column of a block, if its component along the viewing axis is 1.
+/// Writes the length of the direction through each column of a block, scaled to 1 along the viewing axis.
 #[inline(always)]
 fn secants(line: &DepthRow, column: i32, secants: &mut PixelLanes) {
     let [[x, y], [dx, dy]] = [line.start, line.step];
@@ -61,11 +61,11 @@ fn secants(line: &DepthRow, column: i32, secants: &mut PixelLanes) {
     }
 }
 
-// Both kernels use `&` and `|` instead of `&&` and `||`, because the branches of the latter prevent vectorisation.
+// Both kernels use `&` and `|` instead of `&&` and `||`, whose branches prevent vectorisation.
 
 #[inline(always)]
 fn ranges_kernel<T: Depth>(line: &DepthRow, column: i32, depth: &[T; BLOCK], ranges: &mut [T::Range; BLOCK]) -> bool {
-    // For whole numbers the ends are divided by `GREATEST` here, once instead of per pixel.
+    // For integers the ends are divided by `GREATEST` here, once instead of per pixel.
     let [low, high] = [line.ends[0] / T::GREATEST, line.ends[1] / T::GREATEST];
     let background = line.background * T::GREATEST;
     let mut lengths = PixelLanes([1.0; BLOCK]);
@@ -77,7 +77,7 @@ fn ranges_kernel<T: Depth>(line: &DepthRow, column: i32, depth: &[T; BLOCK], ran
         let value: f64 = depth[i].into();
         let along = low * (T::GREATEST - value) + high * value;
         let range = if line.parallel { along } else { lengths.0[i] / along };
-        // Nothing was drawn, or the point lies beyond infinity: a matrix may place its far plane there.
+        // Background, or a point beyond infinity: a matrix may place its far plane there.
         let nothing = (value == background) | (along < 0.0);
         let range = if nothing { f64::INFINITY } else { range };
         let fits = (value >= 0.0) & (value <= T::GREATEST);
@@ -91,7 +91,7 @@ fn ranges_kernel<T: Depth>(line: &DepthRow, column: i32, depth: &[T; BLOCK], ran
 fn depths_kernel<T: Ranged>(line: &DepthRow, column: i32, ranges: &[T; BLOCK], depth: &mut [T; BLOCK]) -> bool {
     let scale = 1.0 / (line.ends[1] - line.ends[0]);
     let slack = T::NEAR_TOLERANCE * (line.ends[0].max(line.ends[1]) * scale).abs();
-    // From the near to the far plane the depth rises or falls.
+    // Depth rises or falls from the near to the far plane.
     let (rise, near) = if line.background == 1.0 { (1.0, 0.0) } else { (-1.0, 1.0) };
     let mut lengths = PixelLanes([1.0; BLOCK]);
     if !line.parallel {
@@ -132,7 +132,7 @@ macro_rules! ranged {
     )*};
 }
 
-// u32 stands for 24 bits: the only depth format of whole numbers with more than 16 bits.
+// u32 holds 24-bit depth, the only integer format with more than 16 bits.
 stored!(
     f32, f32, 1.0, "values from 0 to 1";
     f64, f64, 1.0, "values from 0 to 1";

@@ -1,4 +1,4 @@
-//! The depth buffer of a view or of a projection matrix.
+//! Depth buffer of a view or of a projection matrix.
 
 use rayon::prelude::*;
 
@@ -6,14 +6,14 @@ use super::super::projection::{Fov, Projection};
 use super::block::{self, BLOCK, Depth, DepthRow, Ranged};
 use crate::base::{Error, Progress, Result, number};
 
-/// A kernel over one block: (row, first column, values, results). It returns true if it refused a value, whose result
-/// is then NaN.
+/// Kernel over one block: (row, first column, values, results). It returns true if it refused a value, whose result is
+/// then NaN.
 type Kernel<T, U> = fn(&DepthRow, i32, &[T; BLOCK], &mut [U; BLOCK]) -> bool;
 
 /// Number of pixels in one task.
 const TASK: usize = 1 << 15;
 
-/// Near and far plane; geometry is drawn between them.
+/// Near and far plane; geometry between them is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Planes {
     /// Distance of the near plane along the viewing axis, metres.
@@ -24,7 +24,7 @@ pub struct Planes {
     pub reverse: bool,
 }
 
-/// How the values and pixels of a depth buffer map to distances.
+/// Mapping from the values and pixels of a depth buffer to distances.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DepthBuffer {
     width: usize,
@@ -41,7 +41,7 @@ pub struct DepthBuffer {
 }
 
 impl DepthBuffer {
-    /// The buffer of a view.
+    /// Creates the buffer of a view.
     pub fn new(projection: Projection, planes: Planes, width: usize, height: usize) -> Result<Self> {
         let Planes { near, far, reverse } = planes;
         let parallel = matches!(projection, Projection::Orthographic(_));
@@ -72,9 +72,9 @@ impl DepthBuffer {
         })
     }
 
-    /// The buffer of a projection matrix, given by rows, which multiplies columns (x, y, z, 1). Its depth runs from
-    /// `low` (0 or −1) to 1 and is stored as 0 to 1; y points up. The planes, reversed depth, an off-axis view and the
-    /// viewing direction (−z or z) follow from the matrix.
+    /// Creates the buffer of a projection matrix, given by rows, which multiplies columns (x, y, z, 1). Its depth runs
+    /// from `low` (0 or −1) to 1 and is stored as 0 to 1; y points up. The planes, reversed depth, an off-axis view
+    /// and the viewing direction (−z or z) follow from the matrix.
     pub fn from_matrix(rows: [[f64; 4]; 4], low: f64, width: usize, height: usize) -> Result<Self> {
         let refused = |expected: &str| Err(Error::value("projection", expected, format!("{rows:?}")));
         if !rows.as_flattened().iter().all(|entry| entry.is_finite()) {
@@ -119,15 +119,15 @@ impl DepthBuffer {
         })
     }
 
-    /// Distances from the eye in metres; infinite where nothing was drawn. `depth` holds one or more images of the
-    /// view.
+    /// Writes the distances from the eye in metres; infinite where nothing was drawn. `depth` holds one or more images
+    /// of the view.
     pub fn ranges<T: Depth>(&self, depth: &[T], ranges: &mut [T::Range], progress: &Progress) -> Result<()> {
         let wrong = self.each(depth, ranges, block::ranges, progress)?;
         wrong.map_or(Ok(()), |(pixel, value)| Err(self.refusal("depth", T::EXPECTED, pixel, value)))
     }
 
-    /// Depths at distances from the eye: the inverse of `ranges`. Points beyond the far plane get the background's
-    /// depth.
+    /// Writes the depths at distances from the eye: the inverse of `ranges`. Points beyond the far plane get the
+    /// background's depth.
     pub fn depths<T: Ranged>(&self, ranges: &[T], depth: &mut [T], progress: &Progress) -> Result<()> {
         let wrong = self.each(ranges, depth, block::depths, progress)?;
         wrong.map_or(Ok(()), |(pixel, value)| {
@@ -192,7 +192,8 @@ fn one_row<T: Copy, U: Copy + Default>(line: &DepthRow, values: &[T], results: &
         column += BLOCK as i32;
     }
     if let Some(&last) = rest.last() {
-        // The rest is padded to a block. The kernel may refuse a padded column where it accepts the row's own values.
+        // The rest is padded to a block. The kernel may refuse a padded column although it accepts the row's own
+        // values.
         let (mut block, mut shown) = ([last; BLOCK], [U::default(); BLOCK]);
         block[..rest.len()].copy_from_slice(rest);
         refused |= kernel(line, column, &block, &mut shown);

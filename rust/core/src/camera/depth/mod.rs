@@ -1,4 +1,4 @@
-//! Depth buffers: distances from the eye by their values.
+//! Depth buffers: conversion between stored values and distances from the eye.
 //!
 //! For a perspective view, the inverse distance is linear in the buffer's value t: 1/z = (1 − t)/z₀ + t/z₁. Here z is
 //! the distance along the viewing axis, and z₀, z₁ are the distances at t = 0 and t = 1: the near and the far plane, or

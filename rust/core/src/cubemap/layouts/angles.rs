@@ -1,5 +1,5 @@
-//! The angle of a vector in a plane, without branches, so that the compiler vectorises it. The result has the same bits
-//! in vector and scalar code.
+//! Angle of a vector in a plane, without branches, so that the compiler vectorises it. Vector and scalar code give the
+//! same bits.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
@@ -23,8 +23,8 @@ const SERIES: [f64; 12] = [
     -0.017_805_395_704_537_506,
 ];
 
-/// The angle of (x, y) from the first axis, −π to π: `y.atan2(x)` for finite numbers, except that x = −0 counts as +0.
-/// The error is at most 2 ulp of π: seven roundings of numbers up to π.
+/// Returns the angle of (x, y) from the first axis, −π to π: `y.atan2(x)` for finite numbers, except that x = −0
+/// counts as +0. The error is at most 2 ulp of π: seven roundings of numbers up to π.
 #[inline(always)]
 pub(super) fn angle_of(y: f64, x: f64) -> f64 {
     let (ax, ay) = (x.abs(), y.abs());

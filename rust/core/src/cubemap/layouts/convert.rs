@@ -15,8 +15,8 @@ use crate::base::{Error, Progress, Real, Result, memory::room_for};
 /// Number of texels whose directions are computed and looked up together.
 const SEGMENT: usize = 512;
 
-/// Converts a picture to another layout. Each texel gets the mean, the least or the greatest of `samples`² evenly
-/// spread look-ups, according to the filter.
+/// Converts a picture to another layout. Each texel gets the mean, minimum or maximum of `samples`² evenly spaced
+/// look-ups, according to the filter.
 pub fn convert<T: Real>(
     picture: Panorama<'_, T>,
     target: Grid,
@@ -31,7 +31,7 @@ pub fn convert<T: Real>(
         return Ok(());
     }
     let rows = GridRows::new(target, samples)?;
-    // Memory of the arrays that each thread holds in `resample`.
+    // Memory of the per-thread arrays in `resample`.
     room_for(((size_of::<T>() + size_of::<f64>()) * SEGMENT * channels * rayon::current_num_threads()) as u64)?;
     if picture.grid.layout == Layout::Cube {
         let faces = CubeFaces::new(picture.values, picture.grid.width, channels)?;
@@ -83,7 +83,7 @@ fn resample<T: Real, S: SampledPicture<T> + Sync>(
     })
 }
 
-/// Converts a picture of values of any type: each texel takes the source texel that contains its centre.
+/// Converts a picture with values of any type: each texel takes the source texel that contains its centre.
 pub fn convert_nearest<T: Copy + Send + Sync>(
     picture: Panorama<'_, T>,
     target: Grid,
@@ -126,7 +126,7 @@ fn check_out<T>(target: Grid, channels: usize, out: &[T]) -> Result<()> {
     Err(Error::value("out", format!("{expected} values"), out.len()))
 }
 
-/// Writes the number of the texel that each direction passes through.
+/// Writes the number of the texel that each direction hits.
 pub fn grid_texels<D: Real>(grid: Grid, directions: &[[D; 3]], out: &mut [i64], progress: &Progress) -> Result<()> {
     if out.len() != directions.len() {
         return Err(Error::value("out", format!("{} numbers", directions.len()), out.len()));
@@ -142,8 +142,7 @@ pub fn grid_texels<D: Real>(grid: Grid, directions: &[[D; 3]], out: &mut [i64], 
 }
 
 /// Writes the directions of all texel centres, row by row. The longest component of a cube's directions is ±1,
-/// equirectangular directions are unit vectors, and the components of octahedral ones have absolute values that add up
-/// to 1.
+/// equirectangular directions are unit vectors, and octahedral directions have an L1 norm of 1.
 pub fn grid_directions(grid: Grid, out: &mut [[f64; 3]], progress: &Progress) -> Result<()> {
     check_out(grid, 1, out)?;
     let rows = GridRows::new(grid, 1)?;

@@ -1,11 +1,11 @@
-//! Look-ups of blocks of directions in layouts without faces.
+//! Block look-ups in layouts without faces.
 
 use super::super::lookup::{BLOCK, BlockValues, Placed, index, whole};
 use super::layout::{Grid, Layout};
 use super::projections::{equirectangular, octahedral};
 use crate::base::simd::vectorized;
 
-/// Positions of a block's directions (finite, not zero, of moderate length), 0 to 1 across and down.
+/// Returns the positions of a block's directions (finite, not zero, of moderate length), 0 to 1 across and down.
 #[inline(always)]
 fn positions<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK]) -> [BlockValues<f64>; 2] {
     let mut p = [BlockValues([0.0f64; BLOCK]); 3];
@@ -43,7 +43,7 @@ fn place<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32;
     }
 }
 
-/// Numbers of the texels that directions pass through.
+/// Finds the texels that directions hit.
 #[inline(always)]
 fn pick<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut BlockValues<u32>) {
     let [across, down] = positions::<OCTAHEDRAL>(d);
@@ -62,7 +62,7 @@ vectorized! {
     fn pick_equirectangular(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut BlockValues<u32>) = pick::<false>;
 }
 
-/// Like `place`, for any layout without faces.
+/// Same as `place`, for any layout without faces.
 pub(super) fn find_places(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Placed) {
     match grid.layout {
         Layout::Octahedral => place_octahedral(d, grid, reach, out),
@@ -70,7 +70,7 @@ pub(super) fn find_places(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], ou
     }
 }
 
-/// Like `pick`, for any layout without faces.
+/// Same as `pick`, for any layout without faces.
 pub(super) fn find_texels(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut BlockValues<u32>) {
     match grid.layout {
         Layout::Octahedral => pick_octahedral(d, grid, texel),

@@ -1,4 +1,4 @@
-//! Layouts of pictures of all directions: cube maps, equirectangular and octahedral pictures.
+//! Layouts of panoramas: cube maps, equirectangular and octahedral pictures.
 //!
 //! - **Equirectangular**: latitude falls from +y in row 0 to −y; columns are longitudes; the middle column looks along
 //!   −z, with +x to its right.
@@ -40,8 +40,8 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// Checks the size: cubes and octahedra are square, equirectangular pictures have an even width, and the number of
-    /// texels is limited.
+    /// Creates a grid; checks its size: cubes and octahedra are square, equirectangular pictures have an even width,
+    /// and the number of texels is limited.
     pub fn new(layout: Layout, height: u32, width: u32) -> Result<Self> {
         let limit = if layout == Layout::Cube { MAX_SIZE } else { 2 * MAX_SIZE };
         if !(1..=limit).contains(&height) || !(1..=limit).contains(&width) {
@@ -66,7 +66,7 @@ impl Grid {
         self.rows() as usize * self.width as usize
     }
 
-    /// Number of the texel that a direction (finite, not zero) passes through.
+    /// Returns the number of the texel that a direction (finite, not zero) hits.
     pub fn texel(&self, d: DVec3) -> u32 {
         if self.layout == Layout::Cube {
             return texel_from_direction(d, self.width);
@@ -76,7 +76,7 @@ impl Grid {
         (p.y as u32).min(self.height - 1) * self.width + (p.x as u32).min(self.width - 1)
     }
 
-    /// Position of a direction (finite, not zero) in a layout without faces, texels.
+    /// Returns the position of a direction (finite, not zero) in a layout without faces, texels.
     pub fn position(&self, d: DVec3) -> DVec2 {
         // Scaled, so that neither squares nor sums overflow.
         let d = d / d.abs().max_element();
@@ -87,7 +87,7 @@ impl Grid {
         DVec2::new(across * f64::from(self.width), down * f64::from(self.height))
     }
 
-    /// Direction (not normalised) of a position in a layout without faces.
+    /// Returns the direction (not normalised) of a position in a layout without faces.
     pub fn direction(&self, p: DVec2) -> DVec3 {
         let (height, width) = (f64::from(self.height), f64::from(self.width));
         if self.layout == Layout::Equirectangular {
@@ -100,7 +100,7 @@ impl Grid {
         DVec3::new(p.x, y, p.y)
     }
 
-    /// Number of the texel that continues the picture at a row and column beyond its edges, for layouts without faces.
+    /// Returns the texel that continues the picture at a row and column beyond its edges, for layouts without faces.
     pub fn wrapped(&self, mut row: i64, mut column: i64) -> usize {
         let (height, width) = (i64::from(self.height), i64::from(self.width));
         let outside = |row: i64, column: i64| !(0..height).contains(&row) || !(0..width).contains(&column);
@@ -113,7 +113,7 @@ impl Grid {
                 column = column.rem_euclid(width);
                 continue;
             }
-            // Each edge continues in itself, mirrored about its middle.
+            // Each edge continues into itself, mirrored about its middle.
             if !(0..width).contains(&column) {
                 (row, column) = (height - 1 - row, mirrored(column, width));
             }
@@ -125,7 +125,7 @@ impl Grid {
     }
 }
 
-/// Direction of a latitude, given by its sine and cosine, and a longitude (sine, cosine).
+/// Returns the direction of a latitude (sine, cosine) and a longitude (sine, cosine).
 fn around(sine: f64, cosine: f64, longitude: (f64, f64)) -> DVec3 {
     DVec3::new(cosine * longitude.0, sine, -cosine * longitude.1)
 }
@@ -140,17 +140,17 @@ fn fold(p: DVec2) -> DVec2 {
     DVec2::new((1.0 - p.y.abs()).copysign(p.x), (1.0 - p.x.abs()).copysign(p.y))
 }
 
-/// Directions of a grid's texels, row by row. Each texel is sampled at the same evenly spread positions within it.
+/// Directions of a grid's texels, row by row. All texels are sampled at the same evenly spaced positions.
 pub struct GridRows {
     grid: Grid,
     /// Number of sample positions across a texel, and down.
     across: u32,
-    /// Sines and cosines of the column longitudes of an equirectangular picture, one run per sample position across.
+    /// Sines and cosines of column longitudes (equirectangular only), one run per sample position across.
     longitudes: Vec<(f64, f64)>,
 }
 
 impl GridRows {
-    /// Prepares for `across`² positions per texel. For an odd number one of them is the centre.
+    /// Prepares `across`² positions per texel. If `across` is odd, one of them is the centre.
     pub fn new(grid: Grid, across: u32) -> Result<Self> {
         let mut rows = Self { grid, across, longitudes: Vec::new() };
         if grid.layout == Layout::Equirectangular {
@@ -171,7 +171,7 @@ impl GridRows {
         self.across * self.across
     }
 
-    /// Position of a sample within its texel, 0 to 1.
+    /// Returns the position of a sample within its texel, 0 to 1.
     fn within(&self, sample: u32) -> DVec2 {
         (DVec2::new(f64::from(sample % self.across), f64::from(sample / self.across)) + 0.5) / f64::from(self.across)
     }

@@ -1,4 +1,4 @@
-//! Pictures of all directions, and look-ups in those without faces.
+//! Panoramas, and look-ups in panoramas without faces.
 
 use glam::DVec3;
 
@@ -8,7 +8,7 @@ use super::flat;
 use super::layout::Grid;
 use crate::base::{Error, Real, Result};
 
-/// A picture of all directions.
+/// A picture of all directions (panorama).
 #[derive(Clone, Copy, Debug)]
 pub struct Panorama<'a, T> {
     pub(super) grid: Grid,
@@ -17,7 +17,7 @@ pub struct Panorama<'a, T> {
 }
 
 impl<'a, T> Panorama<'a, T> {
-    /// Checks that the values fill the grid.
+    /// Creates a panorama; checks that the values fill the grid.
     pub fn new(grid: Grid, values: &'a [T], channels: usize) -> Result<Self> {
         let expected = grid.texels() * channels;
         if values.len() != expected {
@@ -57,7 +57,7 @@ impl<T: Real> SampledPicture<T> for Panorama<'_, T> {
         let mut count = 0;
         for (row, y) in (before.y as i64 - 1..).zip(down) {
             for (column, x) in (before.x as i64 - 1..).zip(across) {
-                // Texels without weight are left out, because 0 × ∞ is NaN.
+                // Taps without weight are skipped, because 0 × ∞ is NaN.
                 if (x * y).abs() > least {
                     taps[count] = (self.grid.wrapped(row, column) * self.channels, x * y);
                     count += 1;
@@ -75,7 +75,7 @@ impl<T: Real> SampledPicture<T> for Panorama<'_, T> {
     }
 }
 
-/// The value that precedes all others in the order `before`; NaN if all values are NaN.
+/// Returns the value that precedes all others in the order `before`; NaN if all values are NaN.
 fn first<T: Real>(texels: impl Iterator<Item = (T, f64)>, before: impl Fn(T, T) -> bool) -> T {
     texels.fold(
         T::narrow(f64::NAN),

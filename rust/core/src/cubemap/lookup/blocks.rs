@@ -1,4 +1,4 @@
-//! Look-ups in blocks, with kernels that the compiler vectorises. Between the kernels, texels are gathered one by one,
+//! Block look-ups with kernels that the compiler vectorises. Between the kernels, texels are gathered one by one,
 //! because gather instructions are no faster and on some machines much slower.
 
 use super::super::faces::is_known;
@@ -8,12 +8,12 @@ use crate::base::simd::vectorized;
 /// Number of directions in a block. The block's temporaries fit in the first-level cache.
 pub const BLOCK: usize = 64;
 
-/// Least weight of a texel that counts for the least and the greatest value. Rounding moves a position among 32,768
+/// Minimum weight of a texel that counts for minima and maxima. Rounding moves a position among 32,768
 /// texels by up to 2e-11 texels, so a smaller weight may be rounding alone.
 pub const LEAST_WEIGHT: f64 = 1e-10;
 
-/// 2⁵². Adding it to a number leaves the nearest whole number in the last bits. It replaces a cast from float to
-/// integer, which saturates and therefore has no vector instruction.
+/// 2⁵². Adding it to a number leaves the nearest integer in the low bits. It replaces a cast from float to integer,
+/// which saturates and therefore has no vector instruction.
 const UNITS: f64 = 4_503_599_627_370_496.0;
 
 /// One value for each direction of a block.
@@ -21,7 +21,7 @@ const UNITS: f64 = 4_503_599_627_370_496.0;
 #[repr(align(64))]
 pub struct BlockValues<T>(pub [T; BLOCK]);
 
-/// The points where directions intersect the cube.
+/// Points where directions intersect the cube.
 struct Pierced {
     face: BlockValues<f64>,
     u: BlockValues<f64>,
@@ -37,22 +37,22 @@ pub struct Placed {
     pub s: BlockValues<f64>,
     /// Distance below that texel's centre, 0 to 1 texels.
     pub t: BlockValues<f64>,
-    /// 1 if the filter needs texels beyond one face; the other fields are then meaningless.
+    /// 1 if the filter needs texels beyond one face; the other fields are then undefined.
     pub seam: BlockValues<u8>,
 }
 
-/// The region of a face in which a filter reads texels of that face only.
+/// Region of a face in which a filter reads only that face's texels.
 #[derive(Clone, Copy, Debug)]
 pub struct Inner {
-    /// Greatest |u| and |v|.
+    /// Maximum |u| and |v|.
     limit: f64,
-    /// Least and greatest row, and column, of the texel above and to the left.
+    /// Minimum and maximum row, and column, of the texel above and to the left.
     rows: [f64; 2],
 }
 
 impl Inner {
-    /// The region for filters that read `before` texels before the texel above and to the left, and `after` texels
-    /// after it.
+    /// Creates the region for filters that read `before` texels before the texel above and to the left, and `after`
+    /// texels after it.
     pub fn new(size: u32, before: u32, after: u32) -> Self {
         if size <= before + after {
             return Self { limit: -1.0, rows: [0.0; 2] };
@@ -63,7 +63,7 @@ impl Inner {
 }
 
 impl Placed {
-    /// An empty result.
+    /// Creates an empty result.
     pub fn new() -> Self {
         Self {
             first: BlockValues([0; BLOCK]),
@@ -75,20 +75,19 @@ impl Placed {
 }
 
 vectorized! {
-    /// Number of the texel that each direction passes through. Returns the number of directions that are zero or not
-    /// finite.
+    /// Finds the texel that each direction hits. Returns the number of directions that are zero or not finite.
     pub fn find_texels<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &mut BlockValues<u32>) -> u32
         = find_texels_kernel;
-    /// Position of each direction between texels. Returns the number of directions that are zero or not finite.
+    /// Finds each direction's position between texels. Returns the number of directions that are zero or not finite.
     pub fn find_places<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: Inner, out: &mut Placed) -> u32
         = find_places_kernel;
-    /// Weighted means of four texels.
+    /// Writes the weighted means of four texels.
     pub fn mix<T: Real>(texels: &[BlockValues<T>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<T>)
         = mix_kernel;
-    /// The least of the texels with weight.
+    /// Writes the minimum of the texels with weight.
     pub fn least<T: Real>(texels: &[BlockValues<T>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<T>)
         = extreme::<T, false>;
-    /// The greatest of the texels with weight.
+    /// Writes the maximum of the texels with weight.
     pub fn greatest<T: Real>(texels: &[BlockValues<T>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<T>)
         = extreme::<T, true>;
     /// Adds a weighted row of four texels to the sums.
@@ -98,17 +97,17 @@ vectorized! {
         down: &BlockValues<f64>,
         sums: &mut BlockValues<f64>,
     ) = add_row_kernel;
-    /// The least of each 2 × 2 values of two rows; NaN if all four are NaN.
+    /// Writes the minimum of each 2 × 2 values of two rows; NaN if all four are NaN.
     pub fn halve_least<T: Real>(above: &[T], below: &[T], out: &mut [T]) = halve_extreme::<T, false>;
-    /// The greatest of each 2 × 2 values of two rows; NaN if all four are NaN.
+    /// Writes the maximum of each 2 × 2 values of two rows; NaN if all four are NaN.
     pub fn halve_greatest<T: Real>(above: &[T], below: &[T], out: &mut [T]) = halve_extreme::<T, true>;
-    /// Weighted means of each 2 × 2 values of two rows.
+    /// Writes the weighted means of each 2 × 2 values of two rows.
     pub fn halve<T: Real>(above: &[T], below: &[T], weights: [&[f64]; 2], out: &mut [T]) = halve_kernel;
     fn weigh(placed: &Placed, weights: &mut [BlockValues<f64>; 4]) = weigh_kernel;
     fn weigh_cubic(fraction: &BlockValues<f64>, weights: &mut [BlockValues<f64>; 4]) = weigh_cubic_kernel;
 }
 
-/// `face_from_direction` without branches. Returns the number of directions that are zero or not finite.
+/// Same as `face_from_direction`, without branches. Returns the number of directions that are zero or not finite.
 #[inline(always)]
 fn pierce<D: Real>(directions: &[[D; 3]; BLOCK], out: &mut Pierced) -> u32 {
     let mut d = [BlockValues([0.0f64; BLOCK]); 3];
@@ -149,7 +148,7 @@ impl Pierced {
     }
 }
 
-/// The whole part of `position`, clamped to `low..=high`; `low` for NaN.
+/// Returns the integer part of `position`, clamped to `low..=high`; `low` for NaN.
 #[inline(always)]
 pub(in crate::cubemap) fn whole(position: f64, low: f64, high: f64) -> f64 {
     let raised = if position > low { position } else { low };
@@ -158,13 +157,13 @@ pub(in crate::cubemap) fn whole(position: f64, low: f64, high: f64) -> f64 {
     nearest - if nearest > kept { 1.0 } else { 0.0 }
 }
 
-/// Converts a whole number below 2³² to u32; all texel numbers are below that limit.
+/// Converts an integer below 2³² to u32; all texel numbers are below that limit.
 #[inline(always)]
 pub(in crate::cubemap) fn index(number: f64) -> u32 {
     (number + UNITS).to_bits() as u32
 }
 
-/// `texel_from_direction` for a block. Returns the number of directions that are zero or not finite.
+/// Same as `texel_from_direction`, for a block. Returns the number of directions that are zero or not finite.
 #[inline(always)]
 fn find_texels_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &mut BlockValues<u32>) -> u32 {
     let mut at = Pierced::new();
@@ -178,8 +177,8 @@ fn find_texels_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &
     wrong
 }
 
-/// `Taps::new` for directions whose texels lie on one face. Returns the number of directions that are zero or not
-/// finite.
+/// Same as `Taps::new`, for directions whose texels lie on one face. Returns the number of directions that are zero or
+/// not finite.
 #[inline(always)]
 fn find_places_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: Inner, out: &mut Placed) -> u32 {
     let mut at = Pierced::new();
@@ -197,7 +196,7 @@ fn find_places_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: I
         out.s.0[i] = if s < 1.0 { s } else { 1.0 };
         out.t.0[i] = if t < 1.0 { t } else { 1.0 };
         out.first.0[i] = index((at.face.0[i] * edge + row) * edge + column);
-        // In this form NaN counts as a seam.
+        // Written so that NaN counts as a seam.
         let inside = (u.abs() <= inner.limit) & (v.abs() <= inner.limit);
         out.seam.0[i] = u8::from(!inside);
     }
@@ -223,7 +222,7 @@ pub fn bilinear(placed: &Placed) -> [BlockValues<f64>; 4] {
     weights
 }
 
-/// Keys' weights, with a = −1/2, of the four texels around a fraction.
+/// Writes Keys' weights, with a = −1/2, of the four texels around a fraction.
 #[inline(always)]
 fn weigh_cubic_kernel(fraction: &BlockValues<f64>, weights: &mut [BlockValues<f64>; 4]) {
     for i in 0..BLOCK {
@@ -234,7 +233,8 @@ fn weigh_cubic_kernel(fraction: &BlockValues<f64>, weights: &mut [BlockValues<f6
     }
 }
 
-/// Keys, "Cubic convolution interpolation for digital image processing" (1981), Eq. 4 with a = −1/2.
+/// Returns the weights of Keys, "Cubic convolution interpolation for digital image processing" (1981), Eq. 4 with a =
+/// −1/2.
 #[inline(always)]
 pub fn keys(s: f64) -> [f64; 4] {
     [
@@ -252,7 +252,7 @@ pub fn cubic(fraction: &BlockValues<f64>) -> [BlockValues<f64>; 4] {
     weights
 }
 
-/// Weighted means. Texels without weight are left out, because 0 × ∞ is NaN.
+/// Weighted means. Texels without weight are skipped, because 0 × ∞ is NaN.
 #[inline(always)]
 fn mix_kernel<T: Real>(texels: &[BlockValues<T>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<T>) {
     for i in 0..BLOCK {
@@ -266,7 +266,7 @@ fn mix_kernel<T: Real>(texels: &[BlockValues<T>; 4], weights: &[BlockValues<f64>
     }
 }
 
-/// The least or the greatest of the texels with weight; NaN if all of them are NaN.
+/// Minimum or maximum of the texels with weight; NaN if all of them are NaN.
 #[inline(always)]
 fn extreme<T: Real, const GREATEST: bool>(
     texels: &[BlockValues<T>; 4],
@@ -316,7 +316,7 @@ fn halve_kernel<T: Real>(above: &[T], below: &[T], weights: [&[f64]; 2], out: &m
     }
 }
 
-/// The least or the greatest of each 2 × 2 values of two rows; NaN if all four are NaN.
+/// Minimum or maximum of each 2 × 2 values of two rows; NaN if all four are NaN.
 #[inline(always)]
 fn halve_extreme<T: Real, const GREATEST: bool>(above: &[T], below: &[T], out: &mut [T]) {
     let count = out.len();

@@ -1,8 +1,8 @@
-//! The texels that a cone of directions touches, exact to rounding, face by face and row by row.
+//! Texels touched by a cone of directions, exact to rounding, face by face and row by row.
 //!
-//! A cone with axis d and half angle r < 90° meets the plane of a face in a convex region whose border is a conic.
-//! Within a row of texels the region extends from its least to its greatest u. These extremes lie on the two edges of
-//! the row, or where a plane through the face's v axis touches the cone.
+//! A cone with axis d and half angle r < 90° meets the plane of a face in a convex region bounded by a conic. Within a
+//! row of texels the region extends from a minimum to a maximum u. These extremes lie on the two edges of the row, or
+//! where a plane through the face's v axis touches the cone.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -10,11 +10,11 @@ use glam::DVec3;
 
 use crate::camera::along_face;
 
-/// Added to the square of the sine, so that rounding (a few units of 2.2e-16 in products of numbers below 2) loses no
-/// texel. It widens the cone by half of this value divided by the angle, at most by 6.4e-8 rad.
+/// Added to the squared sine, so that rounding (a few units of 2.2e-16 in products of numbers below 2) loses no texel.
+/// It widens the cone by half of this value divided by the angle, at most by 6.4e-8 rad.
 const MARGIN: f64 = 4e-15;
 
-/// Least square of the cosine: half angles closer to 90° are reduced to 90° − 1e-15 rad. A cosine of 0 would cause a
+/// Minimum squared cosine: half angles closer to 90° are reduced to 90° − 1e-15 rad. A cosine of 0 would cause a
 /// division by zero for axes in the plane of a face.
 const LEAST_COSINE_SQUARED: f64 = 1e-30;
 
@@ -26,7 +26,7 @@ pub(super) struct Cone {
     cosine_squared: f64,
 }
 
-/// Rows of a face, each with a range of columns: the first column and the one after the last.
+/// Rows of a face, each with a column range: first column and end.
 #[derive(Debug, Default)]
 pub(super) struct ConeRows {
     pub first: usize,
@@ -34,7 +34,7 @@ pub(super) struct ConeRows {
 }
 
 impl Cone {
-    /// A cone about a direction (finite, not zero); `radius` is its half angle, from 0 to below 90°.
+    /// Creates a cone about a direction (finite, not zero); `radius` is its half angle, from 0 to below 90°.
     pub fn new(d: DVec3, radius: f64) -> Self {
         // Scaled first, so that the length does not overflow.
         let axis = (d / d.abs().max_element()).normalize();
@@ -81,9 +81,9 @@ impl Cone {
         }
     }
 
-    /// Least and greatest position along one axis of a face, and the position along the other axis at which each is
-    /// reached; `None` if the cone lies behind the face. The arguments are the direction's components along these axes
-    /// and out of the face.
+    /// Returns the minimum and maximum position along one axis of a face, and the position along the other axis at
+    /// which each is reached; `None` if the cone lies behind the face. The arguments are the direction's components
+    /// along these axes and out of the face.
     fn extent(&self, along: f64, across: f64, out: f64) -> Option<[(f64, f64); 2]> {
         // Squared length of (along, out) minus sin². In this form the difference keeps its digits near 90°, where both
         // are 1.
@@ -119,8 +119,8 @@ struct Section {
 }
 
 impl Section {
-    /// The interval of a line of constant v inside the cone: (right u + k)² ≥ cos² (u² + w) on the side right u + k >
-    /// 0, with k = down v + out and w = v² + 1.
+    /// Returns the interval of a line of constant v inside the cone: (right u + k)² ≥ cos² (u² + w) on the side right
+    /// u + k > 0, with k = down v + out and w = v² + 1.
     fn at(&self, v: f64) -> Option<(f64, f64)> {
         let (k, w) = (self.down * v + self.out, v * v + 1.0);
         let (a, b) = (self.squares, self.right * k);

@@ -1,4 +1,4 @@
-//! Look-ups of a cube map in many directions.
+//! Batch look-ups of a cube map.
 
 use glam::DVec3;
 
@@ -23,7 +23,7 @@ pub(in crate::cubemap) fn cube_sampler<T: Real>(
     filter: TexelFilter,
     count: usize,
 ) -> Result<Sampler<'_, T, Cube<'_, T>>> {
-    // A table of the values beyond the edges pays if there are more look-ups than entries.
+    // A table of the values beyond the edges is faster if there are more look-ups than entries.
     let many = filter == TexelFilter::Cubic && count > (faces.size as usize).pow(2);
     let cube = Cube { faces, rim: Rim::new(faces, many)? };
     Ok(Sampler::new((faces.values, faces.size, faces.channels), faces.size, filter, cube))
@@ -51,13 +51,13 @@ impl<T: Real> SampledPicture<T> for Cube<'_, T> {
     }
 }
 
-/// Weighted mean. Texels without weight are left out, because 0 × ∞ is NaN.
+/// Returns the weighted mean. Texels without weight are skipped, because 0 × ∞ is NaN.
 fn mean<T: Real>(texels: [T; 4], taps: &Taps) -> T {
     let term = |i: usize| if taps.weight[i] > 0.0 { texels[i].wide() * taps.weight[i] } else { 0.0 };
     T::narrow((term(0) + term(1)) + (term(2) + term(3)))
 }
 
-/// The first of the texels with weight in the order `before`; NaN if all of them are NaN.
+/// Returns the first of the texels with weight in the order `before`; NaN if all of them are NaN.
 fn extreme<T: Real>(texels: [T; 4], taps: &Taps, before: impl Fn(T, T) -> bool) -> T {
     let mut chosen = T::narrow(f64::NAN);
     for (&texel, &weight) in texels.iter().zip(&taps.weight) {
@@ -82,7 +82,7 @@ pub fn lookup<T: Real, D: Real>(
     in_tiles(directions, out, faces.channels, progress, |directions, out| sampler.sample(directions, out))
 }
 
-/// Writes the texel that each direction of any length passes through, for values of any type. Fails like `lookup`.
+/// Writes the texel that each direction of any length hits, for values of any type. Fails like `lookup`.
 pub fn nearest<T: Copy + Send + Sync, D: Real>(
     faces: CubeFaces<'_, T>,
     directions: &[[D; 3]],

@@ -1,6 +1,6 @@
 //! Seamless cubic filtering where the filter needs texels beyond one face.
 //!
-//! Each face's grid is continued by two texels beyond its edges (`BorderTexel`). With these, Keys' cubic reconstructs
+//! Each face's grid is extended by two texels beyond its edges (`BorderTexel`). With these, Keys' cubic reconstructs
 //! the map up to half a texel beyond the edges. Within half a texel of an edge or corner the reconstructions of its
 //! faces are blended. The blend treats the faces alike, so the filtered map and its first derivative across edges are
 //! continuous.
@@ -15,10 +15,10 @@ use super::taps::descending;
 use crate::base::{Real, Result, memory::room_for};
 use crate::camera::{along_face, direction_from_face};
 
-/// Width of the border that continues each face, texels.
+/// Width of the border around each face, texels.
 const BORDER: i32 = 2;
 
-/// The faces and the border around each of them.
+/// Faces with a border around each of them.
 pub(super) struct Rim<'a, T> {
     faces: CubeFaces<'a, T>,
     /// Values in the border of each face, channels innermost; empty if they are computed on demand.
@@ -96,21 +96,21 @@ impl<'a, T: Real> Rim<'a, T> {
     }
 }
 
-/// Weight of a face: 1 on the face itself, falling smoothly to 0 half a texel inside another face.
+/// Returns the weight of a face: 1 on the face itself, falling smoothly to 0 half a texel inside another face.
 fn nearness(component: f64, size: u32) -> f64 {
     let s = 1.0 - (1.0 - component) * f64::from(size);
     if s > 0.0 { s * s * (3.0 - 2.0 * s) } else { 0.0 }
 }
 
-/// The face on an axis and the direction's position on its plane, which may lie beyond the face's edges.
+/// Returns the face on an axis and the direction's position on its plane, which may lie beyond the face's edges.
 fn on_axis(d: DVec3, axis: usize) -> (u8, f64, f64) {
     let face = 2 * axis as u8 + u8::from(d[axis] < 0.0);
     let (right, down, out) = along_face(face, d);
     (face, right / out, down / out)
 }
 
-/// The texel before a position, from −1 to size − 1, and Keys' weights of four texels: the one before it, itself and
-/// two after it.
+/// Returns the texel before a position, from −1 to size − 1, and Keys' weights of four texels: the one before it,
+/// itself and two after it.
 fn around(position: f64, size: u32) -> (i32, [f64; 4]) {
     let x = (position + 1.0) * 0.5 * f64::from(size) - 0.5;
     let before = x.floor().clamp(-1.0, f64::from(size) - 1.0);
@@ -119,7 +119,7 @@ fn around(position: f64, size: u32) -> (i32, [f64; 4]) {
     (before as i32, keys((x - before).clamp(0.0, 1.0)))
 }
 
-/// Rows and columns of the border around a face: two rows above, two below, two columns on each side.
+/// Returns rows and columns of the border around a face: two rows above, two below, two columns on each side.
 fn outside(size: u32) -> Vec<(i32, i32)> {
     let size = size as i32;
     let columns = -BORDER..size + BORDER;
@@ -133,7 +133,7 @@ fn outside_count(size: u32) -> usize {
     4 * BORDER as usize * (size as usize + BORDER as usize)
 }
 
-/// Index of a row and column in `outside`.
+/// Returns the index of a row and column in `outside`.
 fn number_outside(row: i32, column: i32, size: u32) -> usize {
     let size = size as i32;
     let wide = size + 2 * BORDER;
@@ -146,7 +146,8 @@ fn number_outside(row: i32, column: i32, size: u32) -> usize {
     number as usize
 }
 
-/// A texel beyond an edge, interpolated from 16 texels of the two faces at the nearest edge; texel numbers and weights.
+/// A texel beyond an edge, interpolated from 16 texels of the two faces at the nearest edge: texel numbers and
+/// weights.
 ///
 /// Rows along the edge are meridians about the axis parallel to the edge. On each row the texels of both faces are
 /// evenly spaced in the tangent of the latitude. Four points on each of the two outermost rows of both faces give four
@@ -165,7 +166,7 @@ impl BorderTexel {
         let m = axes.map(|axis| d.abs()[axis]);
         let tangent = m[2] / m[0].hypot(m[1]);
 
-        // A row's coordinate is (y − x)/(y + x), with x and y the two greater components: a smooth function of the
+        // A row's coordinate is (y − x)/(y + x), with x and y the two larger components: a smooth function of the
         // longitude.
         let rows = size.min(2) as usize;
         let mut ratios = [0.0; 4];
@@ -211,7 +212,7 @@ impl BorderTexel {
     }
 }
 
-/// Lagrange's polynomial: 1 at node `n`, 0 at the others.
+/// Lagrange polynomial: 1 at node `n`, 0 at the others.
 fn lagrange(nodes: &[f64], n: usize, x: f64) -> f64 {
     let mut product = 1.0;
     for (k, node) in nodes.iter().enumerate() {

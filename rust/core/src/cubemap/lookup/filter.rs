@@ -7,14 +7,15 @@ pub enum TexelFilter {
     Linear,
     /// Seamless bicubic.
     Cubic,
-    /// The least of the texels that `Linear` would mix.
+    /// Minimum of the texels that `Linear` would mix.
     Min,
-    /// The greatest of the texels that `Linear` would mix.
+    /// Maximum of the texels that `Linear` would mix.
     Max,
 }
 
 impl TexelFilter {
-    /// Number of texels that the filter reads before and after the texel above and to the left of a direction.
+    /// Returns the number of texels that the filter reads before and after the texel above and to the left of a
+    /// direction.
     pub(in crate::cubemap) fn reach(self) -> [u32; 2] {
         if self == Self::Cubic { [1, 2] } else { [0, 1] }
     }

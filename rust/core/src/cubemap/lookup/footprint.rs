@@ -1,4 +1,4 @@
-//! The least and the greatest value of the texels that cones touch.
+//! Minimum or maximum of the texels touched by cones.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -16,8 +16,8 @@ const WIDE_CONE: f64 = 8.0;
 /// Number of directions in one task.
 const TILE: usize = 64;
 
-/// Writes the least or the greatest value of all texels that the cone about each direction touches. The half angle
-/// `radius` is at least 0 and below 90°. Fails at a direction that is zero or not finite.
+/// Writes the minimum or maximum of all texels that the cone about each direction touches. The half angle `radius` is
+/// at least 0 and below 90°. Fails at a direction that is zero or not finite.
 pub fn footprint<T: Real, D: Real>(
     faces: CubeFaces<'_, T>,
     directions: &[[D; 3]],
@@ -70,7 +70,7 @@ fn all<T: Real, D: Real, const GREATEST: bool>(
     })
 }
 
-/// Replaces each value that a new texel's value precedes; NaN never replaces a value.
+/// Replaces each value that the new texel's value precedes; NaN never replaces a value.
 #[inline]
 fn take<T: Real, const GREATEST: bool>(out: &mut [T], values: &[T]) {
     let before = |one: T, other: T| if GREATEST { one > other } else { one < other };
@@ -94,7 +94,7 @@ struct Pyramid<'a, T> {
     levels: Vec<(usize, Vec<T>)>,
 }
 
-/// Rows of texels and blocks of one face, kept to reuse their memory.
+/// Scratch rows of texels and blocks of one face.
 #[derive(Default)]
 struct Scratch {
     texels: ConeRows,
@@ -118,7 +118,8 @@ impl<'a, T: Real> Pyramid<'a, T> {
         Ok(Self { faces, levels })
     }
 
-    /// Passes all texels of a face that a cone touches to `take`, in runs. Blocks replace the texels that they contain.
+    /// Passes all texels of a face that a cone touches to `take`, in runs. Blocks replace the texels that they
+    /// contain.
     fn visit(&self, cone: &Cone, face: u8, scratch: &mut Scratch, mut take: impl FnMut(&[T])) {
         cone.touch(face, self.faces.size, &mut scratch.texels);
         if scratch.texels.columns.is_empty() {
@@ -154,7 +155,7 @@ impl<'a, T: Real> Pyramid<'a, T> {
         }
     }
 
-    /// For each channel, whether a cone touches a value other than NaN.
+    /// Returns, for each channel, whether a cone touches a value other than NaN.
     fn known(&self, cone: &Cone, scratch: &mut Scratch) -> Vec<bool> {
         let mut known = vec![false; self.faces.channels];
         for face in 0..6 {
@@ -175,7 +176,7 @@ impl<'a, T: Real> Pyramid<'a, T> {
     }
 }
 
-/// Rows of blocks of the next level that lie entirely inside `rows`. `size` is the width of the rows' level.
+/// Finds the rows of blocks of the next level that lie entirely inside `rows`, whose level has the width `size`.
 fn coarsen(rows: &ConeRows, size: usize, blocks: &mut ConeRows) {
     blocks.first = rows.first / 2;
     blocks.columns.clear();
@@ -194,7 +195,7 @@ fn coarsen(rows: &ConeRows, size: usize, blocks: &mut ConeRows) {
     }
 }
 
-/// Extremes of the 2 × 2 blocks of six faces.
+/// Returns the extremes of the 2 × 2 blocks of six faces.
 fn halve<T: Real, const GREATEST: bool>(values: &[T], size: usize, channels: usize) -> Vec<T> {
     let half = size.div_ceil(2);
     let row_length = size * channels;

@@ -1,4 +1,4 @@
-//! Look-ups of cube maps in directions and cones. Vector kernels process directions inside faces; directions at seams
+//! Look-ups of cube maps by direction and by cone. Vector kernels process directions inside faces; directions at seams
 //! are processed one by one.
 
 mod blocks;

@@ -8,17 +8,17 @@ use super::filter::TexelFilter;
 use super::tiles::in_blocks;
 use crate::base::Real;
 
-/// A picture of all directions, as the sampler uses it.
+/// A panorama that a sampler can read.
 pub(in crate::cubemap) trait SampledPicture<T> {
-    /// Finds the position of each direction of a block between texels, for a filter of that reach. Returns the number
-    /// of directions that are zero or not finite.
+    /// Finds each direction's position between texels, for a filter of that reach. Returns the number of directions
+    /// that are zero or not finite.
     fn find_places<D: Real>(&self, block: &[[D; 3]; BLOCK], reach: [u32; 2], placed: &mut Placed) -> u32;
 
     /// Writes the value in one direction (finite, not zero). It must agree with the value of the block kernels.
     fn sample(&self, d: DVec3, filter: TexelFilter, out: &mut [T]);
 }
 
-/// Texels in rows, and the filter that reads them where it crosses no edge.
+/// Texel rows, and the filter that reads them inside the picture's edges.
 pub(in crate::cubemap) struct Texels<'a, T> {
     values: &'a [T],
     /// Number of texels in a row.
@@ -27,7 +27,7 @@ pub(in crate::cubemap) struct Texels<'a, T> {
     pub(in crate::cubemap) filter: TexelFilter,
 }
 
-/// Look-ups in one picture with one filter.
+/// Sampler of one picture with one filter.
 pub(in crate::cubemap) struct Sampler<'a, T, S> {
     pub(in crate::cubemap) texels: Texels<'a, T>,
     /// Whether there are directions for which the filter crosses no edge.
@@ -36,8 +36,8 @@ pub(in crate::cubemap) struct Sampler<'a, T, S> {
 }
 
 impl<'a, T: Real, S: SampledPicture<T>> Sampler<'a, T, S> {
-    /// A sampler of texels in rows of `width` texels. `edge` is the shorter side of a face or picture; `surface` is the
-    /// picture.
+    /// Creates a sampler of texels in rows of `width` texels. `edge` is the shorter side of a face or picture;
+    /// `surface` is the picture.
     pub(in crate::cubemap) fn new(
         (values, width, channels): (&'a [T], u32, usize),
         edge: u32,
@@ -80,7 +80,7 @@ impl<'a, T: Real, S: SampledPicture<T>> Sampler<'a, T, S> {
 
 // Shared by cube maps and flat pictures, so that the kernels are compiled once.
 impl<T: Real> Texels<'_, T> {
-    /// Writes the values of a block; those of directions at seams are meaningless.
+    /// Writes the values of a block; those of directions at seams are undefined.
     fn inside(&self, placed: &Placed, out: &mut [T]) {
         match (self.filter, self.channels) {
             (TexelFilter::Cubic, _) => self.cubic(placed, out),

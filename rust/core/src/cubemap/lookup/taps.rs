@@ -21,7 +21,7 @@ pub struct Taps {
 }
 
 impl Taps {
-    /// The taps of a direction of any length (finite, not zero) on faces of `size` × `size` texels.
+    /// Returns the taps of a direction of any length (finite, not zero) on faces of `size` × `size` texels.
     #[inline]
     pub fn new(d: DVec3, size: u32) -> Self {
         let (face, u, v) = face_from_direction(d);
@@ -83,8 +83,8 @@ impl Taps {
     }
 }
 
-/// The texel whose centre lies at or before a position, and the fraction of the way to the next centre. Positions lie
-/// within the outermost centres.
+/// Returns the texel whose centre lies at or before a position, and the fraction of the way to the next centre.
+/// Positions lie within the outermost centres.
 #[inline]
 fn below(position: f64, size: u32) -> (u32, f64) {
     let x = ((position + 1.0) * 0.5 * f64::from(size) - 0.5).max(0.0);
@@ -93,7 +93,7 @@ fn below(position: f64, size: u32) -> (u32, f64) {
     (index, fraction)
 }
 
-/// The axes, ordered from the largest component to the smallest.
+/// Returns the axes, ordered from the largest component to the smallest.
 pub(super) fn descending(size: DVec3) -> [usize; 3] {
     let mut axes = [0, 1, 2];
     axes.sort_by(|&a, &b| size[b].total_cmp(&size[a]));

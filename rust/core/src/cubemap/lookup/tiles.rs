@@ -1,4 +1,4 @@
-//! Directions in blocks, one per kernel call, and in tiles, one per task.
+//! Processing of directions in blocks, one per kernel call, and in tiles, one per task.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -57,7 +57,7 @@ pub(in crate::cubemap) fn in_tiles<T: Send, D: Real>(
     refuse(wrong.into_inner())
 }
 
-/// The error for a direction that is zero or not finite, given its index; no error for `usize::MAX`.
+/// Returns the error for a direction that is zero or not finite, given its index; no error for `usize::MAX`.
 pub(in crate::cubemap) fn refuse(wrong: usize) -> Result<()> {
     if wrong == usize::MAX {
         return Ok(());
@@ -65,7 +65,7 @@ pub(in crate::cubemap) fn refuse(wrong: usize) -> Result<()> {
     Err(Error::value("directions", "finite vectors other than zero", format!("something else at index {wrong}")))
 }
 
-/// Whether a direction is zero or not finite.
+/// Returns whether a direction is zero or not finite.
 pub(in crate::cubemap) fn is_wrong<D: Real>(d: &[D; 3]) -> bool {
     let d = DVec3::from_array(d.map(Real::wide));
     !d.is_finite() || d == DVec3::ZERO

@@ -1,11 +1,11 @@
-//! Faces, their tiles, and the step of codes.
+//! Face layout of a range map, its tiles, and the step of codes.
 
 use crate::base::{Error, Result, number};
 
-/// Greatest logarithm of the ratio of two codes' ranges.
+/// Maximum logarithm of the ratio of two consecutive codes' ranges.
 pub const MOST_STEP: f64 = 700.0 / 65535.0;
 
-/// Faces of a map and the tiles that change.
+/// Layout of a map's faces, and its listed tiles.
 #[derive(Clone, Copy, Debug)]
 pub struct Faces<'a> {
     /// Texels along a face.
@@ -19,7 +19,7 @@ pub struct Faces<'a> {
 }
 
 impl Faces<'_> {
-    /// The number of faces that so many texels are.
+    /// Returns the number of faces for a number of texels.
     pub(super) fn count(&self, texels: usize) -> Result<usize> {
         let Self { size, tile, listed, step } = *self;
         let area = size.checked_mul(size).filter(|&area| area > 0 && texels.is_multiple_of(area));

@@ -1,9 +1,9 @@
-//! Ranges of the maps of rings as planes of bytes: which texels a ring changes, and their new codes.
+//! Ranges of the maps of rings as byte planes: the texels that a ring changes, and their new codes.
 //!
-//! A code c stands for a range that is proportional to exp(c · step), [`NOTHING`] for none. Texels are visited face by
-//! face, row by row; what is known of the texels before them predicts them (`walk.rs`), and only what differs from the
-//! prediction is written (`planes.rs`). Whoever compresses the bytes chooses how. All arithmetic is exact or rounded as
-//! IEEE 754 says, so every client predicts the same.
+//! A code c stands for a range proportional to exp(c · step), [`NOTHING`] for no surface. Texels are visited face by
+//! face, row by row; each is predicted from texels visited before (`walk.rs`), and only the deviations are written
+//! (`planes.rs`). The caller compresses the bytes. All arithmetic is exact or rounded by IEEE 754, so every client
+//! predicts the same.
 
 mod faces;
 mod planes;
@@ -20,7 +20,7 @@ use crate::base::{Error, Progress, Result};
 use planes::{Reader, Writer, damaged};
 use walk::Walk;
 
-/// The planes of a map's codes. With the codes `before`, only those of `changed` texels; else all of them. Texels
+/// Encodes the planes of a map's codes. With the codes `before`, only those of `changed` texels; otherwise all. Texels
 /// outside the listed tiles must not be changed.
 pub fn encode(
     codes: &[u16],
@@ -35,7 +35,7 @@ pub fn encode(
     Ok(writer.planes())
 }
 
-/// Refuses changes that the planes would not hold.
+/// Fails for changes that the planes cannot represent.
 fn check_changes(codes: &[u16], before: Option<&[u16]>, changed: &[bool], faces: Faces<'_>) -> Result<()> {
     faces.count(codes.len())?;
     let across = faces.size / faces.tile;
@@ -54,7 +54,8 @@ fn check_changes(codes: &[u16], before: Option<&[u16]>, changed: &[bool], faces:
     Ok(())
 }
 
-/// The codes of so many faces, and which texels change. For planes of changed texels, `before` has the codes before.
+/// Decodes the codes of `count` faces, and which texels change. For planes of changed texels, `before` has the
+/// previous codes.
 pub fn decode(
     planes: &[&[u8]],
     count: usize,

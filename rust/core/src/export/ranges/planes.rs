@@ -1,10 +1,10 @@
-//! Bytes of what differs from its prediction: frequent small numbers in few bits, apart from rare large ones.
+//! Byte planes of prediction residuals: frequent small numbers in few bits, apart from rare large ones.
 //!
-//! Nine planes: flags of changed texels, flags of texels without a surface, and residuals. A residual that is trusted
-//! highly is a bit, and if that is 1, a pair of bits for the rest. Where trust is some or calm, it is a pair of bits.
-//! A pair of 3 is followed by a byte for the rest; where trust is low, a residual is a byte. A byte of 255 is followed
-//! by a word for the rest; words are stored as all high bytes before all low ones. Bits and pairs fill a byte from its
-//! highest bit on.
+//! Nine planes: flags of changed texels, flags of texels without a surface, and residuals. With high trust a residual
+//! starts with a bit; if that is 1, a pair of bits follows for the rest. With some trust or calm it starts with a
+//! pair. A pair of 3 is followed by a byte for the rest; with low trust a residual starts with a byte. A byte of 255
+//! is followed by a word for the rest; words are stored as all high bytes before all low ones. Bits and pairs fill a
+//! byte from its highest bit.
 
 use crate::base::{Error, Result};
 
@@ -13,24 +13,24 @@ pub(super) const PLANES: usize = 9;
 const CHANGED: usize = 0;
 const NOTHING: usize = 1;
 const BITS: usize = 2;
-/// Pairs: of residuals that a bit does not hold, of those with some trust, and calm ones.
+/// Pair planes: after a bit, with some trust, and calm.
 const PAIRS: [usize; 3] = [3, 4, 5];
-/// Bytes: of residuals that a pair does not hold, and of those with low trust.
+/// Byte planes: after a pair, and with low trust.
 const BYTES: [usize; 2] = [6, 7];
 const WORDS: usize = 8;
 
-/// How far a prediction is trusted.
+/// Trust in a prediction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Trust {
     High,
     Some,
-    /// Only neighbours predict, but they agree.
+    /// Predicted by agreeing neighbours only.
     Calm,
     Low,
 }
 
 impl Trust {
-    /// The planes that a residual begins in: of bits, pairs and bytes.
+    /// Returns the bit, pair and byte plane for residuals of this trust.
     fn planes(self) -> (Option<usize>, Option<usize>, usize) {
         match self {
             Self::High => (Some(BITS), Some(PAIRS[0]), BYTES[0]),
@@ -41,17 +41,17 @@ impl Trust {
     }
 }
 
-/// One end of the planes: writes what it is given and returns it, or returns what it reads.
+/// One end of the planes: a writer stores and returns its arguments, a reader returns what it reads.
 pub(super) trait Link {
-    /// Whether a texel changes.
+    /// Codes whether a texel changes.
     fn changed(&mut self, predicted: bool, value: bool) -> Result<bool>;
-    /// Whether a texel shows nothing.
+    /// Codes whether a texel has no surface.
     fn nothing(&mut self, predicted: bool, value: bool) -> Result<bool>;
-    /// The difference of a code from its prediction, folded to 0, −1, 1, −2, … = 0, 1, 2, 3, ….
+    /// Codes the difference of a code from its prediction, folded: 0, −1, 1, −2, … as 0, 1, 2, 3, ….
     fn residual(&mut self, trust: Trust, value: u16) -> Result<u16>;
 }
 
-/// Numbers of a few bits each.
+/// A plane of numbers of a few bits each.
 #[derive(Default)]
 struct Packed {
     bytes: Vec<u8>,
@@ -70,7 +70,7 @@ impl Packed {
     }
 }
 
-/// Planes that grow.
+/// Writer of planes.
 #[derive(Default)]
 pub(super) struct Writer {
     packed: [Packed; BYTES[0]],
@@ -79,7 +79,7 @@ pub(super) struct Writer {
 }
 
 impl Writer {
-    /// All planes.
+    /// Returns all planes.
     pub fn planes(self) -> Vec<Vec<u8>> {
         let words =
             [8, 0].map(|shift| self.words.iter().map(|word| (word >> shift) as u8).collect::<Vec<_>>()).concat();
@@ -118,10 +118,10 @@ impl Link for Writer {
     }
 }
 
-/// Planes that are read from their beginnings on.
+/// Reader of planes.
 pub(super) struct Reader<'a> {
     planes: [&'a [u8]; PLANES],
-    /// Bits, bytes or words of each plane that were read.
+    /// Number of bits, pairs, bytes or words read from each plane.
     read: [usize; PLANES],
 }
 
@@ -131,7 +131,7 @@ impl<'a> Reader<'a> {
         Ok(Self { planes, read: [0; PLANES] })
     }
 
-    /// Refuses bytes that were not read.
+    /// Fails if bytes remain unread.
     pub fn finish(self) -> Result<()> {
         let whole = |plane: usize| match plane {
             WORDS => 2 * self.read[plane],
@@ -192,7 +192,7 @@ impl Link for Reader<'_> {
     }
 }
 
-/// The error for planes that no encoder wrote.
+/// Returns the error for malformed planes.
 pub(super) fn damaged(got: &str) -> Error {
     Error::value("ranges", "planes of the listed tiles", got)
 }

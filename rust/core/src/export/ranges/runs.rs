@@ -1,24 +1,24 @@
-//! Lines through the texels of a row or a column that lie on one plane.
+//! Line fits through the texels of a row or a column that lie on one plane.
 
-/// Texels that a line remembers.
+/// Number of texels that a fit remembers.
 const MEMORY: u32 = 128;
 
-/// The line of least squares through the values of consecutive texels.
+/// Least-squares line through the values of consecutive texels.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Run {
     value: f64,
     slope: f64,
-    /// Texels of the line; 0 for none.
+    /// Number of texels on the line; 0 for none.
     pub count: u32,
 }
 
 impl Run {
-    /// The value of the line at the next texel.
+    /// Extrapolates the line to the next texel.
     pub fn next(&self) -> f64 {
         self.value + self.slope
     }
 
-    /// Adds the next texel, or begins with it if it does not fit.
+    /// Adds the next texel; starts a new line if it does not fit.
     ///
     /// Least squares over n texels move the line by (4n − 2)/(n(n + 1)) of the error, and its slope by 6/(n(n + 1)).
     pub fn add(&mut self, value: f64, fits: bool) {

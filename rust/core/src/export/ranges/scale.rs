@@ -1,16 +1,16 @@
-//! Powers of the ratio of two codes' ranges, the same on every machine.
+//! Ranges of codes, bit-equal on every machine.
 
 /// Code of texels without a surface.
 pub const NOTHING: u16 = u16::MAX;
 
-/// Codes around a guess that are tried before all of them.
+/// Codes around a guess that are tried before a full search.
 const NEARBY: usize = 4;
 
 /// Ranges of all codes, relative to that of code 0.
 pub(super) struct Scale {
     /// exp(−c · step) of each code c.
     reciprocals: Vec<f64>,
-    /// exp((c + ½) · step): where code c ends.
+    /// exp((c + ½) · step), the end of code c.
     ends: Vec<f64>,
 }
 
@@ -25,13 +25,13 @@ impl Scale {
         }
     }
 
-    /// The value that is linear in x and y over the texels of a plane: `distance`, from the centre to the texel of a
-    /// face at depth 1, over the range.
+    /// Returns the value that is linear in x and y over the texels of a plane: `distance`, from the centre to the
+    /// texel on a face at depth 1, divided by the range.
     pub fn nearness(&self, code: u16, distance: f64) -> f64 {
         distance * self.reciprocals[usize::from(code)]
     }
 
-    /// The code of a nearness; the last one for what is not positive. `guess` saves time only.
+    /// Returns the code of a nearness; the last one if it is not positive. `guess` only saves time.
     pub fn code(&self, nearness: f64, distance: f64, guess: u16) -> u16 {
         if nearness <= 0.0 || nearness.is_nan() {
             return NOTHING - 1;
@@ -46,7 +46,7 @@ impl Scale {
     }
 }
 
-/// exp(x) of small x by its series, because functions of mathematical libraries differ in the last digit.
+/// Returns exp(x) of small x by its series, because library functions differ in the last digit.
 fn exponential(x: f64) -> f64 {
     (1..=10).rev().fold(1.0, |sum, n| 1.0 + x / f64::from(n) * sum)
 }

@@ -7,7 +7,7 @@ const SIZE: usize = 16;
 const TILE: usize = 4;
 const TEXELS: usize = 6 * SIZE * SIZE;
 
-/// Two maps: planes, steps and noise with holes; in the second one patches of listed tiles are farther.
+/// Two maps: planes, steps and noise with holes; in the second, patches of listed tiles are farther.
 struct Maps {
     before: Vec<u16>,
     after: Vec<u16>,
@@ -88,7 +88,7 @@ proptest! {
 
 #[test]
 fn planes_of_walls_take_few_bits() {
-    // A wall at 45°: its range is not linear in the texels, but its reciprocal at depth 1 is.
+    // A wall at 45°: its range is not linear in the texels, but the reciprocal at depth 1 is.
     let (size, step) = (256, 2f64.powi(-10));
     let centre = |place: usize| (2 * place + 1) as f64 / size as f64 - 1.0;
     let code = |place: usize| {
@@ -98,7 +98,7 @@ fn planes_of_walls_take_few_bits() {
     let codes: Vec<u16> = (0..size * size).map(code).collect();
     let faces = Faces { size, tile: 64, listed: &[], step };
     let planes = encode(&codes, None, &vec![false; size * size], faces, &Progress::new()).unwrap();
-    // One bit a texel says that it shows something, one that it is as predicted; few are not.
+    // One bit per texel flags a surface, one a correct prediction; few predictions fail.
     let bytes: usize = planes.iter().map(Vec::len).sum();
     assert!(bytes < size * size / 8 * 3, "{bytes}");
 }

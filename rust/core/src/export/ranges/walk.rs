@@ -1,4 +1,4 @@
-//! Predictions of texels from those that were visited before.
+//! Prediction of texels from texels visited before.
 
 use super::faces::Faces;
 use super::planes::{Link, Trust, damaged};
@@ -6,25 +6,25 @@ use super::runs::Run;
 use super::scale::{NOTHING, Scale};
 use crate::base::{Progress, Result};
 
-/// Texels from which on a run predicts, and from which on one run or two that agree are trusted.
+/// Texels from which a run predicts, and from which a single run, or two that agree, is trusted.
 const LEAST: u32 = 3;
 const LONG: u32 = 8;
-/// Codes by which a texel may differ from its run, and by which the second texel of a run may differ from the first.
+/// Maximum code difference between a texel and its run, and between the first two texels of a run.
 const FIT: u16 = 1;
 const FIRST_FIT: u16 = 64;
-/// Codes by which the left and the upper neighbour of a calm texel may differ.
+/// Maximum code difference between the left and the upper neighbour of a calm texel.
 const CALM: u16 = 8;
 
-/// State that is kept from texel to texel.
+/// State kept from texel to texel.
 pub(super) struct Walk<'a> {
     faces: Faces<'a>,
     scale: Scale,
     columns: Vec<Run>,
-    /// The code of the last texel with a surface.
+    /// Code of the last texel with a surface.
     last: u16,
 }
 
-/// A face that is visited.
+/// The face being visited.
 struct Face<'a, L> {
     codes: &'a mut [u16],
     before: Option<&'a [u16]>,
@@ -37,7 +37,7 @@ impl<'a> Walk<'a> {
         Self { faces, scale: Scale::new(faces.step), columns: vec![Run::default(); faces.size], last: 0 }
     }
 
-    /// Visits the texels of a face: those of listed tiles, or all if there are no codes before.
+    /// Visits the texels of a face: those of listed tiles, or all if there are no previous codes.
     pub fn face(
         &mut self,
         number: usize,
@@ -68,7 +68,7 @@ impl<'a> Walk<'a> {
         Ok(())
     }
 
-    /// Which tiles of a row of tiles are listed.
+    /// Returns, for each tile of a row of tiles, whether it is listed.
     fn listed(&self, row: usize) -> Vec<bool> {
         let across = self.faces.size / self.faces.tile;
         let is_listed = |tile: usize| self.faces.listed.binary_search_by(|&own| (own as usize).cmp(&tile)).is_ok();
@@ -96,7 +96,7 @@ impl<'a> Walk<'a> {
         Ok(())
     }
 
-    /// Codes a texel if it is new, and adds it to the runs through it.
+    /// Codes a texel if it is new, and adds it to its row's and column's runs.
     fn texel(&mut self, around: &Around, distance: f64, row: &mut Run, face: &mut Face<'_, impl Link>) -> Result<()> {
         let (place, column) = (around.place, &mut self.columns[around.x]);
         let is_new = face.before.is_none() || face.changed[place];
@@ -172,7 +172,7 @@ impl Around {
         }
     }
 
-    /// The texel changes as that neighbour does which was nearest to it in range before.
+    /// Predicts the change of the neighbour whose previous range was nearest to the texel's.
     fn predicted_change(&self, face: &Face<'_, impl Link>) -> bool {
         let changes = |place: usize| face.changed[place];
         let (Some(left), Some(above)) = (self.left, self.above) else {
@@ -192,7 +192,7 @@ impl Around {
         median(is_nothing(self.left), is_nothing(self.above), is_nothing(self.corner))
     }
 
-    /// The trust in `predicted`.
+    /// Returns the trust in `predicted`.
     fn trust(&self, codes: &[u16]) -> Trust {
         let hit = |place: Option<usize>| place.map(|place| codes[place]).filter(|&code| code != NOTHING);
         match (hit(self.left), hit(self.above)) {
@@ -201,8 +201,8 @@ impl Around {
         }
     }
 
-    /// The median of left, above and left + above − corner; where one of them is missing, the first that is not, or
-    /// `last`.
+    /// Returns the median of left, above and left + above − corner; if one of them is missing, the first available
+    /// one, or `last`.
     fn predicted(&self, codes: &[u16], last: u16) -> u16 {
         let hit = |place: Option<usize>| place.map(|place| codes[place]).filter(|&code| code != NOTHING);
         let (left, above, corner) = (hit(self.left), hit(self.above), hit(self.corner));
@@ -215,12 +215,13 @@ impl Around {
     }
 }
 
-/// Both where the corner shows neither, else either: the median of left, above and left + above − corner.
+/// Returns the median of left, above and left + above − corner for flags: both without the corner's flag, otherwise
+/// either.
 fn median(left: bool, above: bool, corner: bool) -> bool {
     if corner { left && above } else { left || above }
 }
 
-/// 0, −1, 1, −2, … as 0, 1, 2, 3, ….
+/// Folds 0, −1, 1, −2, … to 0, 1, 2, 3, ….
 fn fold(difference: u16) -> u16 {
     (difference << 1) ^ ((difference as i16 >> 15) as u16)
 }

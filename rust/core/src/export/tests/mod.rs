@@ -11,7 +11,7 @@ use crate::scene::{Alpha, Instance, Material, Mesh, Scene, Texture};
 
 mod read;
 
-/// `count` random triangles between vertices within a cube of 8 m, with all attributes.
+/// Creates `count` random triangles between vertices within a cube of 8 m, with all attributes.
 fn random_mesh(seed: u64, count: u64, objects: FaceMap, materials: FaceMap) -> Mesh {
     let vertex_count = count + 2;
     let number = |cell: u64, row: u64| uniform(seed, cell, row) as f32;
@@ -63,7 +63,7 @@ fn glb(export: &Export, group: u16) -> Glb {
 const PLAIN: Settings = Settings { step: 1.0 / 1024.0, compressed: false };
 const COMPRESSED: Settings = Settings { compressed: true, ..PLAIN };
 
-/// Corners in multiples of `unit`, the least one first, sorted; without those that have no area.
+/// Rounds corners to multiples of `unit`, sorted, starting with the smallest; omits triangles without area.
 fn rounded(triangles: impl IntoIterator<Item = [DVec3; 3]>, unit: f64) -> Vec<[[i64; 3]; 3]> {
     let mut all = vec![];
     for corners in triangles {
@@ -80,7 +80,7 @@ fn rounded(triangles: impl IntoIterator<Item = [DVec3; 3]>, unit: f64) -> Vec<[[
     all
 }
 
-/// The nearest whole number, or multiple of a power of two, of which fewer than 2²³ are needed.
+/// Rounds to the nearest integer, or to a multiple of the smallest power of two that needs fewer than 2²³ steps.
 fn rounded_number(x: f64) -> i64 {
     let mut power = 1.0;
     while (x / power).round_ties_even().abs() >= 2f64.powi(23) {
@@ -89,7 +89,7 @@ fn rounded_number(x: f64) -> i64 {
     ((x / power).round_ties_even() * power) as i64
 }
 
-/// The scene's triangles as placed in float64.
+/// Returns the scene's triangles as placed in float64.
 fn exact(scene: &Scene) -> Vec<[DVec3; 3]> {
     let of = |instance: &Instance| -> Vec<[DVec3; 3]> {
         let corner = |p: Vec3| instance.to_scene.transform_point3(p.as_dvec3());
@@ -142,7 +142,7 @@ fn compressed_arrays_are_the_plain_ones_bit_for_bit() {
     // No material, the blue one, which needs no texture coordinates, and the textured one.
     assert_eq!((one.len(), other.len()), (3, 3));
     for (one, other) in one.iter().zip(&other) {
-        // The codec for triangles may begin with another corner.
+        // The codec for triangles may rotate the corners.
         let from_least = |corners: Vec<u32>| -> Vec<[u32; 3]> {
             let turned = |&[a, b, c]: &[u32; 3]| [[a, b, c], [b, c, a], [c, a, b]].into_iter().min();
             corners.as_chunks().0.iter().filter_map(turned).collect()
@@ -218,7 +218,7 @@ fn mirrored_placements_keep_their_fronts() {
         assert_eq!(export.shared().len(), 2, "one for each side");
         let file = glb(&export, 0);
         let found = Read::new(&file.bytes, &[]).triangles();
-        // A coarse unit with few corners near its edges: which way round the corners go is compared, not the error.
+        // A coarse unit with few corners near its edges: this compares the winding, not the error.
         let normals = |triangles: &[[DVec3; 3]]| {
             let mut normals: Vec<[i64; 3]> = triangles
                 .iter()

@@ -1,4 +1,4 @@
-//! Reads exported files by their documents, for tests.
+//! Reader for exported files, for tests.
 
 use std::collections::BTreeMap;
 
@@ -6,7 +6,7 @@ use bytemuck::Pod;
 use glam::{DAffine3, DMat4, DQuat, DVec3};
 use serde_json::Value;
 
-/// A file with the external buffers that it refers to.
+/// A file with its external buffers.
 pub struct Read {
     pub document: Value,
     chunk: Vec<u8>,
@@ -53,7 +53,7 @@ impl Read {
         &self.buffer(index(&at["buffer"]))[start..start + length]
     }
 
-    /// Bytes of an accessor, without compression and padding.
+    /// Returns the bytes of an accessor, without compression and padding.
     pub fn bytes(&self, accessor: &Value) -> Vec<u8> {
         let accessor = &self.document["accessors"][index(accessor)];
         let view = &self.document["bufferViews"][index(&accessor["bufferView"])];
@@ -112,7 +112,7 @@ impl Read {
         self.document.get(name).map_or(&[], |list| list.as_array().unwrap())
     }
 
-    /// Placements of a node's mesh, relative to the root node.
+    /// Returns the placements of a node's mesh, relative to the root node.
     pub fn placements(&self, node: &Value) -> Vec<DAffine3> {
         let own = match node.get("matrix") {
             Some(matrix) => {
@@ -135,7 +135,7 @@ impl Read {
         .collect()
     }
 
-    /// All triangles as viewers show them: corners counter-clockwise from the front, also of mirrored nodes.
+    /// Returns all triangles as viewers show them: corners counter-clockwise from the front, also of mirrored nodes.
     pub fn triangles(&self) -> Vec<Triangle> {
         let mut triangles = vec![];
         for node in self.list("nodes").iter().filter(|node| node.get("mesh").is_some()) {

@@ -1,27 +1,26 @@
-//! Steps that are taken one by one while they fit.
+//! Greedy selection of steps, one by one, within the remaining budget.
 
 use std::collections::HashSet;
 
-/// One edge of an object's hull.
+/// A step between two levels on an object's hull.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Step {
-    /// Weighted score for each triangle.
+    /// Weighted score per triangle.
     pub slope: f64,
     pub object: u32,
-    /// Place on the ladder to which it leads.
+    /// Ladder position that the step leads to.
     pub to: u16,
     pub triangles: u64,
     /// Weighted score.
     pub gain: f64,
 }
 
-/// Steps that are taken in their order. After one that does not fit come those that do; an object whose step did not fit
-/// takes no further one.
+/// Steps taken in order. A step that does not fit is skipped, and its object takes no later step.
 #[derive(Default)]
 pub(super) struct Filling {
-    /// Triangles that are left.
+    /// Remaining triangles.
     pub left: u64,
-    /// Triangles that may be left in the end.
+    /// Number of remaining triangles at which the selection may end.
     spare: u64,
     /// Slope of the first step that did not fit; 0 if all did.
     pub slope: f64,
@@ -35,17 +34,17 @@ impl Filling {
         Self { left, spare, ..Self::default() }
     }
 
-    /// Whether little enough is left.
+    /// Returns whether few enough triangles remain.
     pub fn is_done(&self) -> bool {
         self.left <= self.spare
     }
 
-    /// Whether a step did not fit.
+    /// Returns whether a step did not fit.
     pub fn has_missed(&self) -> bool {
         !self.is_over.is_empty()
     }
 
-    /// Takes those of some steps that fit.
+    /// Takes the steps that fit, in order.
     pub fn take(&mut self, steps: &[Step]) {
         let least = steps.iter().map(|step| step.triangles).min().unwrap_or(0);
         for (n, step) in steps.iter().enumerate() {
@@ -58,7 +57,7 @@ impl Filling {
                 }
                 self.is_over.insert(step.object);
                 if self.left < least {
-                    // None of the others fits. Finer steps of their objects would come later.
+                    // No other step fits. Finer steps of their objects would come later.
                     if !self.is_done() {
                         self.is_over.extend(steps[n..].iter().map(|step| step.object));
                     }
@@ -72,9 +71,9 @@ impl Filling {
         }
     }
 
-    /// Objects that took steps, and the finest place on its ladder of each.
+    /// Returns the objects that took steps, with the finest ladder position of each.
     pub fn levels(mut self) -> Vec<(u32, u16)> {
-        // The last step of an object leads to its finest place, which has the least number.
+        // The last step of an object leads to its finest position, which has the smallest number.
         self.levels.sort_unstable();
         self.levels.dedup_by_key(|level| level.0);
         self.levels

@@ -8,22 +8,22 @@ use crate::base::simd::vectorized;
 /// Number of objects in a block.
 pub(super) const LANES: usize = 32;
 
-/// Relative difference of two slopes that may be rounding.
+/// Relative difference of two slopes that may be due to rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// A number for each object of a block.
+/// One number per object of a block.
 pub(super) type Lanes = [f64; LANES];
-/// The class of a step of each object of a block.
+/// Class of one step for each object of a block.
 pub(super) type Classes = [u16; LANES];
 
 /// Levels among which a block's objects may choose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Choice {
-    /// All.
+    /// All levels.
     All,
-    /// Those that are at least as fine as each object's floor.
+    /// Levels at least as fine as each object's floor.
     FromFloor,
-    /// Those that are at most as fine as each object's floor.
+    /// Levels at most as fine as each object's floor.
     ToFloor,
 }
 
@@ -34,8 +34,8 @@ vectorized! {
     fn weigh_all(slopes: &mut [Lanes], worth: &Worth, classes: &mut [Classes]) = weigh;
 }
 
-/// Factors of slopes: the objects' weights; from a step of each object on also one that holds the level of the frame
-/// before. From the step `first` on, steps are taken whatever they are worth.
+/// Factors of slopes: the objects' weights, and `hold` for steps from `held` on, which keep the previous frame's
+/// level. Steps from `first` on are always taken.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Worth {
     pub weights: Lanes,
@@ -44,33 +44,33 @@ pub(super) struct Worth {
     pub first: Lanes,
 }
 
-/// Writes the scores of all levels at some sizes. Level 0 has 1.
+/// Writes the scores of all levels at some sizes. Level 0 scores 1.
 pub(super) fn scores(ladder: &Ladder, sizes: &Lanes, to: &mut Vec<Lanes>) {
     to.resize(ladder.triangles.len(), [1.0; LANES]);
     scores_of(ladder, sizes, to);
 }
 
-/// Writes the weighted score that each step adds.
+/// Writes the weighted score added by each step.
 pub(super) fn gains(scores: &[Lanes], weights: &Lanes, to: &mut Vec<Lanes>) {
     to.resize(scores.len() - 1, [0.0; LANES]);
     gains_of(scores, weights, to);
 }
 
-/// Writes the slope of each step: the score that the hull gains with a triangle between levels n + 1 and n. Slopes fall
-/// towards finer levels. Steps of one edge of the hull have the same bits. Steps that no choice has are 0, those that
-/// every choice has +∞.
+/// Writes the slope of each step: the score per triangle that the hull gains between levels n + 1 and n. Slopes
+/// decrease towards finer levels. Steps on one edge of the hull are bit-equal. Slopes are 0 for steps to levels that
+/// cannot be chosen, +∞ for steps that every choice includes.
 pub(super) fn slopes(ladder: &Ladder, scores: &[Lanes], floors: &Lanes, choice: Choice, to: &mut Vec<Lanes>) {
     to.resize(ladder.steps(), [0.0; LANES]);
     slopes_of(ladder, scores, floors, choice, to);
 }
 
-/// Multiplies slopes by what they are worth, and writes their classes.
+/// Multiplies slopes by their factors, and writes their classes.
 pub(super) fn worths(slopes: &mut [Lanes], worth: &Worth, classes: &mut Vec<Classes>) {
     classes.resize(slopes.len(), [0; LANES]);
     weigh_all(slopes, worth, classes);
 }
 
-/// Whether a level lies on the edge of the hull between two others, and not below it.
+/// Returns whether a level lies on the edge of the hull between two others, and not below it.
 pub(super) fn is_on_edge(ladder: &Ladder, scores: &[Lanes], lane: usize, edge: [usize; 2], place: usize) -> bool {
     let [coarse, fine] = edge;
     let gain = |place: usize| scores[place][lane] - scores[coarse][lane];
@@ -101,7 +101,7 @@ fn rate<const FUSED: bool>(ladder: &Ladder, sizes: &Lanes, to: &mut [Lanes]) {
     for (&[a, b, middle, d], to) in ladder.curves.iter().zip(&mut to[1..]) {
         for n in 0..LANES {
             let steps = b * (logarithms[n] - middle);
-            // From the nearer plateau, so that no digits cancel.
+            // Computed from the nearer plateau, so that no digits cancel.
             let small = exp::<FUSED>(-steps.abs());
             let share = small / (1.0 + small);
             let (near, far) = if steps < 0.0 { (a, d) } else { (d, a) };
@@ -119,8 +119,8 @@ fn gain(scores: &[Lanes], weights: &Lanes, to: &mut [Lanes]) {
     }
 }
 
-/// The slope of the least concave function above the levels between levels i + 1 and i is
-/// max over j ≤ i of min over k > i of (M_j − M_k)/(T_j − T_k), with scores M and triangles T.
+/// Returns the slope of the smallest concave function above the levels, between levels i + 1 and i: max over j ≤ i of
+/// min over k > i of (M_j − M_k)/(T_j − T_k), with scores M and triangles T.
 #[inline(always)]
 fn slope(ladder: &Ladder, scores: &[Lanes], floors: &Lanes, choice: Choice, to: &mut [Lanes]) {
     let count = ladder.triangles.len();
@@ -134,7 +134,7 @@ fn slope(ladder: &Ladder, scores: &[Lanes], floors: &Lanes, choice: Choice, to: 
             let inverse = ladder.inverse(coarser, finer);
             for n in 0..LANES {
                 let gain = scores[finer][n] - scores[coarser][n];
-                // A level that costs nothing and gains nothing is none.
+                // A step that costs nothing and gains nothing does not count.
                 let is_none = (inverse == f64::INFINITY) & (gain <= 0.0);
                 let slope = if is_none { f64::NEG_INFINITY } else { gain * inverse };
                 let slope = match choice {
@@ -159,7 +159,7 @@ fn slope(ladder: &Ladder, scores: &[Lanes], floors: &Lanes, choice: Choice, to: 
             }
         }
     }
-    // Rounding must not let a finer step come before a coarser one.
+    // Rounding must not sort a finer step before a coarser one.
     let mut most = [f64::INFINITY; LANES];
     for (step, to) in to.iter_mut().enumerate().rev() {
         for n in 0..LANES {

@@ -1,8 +1,8 @@
-//! Levels under a budget of triangles: the greatest Σ w·M(size) with Σ triangles ≤ budget.
+//! Levels under a triangle budget: maximises Σ w·M(size) subject to Σ triangles ≤ budget.
 //!
-//! Of each object only the upper hull of its levels (triangles, w·M) counts. At a price λ it takes the finest level of
-//! the hull to which a triangle adds at least λ. Stages, in order: sizes of what is in view, slopes of the hulls and a
-//! histogram of them, the price, levels.
+//! For each object only the upper hull of its levels (triangles, w·M) counts. At a price λ it takes the finest level
+//! of the hull at which each triangle adds at least λ. Stages, in order: sizes of objects in view, slopes of the hulls
+//! and their histogram, the price, levels.
 
 mod fill;
 mod hull;

@@ -1,4 +1,4 @@
-//! The price of a triangle at which a budget is spent, and the levels at that price.
+//! Search for the price per triangle at which a budget is spent, and the levels at that price.
 
 use std::cmp::Reverse;
 use std::ops::RangeInclusive;
@@ -10,12 +10,12 @@ use super::prices::{ALWAYS, NEVER, class};
 use super::rater::{RatedBlock, Rater, Room};
 use super::ratings::Ratings;
 
-/// Steps that are sorted at a time, if their class has no more.
+/// Number of steps sorted at a time, unless one class has more.
 const TRIED: u32 = 1 << 14;
-/// Part of the budget that may be left where more steps than these would have to be sorted.
+/// Divisor of the budget: a smaller remainder may be left if more steps than these would have to be sorted.
 const LEFT: u64 = 1000;
 
-/// Adds the edges of an object's hull whose classes are in a range. Levels that lie on an edge part it.
+/// Appends the edges of an object's hull with classes in a range. Levels on an edge split it.
 fn edges(block: &RatedBlock<'_>, lane: usize, classes: RangeInclusive<u16>, to: &mut Vec<Step>) {
     let RatedBlock { ladder, scores, slopes, .. } = block;
     let mut coarse = slopes.len();
@@ -42,13 +42,13 @@ fn edges(block: &RatedBlock<'_>, lane: usize, classes: RangeInclusive<u16>, to: 
     }
 }
 
-/// The levels that a price buys: all steps of classes above one, and some levels beside.
+/// Levels bought at a price: all steps of classes above `above`, and the listed levels.
 pub(super) struct Bought {
     pub price: f64,
     pub above: u16,
     pub triangles: u64,
     pub score: f64,
-    /// Objects whose levels differ from what the classes above say, and places on their ladders.
+    /// Objects whose levels differ from those of the classes above, with ladder positions.
     pub levels: Vec<(u32, u16)>,
 }
 
@@ -59,14 +59,14 @@ impl Bought {
     }
 }
 
-/// Finds a price for what all objects' steps add up to.
+/// Search for the price at which the sum of all objects' steps fits the budget.
 pub(super) struct Plan<'a> {
     pub rater: &'a Rater<'a>,
     pub ratings: &'a Ratings,
 }
 
 impl Plan<'_> {
-    /// Triangles and score of all steps of classes above one.
+    /// Returns the triangles and the score of all steps of classes above the given one.
     fn above(&self, class: u16) -> (u64, f64) {
         let (mut triangles, mut score) = (self.ratings.ledger.first_triangles, self.ratings.ledger.first_score);
         for entry in self.ratings.ledger.classes[usize::from(class) + 1..].iter().rev() {
@@ -76,7 +76,7 @@ impl Plan<'_> {
         (triangles, score)
     }
 
-    /// The least class that is tried along with one, so that not too many steps are sorted.
+    /// Returns the lowest class to try together with `most`, so that about `tried` steps are sorted.
     fn reach(&self, most: u16, tried: u32) -> u16 {
         let steps = |class: u16| self.ratings.ledger.classes[usize::from(class)].steps;
         let (mut least, mut sum) = (most, steps(most));
@@ -87,7 +87,7 @@ impl Plan<'_> {
         least
     }
 
-    /// The wanted steps of some objects in some classes, in the order in which they are tried.
+    /// Returns the wanted steps of some objects in some classes, in the order in which they are tried.
     fn steps(&self, objects: Vec<u32>, classes: RangeInclusive<u16>, is_wanted: impl Fn(&Step) -> bool) -> Vec<Step> {
         let (mut steps, mut room) = (Vec::new(), Room::default());
         let order = self.rater.order(objects.into_iter());
@@ -98,18 +98,18 @@ impl Plan<'_> {
             }
         }
         steps.retain(is_wanted);
-        // Bits of numbers of at least 0 are in the order of the numbers.
+        // Bits of non-negative numbers are ordered like the numbers.
         steps.sort_unstable_by_key(|step| (Reverse(step.slope.to_bits()), step.object, Reverse(step.to)));
         steps
     }
 
-    /// All steps of some classes.
+    /// Returns all steps of some classes.
     fn between(&self, least: u16, most: u16) -> Vec<Step> {
         self.steps(self.ratings.between(self.rater, least, most), least..=most, |_| true)
     }
 
-    /// Steps of a class that are worth more than a slope, and those down to it that lead no further than the levels of
-    /// the frame before.
+    /// Returns the steps of a class whose slope exceeds the given one, and lower steps that lead to levels no finer
+    /// than in the previous frame.
     fn regained(&self, own: u16, slope: f64, before: &[i32]) -> Vec<Step> {
         self.steps(self.ratings.behind(self.rater, own, before), NEVER + 1..=own, |step| {
             let level = self.rater.ladder(step.object).level[usize::from(step.to)];
@@ -117,7 +117,7 @@ impl Plan<'_> {
         })
     }
 
-    /// Tries steps from a class on, more each time, until little enough is left.
+    /// Tries steps from a class on, in growing batches, until few enough triangles remain.
     fn go_on(&self, mut next: u16, filling: &mut Filling) {
         let mut tried = TRIED;
         while next > NEVER && !filling.is_done() {
@@ -128,13 +128,13 @@ impl Plan<'_> {
         }
     }
 
-    /// Takes steps with the triangles that are left of a budget.
+    /// Starts a selection of steps with the remaining triangles of a budget.
     fn filling(&self, left: u64, budget: u64) -> Filling {
         Filling::new(left, self.rater.fewest().saturating_sub(1).max(budget / LEFT))
     }
 
-    /// Buys what a price of the frame before buys, if that is within the budget and most of it. What is left keeps
-    /// levels of that frame, or buys steps below the price where they are not known.
+    /// Buys the levels of the previous frame's price if that spends most of the budget but no more. The remainder
+    /// keeps the previous frame's levels, or buys steps below the price if these are unknown.
     pub fn keep(&self, price: f64, budget: u64, hysteresis: f64) -> Option<Bought> {
         let scaled = price * self.rater.scale;
         let own = class(scaled).min(ALWAYS - 1);
@@ -159,7 +159,7 @@ impl Plan<'_> {
         Some(Bought::new(price, own, budget, score, filling))
     }
 
-    /// Spends a budget of at least what all objects have at their coarsest levels.
+    /// Spends a budget that suffices for all objects at their coarsest levels.
     pub fn buy(&self, budget: u64) -> Bought {
         let (mut triangles, mut score) = (self.ratings.ledger.first_triangles, self.ratings.ledger.first_score);
         let mut most = ALWAYS;

@@ -1,17 +1,17 @@
-//! Steps by their slope: how much they add in each class of slopes.
+//! Histogram of steps by slope, with the sums of each class.
 
-/// Number of classes. Classes are geometric: a few bits of the mantissa, and the exponent.
+/// Number of classes, geometrically spaced: the exponent and a few bits of the mantissa.
 pub(super) const CLASSES: usize = 1 << 12;
-/// Class of steps that nothing gains, and of those that are taken at any price.
+/// Classes of steps that gain nothing, and of steps that are taken at any price.
 pub(super) const NEVER: u16 = 0;
 pub(super) const ALWAYS: u16 = CLASSES as u16 - 1;
-/// Bits of the mantissa in a class: 2 % of a slope.
+/// Mantissa bits in a class: 2 % of a slope.
 const DIGITS: u32 = 5;
 const SHIFT: u32 = f64::MANTISSA_DIGITS - 1 - DIGITS;
-/// Slopes from here to 2¹²⁸ times as much have classes of their own; those beyond share the last ones.
+/// Start of the range with separate classes, up to 2¹²⁸ times this slope; slopes outside share the outermost classes.
 const LEAST: f64 = 1.0 / (1u128 << 112) as f64;
 
-/// The class of a slope; it never falls while slopes rise.
+/// Returns the class of a slope; it increases monotonically.
 #[inline(always)]
 pub(super) fn class(slope: f64) -> u16 {
     const FIRST: i64 = (LEAST.to_bits() >> SHIFT) as i64;
@@ -23,7 +23,7 @@ pub(super) fn class(slope: f64) -> u16 {
     (if slope == f64::INFINITY { ALWAYS as i64 } else { number }) as u16
 }
 
-/// Sums over the steps of a class, at an address that a shift gives.
+/// Sums over the steps of a class; aligned so that its address is a shift.
 #[derive(Clone, Copy, Default)]
 #[repr(align(32))]
 pub(super) struct Entry {
@@ -58,7 +58,7 @@ impl Default for Ledger {
 }
 
 impl Ledger {
-    /// Adds another one; in a fixed order, so that rounding does not depend on threads.
+    /// Adds another ledger; called in a fixed order, so that rounding does not depend on threads.
     pub fn add(&mut self, other: &Ledger) {
         for (own, other) in self.classes.iter_mut().zip(other.classes.iter()) {
             own.triangles += other.triangles;

@@ -1,31 +1,31 @@
-//! Models as the budget sees them: levels that have a curve, with the inverse differences of their triangles.
+//! Models prepared for the budget: levels with curves, and the inverse differences of their triangle counts.
 
 use super::super::select::Model;
 use crate::base::{Error, Result};
 
-/// The curves of a model and the triangles of all its levels, level 0 first.
+/// Curves of a model, and the triangle counts of all its levels, level 0 first.
 #[derive(Clone, Copy, Debug)]
 pub struct RatedModel<'a> {
     /// Curves, sizes and pixels.
     pub model: Model<'a>,
-    /// Triangles of each level, one more than curves; never rising.
+    /// Triangle count of each level: one entry more than curves, never increasing.
     pub triangles: &'a [i64],
 }
 
-/// The levels of a model that may be chosen: level 0 and those with curves, finest first.
+/// Selectable levels of a model: level 0 and those with curves, finest first.
 #[derive(Clone, Debug)]
 pub(super) struct Ladder {
     /// Number of each level in the model.
     pub level: Vec<i32>,
     pub triangles: Vec<u64>,
-    /// Triangles that each step adds; step n leads from level n + 1 to level n.
+    /// Triangles added by each step; step n leads from level n + 1 to level n.
     pub added: Vec<u64>,
     /// a, b, ln c and d of each level but the first.
     pub curves: Vec<[f64; 4]>,
-    /// Row by row for each coarser level k: 1/(triangles of j − triangles of k) for the finer levels j < k; +∞ for equal
-    /// numbers.
+    /// Row by row for each coarser level k: 1/(triangles of j − triangles of k) for the finer levels j < k; +∞ for
+    /// equal counts.
     pub per_triangle: Vec<f64>,
-    /// Least and greatest size at which curves are read.
+    /// Minimum and maximum size at which curves are read.
     pub range: [f64; 2],
 }
 
@@ -61,12 +61,12 @@ impl Ladder {
         Ok(ladder)
     }
 
-    /// Steps from one level to the next finer one.
+    /// Returns the number of steps from one level to the next finer one.
     pub fn steps(&self) -> usize {
         self.curves.len()
     }
 
-    /// 1/(triangles of `finer` − triangles of `coarser`).
+    /// Returns 1/(triangles of `finer` − triangles of `coarser`).
     pub fn inverse(&self, coarser: usize, finer: usize) -> f64 {
         self.per_triangle[coarser * (coarser - 1) / 2 + finer]
     }

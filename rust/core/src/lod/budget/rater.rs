@@ -1,14 +1,14 @@
-//! Slopes of objects, many of one model at a time.
+//! Slopes of objects, in blocks of objects of one model.
 
 use super::super::select::Objects;
 use super::hull::{Choice, Classes, LANES, Lanes, Worth, gains, is_on_edge, scores, slopes, worths};
 use super::rated::Ladder;
 use super::sizes::{SeenObjects, Weights};
 
-/// Greatest power of 2 by which weights are scaled; its inverse is a float, too.
+/// Maximum power of 2 by which weights are scaled; its inverse is a float, too.
 const MOST_EXPONENT: f64 = 1000.0;
 
-/// Rates objects in view.
+/// Computes scores and slopes of objects in view.
 pub(super) struct Rater<'a> {
     pub ladders: &'a [Ladder],
     pub objects: &'a Objects<'a>,
@@ -21,24 +21,24 @@ pub(super) struct Rater<'a> {
     floor: Option<f64>,
 }
 
-/// Objects of one model with their slopes, by lane.
+/// Objects of one model with their slopes, one per lane.
 pub(super) struct RatedBlock<'a> {
     pub objects: &'a [u32],
     pub ladder: &'a Ladder,
     pub weights: Lanes,
-    /// By place on the ladder: scores.
+    /// Scores, by ladder position.
     pub scores: &'a [Lanes],
-    /// By step: the weighted score that it adds.
+    /// Weighted score added by each step.
     pub gains: &'a [Lanes],
-    /// By step: slopes by the objects' weights, scaled, and their classes.
+    /// Slopes of each step by the objects' weights, scaled, and their classes.
     pub slopes: &'a [Lanes],
     pub classes: &'a [Classes],
 }
 
-/// Objects sorted by their models.
+/// Objects sorted by model.
 pub(super) struct Order {
     pub objects: Vec<u32>,
-    /// By model: the place where its objects end.
+    /// End of each model's objects.
     ends: Vec<usize>,
 }
 
@@ -72,12 +72,12 @@ impl<'a> Rater<'a> {
         &self.ladders[self.objects.model[object as usize] as usize]
     }
 
-    /// The fewest triangles that a step of any model adds.
+    /// Returns the minimum number of triangles that a step of any model adds.
     pub fn fewest(&self) -> u64 {
         self.ladders.iter().flat_map(|ladder| &ladder.added).copied().min().unwrap_or(0)
     }
 
-    /// The objects in view, sorted by their models.
+    /// Returns the objects in view, sorted by model.
     pub fn order(&self, objects: impl Iterator<Item = u32> + Clone) -> Order {
         let visible = objects.filter(|&object| self.seen.read[object as usize] >= 0.0);
         let mut ends = vec![0; self.ladders.len() + 1];
@@ -96,7 +96,7 @@ impl<'a> Rater<'a> {
         Order { objects: sorted, ends }
     }
 
-    /// Parts of objects that are of one model and fit a block, in their order.
+    /// Splits the objects into blocks of one model, in their order.
     pub fn blocks<'o>(&self, order: &'o Order) -> impl Iterator<Item = (&'a Ladder, &'o [u32])> {
         let mut start = 0;
         self.ladders.iter().zip(&order.ends).flat_map(move |(ladder, &end)| {
@@ -106,7 +106,7 @@ impl<'a> Rater<'a> {
         })
     }
 
-    /// Scores and slopes of a block.
+    /// Computes scores and slopes of a block.
     pub fn rate<'r>(&self, ladder: &'r Ladder, block: &'r [u32], room: &'r mut Room) -> RatedBlock<'r> {
         let (mut sizes, mut weights) = ([0.0; LANES], [0.0; LANES]);
         sizes.iter_mut().zip(block).for_each(|(to, &object)| *to = self.seen.read[object as usize]);
@@ -136,14 +136,14 @@ impl<'a> Rater<'a> {
         if let Weights::Each(all) = self.weights { all[object as usize] } else { 1.0 }
     }
 
-    /// Steps from which on the level of the frame before is held; +∞ for none.
+    /// Returns the step from which the previous frame's level is held; +∞ for none.
     fn held(&self, ladder: &Ladder, block: &[u32], room: &Room) -> Lanes {
         let mut held = [f64::INFINITY; LANES];
         let Some(previous) = self.objects.previous.filter(|_| self.hysteresis > 0.0) else { return held };
         for (lane, (to, &object)) in held.iter_mut().zip(block).enumerate() {
             let level = previous[object as usize];
             let place = ladder.level.iter().position(|&own| level >= 0 && own >= level);
-            // A level below the hull is not held: the edge above it would be parted.
+            // A level below the hull is not held: the edge above it would be split.
             let is_corner = |&place: &usize| {
                 let [coarse, fine] = edge_around(&room.slopes, lane, place);
                 place == coarse || place == fine || is_on_edge(ladder, &room.scores, lane, [coarse, fine], place)
@@ -154,7 +154,7 @@ impl<'a> Rater<'a> {
     }
 }
 
-/// The ends of the edge of the hull that a place lies on or below: those of steps of one slope.
+/// Returns the ends of the hull's edge on or above a position: the range of steps with equal slope.
 fn edge_around(slopes: &[Lanes], lane: usize, place: usize) -> [usize; 2] {
     let (mut coarse, mut fine) = (place, place);
     if (1..slopes.len()).contains(&place) && slopes[place - 1][lane] == slopes[place][lane] {

@@ -1,4 +1,4 @@
-//! The classes of all objects' steps, and what they add up to.
+//! Classes of all objects' steps, and their sums.
 
 use rayon::prelude::*;
 
@@ -9,7 +9,7 @@ use super::rated::Ladder;
 use super::rater::{Order, RatedBlock, Rater, Room};
 use crate::base::{Progress, Result};
 
-/// Number of objects in one task: fixed, so that sums are rounded the same for any number of threads.
+/// Number of objects per task: fixed, so that sums are rounded the same for any number of threads.
 const TASK: usize = 1 << 14;
 
 /// Classes of all objects in view.
@@ -20,9 +20,9 @@ pub(super) struct Ratings {
 
 /// Classes of the objects of a task.
 struct Page {
-    /// The objects in view.
+    /// Objects in view.
     order: Order,
-    /// Block by block, step by step.
+    /// Classes block by block, step by step.
     classes: Vec<Classes>,
 }
 
@@ -54,24 +54,25 @@ impl Ratings {
         Ok(ratings)
     }
 
-    /// Triangles of all objects at the coarsest levels that may be chosen.
+    /// Returns the triangles of all objects at their coarsest selectable levels.
     pub fn least(&self) -> u64 {
         self.ledger.first_triangles + self.ledger.classes[usize::from(ALWAYS)].triangles
     }
 
-    /// Objects with steps in a range of classes.
+    /// Returns the objects with steps in a range of classes.
     pub fn between(&self, rater: &Rater<'_>, least: u16, most: u16) -> Vec<u32> {
         self.pick(rater, least, most, |_, _, is_between| is_between)
     }
 
-    /// Objects with steps in a class, and those that have a coarser level after all steps of it than they had before.
+    /// Returns the objects with steps in a class, and those that even after all its steps are coarser than before.
     pub fn behind(&self, rater: &Rater<'_>, class: u16, before: &[i32]) -> Vec<u32> {
         self.pick(rater, class, class, |object, level, is_between| {
             is_between || (0..level).contains(&before[object as usize])
         })
     }
 
-    /// Objects that are picked for their level after all steps from a class on, and for having steps up to another one.
+    /// Selects objects by their level after all steps of class `least` and above, and by whether they have steps in
+    /// the range.
     fn pick(
         &self,
         rater: &Rater<'_>,
@@ -94,7 +95,7 @@ impl Ratings {
         pages.collect::<Vec<_>>().concat()
     }
 
-    /// Writes the levels after all steps of classes above one, and counts the objects by the stage that decided.
+    /// Writes the levels after all steps of higher classes, and counts the objects by the stage that decided.
     pub fn write(&self, rater: &Rater<'_>, above: u16, to: &mut [i32]) -> SelectionCounts {
         let tasks = self.pages.par_iter().zip(to.par_chunks_mut(TASK)).enumerate().map(|(task, (page, to))| {
             let mut counts = SelectionCounts::default();
@@ -117,7 +118,7 @@ impl Ratings {
 }
 
 impl Page {
-    /// The objects, their ladders and the classes of their steps, block by block.
+    /// Returns the objects, their ladders and the classes of their steps, block by block.
     fn blocks<'p>(&'p self, rater: &Rater<'p>) -> impl Iterator<Item = (&'p Ladder, &'p [u32], &'p [Classes])> {
         let mut left = self.classes.as_slice();
         rater.blocks(&self.order).map(move |(ladder, block)| {
@@ -128,7 +129,7 @@ impl Page {
     }
 }
 
-/// Places on the ladder after all steps of classes above one.
+/// Returns the ladder positions after all steps of higher classes.
 fn places(classes: &[Classes], above: u16) -> Classes {
     let mut places = [0; LANES];
     for classes in classes {
@@ -139,7 +140,7 @@ fn places(classes: &[Classes], above: u16) -> Classes {
     places
 }
 
-/// Enters a block: its coarsest levels and its steps.
+/// Adds a block to the ledger: its coarsest levels and its steps.
 fn enter(block: &RatedBlock<'_>, ledger: &mut Ledger) {
     let coarsest = block.ladder.steps();
     ledger.first_triangles += block.ladder.triangles[coarsest] * block.objects.len() as u64;

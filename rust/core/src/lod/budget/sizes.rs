@@ -1,4 +1,4 @@
-//! Sizes and weights of the objects in view; of several eyes the one that sees an object largest counts.
+//! Sizes and weights of the objects in view; with several eyes, the one that sees an object largest counts.
 
 use std::ops::RangeInclusive;
 
@@ -8,22 +8,22 @@ use super::super::select::{COLUMNS, EyeSizes, HIDDEN, Model, Objects, OpenSizes,
 use crate::base::error::number;
 use crate::base::{Error, Progress, Result};
 
-/// Weights within which sums and slopes neither overflow nor vanish.
+/// Range of weights within which sums and slopes neither overflow nor vanish.
 const USUAL_WEIGHTS: RangeInclusive<f64> = 1e-150..=1e150;
 
 /// Weights of the objects.
 #[derive(Clone, Copy, Debug)]
 pub enum Weights<'a> {
-    /// Every object the same.
+    /// Equal weights.
     Object,
     /// σ_eff / (tangent of a pixel)².
     Pixels,
-    /// One number for each object.
+    /// One number per object.
     Each(&'a [f64]),
 }
 
 impl Weights<'_> {
-    /// Refuses numbers that sums could lose.
+    /// Fails for numbers that would be lost in sums.
     pub fn check(&self) -> Result<()> {
         let Weights::Each(all) = self else { return Ok(()) };
         match all.iter().position(|weight| *weight != 0.0 && !USUAL_WEIGHTS.contains(weight)) {
@@ -36,7 +36,7 @@ impl Weights<'_> {
     }
 }
 
-/// Which numbers are kept beside the sizes at which curves are read.
+/// Columns to keep beside the sizes at which curves are read.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Kept {
     pub sizes: bool,
@@ -44,7 +44,7 @@ pub(super) struct Kept {
     pub thresholds: bool,
 }
 
-/// Objects and eyes.
+/// Input of the size computation: objects and eyes.
 pub(super) struct SizesOf<'a> {
     pub models: &'a [Model<'a>],
     pub objects: &'a Objects<'a>,
@@ -54,18 +54,18 @@ pub(super) struct SizesOf<'a> {
     pub line: ThresholdLine,
 }
 
-/// Sizes of objects; those outside the view have a `read` below 0.
+/// Sizes of objects; `read` is below 0 for those outside the view.
 pub(super) struct SeenObjects {
-    /// The size at which curves are read.
+    /// Size at which curves are read.
     pub read: Vec<f64>,
-    /// σ, σ_eff, σ_eff/pixel² and the greatest f(σ) of all eyes; empty if they are not kept.
+    /// σ, σ_eff, σ_eff/pixel² and the maximum f(σ) over all eyes; empty if not kept.
     pub sigma: Vec<f64>,
     pub seen: Vec<f64>,
     pub pixels: Vec<f64>,
     pub threshold: Vec<f64>,
 }
 
-/// The numbers of a tile.
+/// Columns of a tile.
 struct SeenTile<'a> {
     first: usize,
     read: &'a mut [f64],

@@ -1,4 +1,4 @@
-//! Spends a budget: what it is made of, and the stages in their order.
+//! Budgeted selection: input, result and the order of its stages.
 
 use super::super::select::{Apparent, COLUMNS, Eye, EyeSizes, Objects, SelectionCounts, ThresholdLine};
 use super::hull::Choice;
@@ -9,40 +9,41 @@ use super::ratings::Ratings;
 use super::sizes::{Kept, SeenObjects, SizesOf, Weights};
 use crate::base::{Error, Progress, Result};
 
-/// How much may be drawn, and what counts.
+/// Budget and weights.
 #[derive(Clone, Copy, Debug)]
 pub struct Budget<'a> {
-    /// Triangles of all objects in view.
+    /// Maximum number of triangles of all objects in view.
     pub triangles: u64,
     /// Weights of the objects.
     pub weights: Weights<'a>,
-    /// Objects have at least f(σ) − floor where the budget allows it.
+    /// Objects score at least f(σ) − floor if the budget allows it.
     pub floor: Option<f64>,
-    /// The price of the frame before. It is kept where it spends at least 1 − hysteresis of the budget and no more.
+    /// Price of the previous frame. It is kept if it spends at least 1 − hysteresis of the budget and no more than
+    /// all.
     pub price: Option<f64>,
 }
 
-/// How sizes are seen.
+/// Rules for sizes and visibility.
 #[derive(Clone, Copy, Debug)]
 pub struct BudgetRules<'a> {
     /// SSIM threshold f(σ), for the floor.
     pub line: ThresholdLine,
-    /// How the size that is seen follows from σ.
+    /// Relation between σ and the displayed size.
     pub apparent: Apparent<'a>,
     /// Whether objects outside the view get no level.
     pub cull: bool,
-    /// Share by which the score for a triangle must be better elsewhere for an object to lose its level.
+    /// Relative advantage in score per triangle that other objects need before an object loses its level.
     pub hysteresis: f64,
 }
 
-/// How a budget was spent.
+/// Result of a budgeted selection.
 #[derive(Clone, Copy, Debug)]
 pub struct Spent {
-    /// Weighted score for each triangle of the first step that did not fit; 0 if all that gains anything is drawn.
+    /// Weighted score per triangle of the first step that did not fit; 0 if every useful step fits.
     pub price: f64,
     /// Triangles of the levels.
     pub triangles: u64,
-    /// Mean score of the objects in view by their weights; NaN without any.
+    /// Weighted mean score of the objects in view; NaN if there are none.
     pub score: f64,
     /// Number of objects by the stage that decided their level.
     pub counts: SelectionCounts,
@@ -61,7 +62,7 @@ pub fn spend(
     progress: &Progress,
 ) -> Result<Spent> {
     let ladders = models.iter().enumerate().map(|(n, rated)| Ladder::new(rated, n)).collect::<Result<Vec<_>>>()?;
-    // So that no sum overflows.
+    // Prevents overflow of all sums.
     let most = ladders.iter().map(|ladder| ladder.triangles[0]).max().unwrap_or(0);
     if most.checked_mul(to.len() as u64).is_none() {
         let expected = format!("fewer than 2^64 triangles in {} objects", to.len());

@@ -4,7 +4,7 @@ use super::hull::{Choice, LANES, Lanes, slopes};
 use super::prices::{ALWAYS, NEVER, class};
 use super::rated::{Ladder, RatedModel};
 
-/// Numbers from 0 to 1, the same in each run.
+/// Deterministic random numbers from 0 to 1.
 struct Numbers(u64);
 
 impl Numbers {
@@ -14,14 +14,15 @@ impl Numbers {
     }
 }
 
-/// A ladder of levels with some triangles.
+/// Creates a ladder of levels with the given triangle counts.
 fn ladder(triangles: &[i64]) -> Ladder {
     let curves = vec![[1.0, 1.0, 1.0, 0.5]; triangles.len() - 1];
     let model = Model { curves: &curves, range: [0.0, 1.0], pixel: f64::NAN };
     Ladder::new(&RatedModel { model, triangles }, 0).unwrap()
 }
 
-/// The slope of the least concave function above the points, just left of place `step`, by all pairs around it.
+/// Returns the slope of the smallest concave function above the points, just left of position `step`, by all pairs
+/// around it.
 fn slope(triangles: &[i64], scores: &[f64], step: usize) -> f64 {
     let height = |triangles: &[i64], at: f64| {
         let mut most = f64::NEG_INFINITY;
@@ -109,7 +110,7 @@ fn after_a_step_that_does_not_fit_come_smaller_ones_of_others() {
     let steps = [step(0, 1, 50), step(1, 1, 60), step(1, 0, 1), step(2, 1, 40), step(3, 1, 30)];
     let mut filling = Filling::new(100, 0);
     filling.take(&steps);
-    // An object whose step did not fit takes none of those that come later.
+    // An object whose step did not fit takes no later step.
     filling.take(&[step(3, 0, 1), step(4, 1, 10)]);
     assert_eq!((filling.left, filling.gain, filling.slope), (0, 3.0, 0.5));
     assert_eq!(filling.levels(), [(0, 1), (2, 1), (4, 1)]);

@@ -1,4 +1,4 @@
-//! The fit of one curve: scale the values, find start points, descend from the best ones, and classify the result.
+//! Fit of one curve: scale the values, find start points, descend from the best ones, and classify the result.
 
 use super::descend::{self, EvaluatedLine};
 use super::frame::{SampleFrame, Unfit};
@@ -6,16 +6,17 @@ use super::logistic::{self, LANES, Pack, Samples};
 use super::steps::{self, Start};
 use crate::base::{Progress, Result};
 
-/// Greatest number of descents for one curve.
+/// Maximum number of descents for one curve.
 const STARTS: usize = 8;
 /// Upper bound of the angle, in radians, between any curve and the nearest curve of the grid. It limits how much a
 /// descent can improve on its start.
 const GRID_ANGLE: f64 = 0.5;
-/// Values are constant if their spread is below this share of the greatest absolute value.
+/// Relative spread of the values, by the largest absolute value, below which they count as constant.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
-/// A curve with squared residuals S is flat if (S/S₀)^((N−2)/2) is at least this, with S₀ the squared residuals about
-/// the mean and N the number of samples: the ratio of both likelihoods under normal noise, for N−2. With this value
-/// 95 % of the curves through pure noise are flat: 97 % for up to 20 samples, 95 % for 30 to 60, 92 % for 400.
+/// Threshold for flat curves. A curve with squared residuals S is flat if (S/S₀)^((N−2)/2) is at least this, with S₀
+/// the squared residuals about the mean and N the number of samples: the ratio of both likelihoods under normal noise,
+/// for N−2. With this value 95 % of the curves through pure noise are flat: 97 % for up to 20 samples, 95 % for 30 to
+/// 60, 92 % for 400.
 const FLAT_LIKELIHOOD: f64 = 0.01;
 /// Distance between the plateaus, in units of the values' range, above which a curve is open.
 const OPEN_HEIGHT: f64 = 100.0;
@@ -33,13 +34,13 @@ pub enum Status {
     Open,
     /// All values are equal up to rounding.
     Constant,
-    /// The curve is better than the mean only by an amount that noise explains.
+    /// The improvement over the mean is within noise.
     Flat,
     /// No curve can be fitted.
     Unfit(Unfit),
 }
 
-/// y = d + (a−d)/(1+(x/c)^b) with b > 0.
+/// Curve y = d + (a−d)/(1+(x/c)^b) with b > 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LogisticCurve {
     /// Value at x = 0.
@@ -50,7 +51,7 @@ pub struct LogisticCurve {
     pub c: f64,
     /// Limit of y at infinity.
     pub d: f64,
-    /// Root of the mean squared residual; for constant values an upper bound of it.
+    /// Root mean squared residual; for constant values an upper bound of it.
     pub rms: f64,
     /// Result of the fit.
     pub status: Status,
@@ -62,7 +63,7 @@ impl LogisticCurve {
     }
 }
 
-/// Buffers that all fits of one thread share.
+/// Buffers shared by all fits of one thread.
 #[derive(Default)]
 pub(super) struct FitScratch {
     values: Vec<f64>,
@@ -73,14 +74,14 @@ pub(super) struct FitScratch {
     starts: Vec<Start>,
 }
 
-/// The least-squares curve through the samples of a frame.
+/// Returns the least-squares curve through the samples of a frame.
 pub(super) fn fit(frame: &SampleFrame, y: &[f64], room: &mut FitScratch, progress: &Progress) -> Result<LogisticCurve> {
     let count = frame.order.len() as f64;
     let values = || frame.order.iter().map(|&n| y[n]);
     let (low, high) = values().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
     let scale = 0.5 * high - 0.5 * low;
     let center = if low == high { low } else { 0.5 * low + 0.5 * high };
-    // The mean of differences keeps the digits of values that are large and close together.
+    // The mean of differences keeps the digits of large values that are close together.
     let shift = values().map(|y| (y - center) / count).sum::<f64>();
     let flat = |rms: f64, status: Status| {
         let mean = center + shift;
@@ -100,7 +101,7 @@ pub(super) fn fit(frame: &SampleFrame, y: &[f64], room: &mut FitScratch, progres
     let samples = Samples { v: &frame.v, weight: &frame.weight, y: &room.packed, count, progress };
     progress.check()?;
     let best = descend_all(frame, &samples, total, &room.starts, &mut room.evaluated);
-    // Sums that were cancelled are 0.
+    // Sums are 0 after a cancellation.
     progress.check()?;
     let rms = scale * (best.sums.residual / count).sqrt();
     if (best.sums.residual / total).powf(0.5 * (count - 2.0)) >= FLAT_LIKELIHOOD {
@@ -128,7 +129,7 @@ fn find_starts(frame: &SampleFrame, total: f64, room: &mut FitScratch) {
     room.starts.sort_unstable_by(|one, other| other.explained.total_cmp(&one.explained));
 }
 
-/// The values that the grid uses, with mean 0 and length 1; all 0 if they are equal.
+/// Fills the values for the grid, with mean 0 and length 1; all 0 if they are equal.
 fn fill_unit(picked: &[usize], values: &[f64], unit: &mut Vec<f32>) {
     let chosen = || picked.iter().map(|&n| values[n]);
     let mean = chosen().sum::<f64>() / picked.len() as f64;
@@ -151,8 +152,8 @@ fn descend_all(
     };
     let mut best = descended(&starts[0], None, room);
     for start in &starts[1..starts.len().min(STARTS)] {
-        // Angle between y and its projection on the start's curve. No curve within GRID_ANGLE of the start is closer to
-        // y than the difference of both angles.
+        // Angle between y and its projection on the start's curve. No curve within GRID_ANGLE of the start is closer
+        // to y than the difference of both angles.
         let angle = (start.explained.clamp(0.0, 1.0).sqrt().acos() - GRID_ANGLE).max(0.0);
         if best.is_exact(samples) || angle.sin().powi(2) * total >= best.sums.residual {
             break;
@@ -165,7 +166,7 @@ fn descend_all(
     best
 }
 
-/// The parameters in the caller's units.
+/// Returns the parameters in the caller's units.
 fn unscaled(frame: &SampleFrame, found: &EvaluatedLine, mean: f64, scale: f64) -> LogisticCurve {
     let (line, sums) = (found.line, found.sums);
     let (low, high) = (mean - scale * (sums.q * sums.mean), mean + scale * (sums.q * (1.0 - sums.mean)));

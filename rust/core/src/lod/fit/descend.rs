@@ -1,16 +1,16 @@
-//! Descent to the nearest local minimum of the residual. For a given line τ the best a and d follow (variable
-//! projection: Golub, Pereyra 1973). Two unknowns remain, for which Newton's method with exact second derivatives needs
-//! few steps.
+//! Descent to the nearest local minimum of the residual. The best a and d follow from a given line τ (variable
+//! projection: Golub, Pereyra 1973). Two unknowns remain, for which Newton's method with exact second derivatives
+//! needs few steps.
 
 use super::logistic::{self, Line, LogisticScratch, LogisticSums, Samples};
 
-/// Greatest number of steps of one descent; ten are usual.
+/// Maximum number of steps of one descent; ten are usual.
 const STEPS: usize = 60;
-/// Least predicted gain of a step, as a share of the residual.
+/// Minimum predicted gain of a step, relative to the residual.
 const LEAST_PROMISE: f64 = 1e-11;
-/// Squared residual per sample, for values of size 1, that is rounding only.
+/// Squared residual per sample, for values of size 1, that is due to rounding.
 const ROUNDING: f64 = 1e-31;
-/// Greatest length of a step, in units of τ and of the logarithm of its rise.
+/// Maximum length of a step, in units of τ and of the logarithm of its rise.
 const LONGEST: f64 = 4.0;
 /// |τ| beyond which samples lie on a plateau to 4 digits.
 const PLATEAU_TAU: f64 = 9.0;
@@ -18,28 +18,28 @@ const PLATEAU_TAU: f64 = 9.0;
 const SAME_DESCENT: f64 = 0.03;
 /// Upper bound of the gain of a descent, as a multiple of the gain that its next step predicts.
 const GAIN_LIMIT: f64 = 8.0;
-/// Greatest |τ| if all samples lie on one side. The second plateau is then e²⁵ times as far away as the samples reach.
+/// Maximum |τ| if all samples lie on one side. The second plateau is then e²⁵ times as far away as the samples reach.
 pub(super) const TAIL: f64 = 25.0;
-/// Least rise over half of the samples' range; below it a curve is a straight line over ln x to ten digits.
+/// Minimum rise over half of the samples' range; below it a curve is a straight line over ln x to ten digits.
 pub(super) const LEAST_RISE: f64 = 1e-4;
 
 /// Bounds of lines; within them all numbers stay finite.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Limits {
-    /// Greatest rise.
+    /// Maximum rise.
     pub(super) steepest: f64,
-    /// Greatest distance between the line's middle and the middle of the samples, in the kernels' frame.
+    /// Maximum distance between the line's middle and the middle of the samples, in the kernels' frame.
     pub(super) farthest: f64,
 }
 
 impl Limits {
-    /// The nearest allowed line, in the form that keeps digits in tails: σ is above a half in at most half of the
+    /// Returns the nearest allowed line, in the form that keeps digits in tails: σ exceeds ½ in at most half of the
     /// samples' range.
     fn apply(&self, line: Line) -> Line {
         let mut line = if line.at(0.0) > 0.0 { line.turned() } else { line };
         line.rise = line.rise.signum() * line.rise.abs().clamp(LEAST_RISE, self.steepest);
         let steepness = line.rise.abs();
-        // τ at the middle of the samples is at most 0. At the end of their range it is greater by the steepness.
+        // τ at the middle of the samples is at most 0. At the end of their range it is larger by the steepness.
         let least = (-TAIL - steepness).max(-steepness * self.farthest);
         let missing = least - line.at(0.0);
         if missing > 0.0 {
@@ -62,19 +62,19 @@ impl EvaluatedLine {
         Self { line, sums: logistic::evaluate(samples, &line, room) }
     }
 
-    /// Gradient and second derivatives of half the residual, and the line in whose parameters they are.
+    /// Returns the gradient and second derivatives of half the residual, and the line whose parameters they refer to.
     #[cfg(test)]
     pub(super) fn derivatives(&self, count: f64) -> ([f64; 2], [f64; 3], Line) {
         let LocalModel { line, gradient, hessian } = LocalModel::new(self, count);
         (gradient, hessian, line)
     }
 
-    /// Whether only rounding is left, so that no other line is better.
+    /// Returns whether only rounding is left, so that no other line is better.
     pub(super) fn is_exact(&self, samples: &Samples<'_>) -> bool {
         self.sums.residual <= samples.count * ROUNDING
     }
 
-    /// Whether a descent would end at the rival's minimum.
+    /// Returns whether a descent would end at the rival's minimum.
     pub(super) fn leads_to(&self, rival: &Self) -> bool {
         let is_close = |v: f64| {
             let (own, other) = (self.line.at(v), rival.line.at(v));
@@ -83,7 +83,7 @@ impl EvaluatedLine {
         is_close(-1.0) && is_close(1.0)
     }
 
-    /// Whether `GAIN_LIMIT` times the gain that Newton's step predicts is too little to improve on the rival.
+    /// Returns whether `GAIN_LIMIT` times the gain predicted by Newton's step cannot improve on the rival.
     fn is_lost(&self, promise: f64, rival: &Self) -> bool {
         self.sums.residual - GAIN_LIMIT * promise > rival.sums.residual
     }
@@ -93,7 +93,7 @@ impl EvaluatedLine {
 struct LocalModel {
     line: Line,
     gradient: [f64; 2],
-    /// Derivatives by level twice, by both, by ln |rise| twice.
+    /// Second derivatives: by level twice, mixed, by ln |rise| twice.
     hessian: [f64; 3],
 }
 
@@ -131,13 +131,13 @@ impl LocalModel {
         }
     }
 
-    /// Newton's step and the predicted decrease of half the residual. Along each eigenvector of the second derivatives
-    /// the step leads downhill and is at most `radius` long.
+    /// Returns Newton's step and the predicted decrease of half the residual. Along each eigenvector of the second
+    /// derivatives the step leads downhill and is at most `radius` long.
     fn step(&self, radius: f64) -> ([f64; 2], f64) {
         let [a, b, c] = self.hessian;
         let half = (a - c) / 2.0;
         let root = (half * half + b * b).sqrt();
-        // The eigenvector of the greater eigenvalue, in the form without cancellation.
+        // Eigenvector of the larger eigenvalue, computed without cancellation.
         let axis = if half > 0.0 { [half + root, b] } else { [b, root - half] };
         let length = (axis[0] * axis[0] + axis[1] * axis[1]).sqrt();
         let axis = if length > 0.0 { [axis[0] / length, axis[1] / length] } else { [1.0, 0.0] };

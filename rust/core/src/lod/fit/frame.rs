@@ -1,4 +1,4 @@
-//! The samples of a curve in the kernels' own coordinate v: ln x, scaled so that its range is −1 to 1.
+//! Samples of a curve in the kernels' own coordinate v: ln x, scaled to the range −1 to 1.
 
 use super::descend::Limits;
 use super::grid::CurveGrid;
@@ -8,14 +8,14 @@ use crate::base::{Progress, Result};
 
 /// v of x = 0: far enough for every allowed rise, and with a finite square.
 const ZERO: f64 = -1e30;
-/// Least number of distinct x: the number of parameters.
+/// Minimum number of distinct x: the number of parameters.
 pub(super) const FEWEST: usize = 4;
-/// Greatest distance of ln c from the middle of the samples, so that c is finite.
+/// Maximum distance of ln c from the middle of the samples, so that c is finite.
 const FARTHEST_LN: f64 = 600.0;
-/// Rise multiplied by the gap at which the samples on both sides of a transition lie on the plateaus to 17 digits.
+/// Product of rise and gap at which the samples on both sides of a transition lie on the plateaus to 17 digits.
 const SATURATED: f64 = 80.0;
 
-/// The reason why no curve can be fitted.
+/// Reason why no curve can be fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unfit {
     /// Fewer than four distinct x have finite values.
@@ -26,14 +26,14 @@ pub enum Unfit {
     Overflow,
 }
 
-/// The samples used for the fit, sorted by x.
+/// Samples used for the fit, sorted by x.
 #[derive(Debug)]
 pub(super) struct SampleFrame {
     /// Indices of the samples, by ascending x.
     pub(super) order: Vec<usize>,
     pub(super) v: Vec<Pack>,
     pub(super) weight: Vec<Pack>,
-    /// Ends of the runs of equal x in `order`.
+    /// End in `order` of each run of equal x.
     pub(super) ends: Vec<usize>,
     /// v of each run.
     pub(super) places: Vec<f64>,
@@ -46,7 +46,7 @@ pub(super) struct SampleFrame {
 }
 
 impl SampleFrame {
-    /// A frame of the samples for which `counts` is true; their x are finite.
+    /// Creates a frame of the samples for which `counts` is true; their x must be finite.
     pub(super) fn new(
         x: &[f64],
         counts: impl Fn(usize) -> bool,
@@ -86,7 +86,7 @@ impl SampleFrame {
         Ok(Ok(Self { order, v, weight, ends, places, limits, grid, unit, middle, half }))
     }
 
-    /// x at a given v.
+    /// Returns x at a given v.
     pub(super) fn x(&self, v: f64) -> f64 {
         self.unit * (self.middle + self.half * v).exp()
     }
@@ -97,7 +97,7 @@ impl SampleFrame {
     }
 }
 
-/// ln(x/unit), with full precision where both are close.
+/// Returns ln(x/unit), with full precision if both are close.
 fn ln_ratio(x: f64, unit: f64) -> f64 {
     if x > 0.5 * unit && x < 2.0 * unit { ((x - unit) / unit).ln_1p() } else { x.ln() - unit.ln() }
 }

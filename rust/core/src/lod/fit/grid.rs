@@ -1,6 +1,6 @@
-//! The share of y that each curve of a grid explains. Each column holds p of one curve, with its mean subtracted and
-//! scaled to length 1, so its product with y gives the share. The grid depends only on the positions of the samples;
-//! curves with the same positions share it.
+//! Fraction of y explained by each curve of a grid. Each column holds p of one curve, minus its mean and scaled to
+//! length 1, so its product with y gives the fraction. The grid depends only on the positions of the samples; curves
+//! with the same positions share it.
 
 use std::ops::Range;
 
@@ -9,32 +9,31 @@ use super::descend::{LEAST_RISE, TAIL};
 use super::logistic::{LANES, Line};
 use crate::base::simd::vectorized;
 
-/// Number of columns in one step of the product.
+/// Number of columns per step of the product.
 const BLOCK: usize = 64;
-/// Least rise; with smaller rises curves are nearly straight lines over ln x.
+/// Minimum rise; with smaller rises curves are nearly straight lines over ln x.
 const LEAST_GRID_RISE: f64 = 0.25;
 /// Ratio of successive rises.
 const RISE_FACTOR: f64 = 1.7;
-/// A curve is a start if its residual is at most this multiple of its neighbours' at other rises, because rises are
-/// coarse.
+/// Maximum ratio of a start's residual to its neighbours' at other rises; above 1 because rises are coarse.
 const RIDGE_FACTOR: f32 = 1.1;
-/// Greatest rise divided by the number of gaps between positions. Steeper transitions lie between two samples; `steps`
+/// Maximum rise divided by the number of gaps between positions. Steeper transitions lie between two samples; `steps`
 /// finds those.
 const SAMPLE_STEEPNESS: f64 = 3.0;
-/// Greatest rise, however many samples there are.
+/// Maximum rise, however many samples there are.
 const GREATEST_GRID_RISE: f64 = 150.0;
 /// Number of columns whose p are computed together.
 const WIDTH: usize = 16;
 /// Distance between middles of transitions, in units of 1/rise.
 const SPACING: f64 = 1.2;
-/// Greatest exponent, reached at x = 0: no shift makes it overflow, and p is 1.
+/// Maximum exponent, reached at x = 0: no shift makes it overflow, and p is 1.
 const LARGEST: f64 = 300.0;
-/// Greatest e^τ: p is 1 in float32, and float32 still represents the number.
+/// Maximum e^τ: p is 1 in float32, and float32 still represents the number.
 const SATURATED: f64 = 1e30;
 /// Distance of the outermost middles from the samples, in units of 1/rise.
 const MARGIN: f64 = 4.0;
 
-/// Greatest number of samples, and of distinct positions, that the search for starts uses: ten times the number of
+/// Maximum number of samples, and of distinct positions, used in the search for starts: ten times the number of
 /// distinguishable columns.
 const GRID_SAMPLES: usize = 2_048;
 
@@ -44,10 +43,10 @@ pub(super) struct CurveGrid {
     levels: Vec<Level>,
     /// Middles of the transitions, ascending within each level.
     middles: Vec<f64>,
-    /// Values by sample, then by column; the columns are padded with 0 to whole blocks.
+    /// Values by sample, then by column; rows are padded with 0 to whole blocks.
     basis: Vec<f32>,
     columns: usize,
-    /// Indices of the samples that the rows belong to.
+    /// Indices of the samples of the rows.
     picked: Vec<usize>,
 }
 
@@ -59,7 +58,8 @@ struct Level {
 }
 
 impl CurveGrid {
-    /// The grid for samples at ascending `v`. `places` are the distinct values of v, and `ends` their ends in `v`.
+    /// Creates the grid for samples at ascending `v`. `places` are the distinct values of v, and `ends` their ends in
+    /// `v`.
     pub(super) fn new(v: &[f64], ends: &[usize], places: &[f64]) -> Self {
         let (levels, middles) = levels(places);
         let columns = middles.len().div_ceil(BLOCK) * BLOCK;
@@ -69,12 +69,12 @@ impl CurveGrid {
         Self { levels, middles, basis, columns, picked }
     }
 
-    /// Indices of the samples used for the search, by ascending v.
+    /// Returns the indices of the samples used for the search, by ascending v.
     pub(super) fn picked(&self) -> &[usize] {
         &self.picked
     }
 
-    /// The share of the picked y that each column explains; `y` has length 1 and mean 0.
+    /// Writes the fraction of the picked y that each column explains; `y` has length 1 and mean 0.
     pub(super) fn explain(&self, y: &[f32], explained: &mut Vec<f32>) {
         explained.clear();
         explained.resize(self.columns, 0.0);
@@ -82,7 +82,7 @@ impl CurveGrid {
     }
 
     /// Calls `visit` with each curve that explains at least as much as its neighbours of the same rise and nearly as
-    /// much as those of the next rises, and with the explained share.
+    /// much as those of adjacent rises, and with the explained fraction.
     pub(super) fn peaks(&self, explained: &[f32], mut visit: impl FnMut(f32, Line)) {
         for (k, level) in self.levels.iter().enumerate() {
             let Range { start, end } = level.columns;
@@ -114,8 +114,8 @@ impl CurveGrid {
     }
 }
 
-/// All samples if there are few. Otherwise samples at even ranks, and one sample for each of evenly chosen positions,
-/// so that rare positions are included.
+/// Returns all samples if there are few. Otherwise samples at even ranks, and one sample for each of evenly chosen
+/// positions, so that rare positions are included.
 fn picked(count: usize, ends: &[usize]) -> Vec<usize> {
     if count <= 2 * GRID_SAMPLES {
         return (0..count).collect();
@@ -128,7 +128,7 @@ fn picked(count: usize, ends: &[usize]) -> Vec<usize> {
     picked
 }
 
-/// The rises, each with middles from tail to tail. The first level is a straight line.
+/// Returns the rises, each with middles from tail to tail. The first level is a straight line.
 fn levels(places: &[f64]) -> (Vec<Level>, Vec<f64>) {
     let first = places.partition_point(|&v| v < -1.0);
     let finite = &places[first..];
@@ -157,11 +157,11 @@ fn levels(places: &[f64]) -> (Vec<Level>, Vec<f64>) {
 }
 
 fn basis(v: &[f64], levels: &[Level], middles: &[f64], columns: usize) -> Vec<f32> {
-    // e^(rise (v − middle)) is computed as a product, so each rise needs as many exponentials as it has samples and
+    // e^(rise (v − middle)) is computed as a product, so each rise needs only as many exponentials as samples and
     // columns.
     let (mut shifts, mut powers) = (Vec::with_capacity(columns), Vec::with_capacity(2 * levels.len() * v.len()));
     for Level { rise, columns: own } in levels {
-        // Of σ and 1 − σ it takes the one that is small in the visible tail, which keeps its digits.
+        // Uses σ or 1 − σ, whichever is small in the visible tail, which keeps its digits.
         shifts.extend(middles[own.clone()].iter().map(|middle| -rise * middle.abs()));
         powers.extend(v.iter().map(|v| (-rise * v).min(LARGEST)));
         powers.extend(v.iter().map(|v| rise * v));
@@ -200,7 +200,7 @@ fn exp_all_kernel(values: &mut [f64]) {
     }
 }
 
-/// p of the columns of one rise.
+/// Computes p of the columns of one rise.
 #[inline(always)]
 fn fill_kernel(powers: &[f64], shifts: &[f64], basis: &mut [f32], columns: usize) {
     let (packs, rest) = shifts.as_chunks::<WIDTH>();
@@ -225,7 +225,7 @@ fn fill_kernel(powers: &[f64], shifts: &[f64], basis: &mut [f32], columns: usize
     }
 }
 
-/// Subtracts each column's mean and scales the column to length 1; a column of equal numbers becomes 0.
+/// Subtracts each column's mean and scales the column to length 1; a constant column becomes 0.
 #[inline(always)]
 fn normalize_kernel(basis: &mut [f32], columns: usize) {
     let (blocks, _) = basis.as_chunks_mut::<BLOCK>();

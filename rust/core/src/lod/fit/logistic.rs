@@ -1,4 +1,4 @@
-//! The logistic function at an array of samples, and the sums that a fit needs, eight samples at a time.
+//! Logistic function at an array of samples, and the sums that a fit needs, eight samples at a time.
 
 use super::super::elementary::exp;
 use crate::base::Progress;
@@ -8,7 +8,7 @@ use crate::base::simd::vectorized;
 pub(super) const LANES: usize = 8;
 pub(super) type Pack = [f64; LANES];
 
-/// τ(v) = level + rise (v − origin), the argument of σ(τ) = 1/(1+e^−τ).
+/// Line τ(v) = level + rise (v − origin), the argument of σ(τ) = 1/(1+e^−τ).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Line {
     pub(super) level: f64,
@@ -21,12 +21,12 @@ impl Line {
         self.level + self.rise * (v - self.origin)
     }
 
-    /// The same curve expressed by 1 − σ(τ) = σ(−τ).
+    /// Returns the same curve expressed by 1 − σ(τ) = σ(−τ).
     pub(super) fn turned(self) -> Self {
         Self { level: -self.level, rise: -self.rise, ..self }
     }
 
-    /// The same line with another origin.
+    /// Returns the same line with another origin.
     pub(super) fn seen_from(self, origin: f64) -> Self {
         Self { level: self.at(origin), origin, ..self }
     }
@@ -39,7 +39,7 @@ pub(super) struct LogisticSums {
     pub(super) mean: f64,
     /// Σ g².
     pub(super) square: f64,
-    /// The factor of g that leaves the least residual.
+    /// Factor of g that minimises the residual.
     pub(super) q: f64,
     /// Σ r².
     pub(super) residual: f64,
@@ -56,7 +56,7 @@ pub(super) struct LogisticSums {
 }
 
 impl LogisticSums {
-    /// Distance from the origin to the point about which level and rise are nearly independent.
+    /// Returns the distance from the origin to the point about which level and rise are nearly independent.
     pub(super) fn center(&self) -> f64 {
         if self.squared[0] > 0.0 { (self.squared[1] / self.squared[0]).clamp(-3.0, 3.0) } else { 0.0 }
     }
@@ -71,7 +71,7 @@ pub(super) struct Samples<'a> {
     /// Values with mean 0; 0 in the padding.
     pub(super) y: &'a [Pack],
     pub(super) count: f64,
-    /// Where the caller may cancel; all sums are then 0, which ends a descent.
+    /// Progress and cancellation; after a cancellation all sums are 0, which ends a descent.
     pub(super) progress: &'a Progress,
 }
 
@@ -104,12 +104,12 @@ impl LogisticScratch {
 }
 
 vectorized! {
-    /// All sums of one curve. The buffers of `room` have one entry per sample.
+    /// Computes all sums of one curve. The buffers of `room` have one entry per sample.
     pub(super) fn evaluate(samples: &Samples<'_>, line: &Line, room: &mut LogisticScratch) -> LogisticSums
         = evaluate_kernel;
 }
 
-// Short loops with one result each, because the compiler vectorises these but not one loop with all sums.
+// Short loops with one result each: the compiler vectorises these but not one loop with all sums.
 #[inline(always)]
 fn evaluate_kernel(samples: &Samples<'_>, line: &Line, room: &mut LogisticScratch) -> LogisticSums {
     let packs = samples.v.len();
@@ -169,7 +169,7 @@ fn evaluate_kernel(samples: &Samples<'_>, line: &Line, room: &mut LogisticScratc
     }
 }
 
-/// Sum of products, in eight parallel sums.
+/// Returns a sum of products, in eight parallel sums.
 #[inline(always)]
 fn product(one: &[Pack], other: &[Pack]) -> f64 {
     let other = &other[..one.len()];

@@ -1,4 +1,4 @@
-//! Curves through many rows of samples.
+//! Fits for many rows of samples.
 
 use rayon::prelude::*;
 
@@ -9,8 +9,8 @@ use crate::base::{Error, Progress, Result};
 /// Number of curves in one task.
 const TASK: usize = 16;
 
-/// The least-squares curves through rows of `count` samples. `x` is one row that all curves share, or has as many
-/// numbers as `y`. Samples that are not finite are left out.
+/// Fits least-squares curves to rows of `count` samples. `x` is one row shared by all curves, or has as many numbers
+/// as `y`. Samples that are not finite are ignored.
 pub fn fit_4pl(x: &[f64], y: &[f64], count: usize, progress: &Progress) -> Result<Vec<LogisticCurve>> {
     if count == 0 || !y.len().is_multiple_of(count) || x.len() != count && x.len() != y.len() {
         let got = format!("{} of x and {} of y for {count} each", x.len(), y.len());

@@ -1,23 +1,22 @@
-//! Curves so steep that they are steps between two neighbouring samples, or steps with one sample on the slope.
+//! Start points for curves so steep that they are steps between two samples, or steps with one sample on the slope.
 
 use super::frame::SampleFrame;
 use super::logistic::Line;
 
-/// Rise multiplied by the narrower gap: the samples beside the step lie on the plateaus to 4 digits, and a descent
+/// Product of rise and the narrower gap: the samples beside the step lie on the plateaus to 4 digits, and a descent
 /// still has a gradient.
 const STEEP: f64 = 8.0;
-/// Greatest gap, in v, that a step may span: x = 0 lies at v = −10³⁰.
+/// Maximum gap, in v, that a step may span: x = 0 lies at v = −10³⁰.
 const FIRST_STEP: f64 = 2.0;
 
-/// Start of a descent, and the share of y that is explained there or nearby.
+/// Start of a descent, and the fraction of y that is explained there or nearby.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Start {
     pub(super) explained: f64,
     pub(super) line: Line,
 }
 
-/// The best step and the best step with a sample on its slope. `y`, by ascending x, has mean 0 and squares that add up
-/// to 1.
+/// Returns the best step and the best step with a sample on its slope. `y`, by ascending x, has mean 0 and length 1.
 pub(super) fn best(frame: &SampleFrame, y: &[f64]) -> [Option<Start>; 2] {
     let (ends, places) = (&frame.ends, &frame.places);
     let count = y.len() as f64;

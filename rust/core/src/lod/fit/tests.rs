@@ -5,8 +5,8 @@ use super::*;
 use crate::base::{Error, Progress};
 use proptest::prelude::*;
 
-/// Residual of the best a and d for given b and c, by the textbook. If all samples lie near the left plateau it uses
-/// p − 1, because p itself would lose their digits.
+/// Returns the residual of the best a and d for given b and c, by the textbook formula. If all samples lie near the
+/// left plateau it uses p − 1, because p itself would lose digits.
 fn residual(x: &[f64], y: &[f64], b: f64, c: f64) -> f64 {
     let count = x.len() as f64;
     let u: Vec<f64> = x.iter().map(|x| (x / c).powf(b)).collect();
@@ -19,7 +19,7 @@ fn residual(x: &[f64], y: &[f64], b: f64, c: f64) -> f64 {
     p.iter().zip(y).map(|(p, y)| (y - mean_y - slope * (p - mean_p)).powi(2)).sum()
 }
 
-/// The samples of a frame for values from which the mean is subtracted.
+/// Runs a test with the samples of a frame, for values minus their mean.
 fn with_samples<R>(
     x: &[f64],
     y: &[f64],

@@ -1,4 +1,4 @@
-//! Levels of many objects, tile by tile.
+//! Level selection for many objects, tile by tile.
 
 use rayon::prelude::*;
 
@@ -43,7 +43,7 @@ pub fn select(
         .try_reduce(SelectionCounts::default, add)
 }
 
-/// Objects and their results in tiles.
+/// Splits objects and their results into tiles.
 fn tiles<'a>(
     objects: &Objects<'a>,
     to: &'a mut [i32],

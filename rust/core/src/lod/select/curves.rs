@@ -1,19 +1,19 @@
-//! The curves of a model at one size: scores, the coarsest sufficient level, and fading between levels.
+//! Curves of a model at one size: scores, the coarsest sufficient level, and fading between levels.
 
 use super::rules::{Rules, SizeLimit};
 use crate::base::{Error, Result};
 
-/// Difference of score assumed below the coarsest level: the difference between levels in measurements.
+/// Assumed score difference below the coarsest level: the measured difference between levels.
 const STEP: f64 = 0.05;
-/// Range of sizes below the greatest size over which the level falls to 0, as a share of the greatest size, for a fade
-/// of 1; it is proportional to the fade.
+/// Range of sizes below the maximum size over which the level fades to 0, relative to the maximum size, for a fade of
+/// 1; proportional to the fade.
 const FADE_RANGE: f64 = 0.25;
 /// Solid angle of all directions, slightly reduced: a sphere around the eye exceeds it.
 const BELOW_ALL_AROUND: f64 = 4.0 * std::f64::consts::PI * (1.0 - 1e-12);
-/// Relative widening of the size from which no level is good enough, more than rounding moves it.
+/// Relative widening, more than rounding, of the size from which no level suffices.
 const WIDENING: f64 = 1e-9;
 
-/// a, b, c and d of y = d + (a−d)/(1+(x/c)^b).
+/// Parameters a, b, c and d of y = d + (a−d)/(1+(x/c)^b).
 pub type Parameters = [f64; 4];
 
 /// Curves of all levels of one object except level 0.
@@ -21,25 +21,25 @@ pub type Parameters = [f64; 4];
 pub struct Model<'a> {
     /// Curves from level 1 on; NaN for a level without a curve.
     pub curves: &'a [Parameters],
-    /// Least and greatest measured solid angle, steradians.
+    /// Minimum and maximum measured solid angle, steradians.
     pub range: [f64; 2],
-    /// Tangent of the pixels that the curves were measured with; NaN if it is not known.
+    /// Tangent of the pixels that the curves were measured with; NaN if unknown.
     pub pixel: f64,
 }
 
-/// The sizes of an object, and the score that is required.
+/// Sizes of an object, and the required score.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SizeQuery {
     /// σ
     pub sigma: f64,
     /// σ′, the size that the eye sees.
     pub seen: f64,
-    /// The size at which curves are read: σ′ in pixels of the model; +∞ if σ′ exceeds its limit.
+    /// Size at which curves are read: σ′ in pixels of the model; +∞ if σ′ exceeds its limit.
     pub read: f64,
     pub threshold: f64,
 }
 
-/// y at x ≥ 0, computed from the nearer plateau, so that no digits cancel.
+/// Returns y at x ≥ 0, computed from the nearer plateau, so that no digits cancel.
 pub(super) fn score(&[a, b, c, d]: &Parameters, x: f64) -> f64 {
     let steps = b * if (x / c - 1.0).abs() < 0.5 { ((x - c) / c).ln_1p() } else { x.ln() - c.ln() };
     let small = (-steps.abs()).exp();
@@ -57,7 +57,7 @@ impl Model<'_> {
         Err(Error::value("models", "solid angles of at least 0, the least first", got))
     }
 
-    /// Size σ above which the level is 0, whatever is seen; −∞ for a model with one level. From a certain size on f
+    /// Returns the size σ above which the level is always 0; −∞ for a model with one level. From a certain size on f
     /// exceeds all scores of the curves.
     pub(super) fn limit(&self, rules: &Rules) -> f64 {
         if self.curves.is_empty() {
@@ -70,17 +70,17 @@ impl Model<'_> {
         end.min(own).min(BELOW_ALL_AROUND)
     }
 
-    /// The greatest size at which curves are read; no sphere is larger than all directions.
+    /// Returns the maximum size at which curves are read; no sphere is larger than all directions.
     pub(crate) fn greatest(&self) -> f64 {
         self.range[1].min(4.0 * std::f64::consts::PI)
     }
 
-    /// Area of the model's pixels as a multiple of those of an eye; 1 if the model's are not known.
+    /// Returns the area of the model's pixels as a multiple of an eye's; 1 if the model's are unknown.
     pub(super) fn pixel_area(&self, eye: f64) -> f64 {
         if self.pixel.is_nan() { 1.0 } else { (self.pixel / eye) * (self.pixel / eye) }
     }
 
-    /// Score of a level at a size up to the greatest measured one.
+    /// Returns the score of a level at a size up to the maximum measured one.
     pub(crate) fn score(&self, level: usize, read: f64) -> f64 {
         match level.checked_sub(1) {
             None => 1.0,
@@ -88,7 +88,7 @@ impl Model<'_> {
         }
     }
 
-    /// The coarsest sufficient level, at most `most`.
+    /// Returns the coarsest sufficient level, at most `most`.
     pub(super) fn coarsest(&self, most: usize, asked: &SizeQuery) -> usize {
         if asked.read > self.greatest() {
             return 0;
@@ -96,7 +96,8 @@ impl Model<'_> {
         (1..=most).rev().find(|&level| self.score(level, asked.read) >= asked.threshold).unwrap_or(0)
     }
 
-    /// The coarsest sufficient level. Levels coarser than the previous one must exceed the threshold by the hysteresis.
+    /// Returns the coarsest sufficient level. Levels coarser than the previous one must exceed the threshold by the
+    /// hysteresis.
     pub(super) fn held(&self, previous: usize, asked: &SizeQuery, rules: &Rules) -> usize {
         let most = self.curves.len();
         if previous == 0 && self.room(asked, rules) < rules.hysteresis {
@@ -106,7 +107,7 @@ impl Model<'_> {
         self.coarsest(most, &surely).max(self.coarsest(previous.min(most), asked))
     }
 
-    /// The level while it fades to the next finer one.
+    /// Returns the fractional level during a fade to the next finer one.
     pub(super) fn shown(&self, level: usize, asked: &SizeQuery, rules: &Rules) -> f64 {
         if level == 0 || rules.fade == 0.0 {
             return level as f64;
@@ -114,7 +115,7 @@ impl Model<'_> {
         let own = self.score(level, asked.read);
         let coarser = (level + 1..=self.curves.len()).map(|other| self.score(other, asked.read));
         let next = coarser.filter(|other| !other.is_nan()).reduce(f64::max).unwrap_or(own - STEP);
-        // With hysteresis a level may be finer than required by more than one level, so the share is clamped.
+        // With hysteresis a level may be more than one level finer than required, so the fraction is clamped.
         let way = if own > next { ((own - asked.threshold) / (own - next)).clamp(0.0, 1.0) } else { 1.0 };
         let weight = 1.0 - (way / rules.fade).min(1.0);
         let finer = self.coarsest(level - 1, asked);
@@ -123,7 +124,7 @@ impl Model<'_> {
         faded.min(most)
     }
 
-    /// How much smaller than its limits an object is, as a share of them.
+    /// Returns the relative distance of an object's size from its limits.
     fn room(&self, asked: &SizeQuery, rules: &Rules) -> f64 {
         let left = |size: f64, limit: f64| if limit > 0.0 { 1.0 - size / limit } else { 1.0 };
         let limited = if rules.limit == SizeLimit::Own { asked.sigma } else { asked.seen };

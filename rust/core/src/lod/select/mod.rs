@@ -1,4 +1,4 @@
-//! The coarsest sufficient level of each object (Liebisch 2021, Sec. 4.3–4.5), for many objects and few eyes.
+//! Selection of the coarsest sufficient level (Liebisch 2021, Sec. 4.3–4.5), for many objects and few eyes.
 //!
 //! Stages, in order: visibility, sizes, the lens for the objects still open, a table of levels, curves.
 

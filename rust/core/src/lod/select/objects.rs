@@ -22,7 +22,7 @@ pub struct Objects<'a> {
 }
 
 impl<'a> Objects<'a> {
-    /// Refuses invalid model numbers and levels; `first` is the index of the first object.
+    /// Fails for invalid model numbers and levels; `first` is the index of the first object.
     #[inline(never)]
     pub(crate) fn check(&self, models: &[Model<'_>], first: usize) -> Result<()> {
         let count = models.len() as i64;
@@ -39,7 +39,7 @@ impl<'a> Objects<'a> {
         Ok(())
     }
 
-    /// Some of the objects.
+    /// Returns some of the objects.
     pub(crate) fn part(&self, range: Range<usize>) -> Objects<'a> {
         Objects {
             model: &self.model[range.clone()],
@@ -50,7 +50,7 @@ impl<'a> Objects<'a> {
     }
 }
 
-/// Number of columns beside the level: σ, the σ′ that the eye sees, f, the score, and the fading level.
+/// Number of columns beside the level: σ, the displayed size σ′, f, the score, and the fractional level.
 pub const COLUMNS: usize = 5;
 
 /// Number of objects by the stage that decided their level, summed over all eyes.
@@ -60,17 +60,17 @@ pub struct SelectionCounts {
     pub culled: u64,
     /// In view, with one level only.
     pub one_level: u64,
-    /// At level 0 already because of another eye.
+    /// Already at level 0 because of another eye.
     pub settled: u64,
-    /// Larger than the size up to which curves are used.
+    /// Larger than the maximum size at which curves are used.
     pub large: u64,
     /// Looked up in curves or tables.
     pub asked: u64,
-    /// Of `asked`: sizes computed through the lens.
+    /// Sizes computed through the lens, among `asked`.
     pub lens: u64,
-    /// Of `asked`: levels from a table.
+    /// Levels from a table, among `asked`.
     pub table: u64,
-    /// Of `asked`: levels from curves.
+    /// Levels from curves, among `asked`.
     pub formula: u64,
 }
 
@@ -87,7 +87,7 @@ impl AddAssign for SelectionCounts {
     }
 }
 
-/// The error for an invalid number of a model or level.
+/// Returns the error for an invalid number of a model or level.
 fn refused(argument: &'static str, least: i64, most: usize, got: i64, index: usize) -> Error {
     if most == 0 {
         return Error::value(argument, "no objects where there are no models", format!("{got} at index {index}"));

@@ -1,4 +1,4 @@
-//! The rules by which levels are chosen, and the influence of lenses and eyes.
+//! Rules for the selection of levels, and the influence of lenses and eyes.
 
 use glam::DVec3;
 
@@ -13,12 +13,12 @@ pub struct ThresholdLine {
     pub rise: f64,
 }
 
-/// Which size must not exceed the reference for a level other than 0.
+/// Size that must not exceed the reference for a level other than 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SizeLimit {
-    /// The object's own, σ.
+    /// Undistorted size σ.
     Own,
-    /// The one that is seen, σ′.
+    /// Displayed size σ′.
     Seen,
 }
 
@@ -29,13 +29,13 @@ pub struct Rules {
     pub line: ThresholdLine,
     /// Solid angle in steradians above which level 0 is used.
     pub reference: f64,
-    /// The size that the reference limits.
+    /// Size that the reference limits.
     pub limit: SizeLimit,
     /// Whether objects outside the view get no level.
     pub cull: bool,
     /// Score above the threshold that a coarser level needs to replace a finer one.
     pub hysteresis: f64,
-    /// Share of the distance between levels over which they are blended; 0 disables blending.
+    /// Fraction of the distance between levels over which they are blended; 0 disables blending.
     pub fade: f64,
 }
 
@@ -50,28 +50,28 @@ pub struct EyeLens<'a> {
     pub exact: bool,
 }
 
-/// How the size that is seen follows from σ.
+/// Relation between σ and the displayed size.
 #[derive(Clone, Copy, Debug)]
 pub enum Apparent<'a> {
     /// σ itself.
     Own,
     /// Through a lens along one axis, as published: σ (α⁺ − α⁻)/2μ (Liebisch 2021, Eq. 4.10–4.12).
     Axis(EyeLens<'a>),
-    /// Through a lens along both axes: that times sin α′/sin α of the centre.
+    /// Through a lens along both axes: the above times sin α′/sin α of the centre.
     Area(EyeLens<'a>),
     /// Pixels of the panel, behind a lens if there is one: σ·D(α) of the centre.
     Panel(Option<EyeLens<'a>>),
 }
 
-/// Acuity of an eye: the least visible angle at eccentricity e, both in degrees, is slope · e + limit (Guenter et al.
-/// 2012, Eq. 1).
+/// Acuity of an eye: the smallest visible angle at eccentricity e, both in degrees, is slope · e + limit (Guenter et
+/// al. 2012, Eq. 1).
 #[derive(Clone, Copy, Debug)]
 pub struct Acuity {
     /// Unit viewing direction in the world.
     pub gaze: DVec3,
-    /// Degrees of the least visible angle per degree of eccentricity.
+    /// Increase of the smallest visible angle per degree of eccentricity, degrees.
     pub slope: f64,
-    /// Least visible angle at the gaze, degrees.
+    /// Smallest visible angle at the gaze, degrees.
     pub limit: f64,
     /// Angle of a pixel in degrees, at least `limit`: the display shows nothing finer.
     pub best: f64,

@@ -1,4 +1,4 @@
-//! How large objects appear to an eye: through its lens, on its panel, within its acuity, in pixels of their models.
+//! Displayed sizes of objects: through a lens, on the panel, within the acuity, in pixels of their models.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -14,7 +14,7 @@ use crate::lens::{Magnification, STRETCHED, Sizes, Spheres};
 pub(crate) struct EyeSizes<'a> {
     pub eyes: &'a [Eye],
     apparent: Apparent<'a>,
-    /// By eye.
+    /// Pixel areas per eye.
     pixel_areas: Vec<PixelAreas>,
 }
 
@@ -30,9 +30,9 @@ pub(crate) struct OpenSizes {
     pub place: [u16; TILE],
     /// σ
     pub sigma: [f64; TILE],
-    /// σ′, the size that the eye sees.
+    /// σ′, the displayed size.
     pub seen: [f64; TILE],
-    /// The size at which curves are read: σ′ in pixels of the model; +∞ if σ′ exceeds its limit.
+    /// Size at which curves are read: σ′ in pixels of the model; +∞ if σ′ exceeds its limit.
     pub read: [f64; TILE],
     angles: [[f64; TILE]; 4],
     factor: [f64; TILE],
@@ -64,13 +64,13 @@ impl<'a> EyeSizes<'a> {
         Self { eyes, apparent, pixel_areas: eyes.iter().map(areas).collect() }
     }
 
-    /// Whether sizes change through a lens or on a panel.
+    /// Returns whether sizes change through a lens or on a panel.
     pub fn is_bent(&self) -> bool {
         !matches!(self.apparent, Apparent::Own)
     }
 
-    /// Computes the sizes of the first `count` open objects of a tile, as an eye sees them. Curves are not read where
-    /// σ′ exceeds the limit.
+    /// Computes the sizes of the first `count` open objects of a tile, as an eye sees them. Curves are not read if σ′
+    /// exceeds the limit.
     pub fn see(
         &self,
         eye: usize,
@@ -171,12 +171,12 @@ fn spread(lens: Option<&EyeLens<'_>>, corner: f64, sight: &Sight, open: &mut Ope
         None => to.iter_mut().zip(from).for_each(|(to, t)| *to = (1.0 + t * t) * (1.0 + t * t).sqrt()),
     }
     for (seen, factor) in open.seen[..count].iter_mut().zip(&open.factor) {
-        // A point stays one where D is infinite.
+        // A size of 0 stays 0 where D is infinite.
         *seen = if *seen > 0.0 { *seen * factor } else { *seen };
     }
 }
 
-/// tan α of the centres, at most `most`, and `most` for those beside and behind the eye; 0 pads the last block.
+/// Writes tan α of the centres, at most `most`, and `most` for those beside and behind the eye; 0 pads the last block.
 fn tangents(sight: &Sight, places: &[u16], most: f64, to: &mut [f64; TILE]) {
     for (to, &place) in to.iter_mut().zip(places) {
         let n = usize::from(place) % TILE;
@@ -187,7 +187,7 @@ fn tangents(sight: &Sight, places: &[u16], most: f64, to: &mut [f64; TILE]) {
 }
 
 impl Acuity {
-    /// Factor by which acuity shrinks lengths at the nearest edge of a sphere with half angle μ.
+    /// Returns the factor by which acuity shrinks lengths at the nearest edge of a sphere with half angle μ.
     pub fn scale(&self, offset: DVec3, mu: f64) -> f64 {
         let offset = offset / offset.abs().max_element();
         let away = offset.cross(self.gaze).length().atan2(offset.dot(self.gaze)) - mu;

@@ -1,4 +1,4 @@
-//! Tables of levels over cells of size. In most cells one level is correct for every size.
+//! Look-up tables of levels over cells of size. In most cells one level is correct for every size.
 
 use std::hint::select_unpredictable;
 
@@ -12,20 +12,20 @@ use super::rules::{Rules, ThresholdLine};
 /// log₂ of the number of cells over σ. The cells have equal widths, because f is linear.
 const SIGMA_DIGITS: u32 = 3;
 const SIGMAS: u64 = 1 << SIGMA_DIGITS;
-/// log₂ of the number of σ cells for σ′ up to the least measured σ′. There each score is one number, so f alone
+/// log₂ of the number of σ cells for σ′ up to the minimum measured σ′. There all scores are constant, so f alone
 /// decides.
 const SMALL_DIGITS: u32 = 8;
 const SMALLS: u64 = 1 << SMALL_DIGITS;
 /// Relative widening of the cells over σ, so that no σ lies beyond the last cell.
 const WIDENING: f64 = 1e-12;
-/// The greatest number below 1 to which adding 1 gives less than 2.
+/// Largest number below 1 to which adding 1 gives less than 2.
 const BELOW_1: f64 = 1.0 - f64::EPSILON;
 const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
-/// Cells over σ′: bits of its mantissa per cell number, and the greatest number of octaves.
+/// Cells over σ′: bits of its mantissa per cell number, and the maximum number of octaves.
 const DIGITS: u32 = 4;
 const OCTAVES: u64 = 24;
 const SHIFT: u32 = MANTISSA - DIGITS;
-/// Bit that marks cells in which a finer level may be correct; there the curves decide.
+/// Bit of cells in which a finer level may be correct; there the curves decide.
 pub(super) const UNSURE: u8 = 0x80;
 /// Number of objects per model from which a table is faster than curves.
 pub(super) const OBJECTS_PER_TABLE: usize = 256;
@@ -42,9 +42,9 @@ pub(super) struct Tables {
 /// Ranges and offsets of a model's cells.
 #[derive(Clone, Copy, Debug)]
 struct Head {
-    /// 1/(greatest σ), slightly reduced.
+    /// 1/(maximum σ), slightly reduced.
     fineness: f64,
-    /// σ′ up to which the scores are those of the least measured σ′.
+    /// σ′ up to which the scores are those of the minimum measured σ′.
     least: f64,
     /// σ′ above which the level is 0.
     greatest: f64,
@@ -56,7 +56,8 @@ struct Head {
 }
 
 impl Tables {
-    /// `None` if a model has more levels than a byte can store, or if there are more cells than u32 can count.
+    /// Builds the tables; `None` if a model has more levels than a byte can store, or if there are more cells than u32
+    /// can count.
     pub fn new(models: &[Model<'_>], rules: &Rules) -> Option<Self> {
         let made: Option<Vec<_>> = models.par_iter().map(|model| table(model, rules)).collect();
         let mut tables = Self::default();
@@ -67,7 +68,7 @@ impl Tables {
         Some(tables)
     }
 
-    /// The level for the size of each open object, with the bit UNSURE if a finer level may be correct.
+    /// Looks up the level for the size of each open object, with the bit UNSURE if a finer level may be correct.
     #[inline(never)]
     pub fn look_up(
         &self,
@@ -80,21 +81,21 @@ impl Tables {
         let (heads, cells) = (&self.heads[..], &self.cells[..]);
         for (((&place, &sigma), &read), to) in places.iter().zip(sigma).zip(read).zip(to) {
             let Head { fineness, least, greatest, first, base, last } = heads[models[usize::from(place)] as usize];
-            // The leading mantissa bits of a number from 1 to below 2.
+            // Leading mantissa bits of a number from 1 to below 2.
             let share = sigma * fineness;
             let share = if share < BELOW_1 { share } else { BELOW_1 };
             let small = (1.0 + share).to_bits() >> (MANTISSA - SMALL_DIGITS) & (SMALLS - 1);
             let row = small >> (SMALL_DIGITS - SIGMA_DIGITS);
             let cell = ((read.to_bits() >> SHIFT) as i64 - i64::from(base)).clamp(0, i64::from(last)) as u64;
             let large = SMALLS + row * (u64::from(last) + 1) + cell;
-            // Without a branch, which would be mispredicted half of the time.
+            // Branchless: a branch would be mispredicted half of the time.
             let found = cells[(u64::from(first) + select_unpredictable(read <= least, small, large)) as usize];
             *to = if read > greatest { 0 } else { found };
         }
     }
 }
 
-/// A model's cells and their head. A model with one level has one cell for each σ cell.
+/// Builds a model's cells and their head. A model with one level has one cell for each σ cell.
 fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
     let count = model.curves.len();
     // Few objects are larger and have other levels than 0.
@@ -112,10 +113,10 @@ fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
     let last = top - base;
     let width = last as usize + 1;
     let mut edges: Vec<f64> = (0..=last + 1).map(|n| f64::from_bits((base + n) << SHIFT)).collect();
-    // The first cell is used only for σ′ above the least, even if its octave begins below or above it.
+    // The first cell is used only for σ′ above the minimum, even if its octave begins below or above it.
     edges[0] = least;
     let logarithms: Vec<f64> = edges.iter().map(|x| x.ln()).collect();
-    // Least and greatest score of each level in each cell.
+    // Minimum and maximum score of each level in each cell.
     let mut bounds = vec![[f64::NEG_INFINITY; 2]; count * width];
     let mut scores = vec![0.0; edges.len()];
     for (curve, bounds) in model.curves.iter().zip(bounds.chunks_exact_mut(width)) {
@@ -126,7 +127,7 @@ fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
             }
         }
     }
-    // These scores have the same bits as those of the curves.
+    // These scores are bit-equal to those of the curves.
     let smallest: Vec<_> = model.curves.iter().map(|curve| [score(curve, least); 2]).collect();
     let mut cells = Vec::with_capacity(SMALLS as usize + SIGMAS as usize * width);
     cells.extend((0..SMALLS).map(|sigma| {
@@ -153,14 +154,15 @@ fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
     Some((Head { fineness, least, greatest, first: 0, base, last }, cells))
 }
 
-/// Least and greatest threshold in one of `count` cells over σ, widened by rounding.
+/// Returns the minimum and maximum threshold in one of `count` cells over σ, widened by rounding.
 fn range(line: &ThresholdLine, limit: f64, cell: u64, count: u64) -> [f64; 2] {
     let ends = [cell, cell + 1].map(|n| line.at(limit * n as f64 / count as f64));
     let margin = 1e-14 * line.level.abs() + 2.0 * WIDENING * (line.rise * limit).abs();
     [ends[0].min(ends[1]) - margin, ends[0].max(ends[1]) + margin]
 }
 
-/// Scores of a curve at sizes given by their logarithms, and a bound of the rounding error; NaN if there is no curve.
+/// Writes scores of a curve at sizes given by their logarithms; returns a bound of the rounding error, NaN without a
+/// curve.
 fn scored(&[a, b, c, d]: &Parameters, logarithms: &[f64], to: &mut [f64]) -> f64 {
     let middle = c.ln();
     for (to, logarithm) in to.iter_mut().zip(logarithms) {

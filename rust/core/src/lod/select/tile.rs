@@ -1,4 +1,4 @@
-//! A tile of objects, eye by eye: each stage passes on only the objects that it could not decide.
+//! Selection for a tile of objects, eye by eye: each stage passes on only the objects that it could not decide.
 
 use super::curves::{Model, SizeQuery};
 use super::objects::{COLUMNS, Objects, SelectionCounts, TILE};
@@ -111,7 +111,7 @@ impl Selection<'_> {
         for k in 0..asked {
             let n = usize::from(open.sizes.place[k]);
             let found = open.found[k];
-            // A level that is not coarser than the previous one needs no hysteresis.
+            // Hysteresis applies only to levels coarser than the previous one.
             let is_held = previous.is_some_and(|previous| previous[n] != UNSEEN && i32::from(found) > previous[n]);
             let is_sure = found < UNSURE && !is_held;
             counts.formula += u64::from(!is_sure);
@@ -187,7 +187,7 @@ fn sort(sight: &Sight, tile: &mut ObjectTile<'_>, open: &mut OpenObjects, counts
     }
     let mut asked = 0;
     for (n, &class) in class.iter().enumerate() {
-        // Written always, counted only if open: a branch would be mispredicted half of the time.
+        // Always written, counted only if open: a branch would be mispredicted half of the time.
         open.sizes.place[asked % TILE] = n as u16;
         asked += usize::from(class == OPEN);
     }

@@ -15,8 +15,8 @@ use crate::camera::Fov;
 const LANES: usize = 32;
 /// Range of squared distances that are represented with full precision.
 const PLAIN_SQUARES: std::ops::Range<f64> = 1e-280..1e280;
-/// Relative rounding error of a sphere's distance from a side plane; it is allowed for, so visible spheres are never
-/// culled.
+/// Relative rounding error of a sphere's distance from a side plane. It is added as a margin, so visible spheres are
+/// never culled.
 const SLACK: f64 = 1e-14;
 /// σ of spheres outside the view.
 pub(crate) const HIDDEN: f64 = -1.0;
@@ -34,7 +34,7 @@ pub struct Frustum {
 }
 
 impl Frustum {
-    /// A frustum from the eye's position, its axes in the world, and the tangents of its view.
+    /// Creates a frustum from the eye's position, its axes in the world, and the tangents of its view.
     pub fn new(position: DVec3, axes: DMat3, fov: &Fov) -> Self {
         let unit = |x: f64, y: f64, ahead: f64| DVec3::new(x, y, ahead).normalize().to_array();
         let sides = [
@@ -49,17 +49,17 @@ impl Frustum {
         Self { position, axes, sides, corner }
     }
 
-    /// Position of the eye.
+    /// Returns the position of the eye.
     pub fn position(&self) -> DVec3 {
         self.position
     }
 
-    /// Tangent of the angle between the axis and the view's farthest corner.
+    /// Returns the tangent of the angle between the axis and the view's farthest corner.
     pub(super) fn corner(&self) -> f64 {
         self.corner
     }
 
-    /// Unit viewing direction.
+    /// Returns the unit viewing direction.
     pub fn forward(&self) -> DVec3 {
         DVec3::from_array(self.axes[2])
     }
@@ -93,7 +93,7 @@ impl Frustum {
         Ok(())
     }
 
-    /// One sphere whose squared lengths overflow or underflow.
+    /// Computes one sphere whose squared lengths overflow or underflow.
     fn see_one(&self, center: [f64; 3], radius: f64, hidden: f64, to: &mut Sight, n: usize) {
         let offset = DVec3::from_array(center) - self.position;
         let scale = offset.abs().max_element().max(radius);
@@ -192,8 +192,8 @@ fn see_blocks(
     }
 }
 
-/// σ, the sines and cosines of α and μ, and whether the squares kept full precision, for a sphere at (right, up,
-/// ahead).
+/// Returns σ, the sines and cosines of α and μ, and whether the squares kept full precision, for a sphere at (right,
+/// up, ahead).
 #[inline(always)]
 #[expect(clippy::manual_range_contains, reason = "ranges have branches, which do not become vectors")]
 fn seen(view: &Frustum, hidden: f64, place: [f64; 3], radius: f64) -> (f64, [f64; 4], bool) {

@@ -2,7 +2,7 @@
 //!
 //! For each corner of the coarser surface a walk finds the nearest point of the base. The walk starts at the face of
 //! the base below the middle of the corner's triangle and passes over faces that share vertices. Vertices with
-//! different attributes are different, so a walk never crosses a seam, even if both sides of it belong to one chart.
+//! different attributes are distinct, so a walk never crosses a seam, even if both sides of it belong to one chart.
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -13,7 +13,7 @@ use crate::trace::{Closest, closest};
 
 /// Number of triangles in one task.
 const TILE: usize = 1024;
-/// Greatest number of faces of the second ring that are tested if the first ring contains no nearer face.
+/// Maximum number of faces of the second ring that are tested if the first ring contains no nearer face.
 const MOST_SECOND: usize = 256;
 
 /// A surface whose faces are connected by vertices with equal attributes.
@@ -21,7 +21,7 @@ const MOST_SECOND: usize = 256;
 pub struct Charts<'a> {
     positions: &'a [[f32; 3]],
     faces: &'a [[u32; 3]],
-    /// First entry of each vertex's faces in `around`, and the number of all.
+    /// First entry of each vertex's faces in `around`; the last entry is the total.
     starts: Vec<u32>,
     around: Vec<u32>,
 }
@@ -65,7 +65,7 @@ impl<'a> Charts<'a> {
         self.faces[face as usize].into_iter().flat_map(|vertex| self.around(vertex))
     }
 
-    /// The vertices of the faces around a face, except its own.
+    /// Collects the vertices of the faces around a face, except its own.
     fn outline(&self, face: u32, outline: &mut Vec<u32>) {
         outline.clear();
         let own = self.faces[face as usize];
@@ -76,7 +76,7 @@ impl<'a> Charts<'a> {
         outline.dedup();
     }
 
-    /// The nearest of some faces, if it is nearer to the goal than `best`; of equally near faces the first.
+    /// Returns the nearest of some faces if it is nearer to the goal than `best`; the first of equally near faces.
     fn nearer(&self, faces: impl Iterator<Item = u32>, goal: DVec3, mut best: Closest) -> Option<(u32, Closest)> {
         let mut found = None;
         for face in faces {
@@ -94,7 +94,7 @@ impl<'a> Charts<'a> {
         loop {
             let mut step = self.nearer(self.ring(face), goal, best);
             if step.is_none() {
-                // The second ring leads across ridges.
+                // The second ring lets the walk cross ridges.
                 self.outline(face, room);
                 let second = room.iter().flat_map(|&vertex| self.around(vertex)).take(MOST_SECOND);
                 step = self.nearer(second, goal, best);
@@ -106,8 +106,8 @@ impl<'a> Charts<'a> {
         }
     }
 
-    /// The position of each corner of triangles. Their coordinates have the same origin as the base; the walks begin at
-    /// `starts`.
+    /// Returns the position of each corner of triangles. Their coordinates have the same origin as the base; the walks
+    /// begin at `starts`.
     pub fn places(
         &self,
         corners: &[[[f32; 3]; 3]],

@@ -1,11 +1,11 @@
-//! Fewer triangles by meshoptimizer's edge collapses, which do not move vertices.
+//! Simplification by meshoptimizer's edge collapses, which do not move vertices.
 
 use meshopt::{SimplifyOptions, SimplifyVertex, VertexDataAdapter, simplify_with_attributes_and_locks};
 
 use super::surface::check_faces;
 use crate::base::{Error, Result};
 
-/// Greatest number of attributes that meshoptimizer weighs beside positions.
+/// Maximum number of attributes that meshoptimizer weighs beside positions.
 const MOST_ATTRIBUTES: usize = 32;
 
 /// Vertices with the attributes that are weighed beside their positions.
@@ -13,9 +13,9 @@ const MOST_ATTRIBUTES: usize = 32;
 pub struct Vertices<'a> {
     /// Positions; vertices with equal positions are one point of the surface.
     pub positions: &'a [[f32; 3]],
-    /// For each vertex as many numbers as there are weights.
+    /// Attributes of each vertex, as many as there are weights.
     pub attributes: &'a [f32],
-    /// Error of an attribute difference of 1, as a share of the surface's extent.
+    /// Error of an attribute difference of 1, relative to the surface's extent.
     pub weights: &'a [f32],
     /// Whether attributes meet at the vertex's position and must stay separate there.
     pub is_seam: &'a [bool],
@@ -28,12 +28,12 @@ pub enum Allowance {
     Nothing,
     /// Seams at vertices whose `is_seam` is false.
     Seams,
-    /// The same, and disconnected parts that cannot be collapsed, such as those with all corners on seams; the smallest
+    /// Seams, and disconnected parts that cannot be collapsed, such as those with all corners on seams; the smallest
     /// first.
     Parts,
 }
 
-/// The remaining faces of a surface, about `target` of them, and the error as a share of the surface's extent.
+/// Returns the remaining faces of a surface, about `target` of them, and the error relative to the surface's extent.
 pub fn collapse(
     vertices: Vertices<'_>,
     faces: &[[u32; 3]],

@@ -4,10 +4,10 @@ use std::collections::HashMap;
 
 use crate::base::{Error, Progress, Result};
 
-/// Number of rows or faces between two checks whether the caller has cancelled.
+/// Rows or faces between two checks for cancellation.
 const ROWS_PER_CHECK: usize = 1 << 16;
 
-/// For each row of `width` bytes, the first row equal to it.
+/// Returns, for each row of `width` bytes, the first row equal to it.
 pub fn first_alike(rows: &[u8], width: usize, progress: &Progress) -> Result<Vec<u32>> {
     if width == 0 || !rows.len().is_multiple_of(width) || rows.len() / width > u32::MAX as usize {
         return Err(Error::value("rows", format!("fewer than 2^32 rows of {width} bytes"), rows.len()));
@@ -23,8 +23,8 @@ pub fn first_alike(rows: &[u8], width: usize, progress: &Progress) -> Result<Vec
     Ok(alike)
 }
 
-/// The number of each face's piece. Faces of a piece are connected by vertices; pieces are numbered in the order of
-/// their first faces.
+/// Returns the number of each face's piece. Faces of a piece are connected by vertices; pieces are numbered in the
+/// order of their first faces.
 pub fn pieces(faces: &[[u32; 3]], vertex_count: usize, progress: &Progress) -> Result<Vec<u32>> {
     check_faces(faces, vertex_count)?;
     let mut parent: Vec<u32> = (0..vertex_count as u32).collect();

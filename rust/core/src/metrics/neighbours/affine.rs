@@ -1,25 +1,25 @@
-//! The affine map that fits a neighbourhood best, and what it leaves.
+//! Least-squares affine map of a neighbourhood, and its residual.
 
 use glam::{DMat2, DVec2};
 
 use super::points::TruthPoints;
 use crate::base::Real;
 
-/// Neighbours summed side by side.
+/// Neighbours summed per vector operation.
 pub(super) const WIDE: usize = 8;
-/// Neighbours whose spread across a line is less than this share of that along it lie on it, up to float32's rounding.
+/// Relative spread across a line below which neighbours count as collinear, up to float32's rounding.
 const THIN: f64 = 1e-9;
 
-/// Sums over a pixel and its neighbours, of their places in the truth and of their shifts from there to the picture, both
-/// relative to the pixel's own. An affine map of places leaves of shifts what it leaves of the places in the picture.
+/// Sums over a pixel and its neighbours: positions in the truth, and shifts from there to the picture, both relative
+/// to the pixel's own. An affine fit of the shifts has the same residual as one of the positions in the picture.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Moments {
     pub count: f64,
-    /// Points on the far side of the border.
+    /// Number of points on the far side of the border.
     pub side: f64,
     place: DVec2,
     shift: DVec2,
-    /// u², uv, v² of places.
+    /// u², uv, v² of positions.
     places: [f64; 3],
     /// |shift|².
     shifts: f64,
@@ -28,7 +28,7 @@ pub(super) struct Moments {
 }
 
 impl Moments {
-    /// Root of the mean squared distance that the best affine map leaves.
+    /// Returns the root-mean-square residual of the best affine map.
     pub fn residual(&self) -> f64 {
         let (place, shift) = (self.place / self.count, self.shift / self.count);
         let [uu, uv, vv] = self.places.map(|sum| sum / self.count);
@@ -49,7 +49,7 @@ impl Moments {
     }
 }
 
-/// The shortest x with S x = c; S is symmetric, and c lies in its range.
+/// Returns the minimum-norm x with S x = c; S is symmetric, and c lies in its range.
 fn solve(covariance: DMat2, mixed: DVec2) -> DVec2 {
     let (trace, determinant) = (covariance.x_axis.x + covariance.y_axis.y, covariance.determinant());
     if trace <= 0.0 {
@@ -58,21 +58,22 @@ fn solve(covariance: DMat2, mixed: DVec2) -> DVec2 {
     if determinant > THIN * trace * trace {
         return covariance.inverse() * mixed;
     }
-    // All spread is along a line: S = trace · e eᵀ.
+    // All points are collinear: S = trace · e eᵀ.
     mixed / trace
 }
 
-/// Moments lane by lane.
+/// Moments per lane.
 #[derive(Default)]
 pub(super) struct LaneMoments {
     sums: [[f64; WIDE]; TERMS],
 }
 
-/// Terms of moments: count, side, u, v, x, y, u², uv, v², x² + y², ux, uy, vx, vy, with (u, v) a place and (x, y) a shift.
+/// Number of terms: count, side, u, v, x, y, u², uv, v², x² + y², ux, uy, vx, vy, with (u, v) a position and (x, y) a
+/// shift.
 const TERMS: usize = 14;
 
 impl LaneMoments {
-    /// Adds `few` points from `at` on, those of a block that are closer to point `n` than the root of `farthest`.
+    /// Adds those of the `few` points from `at` on whose squared distance from point `n` is below `farthest`.
     #[inline(always)]
     pub fn add<const FUSED: bool>(
         &mut self,

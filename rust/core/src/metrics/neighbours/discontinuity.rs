@@ -1,4 +1,4 @@
-//! The map of δ over a frame.
+//! Discontinuity map δ of a frame.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -9,11 +9,11 @@ use super::points::{BANDS, TruthPoints, check_pixels};
 use crate::base::{Progress, Result};
 use crate::camera::Camera;
 
-/// Bands of points that one task takes: as many as its pairs reach beyond them.
+/// Bands of points per task; its pairs reach as many bands further.
 const GROUP: usize = BANDS;
 
-/// δ for each pixel of a frame, rows of `width`; NaN for pixels without a surface, behind the truth's camera, or without
-/// neighbours. Positions are relative to `origin`.
+/// Returns δ for each pixel of a frame, rows of `width`; NaN for pixels without a surface, behind the truth's camera,
+/// or without neighbours. Positions are relative to `origin`.
 pub fn discontinuity(
     position: &[[f32; 3]],
     origin: DVec3,
@@ -27,7 +27,7 @@ pub fn discontinuity(
     let points = TruthPoints::new(position, origin, width, truth, epsilon, progress)?;
     progress.expect(points.len() as u64);
     let groups: Vec<usize> = (0..points.bands.len()).step_by(GROUP).collect();
-    // Every pair once, for both of its points: a task's sums reach into the bands of the next one.
+    // Each pair is visited once and counts for both points, so a task's sums extend into the next task's bands.
     let sums = |&first: &usize| {
         let bands = first..points.bands.len().min(first + GROUP);
         PairSums::of(&points, bands, neighbourhood, progress)

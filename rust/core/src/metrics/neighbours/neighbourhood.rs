@@ -1,10 +1,10 @@
 //! Neighbourhoods of pixels in the truth.
 
-/// Radius within which pixels are neighbours, and the resolution of the truth.
+/// Neighbourhood radius, and the resolution of the truth.
 #[derive(Clone, Copy, Debug)]
 pub struct Neighbourhood {
-    /// ε: pixels of the truth within which points are neighbours.
+    /// ε: distance in the truth within which points are neighbours, pixels.
     pub epsilon: f64,
-    /// Distances in the truth below this, its resolution, are raised to it. Pixels.
+    /// Resolution of the truth: smaller distances are raised to it, pixels.
     pub least: f64,
 }

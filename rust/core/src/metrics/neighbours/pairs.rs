@@ -1,4 +1,4 @@
-//! Every pair of neighbours once.
+//! Enumeration of all pairs of neighbours, each once.
 
 use std::ops::Range;
 
@@ -10,9 +10,9 @@ use crate::base::{Progress, Real, Result};
 /// Points between two reports of progress.
 const REPORTED_POINTS: usize = 1 << 10;
 
-/// Sums over the pairs of a task's points with those behind them, for both points of each.
+/// Sums over the pairs of a task's points with later points, for both points of each pair.
 pub(super) struct PairSums {
-    /// The task's points; behind them those that its pairs reach.
+    /// The task's points; the sums also cover later points that its pairs reach.
     pub own: Range<usize>,
     /// Sums of |p − q| / |p₀(p) − p₀(q)| − 1.
     excess: Vec<f32>,
@@ -29,7 +29,7 @@ impl PairSums {
             let (targets, count) = targets(points, band, around.epsilon);
             let limits = [around.epsilon, around.least].map(|limit| (limit * limit) as f32);
             let band = points.bands[band].1.clone();
-            // A band may hold all points of a picture, so progress is reported, and may cancel, within it.
+            // One band may hold all points of a picture, so progress is reported, and cancellation checked, within it.
             for from in band.clone().step_by(REPORTED_POINTS) {
                 let source = from..band.end.min(from + REPORTED_POINTS);
                 add_pairs(points, source.clone(), &targets[..count], limits, &mut sums);
@@ -39,25 +39,25 @@ impl PairSums {
         Ok(sums)
     }
 
-    /// End of the points that it has sums for.
+    /// Returns the end of the points that have sums.
     pub fn end(&self) -> usize {
         self.own.start + self.excess.len() - LANES
     }
 
-    /// Sum and number of a point's pairs.
+    /// Returns the sum over a point's pairs and their number.
     pub fn at(&self, n: usize) -> (f32, f32) {
         (self.excess[n - self.own.start], self.count[n - self.own.start])
     }
 }
 
-/// Points of a band whose x in the truth are within `reach` of a point's.
+/// Points of a band that may be neighbours: their x in the truth differs by at most `reach`.
 #[derive(Clone, Default)]
 struct Target {
     range: Range<usize>,
     reach: f32,
 }
 
-/// The bands that a band's points look for neighbours in: itself and those behind it.
+/// Returns the bands that may contain neighbours of a band's points: itself and later ones.
 fn targets(points: &TruthPoints, band: usize, epsilon: f64) -> ([Target; BANDS + 1], usize) {
     let mut targets: [Target; BANDS + 1] = Default::default();
     let mut count = 0;
@@ -74,7 +74,7 @@ vectorized! {
     fn add_pairs(points: &TruthPoints, source: Range<usize>, targets: &[Target], limits: [f32; 2], sums: &mut PairSums) = fused pairs;
 }
 
-/// Two windows that move along a band's points: from the first to after the last one within reach.
+/// Adds the pairs of some points; per band, a window of points within reach slides along x.
 #[inline(always)]
 fn pairs<const FUSED: bool>(
     points: &TruthPoints,
@@ -92,7 +92,7 @@ fn pairs<const FUSED: bool>(
     for n in source {
         let of = [points.x[n], points.y[n], points.shift_x[n], points.shift_y[n]];
         let truth = points.truth_x[n];
-        // Steps of float32 at places of millions of pixels.
+        // float32 steps at positions of millions of pixels.
         let rounding = 1e-6 * truth.abs();
         let (mut excess, mut count) = ([0.0f32; LANES], [0.0f32; LANES]);
         for (band, target) in targets.iter().enumerate() {
@@ -127,7 +127,7 @@ fn pairs<const FUSED: bool>(
     }
 }
 
-/// A point and `few` neighbours, as many as there are lanes where `WHOLE`.
+/// Adds the pairs of one point with `few` neighbours (a full vector if `WHOLE`).
 #[inline(always)]
 #[expect(clippy::too_many_arguments, reason = "what stays in registers")]
 fn block<const FUSED: bool, const WHOLE: bool>(
@@ -170,8 +170,8 @@ fn block<const FUSED: bool, const WHOLE: bool>(
     }
 }
 
-/// 1/√a to two units in the last place: a guess from the exponent's bits, and three steps of Newton's. Vectors of
-/// divisions and roots take longer.
+/// Returns 1/√a to two ulps: a guess from the exponent's bits, and three Newton steps. Vector division and square root
+/// take longer.
 #[inline(always)]
 fn inverse_root<const FUSED: bool>(a: f32) -> f32 {
     let half = -0.5 * a;

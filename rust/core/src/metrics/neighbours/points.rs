@@ -1,4 +1,4 @@
-//! Points of a frame by their places in the truth, sorted so that neighbours are near each other in memory.
+//! Points of a frame sorted by their position in the truth, so that neighbours are close in memory.
 
 use std::ops::Range;
 
@@ -9,30 +9,30 @@ use crate::base::sort::{self, Ordered};
 use crate::base::{Error, Progress, Result};
 use crate::camera::Camera;
 
-/// Points side by side.
+/// Points per vector operation.
 pub(super) const LANES: usize = 16;
-/// Bands of points for each ε: narrower ones hold fewer points that are too far away, wider ones are fewer.
+/// Bands per ε: narrower bands hold fewer points that are too far away, wider bands are fewer.
 pub(super) const BANDS: usize = 4;
-/// Greatest coordinate in pixels of the truth: beyond, float32 has no fractions, and no neighbours are looked for.
+/// Maximum coordinate in pixels of the truth: float32 has no fractions beyond it, and such points have no neighbours.
 const GREATEST_PLACE: f64 = 1e7;
 
-/// Points by where they are in the truth: in bands of y, each in order of x. A place is the pixel plus its shift, which
-/// is held apart: float32 alone would be off by 1e-4 of a pixel, and the truth itself would not be whole. Behind the last
-/// there is room for a vector's lanes.
+/// Points by their position in the truth: in bands of y, each sorted by x. A position is the pixel plus a separate
+/// shift, because float32 alone would be off by 1e-4 pixels and lose exact positions. The arrays end with padding for
+/// a vector's lanes.
 #[derive(Default)]
 pub(super) struct TruthPoints {
     pub x: Vec<f32>,
     pub y: Vec<f32>,
     pub shift_x: Vec<f32>,
     pub shift_y: Vec<f32>,
-    /// In the truth, for the search alone.
+    /// Position in the truth, used only by the search.
     pub truth_x: Vec<f32>,
     pub pixel: Vec<u32>,
-    /// Bands that have any points, in order: number and points.
+    /// Non-empty bands in order: number and points.
     pub bands: Vec<(i64, Range<usize>)>,
 }
 
-/// A point before it is sorted.
+/// A point before sorting.
 #[derive(Clone, Copy)]
 struct TruthPlace {
     band: i64,
@@ -40,18 +40,19 @@ struct TruthPlace {
     truth: DVec2,
 }
 
-/// Greatest distance in x between neighbours in bands that are `apart`; none where bands are too far apart.
+/// Returns the maximum distance in x between neighbours in bands that are `apart`; `None` if the bands are too far
+/// apart.
 pub(super) fn reach(apart: u64, epsilon: f64) -> Option<f32> {
     if apart > BANDS as u64 {
         return None;
     }
-    // Between a band and the next but one lies a whole one.
+    // Bands two apart have a whole band between them.
     let beside = apart.saturating_sub(1) as f64 * epsilon / BANDS as f64;
-    // A rounding more than float32's, so that no neighbour is left out here.
+    // Widened by more than float32's rounding, so that no neighbour is missed.
     Some(((epsilon * epsilon - beside * beside).max(0.0).sqrt() * (1.0 + 1e-6)) as f32)
 }
 
-/// Refuses lengths that are no plausible numbers of pixels.
+/// Fails for lengths that are no plausible numbers of pixels.
 pub(super) fn check_pixels(argument: &'static str, length: f64) -> Result<()> {
     if (1e-6..=1e4).contains(&length) {
         return Ok(());
@@ -77,7 +78,7 @@ impl TruthPoints {
             let point = Vec3::from_array(*at).as_dvec3() + origin;
             let truth = truth.project(point).filter(|there| there.is_finite())?.truncate();
             let is_near = truth.abs().max_element() < GREATEST_PLACE;
-            // The conversion ends at the type's bounds.
+            // The cast saturates.
             let band = (truth.y * BANDS as f64 / epsilon).floor() as i64;
             is_near.then_some(TruthPlace { band, pixel: pixel as u32, truth })
         };

@@ -1,4 +1,4 @@
-//! The map of tears over a frame.
+//! Tear map of a frame.
 
 use std::ops::Range;
 
@@ -12,30 +12,30 @@ use crate::base::{Progress, Result};
 use crate::camera::Camera;
 
 /// Root-mean-square residual of the best affine map of a disc that is torn by one pixel along a diameter: its x, of
-/// variance ¼, explains (2/3π)² / ¼ of the step's variance ¼, so that √(¼ − 4 (2/3π)²) is left.
+/// variance ¼, explains (2/3π)² / ¼ of the step's variance ¼, which leaves √(¼ − 4 (2/3π)²).
 const UNIT_STEP: f64 = 0.264_335_868_4;
 /// Points between two reports of progress.
 const REPORTED_POINTS: usize = 1 << 10;
 
-/// The pixels of a frame that matter, as one value for each pixel.
+/// Per-pixel flags that select pixels and mark the border.
 #[derive(Clone, Copy, Default)]
 pub struct Border<'a> {
-    /// On which side of a border a pixel's surface is.
+    /// Side of the border that each pixel's surface lies on.
     pub side: Option<&'a [bool]>,
-    /// Whether a pixel is asked for; by default all are.
+    /// Pixels to compute; by default all.
     pub wanted: Option<&'a [bool]>,
 }
 
 /// Tears of a frame's pixels.
 pub struct Tears {
-    /// In pixels, rows of the frame's width; NaN for pixels that are not wanted, without a surface, behind the truth's
-    /// camera, or without neighbours.
+    /// Tear in pixels, rows of the frame's width; NaN for pixels that are not wanted, without a surface, behind the
+    /// truth's camera, or without neighbours.
     pub tear: Vec<f32>,
-    /// Whether a pixel's neighbours and itself lie on both sides; empty where no sides were given.
+    /// Whether a pixel's neighbourhood lies on both sides; empty if no sides were given.
     pub parted: Vec<bool>,
 }
 
-/// Tear of each pixel of a frame. Positions are relative to `origin`; ε is in pixels of the truth.
+/// Computes the tear of each pixel of a frame. Positions are relative to `origin`; ε is in pixels of the truth.
 pub fn tear(
     position: &[[f32; 3]],
     origin: DVec3,
@@ -48,7 +48,7 @@ pub fn tear(
     let points = TruthPoints::new(position, origin, width, truth, epsilon, progress)?;
     progress.expect(points.len() as u64);
     let sides: Vec<f32> = match border.side {
-        // Room for a vector's lanes, as behind the points.
+        // Padding for a vector's lanes, as in the points.
         Some(side) => points.pixel.iter().map(|&pixel| if side[pixel as usize] { 1.0 } else { 0.0 }).collect(),
         None => vec![0.0; points.len()],
     };
@@ -87,7 +87,7 @@ struct Target {
     reach: f32,
 }
 
-/// The bands that a band's points look for neighbours in: itself and those on both sides.
+/// Returns the bands that may contain neighbours of a band's points: itself and those on both sides.
 fn targets(points: &TruthPoints, band: usize, epsilon: f64) -> Vec<Target> {
     let number = points.bands[band].0;
     let (before, behind) = points.bands.split_at(band);
@@ -110,7 +110,7 @@ vectorized! {
     ) = fused moments;
 }
 
-/// Moments of some of a band's points.
+/// Computes the moments of some of a band's points.
 #[inline(always)]
 fn moments<const FUSED: bool>(
     points: &TruthPoints,
@@ -130,7 +130,7 @@ fn moments<const FUSED: bool>(
         let mut sums = LaneMoments::default();
         for target in targets {
             let near = &points.truth_x[target.range.clone()];
-            // Steps of float32 at places of millions of pixels.
+            // float32 steps at positions of millions of pixels.
             let reach = target.reach + 1e-6 * truth.abs();
             let from = target.range.start + near.partition_point(|&x| x < truth - reach);
             let to = target.range.start + near.partition_point(|&x| x <= truth + reach);

@@ -1,6 +1,6 @@
-//! Windows by themselves, about the pixels in their middles: means first, then distances from them. No digit is lost for
-//! any values whose squares float64 holds; it takes ten times as long as passes along rows and columns, and is done where
-//! one level for many windows does not serve.
+//! Windows computed separately, about their middle pixels: means first, then deviations. No digits are lost for any
+//! values whose squares fit in float64. It takes ten times as long as separable passes, and is used where one level
+//! for many windows loses precision.
 
 use super::super::pair::Pair;
 use super::super::pixel_rows::PixelRows;
@@ -8,22 +8,22 @@ use super::super::plane::{Plane, Region, mirror};
 use crate::base::Real;
 use crate::base::simd::vectorized;
 
-/// Windows side by side.
+/// Windows per vector operation.
 const LANES: usize = 8;
 
-/// All that the windows of a part see, in float64.
+/// Pixels seen by the windows of a region, in float64.
 pub(super) struct Patch<'a> {
     weights: &'a [f64],
     constants: [f64; 2],
-    /// Of each image, rows of `width`; 0 where nothing is seen.
+    /// Values of each image, rows of `width`; 0 for unseen pixels.
     values: [Vec<f64>; 2],
-    /// 1 where something is seen.
+    /// 1 for seen pixels, otherwise 0.
     seen: Vec<f64>,
     width: usize,
 }
 
 impl<'a> Patch<'a> {
-    /// Windows see a mirrored image, or what a mask names of it.
+    /// Loads the pixels: those of a mask, or of the mirrored image without one.
     pub fn new<P: PixelRows>(
         pair: &Pair<'_, P>,
         weights: &'a [f64],
@@ -59,7 +59,7 @@ impl<'a> Patch<'a> {
         patch
     }
 
-    /// Calls `found` with the number, the similarity and its second factor of each window of a row that is wanted.
+    /// Calls `found` with the number, similarity and contrast factor of each wanted window of a row.
     pub fn measure_row(&self, row: usize, wanted: impl Fn(usize) -> bool, mut found: impl FnMut(usize, f64, f64)) {
         let columns = self.width + 1 - self.weights.len();
         for first in (0..columns).step_by(LANES) {
@@ -80,7 +80,7 @@ vectorized! {
     fn measure_block(patch: &Patch<'_>, from: usize) -> [[f64; 2]; LANES] = block;
 }
 
-/// Windows that begin at `from` and at the values after it.
+/// Computes the windows that begin at `from` and the next positions.
 #[inline(always)]
 fn block(patch: &Patch<'_>, from: usize) -> [[f64; 2]; LANES] {
     let [xs, ys] = &patch.values;
@@ -132,9 +132,9 @@ fn block(patch: &Patch<'_>, from: usize) -> [[f64; 2]; LANES] {
     factors
 }
 
-/// Similarity and its second factor by two divisions, because the product of what is divided by would overflow: from
-/// the sum of both squared means and c₁, the square of their difference, the sum of both variances and c₂, and the
-/// variance of the difference.
+/// Returns similarity and contrast factor by two divisions, because the product of the divisors would overflow.
+/// Arguments: the sum of both squared means and c₁, the square of their difference, the sum of both variances and c₂,
+/// and the variance of the difference.
 #[inline(always)]
 pub(super) fn measured([means, difference]: [f64; 2], [variances, apart]: [f64; 2]) -> (f64, f64) {
     let contrast = (variances - apart) / variances;

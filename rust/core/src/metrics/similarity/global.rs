@@ -11,10 +11,10 @@ use super::measure::power_sums;
 use super::window_sums::{Counted, Mask, SimilaritySums};
 use crate::base::Real;
 
-/// Pixels of one task, and of a row at once: fixed, so that sums do not depend on the number of threads.
+/// Pixels per task and per row segment: fixed, so that sums do not depend on the number of threads.
 const TASK: usize = 1 << 14;
 
-/// The same similarity for every pixel; the window sees the whole image or what a mask names.
+/// Computes one similarity for all pixels; the window sees the whole image, or its masked pixels.
 pub(super) fn global<P: PixelRows>(
     pair: &Pair<'_, P>,
     constants: [f64; 2],
@@ -67,7 +67,7 @@ fn add(sums: [f64; 5], more: [f64; 5]) -> [f64; 5] {
     std::array::from_fn(|i| sums[i] + more[i])
 }
 
-/// Number of a row's pixels that the window sees, and their sums of s, d, s² and d².
+/// Returns the number of a row's seen pixels, and their sums of s, d, s² and d².
 fn row_sums<P: PixelRows>(
     pair: &Pair<'_, P>,
     row: usize,

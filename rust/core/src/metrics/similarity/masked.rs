@@ -1,5 +1,5 @@
-//! Similarity of what a mask names and nothing else: pixels outside of it have no weight, and the weights of those that a
-//! window sees are raised until they sum to 1. Knutsson, Westin: Normalized and differential convolution, 1993.
+//! Similarity restricted to a mask: other pixels have weight 0, and the remaining weights of a window are scaled to
+//! sum to 1. Knutsson, Westin: Normalized and differential convolution, 1993.
 
 use rayon::prelude::*;
 
@@ -14,16 +14,16 @@ use super::window_sums::SimilaritySums;
 use crate::base::simd::vectorized;
 use crate::base::{Progress, Real};
 
-/// Rows of one task: fixed, so that sums do not depend on the number of threads.
+/// Rows per task: fixed, so that sums do not depend on the number of threads.
 const ROWS: usize = 64;
-/// Sums of a window: 1, s, s², d, d², where the mask names a pixel, and 0 elsewhere.
+/// Fields summed per window: 1, s, s², d, d² for masked pixels, 0 elsewhere.
 const FIELDS: usize = 5;
 
-/// Greatest distance of a window from the level, in units of its contrast: squares lose 2e-15 times its square.
+/// Maximum distance of a window from the level, in units of its contrast: squares lose 2e-15 times its square.
 const GREATEST_DISTANCE: f64 = 50.0;
 
-/// A comparison by windows that see only what a mask names. It is made in float64: means can lie anywhere between the
-/// values of a band, and the square of that distance is lost from variances.
+/// A comparison by windows that see only masked pixels. It uses float64: means can lie anywhere in a band's range of
+/// values, and the square of that distance cancels in the variances.
 pub(super) struct Masked<'a, P> {
     pub pair: Pair<'a, P>,
     pub weights: &'a [f64],
@@ -36,7 +36,7 @@ pub(super) struct Masked<'a, P> {
 type Fields = [Vec<f64>; FIELDS];
 
 impl<P: PixelRows> Masked<'_, P> {
-    /// Sums over the pixels that the mask names. In the map the others are NaN.
+    /// Returns sums over the masked pixels. Other pixels of the map are NaN.
     pub(super) fn sums(&self, map: Option<&mut [P::Real]>) -> SimilaritySums {
         let (height, width) = (self.mask.height, self.mask.width);
         let named = self.mask.bounds(Region { rows: [0, height], columns: [0, width] });
@@ -65,15 +65,16 @@ impl<P: PixelRows> Masked<'_, P> {
         let (before, after) = (taps / 2, taps - 1 - taps / 2);
         let levels = self.pair.levels(&part, Some(&self.mask));
         let measure = Measure { levels, constants: self.constants };
-        // Similarity and its second factor of a row's windows, and whether they hold; and what is needed where they don't.
+        // Similarity, contrast factor and validity of a row's windows; the others are for windows that need
+        // recomputation.
         let (mut results, mut patch, mut again) = (vec![[0.0; 3]; columns], None, Vec::new());
-        // Whole lanes are summed, of which the last may be none of the part.
+        // Whole vectors are summed; the last lanes may lie outside the region.
         let padded = columns.next_multiple_of(LANES);
         let fields = |length: usize| -> Fields { std::array::from_fn(|_| vec![0.0; length]) };
         let (mut line, mut window) = (fields(padded + taps - 1), fields(padded));
         let mut ring: Vec<Fields> = (0..taps).map(|_| fields(padded)).collect();
         for read in 0..part.rows[1] - part.rows[0] + taps - 1 {
-            // Rows outside of the image, and pixels outside of the mask, are zeros.
+            // Rows outside the image, and pixels outside the mask, are zeros.
             let row = (part.rows[0] + read).checked_sub(before).filter(|&row| row < self.mask.height);
             self.load(row, part, levels, before, &mut line, &mut sums.range);
             for (line, sums) in line.iter().zip(&mut ring[read % taps]) {
@@ -93,7 +94,7 @@ impl<P: PixelRows> Masked<'_, P> {
                 let (d, dd) = (window[3][at] * share, window[4][at] * share);
                 let Measurement { similarity, contrast, .. } =
                     measure.of::<true, false>([s, ss - s * s], [d, dd - d * d]);
-                // Squares about one level for all windows of a band lose digits of those that are far from it.
+                // Squares about one level for all windows of a band lose precision in windows far from it.
                 let contrasts = 0.5 * (ss - s * s + dd - d * d) + self.constants[1];
                 let holds =
                     s * s + d * d <= GREATEST_DISTANCE * GREATEST_DISTANCE * contrasts && similarity.is_finite();
@@ -125,7 +126,7 @@ impl<P: PixelRows> Masked<'_, P> {
         sums
     }
 
-    /// A row of fields, from `before` pixels left of the part on.
+    /// Loads a row of fields, beginning `before` pixels left of the region.
     fn load(
         &self,
         row: Option<usize>,
@@ -155,7 +156,7 @@ vectorized! {
     fn sum_down(ring: &[Fields], field: usize, first: usize, weights: &[f64], sums: &mut [f64]) = fused down;
 }
 
-/// Weighted sums of a line's values; the nth begins at its nth value.
+/// Writes weighted sums of a line's values; the nth sum begins at the nth value.
 #[inline(always)]
 fn along<R: Real, const FUSED: bool>(line: &[R], weights: &[R], sums: &mut [R]) {
     for (block, sums) in sums.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
@@ -170,7 +171,7 @@ fn along<R: Real, const FUSED: bool>(line: &[R], weights: &[R], sums: &mut [R]) 
     }
 }
 
-/// Weighted sums of a field of the ring's rows, from the `first` one on.
+/// Writes weighted sums of one field over the ring's rows, starting at row `first`.
 #[inline(always)]
 fn down<const FUSED: bool>(ring: &[Fields], field: usize, first: usize, weights: &[f64], sums: &mut [f64]) {
     for (block, sums) in sums.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {

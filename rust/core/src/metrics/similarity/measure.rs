@@ -1,4 +1,4 @@
-//! The measure itself, from means and variances of both images' sum and difference.
+//! Similarity measure from means and variances of the sum and difference of both images.
 
 use super::super::lanes::LANES;
 use super::super::plane::RoundingLimits;
@@ -9,16 +9,16 @@ use crate::base::simd::vectorized;
 /// Levels and constants that turn moments into similarity.
 #[derive(Clone, Copy, Debug)]
 pub struct Measure<R> {
-    /// Values that were subtracted from each image.
+    /// Value subtracted from each image.
     pub levels: [R; 2],
     /// (k₁ L)² and (k₂ L)².
     pub constants: [R; 2],
 }
 
 impl<R: RoundingLimits> Measure<R> {
-    /// Similarity, and where wanted its second factor, from mean and variance of s and of d. With S and D the sum and the
-    /// difference of both means, both factors are 1 less something that is never negative:
-    /// l = 1 − D²/((S²+D²)/2+c₁) and cs = 1 − σd²/((σs²+σd²)/2 + c₂). Either order of the images gives the same bits.
+    /// Returns the similarity, and its contrast factor if `CONTRAST`, from mean and variance of s and of d. With S and
+    /// D the sum and the difference of both means, both factors are 1 minus a non-negative term: l = 1 −
+    /// D²/((S²+D²)/2+c₁) and cs = 1 − σd²/((σs²+σd²)/2 + c₂). Swapping the images gives the same bits.
     #[inline(always)]
     pub fn of<const CONTRAST: bool, const FUSED: bool>(&self, [s, s2]: [R; 2], [d, d2]: [R; 2]) -> Measurement<R> {
         let (half, zero) = (R::narrow(0.5), R::default());
@@ -31,11 +31,11 @@ impl<R: RoundingLimits> Measure<R> {
         let means = R::fuse::<FUSED>(half, R::fuse::<FUSED>(sum, sum, apart), self.constants[0]);
         let variances = R::fuse::<FUSED>(half, s2 + d2, self.constants[1]);
         let shared = variances - d2;
-        // One division for both factors.
+        // One division serves both factors.
         let divisor = means * variances;
         let similarity = (means - apart) * shared / divisor;
-        // With e what was rounded when levels were subtracted, a share of |s| + |d|, the second factor changes by
-        // e √σd² / σ² and the first by e |D| / (S² + D²), where the rounding of means counts as well.
+        // If e is the rounding error of subtracting levels, proportional to |s| + |d|, the contrast factor changes by
+        // e √σd² / σ² and the first factor by e |D| / (S² + D²), where the rounding of means counts as well.
         let away = R::fuse::<FUSED>(s, s, d * d);
         let square = |factor: f64| R::narrow(factor * factor);
         let smaller = if means < variances { means } else { variances };
@@ -50,11 +50,11 @@ impl<R: RoundingLimits> Measure<R> {
 /// Similarity of one window.
 #[derive(Clone, Copy, Debug)]
 pub struct Measurement<R> {
-    /// The measure.
+    /// Similarity.
     pub similarity: R,
-    /// Its second factor, where it is wanted.
+    /// Contrast factor, if computed.
     pub contrast: R,
-    /// False where the precision or the level lost digits or exponents.
+    /// False if precision or exponent range was insufficient.
     pub holds: bool,
 }
 
@@ -62,31 +62,32 @@ pub struct Measurement<R> {
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 pub struct WindowRow<R> {
-    /// 1 for those that count and 0 for the others.
+    /// 1 for windows that count, 0 for others.
     pub counts: [R; COLUMNS],
-    /// Their similarity.
+    /// Similarity of each window.
     pub similarity: [R; COLUMNS],
     /// Number of windows, in units of `LANES`.
     pub blocks: usize,
-    /// Whether the second factor is wanted.
+    /// Whether to compute the contrast factor.
     pub contrast: bool,
-    /// Whether windows that do not count must hold as well.
+    /// Whether windows that do not count must be valid as well.
     pub all: bool,
-    /// Whether all windows of the last row held that must.
+    /// Whether all required windows of the last row were valid.
     pub holds: bool,
-    /// Sums of all rows since they were last set to 0, lane by lane: similarity and its second factor.
+    /// Sums of similarity and contrast factor over all rows since the last reset, per lane.
     pub sums: [[f64; LANES]; 2],
 }
 
 vectorized! {
-    /// Similarity of a row of windows; adds up it and, where wanted, its second factor over those that count.
+    /// Computes the similarity of a row of windows; sums it and, if wanted, the contrast factor over the windows that
+    /// count.
     pub(super) fn measure_row<R: RoundingLimits>(
         measure: &Measure<R>,
         s: &Moments<R>,
         d: &Moments<R>,
         row: &mut WindowRow<R>,
     ) = fused measure_any_row<_>;
-    /// Sums of s, d, s² and d².
+    /// Returns the sums of s, d, s² and d².
     pub(super) fn power_sums(s: &[f64], d: &[f64]) -> [f64; 4] = power_sums_kernel;
 }
 
@@ -125,7 +126,7 @@ fn measure_row_kernel<R: RoundingLimits, const CONTRAST: bool, const FUSED: bool
             let must = all | (counts[i] > R::default());
             lost[i] |= u32::from(must & !found.holds);
         }
-        // Chosen, not multiplied: what is not counted may be no number.
+        // Selected, not multiplied, because uncounted values may be NaN.
         for i in 0..LANES {
             let counts = counts[i] > R::default();
             sums[0][i] += if counts { similarity[block][i].wide() } else { 0.0 };

@@ -1,8 +1,8 @@
-//! Structural similarity. Wang, Bovik, Sheikh, Simoncelli: Image quality assessment: from error visibility to structural
-//! similarity, 2004: weighted means, variances and covariance in a window that moves over both images.
+//! Structural similarity. Wang, Bovik, Sheikh, Simoncelli: Image quality assessment: from error visibility to
+//! structural similarity, 2004: weighted means, variances and covariance in a window that moves over both images.
 //!
-//! With s = x + y and d = x − y, σx² + σy² = (σs² + σd²)/2 and 2 σxy = (σs² − σd²)/2: four moments instead of five, and
-//! both factors of the measure are 1 less something that is never negative and nothing for equal images.
+//! With s = x + y and d = x − y, σx² + σy² = (σs² + σd²)/2 and 2 σxy = (σs² − σd²)/2: four moments instead of five.
+//! Both factors of the measure are 1 minus a non-negative term that is 0 for equal images.
 
 mod window_sums;
 mod direct;

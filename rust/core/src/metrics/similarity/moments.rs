@@ -1,18 +1,18 @@
-//! Means and variances in a window, separably, without losing the variance.
+//! Means and variances in a window, separably and without cancellation.
 //!
-//! A variance as the mean of squares less the square of the mean has no digits left where the level is high. Here every
-//! row's moments are taken about the pixel in its middle, and the rows' about the row in the middle: the square of
-//! what is left to subtract is at most the variance over the middle's weight (one of the values averaged is the middle
-//! itself), so that the relative error is a few roundings over that weight, at any level.
+//! The mean of squares minus the square of the mean has no digits left where the level is high. Here each row's
+//! moments are taken about the pixel in its middle, and the combination of rows about the middle row. The square that
+//! remains to be subtracted is at most the variance divided by the middle's weight (the middle is one of the averaged
+//! values), so the relative error is a few roundings over that weight, at any level.
 
 use super::super::lanes::{LANES, lanes};
 use crate::base::Real;
 use crate::base::simd::vectorized;
 
-/// Most windows of a row that are taken together: with those of a window's rows they stay in the first-level cache.
+/// Maximum number of windows of a row per pass: with the moments of a window's rows they fit in the first-level cache.
 pub(super) const COLUMNS: usize = 128;
 
-/// Means and variances of windows side by side, where cache lines begin: vectors across two lines are read twice.
+/// Means and variances of adjacent windows, aligned to cache lines: vectors across two lines are read twice.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 pub struct Moments<R> {
@@ -20,7 +20,7 @@ pub struct Moments<R> {
     pub mean: [R; COLUMNS],
     /// Variance of each window.
     pub variance: [R; COLUMNS],
-    /// Rows that began a power of two apart would share few sets of the first-level cache, because narrow tiles fill
+    /// Padding: rows a power of two apart would share few sets of the first-level cache, because narrow tiles fill
     /// only the beginning of each array.
     _apart: [u8; 64],
 }
@@ -32,10 +32,10 @@ impl<R: Real> Default for Moments<R> {
 }
 
 vectorized! {
-    /// Moments along a line, of the first `blocks` times `LANES` windows; the nth begins at its nth value.
+    /// Computes moments along a line for the first `blocks` × `LANES` windows; the nth begins at the nth value.
     pub(super) fn across<R: Real>(line: &[R], weights: &[R], moments: &mut Moments<R>, blocks: usize)
         = fused across_kernel<_>;
-    /// Moments of rows from those along each; `order[k]` is the window's kth row among `rows`.
+    /// Combines row moments to window moments; `order[k]` is the window's kth row among `rows`.
     pub(super) fn down<R: Real>(
         rows: &[Moments<R>],
         order: &[usize],
@@ -113,7 +113,7 @@ pub(super) fn down_kernel<R: Real, const FUSED: bool>(
     }
 }
 
-/// A block of values.
+/// Returns a block of values.
 #[inline(always)]
 fn at<R>(values: &[R; COLUMNS], block: usize) -> &[R; LANES] {
     &values.as_chunks::<LANES>().0[block]

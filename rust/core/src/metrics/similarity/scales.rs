@@ -1,4 +1,4 @@
-//! Images made smaller, and similarity at several scales. Wang, Simoncelli, Bovik: Multiscale structural similarity for
+//! Image reduction, and similarity at several scales. Wang, Simoncelli, Bovik: Multiscale structural similarity for
 //! image quality assessment, 2003.
 
 use rayon::prelude::*;
@@ -12,22 +12,22 @@ use super::window::{Similarity, Window};
 use super::window_sums::{Counted, SimilaritySums};
 use crate::base::{Error, Progress, Real, Result};
 
-/// Both images of a pair made smaller.
+/// A pair of images reduced in size.
 pub struct Shrunk<R> {
     images: [Vec<R>; 2],
     size: [usize; 2],
 }
 
 impl<R: Pixel> Shrunk<R> {
-    /// Every `factor`th pixel in both directions, each the mean of a box of as many pixels around it; beyond their
-    /// borders images are mirrored.
+    /// Reduces both images: each output pixel is the mean of a box of `factor` × `factor` pixels around every
+    /// `factor`th pixel. Images are mirrored at their borders.
     pub fn new<P: PixelRows<Real = R>>(pair: &Pair<'_, P>, factor: usize, progress: &Progress) -> Result<Self> {
         let size = [pair.reference.height, pair.reference.width].map(|length| length.div_ceil(factor));
         let images = [shrunk(&pair.reference, factor, progress)?, shrunk(&pair.test, factor, progress)?];
         Ok(Self { images, size })
     }
 
-    /// As a pair of images.
+    /// Returns the images as a pair.
     pub fn pair(&self) -> Result<Pair<'_, R>>
     where
         R: PixelRows,
@@ -42,7 +42,7 @@ fn shrunk<P: Pixel>(image: &Plane<'_, P>, factor: usize, progress: &Progress) ->
     let reach = (factor - 1) / 2;
     let [height, width] = [image.height, image.width].map(|length| length.div_ceil(factor));
     let place = |n: usize, length: usize| mirror(n as i64 - reach as i64, length);
-    // Boxes that no border cuts; the first begins at `reach`.
+    // Boxes that do not cross a border; the first begins at `reach`.
     let whole = usize::from(reach > 0)..((image.width + reach) / factor).max(usize::from(reach > 0));
     let share = 1.0 / (factor * factor) as f64;
     let mut out = vec![P::Real::default(); height * width];
@@ -73,16 +73,16 @@ fn shrunk<P: Pixel>(image: &Plane<'_, P>, factor: usize, progress: &Progress) ->
     Ok(out)
 }
 
-/// Means of similarity and of its second factor at each of several scales.
+/// Means of similarity and contrast factor at each scale.
 #[derive(Clone, Debug)]
 pub struct Scales {
-    /// From the finest scale on.
+    /// Means, the finest scale first.
     pub means: Vec<[f64; 2]>,
-    /// Of both images at the finest, where it is wanted.
+    /// Range of both images' values at the finest scale, if requested.
     pub range: ValueRange,
 }
 
-/// Compares at `scales`, each half as large as the one before it.
+/// Compares at `scales` scales, each half as large as the previous one.
 pub fn multiscale<P>(
     pair: &Pair<'_, P>,
     window: &Window,
@@ -134,9 +134,9 @@ mod tests {
     fn boxes_begin_at_the_pixel_or_before_it() {
         let values: Vec<f64> = (0..15).map(f64::from).collect();
         let plane = Plane::new(&values, [3, 5], [5, 1]).unwrap();
-        // Two: pixels 0–1, 2–3, 4 and its mirror image, on rows 0–1, 2 and its mirror image.
+        // Factor 2: pixels 0–1, 2–3, 4 and its mirror image; rows 0–1, 2 and its mirror image.
         assert_eq!(shrunk(&plane, 2, &Progress::new()).unwrap(), [3.0, 5.0, 6.5, 10.5, 12.5, 14.0]);
-        // Three: from a pixel before.
+        // Factor 3: boxes begin one pixel earlier.
         let first = [0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 5.0, 5.0, 6.0].iter().sum::<f64>() / 9.0;
         let found = shrunk(&plane, 3, &Progress::new()).unwrap();
         assert!((found[0] - first).abs() < 1e-15 && found.len() == 2);

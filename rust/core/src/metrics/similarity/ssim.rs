@@ -1,4 +1,4 @@
-//! Similarity of a pair by any window.
+//! Similarity of a pair for any window.
 
 use super::super::pair::Pair;
 use super::super::pixel_rows::PixelRows;
@@ -9,8 +9,8 @@ use super::window::{Similarity, Window};
 use super::window_sums::{Counted, Mask, SimilaritySums};
 use crate::base::{Error, Result};
 
-/// Sums of the similarity of windows, and where wanted its map: rows of the image's width. Outside of images these are
-/// mirrored. Without a map only windows that count are looked at.
+/// Returns the summed similarity of windows and, if requested, writes its map: rows of the image's width. Images are
+/// mirrored at their borders. Without a map only windows that count are computed.
 pub fn similarity<P: PixelRows>(
     pair: &Pair<'_, P>,
     window: &Window,

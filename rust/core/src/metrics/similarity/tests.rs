@@ -1,4 +1,5 @@
-//! Similarity against its definition, window by window; and both forms of each kernel against each other.
+//! Tests of similarity against its definition, window by window, and of both variants of each kernel against each
+//! other.
 
 use super::moments::{COLUMNS, Moments, across, across_kernel, down, down_kernel};
 use super::*;
@@ -11,7 +12,7 @@ use proptest::prelude::*;
 
 const CONSTANTS: Similarity = Similarity { c1: 1e-4, c2: 9e-4 };
 
-/// Pixels of two images, their size and that of the window, and a mask.
+/// Generates the pixels of two images, their size and that of the window, and a mask.
 fn images() -> impl Strategy<Value = (Vec<f64>, Vec<f64>, [usize; 2], usize, Vec<u8>)> {
     (1..24usize, 1..170usize, 1..9usize).prop_flat_map(|(height, width, taps)| {
         let pixels = || prop::collection::vec(-1.0..1.0f64, height * width);
@@ -20,7 +21,7 @@ fn images() -> impl Strategy<Value = (Vec<f64>, Vec<f64>, [usize; 2], usize, Vec
     })
 }
 
-/// Eq. 13 at a pixel; `seen` tells the weights of the pixels around it, and `at` where the image goes on.
+/// Evaluates Eq. 13 at a pixel; `seen` gives the weights of the pixels around it, `at` the border extension.
 fn slowly(
     [a, b]: [&[f64]; 2],
     [height, width]: [usize; 2],

@@ -1,4 +1,4 @@
-//! Similarity window by window: images are cut into tiles that stay in the caches, and each tile's rows are passed once.
+//! Windowed similarity over tiles that stay in the caches, with one pass over each tile's rows.
 
 use rayon::prelude::*;
 
@@ -14,12 +14,11 @@ use super::window_sums::{Counted, Mask, SimilaritySums};
 use crate::base::Real;
 use crate::base::simd::prefetch;
 
-/// Rows of one task: fixed, so that sums do not depend on the number of threads.
+/// Rows per task: fixed, so that sums do not depend on the number of threads.
 const ROWS: usize = 90;
-/// Bytes of a row that a tile takes in each image: with the moments of a window's rows they stay in the caches.
+/// Bytes of a tile's row in each image: with the moments of a window's rows they stay in the caches.
 const TILE_BYTES: usize = 512;
-/// Rows between the one at work and the one that is prefetched: addresses jump from tile to tile, which hardware
-/// prefetchers do not predict.
+/// Prefetch distance in rows: addresses jump from tile to tile, which hardware prefetchers do not predict.
 const PREFETCHED_ROWS: usize = 4;
 
 /// A comparison by windows.
@@ -36,7 +35,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         Self { pair, weights, narrow: weights.iter().map(|&w| P::Real::narrow(w)).collect(), constants, counted }
     }
 
-    /// Sums over the windows that count.
+    /// Returns sums over the windows that count.
     pub(super) fn sums(&self, map: Option<&mut [P::Real]>) -> SimilaritySums {
         let (height, width) = (self.pair.reference.height, self.pair.reference.width);
         let inside = self.inside();
@@ -70,7 +69,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         each.into_iter().fold(SimilaritySums::default(), SimilaritySums::and)
     }
 
-    /// Region of the windows that count unless a mask rules them out.
+    /// Returns the region of the windows that count, before any mask.
     fn inside(&self) -> Region {
         let (height, width) = (self.pair.reference.height, self.pair.reference.width);
         let taps = self.weights.len();
@@ -81,7 +80,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         Region { rows: [before, height - after], columns: [before, width - after] }
     }
 
-    /// In the pixels' own precision, or where that loses digits in float64, or window by window.
+    /// Computes a tile in the pixels' own precision; if that loses digits, in float64, or else window by window.
     fn tile(
         &self,
         part: &Region,
@@ -107,7 +106,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         let wide = |row: usize, places: &[usize], lines: [&mut [f64]; 2]| {
             self.pair.gather(row, places.iter().copied(), levels, lines)
         };
-        // The pixels' own precision may have been float64 already.
+        // The pixels' own precision may already be float64.
         if size_of::<P::Real>() < size_of::<f64>() {
             let mut bench = Bench::new(self.weights.len(), self.counted.contrast);
             bench.row.all = map.is_some();
@@ -118,7 +117,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         SimilaritySums { range, ..self.one_by_one(part, inside, map) }
     }
 
-    /// All windows of a part in a precision; none where that does not hold what they need.
+    /// Computes all windows of a region in one precision; `None` if that precision is insufficient.
     fn pass<R: RoundingLimits>(
         &self,
         part: &Region,
@@ -138,7 +137,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         let blocks = (end - first).div_ceil(LANES);
         bench.row.blocks = blocks;
         bench.row.sums = [[0.0; LANES]; 2];
-        // Lanes behind the part see what an earlier one left.
+        // Lanes beyond the region would see values of an earlier one.
         bench.lines.iter_mut().for_each(|line| line.fill(R::default()));
         let before = taps / 2;
         let places = |from: usize, to: usize, length: usize| -> Vec<usize> {
@@ -147,11 +146,11 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         let columns = places(first, end, self.pair.reference.width);
         let rows = places(part.rows[0], part.rows[1], self.pair.reference.height);
         let (mut counting, mut pixels) = (false, 0.0);
-        // The window of an output row reads `taps` rows, in places mirrored at the borders.
+        // The window of an output row reads `taps` rows, with positions mirrored at the borders.
         for (read, &place) in rows.iter().enumerate() {
             let [s, d] = &mut bench.lines;
             load(place, &columns, [&mut s[..columns.len()], &mut d[..columns.len()]]);
-            // The row that was read longest ago makes room.
+            // The oldest row is replaced.
             let slot = bench.order[0];
             bench.order.rotate_left(1);
             for (line, rows) in bench.lines.iter().zip(&mut bench.rows) {
@@ -207,8 +206,8 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         sums
     }
 
-    /// Pixels whose range a part answers for: its own, which no other part has, and those of the image's margin that only
-    /// windows in it see. Parts that masks cut out answer for all that their windows see.
+    /// Returns the pixels whose range a region contributes: its own, and those of the image's margin that only its
+    /// windows see. With a mask, a region contributes all pixels that its windows see.
     fn own(&self, part: &Region, inside: Region) -> Region {
         let taps = self.weights.len();
         let (before, after) = (taps / 2, taps - 1 - taps / 2);
@@ -222,8 +221,8 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         }
     }
 
-    /// Sum and difference of both images at the places of a row that windows read, both less their levels; and where
-    /// wanted the extremes of at least the columns that the part answers for.
+    /// Loads sums and differences, minus levels, at the positions of a row that windows read; if wanted, extends the
+    /// extremes by at least the region's own columns.
     fn load(
         &self,
         row: usize,
@@ -246,7 +245,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
     }
 }
 
-/// Rows of a map, from the `top` one on.
+/// Rows of a map, starting at row `top`.
 struct MapRows<'a, R> {
     values: &'a mut [R],
     width: usize,
@@ -262,23 +261,23 @@ impl<R: Real> MapRows<'_, R> {
     }
 }
 
-/// Everything that a band's tiles write into.
+/// Buffers of a band's tiles.
 struct Bench<R> {
-    /// Values of a row, of s and of d.
+    /// Values of a row, for s and for d.
     lines: [Vec<R>; 2],
-    /// The moments along rows, a ring of as many as a window has.
+    /// Moments along rows: a ring buffer with one slot per window row.
     rows: [Vec<Moments<R>>; 2],
-    /// Places in the ring of the rows of a window, the earliest first.
+    /// Ring slots of a window's rows, the oldest first.
     order: Vec<usize>,
     moments: [Moments<R>; 2],
     row: WindowRow<R>,
-    /// Windows of the row that count.
+    /// Number of windows of the row that count.
     counted: f64,
 }
 
 impl<R: Real> Bench<R> {
     fn new(taps: usize, contrast: bool) -> Self {
-        // Whole lanes are read, of which the last may be none of the image.
+        // Whole vectors are read; the last lanes may lie outside the image.
         let line = || vec![R::default(); COLUMNS + taps];
         let rows = || vec![Moments::default(); taps];
         Self {
@@ -299,7 +298,7 @@ impl<R: Real> Bench<R> {
         }
     }
 
-    /// Marks the windows of a part that count.
+    /// Marks the windows of a region that count.
     fn count(&mut self, part: &Region, inside: Region) {
         let [from, to] = columns_inside(part, inside);
         self.row.counts.fill(R::default());
@@ -307,13 +306,13 @@ impl<R: Real> Bench<R> {
         self.counted = (to - from) as f64;
     }
 
-    /// None of a row.
+    /// Marks no window of a row as counting.
     fn count_none(&mut self) {
         self.row.counts.fill(R::default());
         self.counted = 0.0;
     }
 
-    /// The same for a row of a mask.
+    /// Marks the windows that a mask's row selects.
     fn mask(&mut self, mask: Mask<'_>, row: usize, part: &Region, inside: Region) {
         let [from, to] = columns_inside(part, inside);
         self.count_none();
@@ -325,7 +324,7 @@ impl<R: Real> Bench<R> {
     }
 }
 
-/// Columns of a part, from its first one, that lie inside.
+/// Returns the columns of a region, relative to its first, that lie inside.
 fn columns_inside(part: &Region, inside: Region) -> [usize; 2] {
     let [first, end] = part.columns;
     let from = inside.columns[0].clamp(first, end);

@@ -3,19 +3,18 @@
 /// Weights of the pixels around each pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Window {
-    /// Separable weights, the same from both ends, that sum to 1; an even number of them reaches one pixel further up
-    /// and left.
+    /// Symmetric separable weights that sum to 1; an even number extends one pixel further up and left.
     Weights(Vec<f64>),
     /// The whole image at once.
     Global,
 }
 
 impl Window {
-    /// A Gaussian of σ pixels, cut off at `size` pixels.
+    /// Creates a Gaussian of σ pixels, truncated to `size` pixels.
     pub fn gaussian(size: usize, sigma: f64) -> Self {
         let middle = (size as f64 - 1.0) / 2.0;
         let nearest = if size.is_multiple_of(2) { 0.25 } else { 0.0 };
-        // Less the least exponent, so that something is left however narrow it is.
+        // Subtracting the smallest exponent keeps at least one weight, however narrow the Gaussian is.
         let weight = |i: usize| match (i as f64 - middle).powi(2) - nearest {
             0.0 => 1.0,
             farther => (-0.5 * farther / sigma / sigma).exp(),
@@ -25,17 +24,17 @@ impl Window {
         Self::Weights(weights.into_iter().map(|weight| weight / sum).collect())
     }
 
-    /// All `size` pixels alike.
+    /// Creates `size` equal weights.
     pub fn uniform(size: usize) -> Self {
         Self::Weights(vec![1.0 / size as f64; size])
     }
 }
 
-/// Constants of the measure: (k₁ L)² and (k₂ L)² keep it defined where means or variances vanish.
+/// Constants of the measure, (k₁ L)² and (k₂ L)², which keep it defined if means or variances vanish.
 #[derive(Clone, Copy, Debug)]
 pub struct Similarity {
-    /// For the means.
+    /// Constant of the means.
     pub c1: f64,
-    /// For the variances.
+    /// Constant of the variances.
     pub c2: f64,
 }

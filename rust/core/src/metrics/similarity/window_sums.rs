@@ -1,4 +1,4 @@
-//! The windows that count, and sums over them.
+//! Selection of the windows that count, and sums over them.
 
 use super::super::extremes::ValueRange;
 use super::super::plane::Plane;
@@ -7,18 +7,18 @@ use crate::base::Progress;
 /// Sums over the pixels that count.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SimilaritySums {
-    /// Sum of the measure.
+    /// Sum of the similarity.
     pub similarity: f64,
-    /// Sum of its second factor alone, which compares contrast and structure; 0 where it is not wanted.
+    /// Sum of the contrast factor (contrast and structure); 0 if not requested.
     pub contrast: f64,
-    /// Pixels that count.
+    /// Number of pixels that count.
     pub pixels: f64,
-    /// Of both images, where it is wanted: at least of what windows that count see.
+    /// Range of both images' values if requested: covers at least the pixels that counted windows see.
     pub range: ValueRange,
 }
 
 impl SimilaritySums {
-    /// Mean of the measure, and of its second factor.
+    /// Returns the means of similarity and contrast factor.
     pub(super) fn means(&self) -> [f64; 2] {
         [self.similarity, self.contrast].map(|sum| sum / self.pixels)
     }
@@ -33,32 +33,32 @@ impl SimilaritySums {
     }
 }
 
-/// Windows that count: those within the image, or all, and of these those that a mask names.
+/// Selection of windows: those inside the image or all, restricted to a mask if there is one.
 #[derive(Clone, Copy)]
 pub struct Counted<'a> {
-    /// Whether windows that reach beyond the image count too.
+    /// Whether windows that extend beyond the image count too.
     pub all: bool,
-    /// Of the image's size; anything but 0 names a pixel.
+    /// Mask of the image's size; non-zero values select pixels.
     pub mask: Option<Mask<'a>>,
-    /// Whether the sum of the second factor is wanted.
+    /// Whether to sum the contrast factor.
     pub contrast: bool,
-    /// Whether the range of values is wanted.
+    /// Whether to compute the range of values.
     pub range: bool,
-    /// Where the caller may cancel; sums are then not complete.
+    /// Progress and cancellation; sums are incomplete after a cancellation.
     pub progress: &'a Progress,
 }
 
-/// Pixels that a mask excludes: from the mean, or from windows as well.
+/// Effect of a mask on the mean, or on windows as well.
 #[derive(Clone, Copy)]
 pub enum Mask<'a> {
-    /// The mean: windows around other pixels do not count.
+    /// Windows centred on other pixels do not count.
     Mean(Plane<'a, u8>),
-    /// Windows as well: other pixels, and those outside of the image, have no weight (normalised convolution).
+    /// Windows also ignore other pixels, and those outside the image (normalised convolution).
     Windows(Plane<'a, u8>),
 }
 
 impl<'a> Mask<'a> {
-    /// The pixels that it names.
+    /// Returns the mask's pixels.
     pub(super) fn plane(&self) -> &Plane<'a, u8> {
         match self {
             Self::Mean(plane) | Self::Windows(plane) => plane,

@@ -1,4 +1,4 @@
-//! The cells of a tree in which something is, by the subtrees that are known so far.
+//! Occupied cells of a tree, as far as its subtrees are known.
 
 use std::collections::HashMap;
 
@@ -6,56 +6,56 @@ use glam::{DVec3, UVec3};
 
 use crate::base::{Error, Result};
 
-/// Cells of a world. Level 0 has the leaves, the last level one cell.
+/// Cell grid of a world. Level 0 has the leaves, the last level one cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid {
-    /// Least corner of leaf (0, 0, 0), metres.
+    /// Minimum corner of leaf (0, 0, 0), metres.
     pub origin: DVec3,
     /// Side of a leaf, metres.
     pub side: f64,
     /// Number of levels.
     pub levels: u32,
-    /// Levels of a subtree.
+    /// Levels per subtree.
     pub subtree: u32,
 }
 
 impl Grid {
-    /// Side of a level's cells, metres.
+    /// Returns the side of a level's cells, metres.
     pub fn side_at(&self, level: u32) -> f64 {
         self.side * (1u64 << level) as f64
     }
 
-    /// Least corner of a cell, metres.
+    /// Returns the minimum corner of a cell, metres.
     pub fn corner(&self, level: u32, place: UVec3) -> DVec3 {
         self.origin + place.as_dvec3() * self.side_at(level)
     }
 
-    /// Number of cells of a level along each axis of a subtree.
+    /// Returns the number of a level's cells along each axis of a subtree.
     fn side_of_shard(&self, level: u32) -> usize {
         1 << (self.subtree - level % self.subtree)
     }
 }
 
-/// Whether a subtree is known.
+/// Knowledge about a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Known {
-    /// The directions, by their bits, from which a cell shows something; 0 for a cell in which nothing is.
+    /// Bit mask of the directions from which the cell has a view; 0 for an empty cell.
     Cell(u32),
     /// The subtree with this cell has not been added.
     Not,
 }
 
-/// The cells of a tree in which something is.
+/// Occupied cells of a tree.
 #[derive(Clone, Debug)]
 pub struct Cells {
-    /// The tree's cells.
+    /// Grid of the tree.
     pub grid: Grid,
-    /// By tier and place: for each level of the subtree the bits of its cells' directions.
+    /// Direction masks of each subtree's cells, level by level, by tier and position.
     subtrees: HashMap<(u32, UVec3), Vec<Box<[u32]>>>,
 }
 
 impl Cells {
-    /// No subtree is known.
+    /// Creates an index without subtrees.
     pub fn new(grid: Grid) -> Result<Self> {
         if !(1..=8).contains(&grid.subtree) || !(1..=32).contains(&grid.levels) {
             let got = format!("{} levels, {} of a subtree", grid.levels, grid.subtree);
@@ -67,8 +67,8 @@ impl Cells {
         Ok(Self { grid, subtrees: HashMap::new() })
     }
 
-    /// Adds a subtree: for each of its levels, the lowest one first, the bits of the directions from which its cells show
-    /// something, z fastest. No levels stand for a subtree in which nothing is.
+    /// Adds a subtree: for each of its levels, the lowest first, the direction masks of its cells, z fastest. An empty
+    /// list stands for an empty subtree.
     pub fn add(&mut self, tier: u32, place: UVec3, levels: Vec<Box<[u32]>>) -> Result<()> {
         for (level, masks) in (tier * self.grid.subtree..).zip(&levels) {
             let expected = self.grid.side_of_shard(level).pow(3);
@@ -80,18 +80,18 @@ impl Cells {
         Ok(())
     }
 
-    /// Number of subtrees that are known.
+    /// Returns the number of known subtrees.
     pub fn known(&self) -> usize {
         self.subtrees.len()
     }
 
-    /// The tier and the place of the subtree that has a cell.
+    /// Returns the tier and the position of the subtree that contains a cell.
     pub fn subtree_of(&self, level: u32, place: UVec3) -> (u32, UVec3) {
         let bits = self.grid.subtree - level % self.grid.subtree;
         (level / self.grid.subtree, place >> bits)
     }
 
-    /// The directions from which a cell shows something, as far as it is known.
+    /// Returns the direction mask of a cell, if known.
     pub fn at(&self, level: u32, place: UVec3) -> Known {
         let key = self.subtree_of(level, place);
         let Some(levels) = self.subtrees.get(&key) else { return Known::Not };

@@ -1,10 +1,10 @@
-//! The half-spaces that a picture shows.
+//! View frustum as half-spaces.
 
 use glam::{DVec3, DVec4};
 
 use crate::camera::Camera;
 
-/// How a box lies to a frustum.
+/// Position of a box relative to a frustum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Side {
     Outside,
@@ -12,7 +12,7 @@ pub(super) enum Side {
     Inside,
 }
 
-/// The half-spaces n·x + d ≥ 0 of a picture's sides, and that before the camera.
+/// Half-spaces n·x + d ≥ 0 of a picture's sides and of the camera plane.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Frustum([DVec4; 5]);
 
@@ -33,13 +33,13 @@ impl Frustum {
             let across = if camera.is_parallel() { to - from } else { other };
             plane(along.cross(across), camera.position + from)
         };
-        // The normal of the plane before the camera: that of two steps in the picture.
+        // Normal of the camera plane, from two steps in the picture.
         let [first, right, _, down] = corners.map(|(start, direction)| start + direction);
         let before = plane((right - first).cross(down - first), camera.position + start);
         Self([side(0), side(1), side(2), side(3), before])
     }
 
-    /// How a cube lies to it: outside of one half-space, or inside of all of them.
+    /// Returns whether a cube lies outside one half-space, inside all of them, or across.
     pub fn side(&self, center: DVec3, side: f64) -> Side {
         let mut found = Side::Inside;
         for plane in &self.0 {

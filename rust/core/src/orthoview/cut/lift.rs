@@ -1,10 +1,10 @@
-//! Directions of viewers, raised towards the zenith.
+//! Viewing directions raised towards the zenith.
 
 use glam::DVec3;
 
 use crate::base::{Error, Result};
 
-/// Sine of the angle from straight down within which a direction has no side to be raised on.
+/// Sine of the angle from straight down within which a direction has no defined azimuth.
 const STRAIGHT: f64 = 1e-9;
 
 /// An angle by which directions are raised towards +y.
@@ -15,7 +15,7 @@ pub struct Lift {
 }
 
 impl Lift {
-    /// An angle in degrees, 0 to 90.
+    /// Creates a lift from an angle in degrees, 0 to 90.
     pub fn new(degrees: f64) -> Result<Self> {
         if !(0.0..=90.0).contains(&degrees) {
             return Err(Error::value("lift_deg", "a number from 0 to 90", degrees));
@@ -24,7 +24,8 @@ impl Lift {
         Ok(Self { sine, cosine })
     }
 
-    /// A unit vector turned by the angle towards +y, at most to +y. One straight down stays: no side is its own.
+    /// Rotates a unit vector by the angle towards +y, at most to +y. A vector straight down stays, because it has no
+    /// azimuth.
     pub fn raised(self, way: DVec3) -> DVec3 {
         let flat = way.x.hypot(way.z);
         if self.sine == 0.0 || (flat < STRAIGHT && way.y < 0.0) {

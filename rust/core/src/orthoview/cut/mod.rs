@@ -1,4 +1,4 @@
-//! Cuts through the octree: which cells a viewer sees at which level, from which directions, and which leaves as geometry.
+//! Cuts through the octree: the cells to draw, with their levels and directions, and the leaves to draw as geometry.
 
 mod cells;
 mod frustum;

@@ -1,4 +1,4 @@
-//! From which distance on a level's pixels are as fine as wanted.
+//! Distance rule: where a level's pixels are as fine as wanted.
 
 use glam::DVec3;
 
@@ -6,36 +6,36 @@ use crate::base::{Error, Result};
 use crate::camera::Camera;
 use crate::lod::Acuity;
 
-/// Where a viewer looks, and how the eye sees beside it.
+/// Gaze point and acuity of a viewer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gaze {
-    /// Place in the picture, pixels.
+    /// Gaze point in the picture, pixels.
     pub pixel: [f64; 2],
-    /// Degrees of the least visible angle for each degree from the gaze.
+    /// Increase of the smallest visible angle per degree from the gaze, degrees.
     pub slope: f64,
-    /// Least visible angle at the gaze, degrees.
+    /// Smallest visible angle at the gaze, degrees.
     pub limit: f64,
 }
 
-/// From which distance on a level's pixels are as fine as wanted: the `start` of that level.
+/// Distance rule of levels: a level's pixels are as fine as wanted from its `start` on.
 ///
-/// Distances are *apparent* ones: those from the eye, over the factor by which the eye sees things smaller beside its
-/// gaze. For parallel rays, of which no distance changes a pixel's width, all of them are 1.
+/// Distances are *apparent*: the distance from the eye divided by the factor by which acuity shrinks lengths away from
+/// the gaze. For parallel rays, whose pixel width does not depend on distance, all of them are 1.
 #[derive(Clone, Copy, Debug)]
 pub struct Rule {
     eye: DVec3,
     is_parallel: bool,
     /// `start` of level 0.
     pub reach: f64,
-    /// Width of the band beyond a level's `start` in which its splats take the places of finer ones one after another, in
-    /// shares of `start`; `None` where cells are drawn as wholes.
+    /// Width of the band beyond a level's `start` in which its splats gradually replace finer ones, relative to
+    /// `start`; `None` draws whole cells.
     pub band: Option<f64>,
     acuity: Option<Acuity>,
 }
 
 impl Rule {
-    /// The rule of a viewer: `pitch` is the width of the pixels of a leaf's views in metres, `error` the greatest width of a
-    /// view's pixels in pixels of the picture.
+    /// Creates the rule of a viewer: `pitch` is the pixel width of a leaf's views in metres, `error` the maximum width
+    /// of a view's pixels in pixels of the picture.
     pub fn new(camera: &Camera, pitch: f64, error: f64, band: Option<f64>, gaze: Option<&Gaze>) -> Result<Self> {
         for (name, value) in [("pitch", pitch), ("error_px", error)] {
             if !value.is_finite() || value <= 0.0 {
@@ -59,12 +59,12 @@ impl Rule {
         Ok(Self { eye: camera.position, is_parallel, reach, band, acuity })
     }
 
-    /// Apparent distance from which on a level's pixels are as fine as wanted.
+    /// Returns the apparent distance from which a level's pixels are as fine as wanted.
     pub fn start(&self, level: u32) -> f64 {
         self.reach * (1u64 << level) as f64
     }
 
-    /// Apparent distance of a point.
+    /// Returns the apparent distance of a point.
     pub fn apparent(&self, place: DVec3) -> f64 {
         if self.is_parallel {
             return 1.0;
@@ -73,12 +73,13 @@ impl Rule {
         offset.length() / self.acuity.map_or(1.0, |acuity| acuity.scale(offset, 0.0))
     }
 
-    /// Distance of a cube's nearest point from the eye, metres.
+    /// Returns the distance of a cube's nearest point from the eye, metres.
     pub fn distance(&self, corner: DVec3, side: f64) -> f64 {
         (self.eye - self.eye.clamp(corner, corner + side)).length()
     }
 
-    /// Bounds of the apparent distances of a cube's points. The angles from the gaze are those of the sphere about it.
+    /// Returns bounds of the apparent distances of a cube's points. Angles from the gaze are those of its bounding
+    /// sphere.
     pub fn bounds(&self, corner: DVec3, side: f64) -> [f64; 2] {
         if self.is_parallel {
             return [1.0; 2];

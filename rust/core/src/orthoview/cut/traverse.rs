@@ -1,5 +1,4 @@
-//! The traversal from the top: a cell whose pixels are as fine as the picture's is drawn, others give way to their
-//! children.
+//! Top-down traversal: a cell whose pixels are as fine as the picture's is drawn, other cells are refined.
 
 use glam::{DVec3, UVec3};
 
@@ -16,55 +15,55 @@ use crate::orthoview::direction::Direction;
 pub struct View<'a> {
     /// The camera.
     pub camera: &'a Camera,
-    /// From which distance on a level is drawn.
+    /// Distance rule of levels.
     pub rule: Rule,
     /// The tree's directions.
     pub directions: &'a [Direction],
-    /// Number of views of a cell.
+    /// Number of views per cell.
     pub views: usize,
-    /// Angle by which the viewer's direction is raised before views are chosen by it.
+    /// Angle by which the viewer's direction is raised before the choice of views.
     pub lift: Lift,
     /// Whether nearer leaves are drawn as geometry.
     pub geometry: bool,
-    /// Whether cells outside of the picture count, too: a viewer may turn faster than views arrive.
+    /// Whether cells outside the picture count, too: a viewer may turn faster than views arrive.
     pub around: bool,
 }
 
-/// A cell that is drawn.
+/// A cell to draw.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drawn {
-    /// Its level.
+    /// Level of the cell.
     pub level: u32,
-    /// Its place.
+    /// Position of the cell.
     pub place: UVec3,
-    /// Distance of the nearest point of it, metres.
+    /// Distance of its nearest point, metres.
     pub distance: f64,
-    /// Whether it reaches into the picture.
+    /// Whether it intersects the picture.
     pub in_picture: bool,
-    /// Whether some of its splats are drawn only, and cells below it in the places of the others.
+    /// Whether only some of its splats are drawn, and finer cells in the place of the others.
     pub is_partial: bool,
-    /// The numbers of directions, the nearest one first, from the first `count` of which it is drawn.
+    /// Numbers of directions, the nearest first; the first `count` are drawn.
     pub directions: [u8; Self::MOST],
     /// Number of its views.
     pub count: usize,
 }
 
 impl Drawn {
-    /// Greatest number of views of a cell.
+    /// Maximum number of views of a cell.
     pub const MOST: usize = 8;
 }
 
-/// The parts of a tree that a viewer sees, the nearest ones first.
+/// Parts of a tree that a viewer sees, the nearest first.
 #[derive(Clone, Debug, Default)]
 pub struct Cut {
-    /// Distance at which a leaf's pixels are as fine as wanted, metres; for parallel rays their width in the picture over
-    /// the wanted one.
+    /// Distance at which a leaf's pixels are as fine as wanted, metres; for parallel rays the ratio of their width in
+    /// the picture to the wanted width.
     pub reach: f64,
-    /// The cells that are drawn as views.
+    /// Cells drawn as views.
     pub cells: Vec<Drawn>,
-    /// The leaves that are drawn as geometry, which have no views.
+    /// Leaves drawn as geometry, without views.
     pub leaves: Vec<Drawn>,
-    /// Subtrees that are not known, in whose place the cells above are drawn.
+    /// Unknown subtrees, in whose place the cells above are drawn.
     pub unknown: Vec<(u32, UVec3)>,
 }
 
@@ -92,7 +91,7 @@ pub fn cut(cells: &Cells, view: &View<'_>) -> Result<Cut> {
     Ok(cut)
 }
 
-/// Where a cell's pixels are as fine as wanted.
+/// Relation of a cell to the distance from which its pixels are fine enough.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Fineness {
     Whole,
@@ -106,7 +105,7 @@ struct Traversal<'a> {
     /// Unit vectors of the directions.
     units: Vec<DVec3>,
     frustum: Frustum,
-    /// Towards the viewer, for parallel rays.
+    /// Direction towards the viewer, for parallel rays.
     toward: Option<DVec3>,
     cut: Cut,
 }
@@ -130,7 +129,7 @@ impl Traversal<'_> {
         }
     }
 
-    /// Where a cell's pixels are as fine as wanted. Leaves are drawn as wholes, since nothing finer blends with them.
+    /// Classifies a cell. Leaves are always drawn whole, because nothing finer blends with them.
     fn fineness(&self, level: u32, corner: DVec3, side: f64) -> Fineness {
         let ([nearest, farthest], start) = (self.view.rule.bounds(corner, side), self.view.rule.start(level));
         match self.view.rule.band.filter(|_| level > 0) {
@@ -140,7 +139,7 @@ impl Traversal<'_> {
         }
     }
 
-    /// Visits the children of a cell and draws it if it is partial; draws it as a whole if they are not known.
+    /// Visits the children of a cell and draws it if it is partial; draws it whole if the children are unknown.
     fn refine(&mut self, drawn: Drawn, center: DVec3, mask: u32, lies: Side) {
         let level = drawn.level - 1;
         let octants = (0..8u32).map(|n| UVec3::new(n >> 2, n >> 1 & 1, n & 1));
@@ -166,13 +165,13 @@ impl Traversal<'_> {
         Drawn { level, place, distance, in_picture, is_partial: false, directions: [0; Drawn::MOST], count: 0 }
     }
 
-    /// Draws a cell from the directions nearest to the viewer's raised one, of those from which it shows something.
+    /// Draws a cell from those of its directions nearest to the viewer's raised direction.
     fn draw(&mut self, mut drawn: Drawn, center: DVec3, mask: u32) {
         let toward = self.toward.unwrap_or(self.view.camera.position - center).normalize_or(DVec3::Y);
         let raised = self.view.lift.raised(toward);
         let cosines = self.units.iter().map(|unit| [raised, toward].map(|way| unit.dot(way)));
         let mut left: Vec<([f64; 2], u8)> = cosines.zip(0..).collect();
-        // All directions that are equally high are equally near to +y: then the viewer's own direction decides.
+        // Directions of equal elevation are equally near to +y; then the viewer's own direction decides.
         let order = |one: &[f64; 2], other: &[f64; 2]| other[0].total_cmp(&one[0]).then(other[1].total_cmp(&one[1]));
         left.sort_by(|one, other| order(&one.0, &other.0).then(one.1.cmp(&other.1)));
         for &(_, number) in left.iter().filter(|(_, number)| mask >> number & 1 == 1).take(self.view.views) {

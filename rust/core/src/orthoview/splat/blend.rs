@@ -1,10 +1,11 @@
-//! Levels that blend: in the band beyond a level's start some of its splats are drawn, and in the places of the others those
-//! of the levels below.
+//! Blending of levels: in the band beyond a level's start only some of its splats are drawn, the others are replaced
+//! by splats of finer levels.
 //!
-//! A pixel of a view is *coarse enough* if its surface lies no nearer than start · (1 + band · h), where h is a number from
-//! 0 to 1 that the pixel's place decides alone. So the share of such pixels grows from 0 to 1 over the band. A pixel is
-//! *covered* if the one above it, in the view of its parent from the same direction, is coarse enough or covered. Drawn are
-//! those that are coarse enough and not covered. A pixel's surface is that of the view's first layer; the second one follows.
+//! A pixel of a view is *coarse enough* if its surface is at a distance of at least start · (1 + band · h), where h is
+//! a hash of the pixel's position from 0 to 1. So the fraction of such pixels grows from 0 to 1 over the band. A pixel
+//! is *covered* if the pixel above it, in its parent's view from the same direction, is coarse enough or covered.
+//! Pixels that are coarse enough and not covered are drawn. A pixel's surface is that of the view's first layer; the
+//! second layer follows it.
 
 use std::collections::{HashMap, HashSet};
 
@@ -18,20 +19,20 @@ use crate::orthoview::cut::Rule;
 /// A view of a cut.
 #[derive(Clone, Debug)]
 pub struct Placed<'a> {
-    /// The cell's level and place.
+    /// Level and position of the cell.
     pub cell: (u32, UVec3),
     /// Number of the direction.
     pub direction: u8,
-    /// Whether finer cells are drawn in the places of some of its splats.
+    /// Whether finer cells replace some of its splats.
     pub is_partial: bool,
-    /// Its layers, of which there is one at least.
+    /// Its layers, at least one.
     pub layers: Vec<&'a Splats>,
 }
 
-/// Bits of a view's pixels, by blocks in rows.
+/// Bit masks of a view's pixels, by blocks in rows.
 type Bits = Vec<u64>;
 
-/// The splats that are drawn of each layer of each view; `None` for those of which all are.
+/// Returns the splats to draw of each layer of each view; `None` if all are drawn.
 pub fn blended(views: &[Placed<'_>], rule: &Rule) -> Vec<Vec<Option<Splats>>> {
     let mut found: Vec<Vec<Option<Splats>>> = views.iter().map(|view| vec![None; view.layers.len()]).collect();
     let Some(band) = rule.band else { return found };
@@ -63,7 +64,7 @@ pub fn blended(views: &[Placed<'_>], rule: &Rule) -> Vec<Vec<Option<Splats>>> {
     found
 }
 
-/// About how many splats of views are drawn, by the distances of blocks' middles.
+/// Estimates how many splats of views are drawn, by the distances of blocks' centres.
 pub fn expected(views: &[Placed<'_>], rule: &Rule) -> f64 {
     let partial = partial_cells(views);
     let of_view = |view: &Placed<'_>| -> f64 {
@@ -80,7 +81,7 @@ pub fn expected(views: &[Placed<'_>], rule: &Rule) -> f64 {
         };
         view.layers.iter().flat_map(|layer| layer.blocks.iter().map(move |block| of_block(layer, block))).sum()
     };
-    // Sums in the order of the views do not depend on the number of threads.
+    // Summed in the order of the views, so that the sum does not depend on the number of threads.
     views.par_iter().map(of_view).collect::<Vec<f64>>().iter().sum()
 }
 
@@ -92,39 +93,39 @@ fn parent_of((level, place): (u32, UVec3)) -> (u32, UVec3) {
     (level + 1, place / 2)
 }
 
-/// Number of a block in rows of `along`.
+/// Returns the number of a block in rows of `along`.
 fn number_of(block: &Block, along: usize) -> usize {
     let [column, row] = block.corner.map(usize::from);
     row / BLOCK * along + column / BLOCK
 }
 
-/// A number from 0 to 1 that the place of a pixel decides.
+/// Returns a hash, from 0 to 1, of the position of a pixel.
 #[inline(always)]
 fn luck((level, place): (u32, UVec3), direction: u8, pixel: usize) -> f64 {
     let [x, y, z] = place.to_array().map(u64::from);
     random::uniform(u64::from(level) << 8 | u64::from(direction), x | y << 21 | z << 42, pixel as u64)
 }
 
-/// The part of a view that is drawn.
+/// Selected pixels of a view.
 struct Chosen {
     drawn: Bits,
     /// Pixels that are coarse enough or covered.
     coarse: Bits,
 }
 
-/// Chooses the pixels of a view.
+/// Selection of the pixels of one view.
 struct Chooser<'a> {
     view: &'a Placed<'a>,
     first: &'a Splats,
     rule: &'a Rule,
     band: f64,
-    /// Blocks of a row.
+    /// Blocks per row.
     along: usize,
-    /// Whether the parent is drawn in part.
+    /// Whether the parent is partially drawn.
     has_parent: bool,
     /// First column and row in the parent's picture of twice its size.
     offset: [usize; 2],
-    /// The middle of the first pixel, half a step before the front, and the steps to others.
+    /// Centre of the first pixel, half a step before the front, and the steps to others.
     start: DVec3,
     steps: [DVec3; 3],
 }
@@ -139,8 +140,8 @@ impl<'a> Chooser<'a> {
         Self { view, first, rule, band, along, has_parent, offset: [column, row], start, steps }
     }
 
-    /// `above` has the pixels of the parent's view from the same direction that are coarse enough or covered. Where it is
-    /// not drawn, the surfaces of these pixels decide in place of the parent's.
+    /// Selects pixels. `above` has the pixels of the parent's view from the same direction that are coarse enough or
+    /// covered; without it, the surfaces of this view's pixels decide instead.
     fn choose(&self, above: Option<&Bits>) -> Chosen {
         let count = self.along * self.along;
         let mut chosen = Chosen { drawn: vec![0; count], coarse: vec![0; count] };

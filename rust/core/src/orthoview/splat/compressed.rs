@@ -1,43 +1,44 @@
-//! A view's splats as words for adapters, block by block, without loss.
+//! Lossless packing of a view's splats into words for adapters, block by block.
 //!
-//! Each number of a block's splats (depth, normal, colour, kind) is stored as its difference from the block's least one, with
-//! as many bits as the greatest difference needs. A depth is first compared with a plane through the block, because walls
-//! and roofs are planes. All splats of a block take equally many bits, so that a shader finds each one directly.
+//! Each field of a block's splats (depth, normal, colour, kind) is stored as its difference from the block's minimum,
+//! with as many bits as the maximum difference needs. Depths are first reduced by a plane through the block, because
+//! walls and roofs are planes. All splats of a block have the same number of bits, so that a shader can access each
+//! one directly.
 
 use super::splats::{BLOCK, Block, Packed, Splats};
 
-/// Words of a block's head: its column and row in blocks; the shown pixels (2); its first word of bits; the widths of the
-/// fields and the least kind; the least depth; the plane's slopes; the least normal; the least colour.
+/// Words of a block's header: its column and row in blocks; the shown pixels (2); its first word of bits; the field
+/// widths and the minimum kind; the minimum depth; the plane's slopes; the minimum normal; the minimum colour.
 pub const HEAD: usize = 9;
 
-/// Bits of a slope's fraction: depth steps a pixel, in eighths.
+/// Fraction bits of a slope: depth steps per pixel, in eighths.
 const FRACTION: u32 = 3;
 
-/// Bits of the widths of the fields in the head's fifth word, in the order of the fields; the least kind follows.
+/// Bits of the field widths in the header's fifth word, in the order of the fields; the minimum kind follows.
 const WIDTHS: [u32; FIELDS] = [5, 4, 4, 4, 4, 4, 2];
 
-/// Depth, the normal's two numbers, red, green, blue, kind.
+/// Fields: depth, two normal components, red, green, blue, kind.
 const FIELDS: usize = 7;
 
-/// The kinds of splats: balls, surfels at the border of a surface and inside of it.
+/// Kinds of splats: balls, and surfels at the border and in the interior of a surface.
 const BALL: u32 = 0;
 const BORDERING: u32 = 1;
 const INNER: u32 = 2;
 
-/// A view's splats as words: heads of all blocks, then the bits of their splats.
+/// A view's splats as words: headers of all blocks, then the bits of their splats.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Compressed {
-    /// The words; there is one more than the last splat's, so that fields can be read from pairs of words.
+    /// Words, with one extra at the end, so that fields can be read from pairs of words.
     pub words: Vec<u32>,
     /// Number of blocks.
     pub blocks: usize,
 }
 
-/// The fields of a splat.
+/// Fields of a splat.
 type Fields = [u32; FIELDS];
 
 impl Splats {
-    /// The splats as words for adapters.
+    /// Packs the splats into words for adapters.
     pub fn compressed(&self) -> Compressed {
         let mut found = Compressed { words: vec![0; HEAD * self.blocks.len()], blocks: self.blocks.len() };
         let mut bits = Bits::default();
@@ -51,7 +52,7 @@ impl Splats {
     }
 }
 
-/// Adds the bits of a block's splats; returns its head.
+/// Adds the bits of a block's splats; returns its header.
 fn put_block(block: &Block, texels: &[Packed], bits: &mut Bits) -> [u32; HEAD] {
     let mut fields = fields_of(block, texels);
     let depths: Vec<(u32, i32)> = lanes(block.shown).zip(&fields).map(|(lane, own)| (lane, own[0] as i32)).collect();
@@ -60,7 +61,7 @@ fn put_block(block: &Block, texels: &[Packed], bits: &mut Bits) -> [u32; HEAD] {
     for ((lane, depth), own) in depths.iter().zip(&mut fields) {
         own[0] = (depth - rise(*lane, slopes) - least) as u32;
     }
-    // Of depths the least difference from the plane is 0 already.
+    // The minimum of depths, relative to the plane, is already 0.
     let base: Fields = std::array::from_fn(|n| fields.iter().map(|own| own[n]).min().unwrap_or(0));
     let widths: Fields = std::array::from_fn(|n| {
         let most = fields.iter().map(|own| own[n] - base[n]).max().unwrap_or(0);
@@ -91,7 +92,7 @@ fn put_block(block: &Block, texels: &[Packed], bits: &mut Bits) -> [u32; HEAD] {
     ]
 }
 
-/// Numbers of the pixels of a block that show something.
+/// Returns the numbers of the shown pixels of a block.
 fn lanes(shown: u64) -> impl Iterator<Item = u32> {
     (0..u64::BITS).filter(move |lane| shown >> lane & 1 == 1)
 }
@@ -109,13 +110,13 @@ fn fields_of(block: &Block, texels: &[Packed]) -> Vec<Fields> {
     lanes(block.shown).zip(texels).map(one).collect()
 }
 
-/// Depth steps by which a plane lies deeper at a pixel than at the first one.
+/// Returns the depth steps by which a plane is deeper at a pixel than at the first one.
 fn rise(lane: u32, [across, down]: [i16; 2]) -> i32 {
     let (column, row) = ((lane % BLOCK as u32) as i32, (lane / BLOCK as u32) as i32);
     (column * i32::from(across) + row * i32::from(down)) >> FRACTION
 }
 
-/// Least difference of depths from a plane with these slopes, and by how much the greatest one exceeds it.
+/// Returns the minimum deviation of depths from a plane with these slopes, and the range of deviations.
 fn spread(depths: &[(u32, i32)], slopes: [i16; 2]) -> (i32, i32) {
     let (least, most) = depths.iter().fold((i32::MAX, i32::MIN), |(least, most), (lane, depth)| {
         let over = depth - rise(*lane, slopes);
@@ -124,7 +125,7 @@ fn spread(depths: &[(u32, i32)], slopes: [i16; 2]) -> (i32, i32) {
     (least, most.saturating_sub(least))
 }
 
-/// Slopes of the plane with the least squared differences.
+/// Returns the slopes of the least-squares plane.
 fn slopes(depths: &[(u32, i32)]) -> [i16; 2] {
     let place = |lane: u32| [f64::from(lane % BLOCK as u32), f64::from(lane / BLOCK as u32)];
     let count = depths.len().max(1) as f64;
@@ -143,22 +144,22 @@ fn slopes(depths: &[(u32, i32)]) -> [i16; 2] {
     let found = if determinant > 1e-6 * xx * yy {
         [(xd * yy - yd * xy) / determinant, (yd * xx - xd * xy) / determinant]
     } else {
-        // A line of pixels: along columns, along rows, or neither.
+        // Collinear pixels: along columns, along rows, or a single pixel.
         [if xx > 0.0 { xd / xx } else { 0.0 }, if xx > 0.0 || yy == 0.0 { 0.0 } else { yd / yy }]
     };
     found.map(|slope| (slope * f64::from(1 << FRACTION)).round() as i16)
 }
 
-/// Bits one after the other, the lowest of a word first.
+/// Bit writer, the lowest bit of a word first.
 #[derive(Default)]
 struct Bits {
     words: Vec<u32>,
-    /// Bits of the last word that are taken.
+    /// Used bits of the last word.
     taken: u32,
 }
 
 impl Bits {
-    /// Begins a new word; returns its number.
+    /// Starts a new word; returns its number.
     fn align(&mut self) -> u32 {
         self.taken = u32::BITS;
         self.words.len() as u32
@@ -191,7 +192,7 @@ mod tests {
     use super::*;
     use crate::base::random;
 
-    /// The pixel and the kind of a splat, read from a view's words as a shader reads them.
+    /// Reads the pixel and the kind of a splat from a view's words as a shader does.
     fn read(found: &Compressed, block: usize, lane: u32) -> Option<(Packed, u32)> {
         let head = &found.words[HEAD * block..][..HEAD];
         let shown = u64::from(head[2]) << 32 | u64::from(head[1]);
@@ -250,7 +251,7 @@ mod tests {
     fn all_bits_come_back() {
         let draw = |salt, n, most: u64| random::bits(salt, n, 0) % most;
         let block = |n: u64| {
-            // From all alike to all different.
+            // From all equal to all different.
             let spread = n % 17;
             let value = |salt, lane, bits: u64| {
                 let most = (1 << spread.min(bits)) as u64;
@@ -270,7 +271,7 @@ mod tests {
 
     #[test]
     fn a_plane_takes_its_heads_alone() {
-        // Depths that rise by 12 and fall by 3.5 steps a pixel; all else is alike.
+        // Depths that rise by 12 and fall by 3.5 steps per pixel; all other fields are equal.
         let texel = |lane: u64| {
             let depth = 40_000 + 12 * (lane % 8) as i32 + ((-28 * (lane / 8) as i32) >> 3);
             Packed::of(depth as u16, [7, 4000], [1, 200, 255])

@@ -1,4 +1,4 @@
-//! Draws views: culls their parts, and lets each tile of the screen draw those that it shows.
+//! Drawing of views: culls their boxes and draws them tile by tile.
 
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
@@ -13,11 +13,11 @@ use super::splats::{BoxOfBlocks, Extent, Splats};
 use crate::base::{Progress, Result};
 use crate::render::{Frame, Limits};
 
-/// Greatest width and height of a tile of the screen, samples. Its keys take 512 kB, which the second level of the cache
-/// holds; smaller tiles project more splats that several of them show.
+/// Maximum width and height of a screen tile, samples. Its keys take 512 kB, which fit in the second-level cache;
+/// smaller tiles project more splats several times.
 const TILE: i32 = 256;
 
-/// Greatest width and height of a tile, pixels: several threads have work in a small picture, too.
+/// Maximum width and height of a tile, pixels, so that several threads share a small picture, too.
 const MOST_PIXELS: i32 = 128;
 
 /// A box of a view in the picture.
@@ -30,7 +30,7 @@ pub(super) struct Part<'a> {
     is_drawn: AtomicBool,
 }
 
-/// Draws views; of the samples that show none, those of `before` or the sky.
+/// Draws views; samples without a splat show `before` or the sky.
 pub fn draw(views: &[&Splats], picture: &Picture<'_>, progress: &Progress) -> Result<(Frame, Counts)> {
     picture.check(views)?;
     let sampled = picture.sampled();
@@ -67,14 +67,14 @@ pub fn draw(views: &[&Splats], picture: &Picture<'_>, progress: &Progress) -> Re
     Ok((frame, counts))
 }
 
-/// Tiles of a picture, of at most `side` pixels along each axis.
+/// Divides a picture into tiles of at most `side` pixels along each axis.
 fn tiles_of(columns: i32, rows: i32, side: i32) -> Vec<Rect> {
     let corners =
         (0..rows).step_by(side as usize).flat_map(|y| (0..columns).step_by(side as usize).map(move |x| (x, y)));
     corners.map(|(x, y)| Rect { low: [x, y], high: [(x + side).min(columns), (y + side).min(rows)] }).collect()
 }
 
-/// The boxes of all views that the picture may show, the nearest ones first.
+/// Returns the boxes of all views that may be visible, the nearest first.
 pub(super) fn parts_of<'a>(prepared: &'a [Prepared<'a>], whole: &Rect) -> Vec<Part<'a>> {
     let of_view = |(number, view): (usize, &'a Prepared<'a>)| {
         let number = number as u32;
@@ -88,7 +88,7 @@ pub(super) fn parts_of<'a>(prepared: &'a [Prepared<'a>], whole: &Rect) -> Vec<Pa
     parts
 }
 
-/// Draws what a tile of the screen shows; returns the number of splats that were projected.
+/// Draws a screen tile; returns the number of projected splats.
 fn draw_tile(screen: &mut Screen, parts: &[Part<'_>], projector: &Projector, limits: &Limits) -> u64 {
     let (mut lanes, mut projected) = (Lanes::new(), 0);
     for part in parts {

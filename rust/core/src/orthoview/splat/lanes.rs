@@ -1,33 +1,33 @@
-//! The splats of a block in the picture: places, ellipses and nearness, for all of them at once.
+//! Projection of all splats of a block at once: positions, ellipses and nearness.
 
 use super::projector::{Projector, Rect, Sight, ordered};
 use super::splats::{BLOCK, BORDER, Block, LEAST_COSINE, SQUARED_RADIUS, Splats};
 use crate::base::simd::vectorized;
 use crate::render::Limits;
 
-/// Number of splats of a block.
+/// Number of splats per block.
 pub(super) const LANES: usize = BLOCK * BLOCK;
 
-/// Number of splats that are projected at once.
+/// Number of splats projected at once.
 pub(super) const GROUP: usize = 16;
 
-/// A number of each splat.
+/// One number per splat.
 type Lane<T = f32> = [[T; GROUP]; LANES / GROUP];
 
-/// In `Lanes::slot`: a splat that is not shown, and one that more than one pixel may show.
+/// Values of `Lanes::slot`: a hidden splat, and one that more than one pixel may show.
 const NONE: i32 = -1;
 pub(super) const SEVERAL: i32 = -2;
 
-/// Values that are the same for all splats of a view.
+/// Constants of all splats of a view.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Constants {
-    /// Changes of the projector's functions by a column, a row and a depth step.
+    /// Changes of the projector's functions per column, row and depth step.
     pub steps: [[f32; 3]; 3],
-    /// The projector's gradients, times the radius of a ball over that of an ellipse.
+    /// Gradients of the projector, times the ratio of a ball's radius to an ellipse's.
     pub gradients: [[f32; 3]; 3],
-    /// The axes of the view; those to the right and upwards in depth steps for each pixel.
+    /// Axes of the view; right and up in depth steps per pixel.
     pub axes: [[f32; 3]; 3],
-    /// Scale of a normal's numbers to −1 … 1.
+    /// Scale of a normal's components to −1 … 1.
     pub scale: f32,
     pub least_distance: f32,
     is_parallel: bool,
@@ -50,30 +50,30 @@ impl Constants {
     }
 }
 
-/// The splats of a block in the picture. A point at p from a splat's place belongs to it if |inverse · p|² is at most
+/// Projected splats of a block. A point with offset p from a splat's centre belongs to it if |inverse · p|² is at most
 /// `SQUARED_RADIUS`.
 #[derive(Clone, Debug)]
 pub(super) struct Lanes {
     pub place: [Lane; 2],
-    /// By rows.
+    /// Inverse axes, row by row.
     pub inverse: [Lane; 4],
-    /// At the place, and its changes along both axes.
+    /// Nearness at the centre, and its changes along both axes.
     pub nearness: Lane,
     pub slope: [Lane; 2],
-    /// Columns and rows of the pixel of the middle.
+    /// Column and row of the centre's pixel.
     pub middle: [Lane<i32>; 2],
-    /// First and last columns and rows of the pixels that may show it.
+    /// First and last column and row of the pixels that may show it.
     pub first: [Lane<i32>; 2],
     pub last: [Lane<i32>; 2],
-    /// Of a splat that only the pixel of its middle shows, as most are: that pixel's place among the keys.
+    /// Index among the keys, for a splat that only its centre's pixel shows, as most are.
     pub slot: Lane<i32>,
-    /// And the order of its key.
+    /// Order part of that key.
     pub order: Lane<u32>,
     column: Lane,
     row: Lane,
     depth: Lane,
     normal: [Lane; 2],
-    /// Factor of a surfel's radius; 0 for a ball.
+    /// Radius factor of a surfel; 0 for a ball.
     surfel: Lane,
 }
 
@@ -98,7 +98,7 @@ impl Lanes {
         }
     }
 
-    /// Takes the splats of a block; returns their number.
+    /// Loads the splats of a block; returns their number.
     #[inline]
     pub fn gather(&mut self, splats: &Splats, block: &Block) -> usize {
         let (mut shown, mut count) = (block.shown, 0);
@@ -123,7 +123,7 @@ impl Lanes {
         count
     }
 
-    /// Leaves out the splats that were gathered and projected whose middles are not seen within limits.
+    /// Hides the loaded and projected splats whose centres lie outside the limits.
     pub fn limit(&mut self, count: usize, splats: &Splats, block: &Block, projector: &Projector, limits: &Limits) {
         let [left, top] = block.corner.map(f64::from);
         for (group, n) in (0..count).map(|n| (n / GROUP, n % GROUP)) {
@@ -136,8 +136,8 @@ impl Lanes {
         }
     }
 
-    /// Projects the splats that were gathered to a part of the screen, of which a row has `pitch` keys; `start` has the
-    /// projector's functions at the middle of the block's first pixel, half a step before the front.
+    /// Projects the loaded splats to a part of the screen with `pitch` keys per row; `start` has the projector's
+    /// functions at the centre of the block's first pixel, half a step before the front.
     pub fn project(&mut self, count: usize, start: [f32; 3], constants: &Constants, rect: &Rect, pitch: i32) {
         let groups = count.div_ceil(GROUP);
         if constants.is_parallel {
@@ -157,32 +157,32 @@ vectorized! {
     ) = project_all::<true>;
 }
 
-// Closures would not be compiled for the vectors of `vectorized!`.
+// Functions, because closures would not be compiled for the vectors of `vectorized!`.
 
 #[inline(always)]
 fn dot(axis: &[f32; 3], x: f32, y: f32, z: f32) -> f32 {
     axis[0] * x + axis[1] * y + axis[2] * z
 }
 
-/// A function at a place in the block.
+/// Evaluates a function at a position in the block.
 #[inline(always)]
 fn at(start: f32, steps: &[[f32; 3]; 3], of: usize, column: f32, row: f32, depth: f32) -> f32 {
     start + column * steps[0][of] + row * steps[1][of] + depth * steps[2][of]
 }
 
-/// The derivative of a place X/W, for a change of X and of W.
+/// Returns the derivative of a position X/W, given the changes of X and W.
 #[inline(always)]
 fn shown<const PARALLEL: bool>(change: f32, of_distance: f32, place: f32, over: f32) -> f32 {
     if PARALLEL { change } else { (change - place * of_distance) * over }
 }
 
-/// The derivative of nearness, for a change of W.
+/// Returns the derivative of nearness, given the change of W.
 #[inline(always)]
 fn nearer<const PARALLEL: bool>(of_distance: f32, over: f32) -> f32 {
     if PARALLEL { -of_distance } else { -of_distance * over * over }
 }
 
-/// Squared half of the extent of a ball along an axis: that of the length of the gradient of X/W.
+/// Returns the squared half extent of a ball along an axis: that of the length of the gradient of X/W.
 #[inline(always)]
 fn disc<const PARALLEL: bool>(gradients: &[[f32; 3]; 3], of: usize, place: f32, over: f32) -> f32 {
     let (own, distance) = (&gradients[of], &gradients[2]);
@@ -192,7 +192,8 @@ fn disc<const PARALLEL: bool>(gradients: &[[f32; 3]; 3], of: usize, place: f32, 
     x * x + y * y + z * z
 }
 
-/// First and last pixel along an axis whose middles lie within an extent, that of its middle among them, and the latter.
+/// Returns the first and last pixel along an axis with centres within an extent, including the centre's own pixel, and
+/// the latter.
 #[inline(always)]
 fn pixels(place: f32, half: f32, low: f32, high: f32) -> (i32, i32, i32) {
     let middle = place.floor();
@@ -236,7 +237,7 @@ fn project_group<const PARALLEL: bool>(
         let x = at(start[0], steps, 0, column, row, depth) * over;
         let y = at(start[1], steps, 1, column, row, depth) * over;
 
-        // The normal, not normalised, and the depth steps by which its plane falls for each pixel.
+        // The unnormalised normal, and the depth steps by which its plane falls per pixel.
         let (a, b) =
             (lanes.normal[0][group][n] * constants.scale - 1.0, lanes.normal[1][group][n] * constants.scale - 1.0);
         let c = 1.0 - a.abs() - b.abs();
@@ -251,16 +252,17 @@ fn project_group<const PARALLEL: bool>(
         let (u1, v1) = (steps[0][1] + by_column * steps[2][1], steps[1][1] + by_row * steps[2][1]);
         let (u2, v2) = (steps[0][2] + by_column * steps[2][2], steps[1][2] + by_row * steps[2][2]);
 
-        // The ellipse's axes in the picture.
+        // Axes of the ellipse in the picture.
         let (ux, vx) = (shown::<PARALLEL>(u0, u2, x, over) * factor, shown::<PARALLEL>(v0, v2, x, over) * factor);
         let (uy, vy) = (shown::<PARALLEL>(u1, u2, y, over) * factor, shown::<PARALLEL>(v1, v2, y, over) * factor);
         let (u_near, v_near) = (nearer::<PARALLEL>(u2, over) * factor, nearer::<PARALLEL>(v2, over) * factor);
         let (ball_x, ball_y) = (disc::<PARALLEL>(gradients, 0, x, over), disc::<PARALLEL>(gradients, 1, y, over));
-        // Half of the extents along both axes over the radius. Roots and quotients are the slowest steps: both kinds share them.
+        // Half extents along both axes over the radius. Roots and divisions are the slowest steps, so both kinds share
+        // them.
         let wide = if is_surfel { ux * ux + vx * vx } else { ball_x }.sqrt();
         let high = if is_surfel { uy * uy + vy * vy } else { ball_y }.sqrt();
 
-        // A surfel that is seen from its edge is a line: only the pixel of its middle shows it.
+        // A surfel seen edge-on is a line, shown only by its centre's pixel.
         let determinant = if is_surfel { ux * vy - vx * uy } else { wide * high };
         let is_flat = is_surfel && determinant.abs() <= f32::EPSILON * (ux.abs() + vx.abs()) * (uy.abs() + vy.abs());
         let edge = if is_flat { f32::MAX } else { 1.0 / determinant };
@@ -285,7 +287,7 @@ fn project_group<const PARALLEL: bool>(
         (lanes.place[0][group][n], lanes.place[1][group][n]) = (x, y);
 
         let extent = if is_flat { 0.0 } else { radius };
-        // Near the eye the derivative at the middle would sweep ellipses across the picture.
+        // Near the eye the derivative at the centre would sweep ellipses across the picture.
         let room = w - constants.least_distance;
         let reach = if PARALLEL { 0.0 } else { radius * factor };
         let is_shown = room >= 0.0 && reach * reach * (u2 * u2 + v2 * v2) <= room * room;

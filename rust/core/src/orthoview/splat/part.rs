@@ -1,21 +1,21 @@
-//! Parts of a view: in a box, which stands for a smaller cell whose own views are not there yet, and beyond a cylinder.
+//! Parts of a view: in a box, as a substitute for a smaller cell whose own views are missing, and beyond a cylinder.
 
 use glam::DVec3;
 
 use super::splats::{BLOCK, Block, BoxOfBlocks, Extent, Splats};
 
 impl Splats {
-    /// The splats whose middles lie in a box, the sides at its high corner left out: boxes that share sides share no splats.
+    /// Returns the splats with centres in a half-open box, so that adjacent boxes share no splats.
     pub fn within(&self, low: DVec3, high: DVec3) -> Self {
         self.part(|middle| middle.cmpge(low).all() && middle.cmplt(high).all())
     }
 
-    /// The splats whose middles lie at least at a distance from the vertical axis through a point.
+    /// Returns the splats with centres at least at a distance from the vertical axis through a point.
     pub fn beyond(&self, center: DVec3, radius: f64) -> Self {
         self.part(|middle| (middle - center).with_y(0.0).length() >= radius)
     }
 
-    /// The splats whose middles are accepted.
+    /// Returns the splats whose centres are accepted.
     fn part(&self, accepts: impl Fn(DVec3) -> bool) -> Self {
         let mut part = Self { boxes: vec![], blocks: vec![], texels: vec![], ..*self };
         for source in &self.boxes {
@@ -35,7 +35,7 @@ impl Splats {
         part
     }
 
-    /// Adds the splats of a block of a view that are accepted.
+    /// Adds the accepted splats of a block of a view.
     fn take(&mut self, whole: &Self, block: &Block, accepts: &impl Fn(DVec3) -> bool) -> Option<Block> {
         let mut part = Block {
             extent: Extent::NOTHING,

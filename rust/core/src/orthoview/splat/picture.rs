@@ -1,4 +1,4 @@
-//! A picture that is drawn of views, and what is computed once for each of its views.
+//! Settings of a picture drawn from views, and the per-view data of one picture.
 
 use glam::DVec3;
 
@@ -9,48 +9,48 @@ use crate::base::{Error, Result};
 use crate::camera::Camera;
 use crate::render::{Channels, Frame, Limits, Pixels};
 
-/// Greatest number of samples along each axis of a pixel.
+/// Maximum number of samples along each axis of a pixel.
 const MOST_GRID: u32 = 8;
 
-/// A picture to be drawn of views.
+/// A picture to be drawn from views.
 #[derive(Clone, Copy, Debug)]
 pub struct Picture<'a> {
     /// The camera.
     pub camera: &'a Camera,
     /// World position that positions are relative to.
     pub origin: DVec3,
-    /// The images that are wanted.
+    /// Requested images.
     pub channels: Channels,
     /// Samples along each axis of a pixel.
     pub grid: u32,
-    /// The part of space in which splats are seen, in world positions; a splat is seen if its middle is.
+    /// Visible volume, in world coordinates; a splat is visible if its centre is.
     pub limits: Limits,
-    /// The pixels that are drawn.
+    /// Pixels to draw.
     pub pixels: Pixels<'a>,
-    /// Everything else that is seen: its images have `grid` × `grid` pixels for each pixel, and `range` is one of them.
+    /// Frame of everything else that is visible: `grid` × `grid` pixels per pixel, with `range` among its images.
     pub before: Option<&'a Frame>,
 }
 
-/// Numbers of splats.
+/// Splat counts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
-    /// In all views.
+    /// Splats of all views.
     pub total: u64,
-    /// In parts of views that reach into the picture.
+    /// Splats of boxes that intersect the picture.
     pub in_picture: u64,
-    /// In those that are not hidden.
+    /// Splats of boxes that are not hidden.
     pub seen: u64,
-    /// Projected: those that several tiles of the screen show count for each.
+    /// Projected splats, counted once per screen tile.
     pub projected: u64,
 }
 
 impl Picture<'_> {
-    /// Number of its pixels.
+    /// Returns the number of its pixels.
     pub(super) fn pixel_count(&self) -> usize {
         self.camera.width as usize * self.camera.height as usize
     }
 
-    /// The camera of the samples.
+    /// Returns the camera of the samples.
     pub(super) fn sampled(&self) -> Camera {
         let camera = *self.camera;
         Camera { width: camera.width * self.grid, height: camera.height * self.grid, ..camera }
@@ -78,17 +78,17 @@ impl Picture<'_> {
     }
 }
 
-/// A view with what is computed once for a picture.
+/// A view with its precomputed data for a picture.
 pub(super) struct Prepared<'a> {
     pub splats: &'a Splats,
-    /// Number of its first splat among those of all views.
+    /// Index of its first splat among those of all views.
     pub first: u32,
     pub sight: Sight,
     pub constants: Constants,
 }
 
 impl<'a> Prepared<'a> {
-    /// All views of a picture.
+    /// Prepares all views of a picture.
     pub fn all(views: &[&'a Splats], projector: &Projector) -> Vec<Self> {
         let mut first = 0;
         let prepare = |&splats: &&'a Splats| {

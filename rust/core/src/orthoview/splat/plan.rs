@@ -1,4 +1,4 @@
-//! A picture of views as numbers for a shader that draws it, and the frame of what it found.
+//! Shader input for a picture of views, and the frame from the shader's results.
 
 use std::ops::Range;
 
@@ -17,66 +17,67 @@ use crate::base::{Error, Result};
 use crate::camera::Camera;
 use crate::render::{Frame, Sample};
 
-/// Blocks of a piece, at most.
+/// Maximum number of blocks per piece.
 const PIECE: u32 = 16;
 
-/// Samples that a thread of a shader looks at for one piece, at most: drivers in software end a thread's loops after 65,535
-/// turns.
+/// Maximum number of samples that a shader thread visits per piece: software drivers end a thread's loops after 65,535
+/// iterations.
 const TURNS: f64 = 49_152.0;
 
-/// Width and height of the tiles in which splats are drawn that may cover more.
+/// Width and height of the tiles in which large splats are drawn.
 const TILE: i32 = 128;
 
-/// Bits of a splat's place in its block.
+/// Bits of a splat's position in its block.
 pub const LANE_BITS: u32 = 6;
 
-/// A view before a camera, as a shader reads it.
+/// A view relative to a camera, in the shader's layout.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct ViewNumbers {
-    /// Changes of the projector's functions by a column, a row and a depth step.
+    /// Changes of the projector's functions per column, row and depth step.
     pub steps: [[f32; 4]; 3],
-    /// The projector's gradients, times the radius of a ball over that of an ellipse.
+    /// Gradients of the projector, times the ratio of a ball's radius to an ellipse's.
     pub gradients: [[f32; 4]; 3],
-    /// The axes of the view; those to the right and upwards in depth steps for each pixel.
+    /// Axes of the view; right and up in depth steps per pixel.
     pub axes: [[f32; 4]; 3],
-    /// Scale of a normal's numbers to −1 … 1, and the least distance of what is shown.
+    /// Scale of a normal's components to −1 … 1, and the minimum visible distance.
     pub rest: [f32; 4],
-    /// Number of its first block among those of all views, and three numbers of where its words lie on an adapter.
+    /// Number of its first block among those of all views, and three numbers for the location of its words on an
+    /// adapter.
     pub place: [u32; 4],
 }
 
-/// Some blocks of a view, which are drawn or left out together.
+/// Some blocks of a view, drawn or culled together.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct Piece {
-    /// The projector's functions at the middle of the pixel `corner`, half a step before the front.
+    /// Functions of the projector at the centre of the pixel `corner`, half a step before the front.
     pub start: [f32; 3],
-    /// The nearest point's nearness, as `order` of keys.
+    /// Nearness of the nearest point, as `order` of keys.
     pub order: u32,
     /// First column and row of the part of the picture in which it is drawn.
     pub low: [i32; 2],
-    /// Those after the last.
+    /// End column and row of this part.
     pub high: [i32; 2],
     /// Column and row of a pixel of the view.
     pub corner: [u32; 2],
     /// Number of the view.
     pub view: u32,
-    /// Its first block, and from bit 24 on how many there are; bit 31 is the shader's.
+    /// First block, and from bit 24 on the number of blocks; bit 31 belongs to the shader.
     pub blocks: u32,
-    /// Number of its splats; where it is drawn in several parts, its share.
+    /// Number of its splats; divided among the parts if it is drawn in several.
     pub count: u32,
-    /// Fills the record.
+    /// Padding.
     pub unused: [u32; 3],
 }
 
-/// Rays of the samples: of the ray through the picture's corner, and changes by a sample to the right and down.
+/// Rays of the samples: the ray through the picture's corner, and its changes per sample to the right and down.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct Rays {
-    /// Where it starts, relative to the camera.
+    /// Start, relative to the camera.
     pub start: [[f32; 4]; 3],
-    /// Its direction, as long as the projector's W is 1.
+    /// Direction, scaled so that the projector's W is 1.
     pub direction: [[f32; 4]; 3],
 }
 
@@ -94,33 +95,33 @@ impl Rays {
 /// A picture of views, ready to be drawn by a shader.
 pub struct Plan<'a> {
     picture: &'a Picture<'a>,
-    /// The camera of the samples.
+    /// Camera of the samples.
     camera: Camera,
     projector: Projector,
     prepared: Vec<Prepared<'a>>,
-    /// Number of splats of boxes that reach into the picture.
+    /// Number of splats of boxes that intersect the picture.
     in_picture: u64,
-    /// For each view, what a shader knows of it.
+    /// Shader input for each view.
     pub views: Vec<ViewNumbers>,
-    /// Nearest first.
+    /// Pieces, the nearest first.
     pub pieces: Vec<Piece>,
     /// Rays of the samples.
     pub rays: Rays,
 }
 
-/// The images that a shader found, in rows.
+/// Images from a shader, in rows.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Found<'a> {
-    /// Sum of the samples' colours over their number, and share of those that show a splat.
+    /// Mean colour of the samples, and fraction of those that show a splat.
     pub colors: &'a [[f32; 4]],
-    /// Bits of the samples that show what was there before, row by row.
+    /// Bit masks, row by row, of the samples that show `before`.
     pub others: &'a [[u32; 2]],
-    /// Keys of the pixels' middles: complement of a block's number among all views' and a place in it, and the order.
+    /// Keys of the pixels' centres: complement of (block number among all views, position in it), and the order.
     pub middles: &'a [[u32; 2]],
 }
 
 impl<'a> Plan<'a> {
-    /// The plan of a picture.
+    /// Creates the plan of a picture.
     pub fn new(views: &[&'a Splats], picture: &'a Picture<'a>) -> Result<Self> {
         picture.check(views)?;
         let camera = picture.sampled();
@@ -165,7 +166,7 @@ impl<'a> Plan<'a> {
         starts.map(|block| self.piece(part.number, block..(block + count).min(after), &part.seen)).collect()
     }
 
-    /// The pieces of a block whose splats may cover much: one for each tile of the part of the picture that shows it.
+    /// Returns the pieces of a block with large splats: one for each tile of its part of the picture.
     fn tiled(&self, number: u32, block: u32) -> Vec<Piece> {
         let view = &self.prepared[number as usize];
         let whole = Rect { low: [0, 0], high: self.size().map(|length| length as i32) };
@@ -177,7 +178,7 @@ impl<'a> Plan<'a> {
         tiles.iter().enumerate().map(piece).collect()
     }
 
-    /// Some blocks of a view.
+    /// Creates a piece of some blocks of a view.
     fn piece(&self, number: u32, blocks: Range<u32>, seen: &Seen) -> Piece {
         let view = &self.prepared[number as usize];
         let own = &view.splats.blocks[blocks.start as usize..blocks.end as usize];
@@ -196,14 +197,15 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// Samples of the rectangle around a splat of a part, at most.
+    /// Returns the maximum number of samples in the bounding rectangle of a splat of a part.
     fn most_samples(&self, part: &Part<'_>) -> f64 {
         let Seen { rect, nearness } = part.seen;
         let whole = [0, 1].map(|axis| f64::from(rect.high[axis] - rect.low[axis]));
         if !nearness.is_finite() {
             return whole[0] * whole[1];
         }
-        // The ellipse's axes u and v have |u|² + |v|² ≤ (x² + y²)/c² for a pixel of x × y metres and the least cosine c.
+        // The ellipse's axes u and v have |u|² + |v|² ≤ (x² + y²)/c² for a pixel of x × y metres and the minimum
+        // cosine c.
         let radius = f64::from(BORDER * SQUARED_RADIUS.sqrt() / LEAST_COSINE);
         let reach = radius * self.prepared[part.number as usize].splats.pitch().truncate().length();
         let [x, y, w] = self.projector.rows.map(DVec3::length);
@@ -216,29 +218,29 @@ impl<'a> Plan<'a> {
         extent(0, x) * extent(1, y)
     }
 
-    /// Whether its rays are parallel.
+    /// Returns whether its rays are parallel.
     pub fn is_parallel(&self) -> bool {
         self.projector.is_parallel
     }
 
-    /// Width and height of the samples.
+    /// Returns the width and height of the samples.
     pub fn size(&self) -> [u32; 2] {
         [self.camera.width, self.camera.height]
     }
 
-    /// The picture.
+    /// Returns the picture.
     pub fn picture(&self) -> &Picture<'a> {
         self.picture
     }
 
-    /// Half-spaces that are seen, relative to the camera.
+    /// Returns the clip half-spaces, relative to the camera.
     pub fn planes(&self) -> Vec<[f32; 4]> {
         let relative = self.picture.limits.relative_to(self.camera.position);
         let single = |plane: &glam::DVec4| Vec4::new(plane.x as f32, plane.y as f32, plane.z as f32, plane.w as f32);
         relative.planes().iter().map(|plane| single(plane).to_array()).collect()
     }
 
-    /// The keys of all samples before a splat is drawn: what was there before. `None` if there was nothing.
+    /// Returns the initial keys of all samples, from the picture's `before`; `None` without one.
     pub fn before(&self) -> Option<Vec<[u32; 2]>> {
         self.picture.before?;
         let resolver = self.resolver();
@@ -248,7 +250,7 @@ impl<'a> Plan<'a> {
         Some((0..height).into_par_iter().flat_map_iter(row).map(key).collect())
     }
 
-    /// The frame of what a shader found in all rows.
+    /// Returns the frame from a shader's results in all rows.
     pub fn frame(&self, found: &Found<'_>) -> Result<Frame> {
         let (picture, wanted) = (self.picture, self.picture.channels);
         let resolver = self.resolver();
@@ -281,7 +283,7 @@ impl<'a> Plan<'a> {
         Ok(frame)
     }
 
-    /// Counts of the picture; a shader tells how many splats it drew.
+    /// Returns the counts of the picture; the shader reports the number of drawn splats.
     pub fn counts(&self, seen: u64) -> Counts {
         let total = self.prepared.iter().map(|view| view.splats.count() as u64).sum();
         Counts { total, in_picture: self.in_picture, seen, projected: seen }
@@ -291,7 +293,7 @@ impl<'a> Plan<'a> {
         Resolver::new(self.picture, &self.camera, &self.projector, &self.prepared)
     }
 
-    /// A shader's key with the number of a splat instead of that of a block and a place in it.
+    /// Converts a shader's key to one with the number of a splat instead of block and position.
     fn key(&self, [number, order]: [u32; 2]) -> Key {
         let place = !number;
         if place == OTHER {
@@ -306,7 +308,7 @@ impl<'a> Plan<'a> {
     }
 }
 
-/// A rectangle in parts.
+/// Divides a rectangle into tiles.
 fn tiles_of(rect: &Rect) -> Vec<Rect> {
     let starts = |axis: usize| (rect.low[axis]..rect.high[axis]).step_by(TILE as usize);
     let tile = |x: i32, y: i32| Rect { low: [x, y], high: [x + TILE, y + TILE] }.overlap(rect);
@@ -314,7 +316,7 @@ fn tiles_of(rect: &Rect) -> Vec<Rect> {
 }
 
 impl Constants {
-    /// The same as a shader reads it.
+    /// Returns the view in the shader's layout.
     fn numbers(&self, first: u32) -> ViewNumbers {
         let rows = |rows: &[[f32; 3]; 3]| rows.map(|[x, y, z]| [x, y, z, 0.0]);
         ViewNumbers {

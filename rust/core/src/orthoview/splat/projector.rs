@@ -1,4 +1,4 @@
-//! A camera as three linear functions of a point, and a float32 order of what is nearer.
+//! Camera as three linear functions of a point, and a float32 depth order.
 
 use glam::{DMat3, DVec3};
 
@@ -6,19 +6,19 @@ use super::splats::{Extent, Splats};
 use crate::camera::Camera;
 use crate::render::Limits;
 
-/// Three linear functions (X, Y, W) of points. A perspective camera shows a point at X/W, Y/W, and W is its distance along
-/// the axis; one with parallel rays shows it at X, Y, and W is its distance from the image plane.
+/// Three linear functions (X, Y, W) of points. A perspective camera shows a point at X/W, Y/W, and W is its distance
+/// along the axis; a camera with parallel rays shows it at X, Y, and W is its distance from the image plane.
 ///
-/// *Nearness* orders points along a ray: 1/W or −W, which on a plane are linear in the place in the picture.
+/// *Nearness* orders points along a ray: 1/W or −W. On a plane it is linear in the image position.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Projector {
     eye: DVec3,
-    /// The functions' gradients, pixels and metres.
+    /// Gradients of the functions, pixels and metres.
     pub rows: [DVec3; 3],
     pub is_parallel: bool,
 }
 
-/// A rectangle of pixels: first columns and rows, and those after the last.
+/// A rectangle of pixels: first and end columns and rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Rect {
     pub low: [i32; 2],
@@ -38,25 +38,25 @@ impl Rect {
     }
 }
 
-/// The part of the picture that may show a part of a view, and the nearness of its nearest point.
+/// Image rectangle that may show a part of a view, and the nearness of its nearest point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Seen {
     pub rect: Rect,
     pub nearness: f32,
 }
 
-/// Least distance along the axis at which a perspective camera shows splats, in extents of a pixel of their view: nearer
-/// ones would cover the whole picture.
+/// Minimum distance along the axis at which a perspective camera shows splats, in pixel extents of their view: nearer
+/// splats would cover the whole picture.
 const LEAST_DISTANCE: f64 = 1.0;
 
 impl Projector {
-    /// The functions of a camera.
+    /// Creates the functions of a camera.
     pub fn new(camera: &Camera) -> Self {
         let (start, direction) = camera.ray(0.0, 0.0);
         let (right, down) = (camera.ray(1.0, 0.0), camera.ray(0.0, 1.0));
         let is_parallel = camera.is_parallel();
-        // A point at (x, y) and a distance w: perspective w (x right + y down + direction), parallel
-        // start + x right + y down + w direction.
+        // A point at (x, y) and a distance w: perspective w (x right + y down + direction), parallel start + x right +
+        // y down + w direction.
         let (eye, columns) = if is_parallel {
             (camera.position + start, [right.0 - start, down.0 - start, direction])
         } else {
@@ -67,44 +67,44 @@ impl Projector {
         Self { eye, rows: [0, 1, 2].map(|n| inverse.row(n)), is_parallel }
     }
 
-    /// The functions at a world position.
+    /// Evaluates the functions at a world position.
     pub fn at(&self, place: DVec3) -> [f64; 3] {
         self.rows.map(|row| row.dot(place - self.eye))
     }
 
-    /// The functions' changes along a vector.
+    /// Returns the functions' changes along a vector.
     pub fn along(&self, vector: DVec3) -> [f64; 3] {
         self.rows.map(|row| row.dot(vector))
     }
 
-    /// Whether something at a world position is seen within limits.
+    /// Returns whether a world position lies within limits.
     pub fn is_seen(&self, place: DVec3, limits: &Limits) -> bool {
         let range = if self.is_parallel { self.at(place)[2] } else { place.distance(self.eye) } as f32;
         (limits.segment.t_min..=limits.segment.t_max).contains(&range)
             && limits.planes().iter().all(|plane| plane.truncate().dot(place) + plane.w >= 0.0)
     }
 
-    /// The nearness of a distance W.
+    /// Returns the nearness of a distance W.
     pub fn nearness(&self, distance: f64) -> f64 {
         if self.is_parallel { -distance } else { 1.0 / distance }
     }
 
-    /// The distance W of a nearness.
+    /// Returns the distance W of a nearness.
     pub fn distance(&self, nearness: f64) -> f64 {
         if self.is_parallel { -nearness } else { 1.0 / nearness }
     }
 }
 
-/// A view before a camera: the projector's functions at its pixels and depth steps.
+/// A view relative to a camera: the projector's functions at its pixels and depth steps.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sight {
-    /// At the corner of the first pixel, at the front.
+    /// Functions at the corner of the first pixel, at the front.
     start: [f64; 3],
-    /// Changes by a column, a row and a depth step.
+    /// Changes per column, row and depth step.
     pub steps: [[f64; 3]; 3],
-    /// Columns, rows and depth steps by which splats reach beyond their pixels.
+    /// Columns, rows and depth steps by which splats extend beyond their pixels.
     margin: [f64; 3],
-    /// Least W of splats that are shown.
+    /// Minimum W of visible splats.
     pub least: f64,
     is_parallel: bool,
 }
@@ -122,7 +122,7 @@ impl Sight {
         }
     }
 
-    /// The functions at a column, a row and a number of depth steps.
+    /// Evaluates the functions at a column, a row and a number of depth steps.
     pub fn at(&self, [column, row, depth]: [f64; 3]) -> [f64; 3] {
         let [of_column, of_row, of_depth] = &self.steps;
         [
@@ -132,7 +132,7 @@ impl Sight {
         ]
     }
 
-    /// The part of a picture that may show a part of the view; `None` if it lies behind the camera.
+    /// Returns the image rectangle that may show a part of the view; `None` behind the camera.
     pub fn seen(&self, extent: &Extent, whole: &Rect) -> Option<Seen> {
         let mut low = [0.0; 3];
         let mut high = [0.0; 3];
@@ -156,26 +156,26 @@ impl Sight {
         if nearest < self.least {
             return Some(Seen { rect: *whole, nearness: f32::INFINITY });
         }
-        // A pixel more on each side, for that of a splat's middle.
+        // A spare pixel on each side, for that of a splat's centre.
         let rect = Rect {
             low: [(least[0] - 1.0) as i32, (least[1] - 1.0) as i32],
             high: [(most[0] + 2.0) as i32, (most[1] + 2.0) as i32],
         };
         let nearness = if self.is_parallel { -nearest } else { 1.0 / nearest };
-        // The margin of the depth is more than the roundings of float32.
+        // The margin of the depth exceeds the roundings of float32.
         Some(Seen { rect: rect.overlap(whole), nearness: (nearness as f32).next_up() })
     }
 }
 
-/// A number that is greater for a greater float, and never 0.
+/// Returns a number that orders like a float and is never 0.
 #[inline(always)]
 pub(super) fn ordered(value: f32) -> u32 {
     let bits = value.to_bits() as i32;
-    // Of negative numbers all bits turn, of others the sign.
+    // Flips all bits of negative numbers, otherwise only the sign.
     (bits ^ ((bits >> 31) | i32::MIN)) as u32
 }
 
-/// The float of `ordered`.
+/// Inverse of `ordered`.
 pub(super) fn unordered(number: u32) -> f32 {
     let bits = number as i32;
     f32::from_bits((bits ^ (!(bits >> 31) | i32::MIN)) as u32)

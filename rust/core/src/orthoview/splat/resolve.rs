@@ -1,4 +1,4 @@
-//! The images of a tile of the screen, from the splats at its samples.
+//! Images of a screen tile, computed from the keys of its samples.
 
 use glam::{DVec3, Vec3};
 
@@ -11,31 +11,31 @@ use crate::render::shade::{background, irradiance};
 use crate::render::{Frame, Sample};
 use crate::scene::srgb::linear_from_srgb;
 
-/// Makes images of keys.
+/// Converter from keys to images.
 pub(super) struct Resolver<'a> {
     picture: &'a Picture<'a>,
-    /// The camera of the samples.
+    /// Camera of the samples.
     camera: &'a Camera,
     projector: &'a Projector,
     views: &'a [Prepared<'a>],
     linear: &'static [f32; 256],
-    /// The direction through the picture's corner, and its changes by a sample to the right and down.
+    /// Direction through the picture's corner, and its changes per sample to the right and down.
     directions: [Vec3; 3],
 }
 
-/// The splat that was looked up last: neighbouring samples often show the same.
+/// Cache of the last splat: neighbouring samples often show the same.
 #[derive(Clone, Copy)]
 struct Last {
     number: u32,
     normal: Vec3,
-    /// Its colours on the side of the normal and on the other one.
+    /// Colours on the side of the normal and on the other side.
     colors: [[f32; 3]; 2],
     /// Number of its view.
     view: usize,
 }
 
-/// Whether a normal is turned away from the viewer along a ray: views see the insides of what a cell's side cuts open, whose
-/// outsides belong to the next cell.
+/// Returns whether a normal points away from the viewer along a ray: a cell's side cuts surfaces open, and views see
+/// their insides, whose outsides belong to the next cell.
 fn faces_away(normal: Vec3, direction: Vec3) -> bool {
     normal.dot(direction) > 0.0
 }
@@ -52,7 +52,7 @@ impl<'a> Resolver<'a> {
         Self { picture, camera, projector, views, linear: linear_from_srgb(), directions }
     }
 
-    /// The key of a sample that no splat shows.
+    /// Returns the initial key of a sample, from `before`.
     pub fn before(&self, x: i32, y: i32) -> Key {
         let Some(before) = self.picture.before else { return Key::default() };
         let range = before.range[self.index(x, y)];
@@ -67,19 +67,19 @@ impl<'a> Resolver<'a> {
         y as usize * self.camera.width as usize + x as usize
     }
 
-    /// Of the ray through the middle of a sample, as long as W is 1.
+    /// Returns the ray direction through the centre of a sample, scaled so that W is 1.
     fn direction(&self, x: i32, y: i32) -> DVec3 {
         self.camera.ray(f64::from(x) + 0.5, f64::from(y) + 0.5).1
     }
 
-    /// The same in float32.
+    /// Same as `direction`, in float32.
     #[inline]
     fn along(&self, x: i32, y: i32) -> Vec3 {
         let [start, right, down] = self.directions;
         start + right * (x as f32 + 0.5) + down * (y as f32 + 0.5)
     }
 
-    /// The images of a tile of pixels.
+    /// Computes the images of a tile of pixels.
     pub fn resolve(&self, screen: &Screen, tile: &Rect) -> Frame {
         let (mut frame, wanted) = (Frame::default(), self.picture.channels);
         let (grid, mask) = (self.picture.grid as i32, self.picture.pixels.mask);
@@ -112,7 +112,7 @@ impl<'a> Resolver<'a> {
         frame
     }
 
-    /// Colour and coverage of a sample.
+    /// Returns colour and coverage of a sample.
     fn sampled(&self, key: Key, (x, y): (i32, i32), last: &mut Last) -> ([f32; 3], f32) {
         let number = key.number();
         if number == OTHER {
@@ -134,7 +134,7 @@ impl<'a> Resolver<'a> {
         (last.colors[usize::from(faces_away(last.normal, self.along(x, y)))], 1.0)
     }
 
-    /// Adds what was there before to the colour of a pixel, for the samples whose bits are set.
+    /// Adds the colours of `before` to a pixel, for the samples whose bits are set.
     pub fn add_before(&self, color: &mut [f32; 3], [x, y]: [usize; 2], samples: u64) {
         let Some(before) = self.picture.before else { return };
         let grid = self.picture.grid as usize;
@@ -146,7 +146,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// The channels of the middle of a pixel.
+    /// Returns the channels of the centre of a pixel.
     pub fn sample(&self, key: Key, (x, y): (i32, i32)) -> Sample {
         let number = key.number();
         if number == OTHER {
@@ -171,7 +171,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// The number of the view that has a splat, which is often the last one.
+    /// Returns the number of the view that contains a splat; tries `last` first.
     fn view(&self, number: u32, last: usize) -> usize {
         let view = &self.views[last];
         if (view.first..view.first + view.splats.count() as u32).contains(&number) {

@@ -1,16 +1,16 @@
-//! A tile of the screen, and the nearest splat at each of its samples.
+//! Screen tile with the nearest splat at each of its samples.
 
 use super::lanes::{GROUP, Lanes, SEVERAL};
 use super::projector::{Rect, ordered};
 use super::splats::SQUARED_RADIUS;
 use crate::base::simd::vectorized;
 
-/// The nearest splat at a sample: its nearness in the upper half, and the complement of its number in the lower one, so
-/// that the greatest key counts and of equally near splats the first one. 0 where nothing is.
+/// Nearest splat at a sample: its nearness in the upper half, and the complement of its number in the lower half, so
+/// that the largest key wins, and the first splat among equally near ones. 0 means empty.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Key(pub u64);
 
-/// The number that stands for what is not splatted.
+/// Number of samples that show `before` instead of a splat.
 pub(super) const OTHER: u32 = u32::MAX;
 
 impl Key {
@@ -24,7 +24,7 @@ impl Key {
         !(self.0 as u32)
     }
 
-    /// Its lower and its upper half.
+    /// Returns the lower and the upper half.
     pub fn halves(self) -> [u32; 2] {
         [self.0 as u32, (self.0 >> 32) as u32]
     }
@@ -39,20 +39,20 @@ impl Key {
     }
 }
 
-/// Samples that are drawn at once.
+/// Samples drawn at once.
 const STRIDE: usize = 8;
 
 /// Keys of a rectangle of samples.
 #[derive(Debug)]
 pub(super) struct Screen {
     pub rect: Rect,
-    /// Keys of a row: those of the rectangle, and `STRIDE` that nobody reads.
+    /// Keys per row: those of the rectangle, and `STRIDE` for padding.
     pitch: usize,
     keys: Vec<Key>,
 }
 
 impl Screen {
-    /// A rectangle of samples, each with what was drawn before.
+    /// Creates the keys of a rectangle of samples, initialised by `before`.
     pub fn new(rect: Rect, before: impl Fn(i32, i32) -> Key) -> Self {
         let pitch = (rect.high[0] - rect.low[0]) as usize + STRIDE;
         let mut keys = vec![Key::default(); pitch * (rect.high[1] - rect.low[1]) as usize];
@@ -67,13 +67,13 @@ impl Screen {
         (y - self.rect.low[1]) as usize * self.pitch + (x - self.rect.low[0]) as usize
     }
 
-    /// The key at a sample.
+    /// Returns the key at a sample.
     #[inline(always)]
     pub fn key(&self, x: i32, y: i32) -> Key {
         self.keys[self.slot(x, y)]
     }
 
-    /// Whether all samples of a part show something nearer.
+    /// Returns whether all samples of a part already show something nearer.
     pub fn hides(&self, part: &Rect, nearness: f32) -> bool {
         let order = ordered(nearness);
         let columns = (part.high[0] - part.low[0]) as usize;
@@ -84,12 +84,12 @@ impl Screen {
         })
     }
 
-    /// Keys of a row.
+    /// Returns the keys per row.
     pub fn pitch(&self) -> i32 {
         self.pitch as i32
     }
 
-    /// Draws some splats, which have consecutive numbers.
+    /// Draws some splats with consecutive numbers.
     pub fn draw(&mut self, lanes: &Lanes, count: usize, first: u32) {
         draw(self, lanes, count, first);
     }
@@ -120,7 +120,7 @@ fn draw_all(screen: &mut Screen, lanes: &Lanes, count: usize, first: u32) {
         for row in top..=bottom {
             let down = row as f32 + 0.5 - y;
             let (p_start, q_start, start) = (b * down, d * down, nearness + slope[1] * down);
-            // The column of the middle in this row; none in others.
+            // Column of the centre if it lies in this row.
             let middle = if row == middle_row { middle_column } else { i32::MIN };
             let mut from = left;
             while from <= right {
@@ -130,7 +130,7 @@ fn draw_all(screen: &mut Screen, lanes: &Lanes, count: usize, first: u32) {
                 for (i, key) in keys.iter_mut().enumerate() {
                     let along = across + i as f32;
                     let (p, q) = (a * along + p_start, c * along + q_start);
-                    // A line has inverse axes of which all samples of a row may seem to be inside.
+                    // A line has inverse axes for which all samples of a row may appear to be inside.
                     let is_inside = p * p + q * q <= SQUARED_RADIUS && from + i as i32 <= right;
                     let is_middle = from + i as i32 == middle;
                     let at = if is_inside { start + slope[0] * along } else { nearness };

@@ -13,22 +13,23 @@ use crate::orthoview::view::{Texel, Views};
 /// Side of a block, pixels.
 pub(super) const BLOCK: usize = 8;
 
-/// Boxes along each axis of a view: parts that are culled as a whole.
+/// Boxes along each axis of a view, the units of culling.
 const BOXES: usize = 4;
 
 /// Squared radius of a surfel's ellipse in pixels of its view: the corners of the pixel lie on it.
 pub const SQUARED_RADIUS: f32 = 0.5;
 
-/// Factor of the radius for surfels at the border of a surface. At its corners an ellipse reaches no farther than its pixel,
-/// and views have a pixel from a quarter of its width on: where the surface goes on in the next cell, up to half a pixel would
-/// stay empty there. With 0.9 = 1.27/√2 it reaches a quarter of a pixel farther: √(0.9² − 0.5²) = 0.75.
+/// Radius factor of surfels at the border of a surface. At its corners an ellipse reaches no farther than its pixel,
+/// and a view has a pixel if the surface covers at least a quarter of its width: where the surface continues in the
+/// next cell, up to half a pixel would stay empty. With 0.9 = 1.27/√2 it reaches a quarter of a pixel farther: √(0.9²
+/// − 0.5²) = 0.75.
 pub const BORDER: f32 = 1.27;
 
 /// Number of a pixel's neighbours.
 const ALL: u8 = 8;
 
-/// Least cosine between a surfel's normal and the direction of its view. Neighbours on steeper surfaces are not
-/// connected (`connect`), so only means over edges are steeper; they would stretch far.
+/// Minimum cosine between a surfel's normal and the direction of its view. Neighbours on steeper surfaces are not
+/// connected (`connect`), so only means over edges are steeper; they would be stretched far.
 pub const LEAST_COSINE: f32 = 0.25;
 
 /// A part of a view: pixels from `low` to `high` (columns, rows, depth steps; `high` is exclusive).
@@ -49,34 +50,34 @@ impl Extent {
     }
 }
 
-/// 8 × 8 pixels of a view, of which some show a surface.
+/// A block of 8 × 8 pixels of a view, some of which show a surface.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Block {
-    /// Tightly around the shown pixels.
+    /// Tight extent of the shown pixels.
     pub extent: Extent,
     /// Column and row of its first pixel.
     pub corner: [u16; 2],
     /// Number of its first splat.
     pub first: u32,
-    /// Bit 8 row + column of a pixel: whether it shows a surface.
+    /// Bit mask of the pixels that show a surface; bit 8 row + column.
     pub shown: u64,
-    /// Whether it is a surfel.
+    /// Bit mask of the surfels.
     pub surfels: u64,
-    /// Whether all its neighbours are connected with it.
+    /// Bit mask of the pixels connected with all neighbours.
     pub inner: u64,
 }
 
-/// Blocks of a view that are culled as a whole.
+/// Blocks of a view that are culled together.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BoxOfBlocks {
     pub extent: Extent,
-    /// Numbers of its first block and of the one after its last.
+    /// First block and end.
     pub blocks: [u32; 2],
     /// Number of its splats.
     pub count: u32,
 }
 
-/// A pixel: 24 bits of colour, 24 of its normal, 16 of its depth.
+/// A packed pixel: 24 bits of colour, 24 of its normal, 16 of its depth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Packed(u64);
 
@@ -90,7 +91,7 @@ impl Packed {
         [self.0 as u8, (self.0 >> 8) as u8, (self.0 >> 16) as u8]
     }
 
-    /// The two numbers of its normal.
+    /// Returns the two components of its normal.
     #[inline(always)]
     pub fn normal(self) -> [u16; 2] {
         [(self.0 >> 24) as u16 & 0xFFF, (self.0 >> 36) as u16 & 0xFFF]
@@ -102,11 +103,11 @@ impl Packed {
     }
 }
 
-/// A view of a cell, ready to be splatted: 8 bytes a pixel that shows a surface.
+/// A view of a cell, ready to be splatted: 8 bytes per pixel with a surface.
 #[derive(Clone, Debug)]
 pub struct Splats {
     pub(super) frame: Frame,
-    /// The cell's centre, metres.
+    /// Centre of the cell, metres.
     pub(super) center: DVec3,
     /// Extents of the view to the right, upwards and towards the viewer, metres.
     pub(super) extents: DVec3,
@@ -117,7 +118,7 @@ pub struct Splats {
 }
 
 impl Splats {
-    /// The view of a cell from the direction with a number; `connected` has the connections of all views' pixels.
+    /// Creates the splats of a cell's view by direction number; `connected` has the connections of all views' pixels.
     pub fn new(views: &Views, number: usize, connected: &[u8], cell: &Cell) -> Result<Self> {
         let (Some(view), Some(&direction)) = (views.views().get(number), views.directions.get(number)) else {
             return Err(Error::value("number", format!("one of {} views", views.directions.len()), number));
@@ -181,7 +182,7 @@ impl Splats {
         (block.shown != 0).then_some(block)
     }
 
-    /// The splats of which `bits`, given their block, says that they stay.
+    /// Returns the splats selected by `bits`, a mask per block.
     pub(super) fn kept(&self, bits: impl Fn(&Block) -> u64) -> Self {
         let mut kept = Self { boxes: vec![], blocks: vec![], texels: vec![], ..*self };
         for contents in &self.boxes {
@@ -203,7 +204,7 @@ impl Splats {
         kept
     }
 
-    /// Takes some splats of a block of another view.
+    /// Adds selected splats of a block of another view.
     fn keep(&mut self, texels: &[Packed], block: &Block, bits: u64) -> Block {
         let first = self.texels.len() as u32;
         let (mut shown, mut extent) = (block.shown, Extent::NOTHING);
@@ -221,28 +222,28 @@ impl Splats {
         Block { extent, first, shown: bits, ..*block }
     }
 
-    /// Number of splats.
+    /// Returns the number of splats.
     pub fn count(&self) -> usize {
         self.texels.len()
     }
 
-    /// Bytes of memory.
+    /// Returns the memory, bytes.
     pub fn bytes(&self) -> usize {
         size_of::<Self>() + size_of_val(&*self.texels) + size_of_val(&*self.blocks) + size_of_val(&*self.boxes)
     }
 
-    /// Width and height of a pixel, and length of a step, metres.
+    /// Returns the width and height of a pixel, and the length of a step, metres.
     pub(super) fn pitch(&self) -> DVec3 {
         let size = self.format.size as f64;
         self.extents / DVec3::new(size, size, f64::from(self.format.steps))
     }
 
-    /// Radius of a ball, which bounds its pixel, metres.
+    /// Returns the radius of a ball, which bounds its pixel, metres.
     pub(super) fn ball(&self) -> f64 {
         self.pitch().truncate().length() / 2.0
     }
 
-    /// Columns, rows and depth steps by which splats reach beyond their pixels and depths.
+    /// Returns the columns, rows and depth steps by which splats extend beyond their pixels and depths.
     pub(super) fn margin(&self) -> [f64; 3] {
         let (pitch, ball, radius) = (self.pitch(), self.ball(), f64::from(BORDER * SQUARED_RADIUS.sqrt()));
         let across = |pitch: f64| radius.max(ball / pitch) - 0.5;
@@ -250,8 +251,8 @@ impl Splats {
         [across(pitch.x), across(pitch.y), slope.max(ball) / pitch.z]
     }
 
-    /// The place that belongs to a column, a row and a number of depth steps, which may be fractions: whole numbers are
-    /// the corners of pixels, and 0 steps the front of the cell's extent.
+    /// Returns the position at a column, a row and a number of depth steps, which may be fractional: integers are the
+    /// corners of pixels, and 0 steps the front of the cell's extent.
     pub(super) fn place(&self, column: f64, row: f64, depth: f64) -> DVec3 {
         let [right, up, toward] = self.frame.axes();
         let (pitch, half) = (self.pitch(), self.extents / 2.0);
@@ -261,13 +262,13 @@ impl Splats {
             + toward * (half.z - depth * pitch.z)
     }
 
-    /// Steps by one column, one row and one depth step, metres.
+    /// Returns the vectors of one column, one row and one depth step, metres.
     pub(super) fn steps(&self) -> [DVec3; 3] {
         let ([right, up, toward], pitch) = (self.frame.axes(), self.pitch());
         [right * pitch.x, up * -pitch.y, toward * -pitch.z]
     }
 
-    /// The unit normal of a splat.
+    /// Returns the unit normal of a splat.
     pub(super) fn normal(&self, texel: Packed) -> glam::Vec3 {
         normals::decoded(texel.normal(), self.format.normal_bits)
     }

@@ -1,4 +1,4 @@
-//! Motion blur: a picture warped to several poses, and averaged.
+//! Motion blur: the mean of a picture warped to several poses.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -9,13 +9,13 @@ use crate::base::{Error, Progress, Result, memory::room_for};
 use crate::camera::Camera;
 use crate::render::temporal::cubic;
 
-/// A pixel of a pose that shows nothing.
+/// Key of a pixel without a surface.
 const NOTHING: u64 = u64::MAX;
 
-/// Averages a picture over the `poses` of cameras of its size, each pixel over those poses that show something there; it
-/// keeps its colour where none does.
+/// Averages a picture over the `poses` of cameras of its size. Each pixel is the mean over the poses that show
+/// something there; without any it keeps its colour.
 ///
-/// Warps go forward: each pixel of the picture is drawn where a pose shows its surface, and the nearest surface counts.
+/// Forward warping: each pixel of the picture is drawn where a pose shows its surface, and the nearest surface wins.
 pub fn blur(image: &Image<'_>, poses: &[&Camera], blurred: &mut [Color], progress: &Progress) -> Result<()> {
     image.check("frame")?;
     let count = image.color.len();
@@ -49,7 +49,7 @@ pub fn blur(image: &Image<'_>, poses: &[&Camera], blurred: &mut [Color], progres
     Ok(())
 }
 
-/// The picture as a pose shows it; none where nothing of the picture is shown.
+/// Returns the picture as seen from a pose; `None` where nothing of the picture is visible.
 fn warp(image: &Image<'_>, pose: &Camera) -> Vec<Option<Color>> {
     let (lens, rays) = (Lens::new(pose), image.camera.rays());
     let (width, height) = (pose.width as usize, pose.height as usize);
@@ -59,7 +59,8 @@ fn warp(image: &Image<'_>, pose: &Camera) -> Vec<Option<Color>> {
         let offset = (image.camera.position + start - lens.eye) * inverse + way;
         lens.shows(offset, inverse).place().map(|place| (place, distance(&lens, offset, inverse)))
     };
-    // The distance above, the number of the pixel below: the least key is the nearest surface, of equal ones the first.
+    // Key: distance in the upper half, pixel number in the lower; the smallest key is the nearest surface, the first
+    // of equal ones.
     let mut nearest = vec![NOTHING; width * height];
     for pixel in 0..width * height {
         if let Some((place, distance)) = shown(pixel) {
@@ -74,7 +75,7 @@ fn warp(image: &Image<'_>, pose: &Camera) -> Vec<Option<Color>> {
     let color = |(at, key): (usize, u64)| {
         let pixel = (key & u64::from(u32::MAX)) as usize;
         let (place, _) = (key != NOTHING).then(|| shown(pixel)).flatten()?;
-        // The surface's middle is shown beside the pixel's: what the pixel's middle shows lies as far on its other side.
+        // The surface is shown beside the pixel's centre, so the centre shows a point offset to the other side.
         let beside = [(at % width) as f64 + 0.5 - place.x, (at / width) as f64 + 0.5 - place.y];
         let from = [(pixel % width) as f64 + 0.5 + beside[0], (pixel / width) as f64 + 0.5 + beside[1]];
         Some(cubic(image.color, width, from).map(|value| value.max(0.0)))
@@ -82,7 +83,7 @@ fn warp(image: &Image<'_>, pose: &Camera) -> Vec<Option<Color>> {
     nearest.into_iter().enumerate().map(color).collect()
 }
 
-/// Metres from a lens to a homogeneous point.
+/// Returns the distance in metres from a lens to a homogeneous point.
 fn distance(lens: &Lens, offset: DVec3, inverse: f64) -> f32 {
     let scaled = if lens.is_parallel { lens.along(offset) } else { offset.length() };
     (scaled / inverse) as f32

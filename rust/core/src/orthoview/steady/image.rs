@@ -13,7 +13,7 @@ pub struct Image<'a> {
     pub camera: &'a Camera,
     /// Linear RGB.
     pub color: &'a [Color],
-    /// Metres from the camera, +∞ for the sky.
+    /// Distance from the camera, metres; +∞ for the sky.
     pub range: &'a [f32],
 }
 

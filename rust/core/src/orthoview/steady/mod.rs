@@ -1,6 +1,6 @@
-//! Against popping: pictures of one moment seen from the camera of another.
+//! Prevention of popping: pictures of one moment reprojected to the camera of another.
 //!
-//! `Past::blend` fades a picture into the one before, surface by surface; `blur` averages a picture over poses.
+//! `Past::blend` fades a picture into the previous one, surface by surface; `blur` averages a picture over poses.
 
 mod blur;
 mod image;

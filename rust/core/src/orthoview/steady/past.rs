@@ -1,4 +1,4 @@
-//! The picture of an earlier moment, looked up where a later one shows the same surfaces.
+//! Earlier picture, looked up where a later one shows the same surfaces.
 
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
@@ -9,29 +9,30 @@ use crate::base::{Error, Progress, Result};
 use crate::camera::Rays;
 use crate::render::temporal::cubic;
 
-/// Part by which distances of one surface may differ where the motion of pixels is given: surfaces may move by
-/// themselves, so that what is at another distance is another one.
+/// Relative tolerance of distances of one surface if pixel motion is given: surfaces may then move, so a surface at
+/// another distance is a different one.
 const SAME_DISTANCE: f64 = 0.02;
-/// Greatest distance in pixels at which a surface is still shown by the same pixel.
+/// Maximum distance in pixels at which a surface is still shown by the same pixel.
 const MOST_PARALLAX: f64 = 0.5;
-/// Speed from which on a surface fades as one that moves, pixels a picture. Each look-up between pixels blurs; at a tenth of
-/// a pixel it hardly does.
+/// Speed from which a surface fades as a moving one, pixels per picture. Each look-up between pixels blurs, but hardly
+/// at a tenth of a pixel.
 const MOVING: f64 = 0.1;
-/// Least weight of the four pixels around a place that must agree. One alone has it only if it is the nearest one.
+/// Minimum total weight of the agreeing taps among the four around a position. A single tap reaches it only if it is
+/// the nearest.
 const LEAST_WEIGHT: f64 = 0.25;
 
-/// How fast colours fade: the time between two pictures over that in which a difference falls to 1/e.
+/// Fade rate of colours: the time between two pictures divided by the time in which a difference falls to 1/e.
 #[derive(Clone, Copy, Debug)]
 pub struct Fade {
-    /// Where the picture stands still.
+    /// Rate where the picture is still.
     pub still: f64,
-    /// Where it moves.
+    /// Rate where it moves.
     pub moving: f64,
 }
 
 impl Fade {
-    /// The exponent at a speed, pixels a picture. It is also the greatest distance in pixels between the places of two
-    /// surfaces that count as one: so one that is gone trails one that moves by no more than a pixel while it fades.
+    /// Returns the exponent at a speed, pixels per picture. It is also the maximum distance in pixels between two
+    /// surfaces that count as one, so a vanished surface trails a moving one by at most a pixel while it fades.
     fn at(&self, speed: f64) -> f64 {
         self.still + (self.moving - self.still) * (speed / MOVING).min(1.0)
     }
@@ -47,12 +48,12 @@ pub struct Past<'a> {
     inverse: Vec<f64>,
 }
 
-/// Which distances at a place of the earlier picture agree with a pixel of the later one.
+/// Test whether a distance in the earlier picture agrees with a pixel of the later one.
 enum Test {
-    /// A surface at the inverse distance s would be shown |e (s − s₀) / (a s + b)| pixels from the pixel; `farthest` is the
-    /// greatest distance at which it agrees.
+    /// A surface at the inverse distance s would appear |e (s − s₀) / (a s + b)| pixels from the pixel; it agrees up
+    /// to `farthest`.
     Parallax { e: f64, s: f64, a: f64, b: f64, farthest: f64 },
-    /// The distance is the same.
+    /// The distance must be the same.
     Distance { s: f64 },
 }
 
@@ -73,12 +74,12 @@ impl<'a> Past<'a> {
         Ok(Self { image, lens: Lens::new(image.camera), rays: image.camera.rays(), inverse })
     }
 
-    /// Mixes a picture with this one where both show the same surface; elsewhere the picture stays.
+    /// Blends a picture with this one where both show the same surface; elsewhere the picture stays.
     ///
-    /// A surface that is seen at the place where a pixel's surface was before is the same if it would now be shown near
-    /// the pixel: then it should be seen there, whatever its distance. `motion` says by how many pixels to the right and
-    /// down surfaces have moved, which may move by themselves; then distances must be the same. `agrees` says where
-    /// surfaces are the same.
+    /// A surface found at the previous position of a pixel's surface counts as the same if it would now appear near
+    /// the pixel; its distance may differ. With `motion`, the pixels to the right and down by which surfaces have
+    /// moved, surfaces may move on their own, and distances must be equal. `agrees` receives where surfaces are the
+    /// same.
     pub fn blend(
         &self,
         now: &Image<'_>,
@@ -121,8 +122,8 @@ impl<'a> Past<'a> {
         })
     }
 
-    /// Where a point of a later picture was, and what must be there. The point lies at 1/`inverse` along `way` from `from`,
-    /// which is relative to the earlier eye; `lens` shows it at the place `at`.
+    /// Returns the previous position of a point of a later picture, and the test for the surface there. The point lies
+    /// at 1/`inverse` along `way` from `from`, which is relative to the earlier eye; `lens` shows it at `at`.
     fn found(
         &self,
         lens: &Lens,
@@ -146,14 +147,14 @@ impl<'a> Past<'a> {
         Some((place, Test::Parallax { e, s, a: one.weight, b: other.weight, farthest }))
     }
 
-    /// The surface that must be at the place from which a point has moved; see `found`.
+    /// Same as `found`, for the given position from which a point has moved.
     fn moved(&self, place: DVec2, (from, way, inverse): (DVec3, DVec3, f64)) -> Option<(DVec2, Test)> {
         let offset = from * inverse + way;
         let distance = if self.lens.is_parallel { self.lens.along(offset) } else { offset.length() };
         place.is_finite().then_some((place, Test::Distance { s: inverse / distance }))
     }
 
-    /// The colour at a place, of the pixels that agree; none outside of the picture, and where too few agree.
+    /// Returns the colour at a position from the agreeing pixels; `None` outside the picture and if too few agree.
     fn color(&self, place: DVec2, test: &Test) -> Option<Color> {
         let (width, height) = (self.image.camera.width as usize, self.image.camera.height as usize);
         let is_inside = (0.0..=width as f64).contains(&place.x) && (0.0..=height as f64).contains(&place.y);
@@ -165,7 +166,8 @@ impl<'a> Past<'a> {
         let pixel = |i: usize, j: usize| self.image.color[down.pixels[j] * width + across.pixels[i]];
         if (0..4).all(|j| (0..4).all(|i| holds(i, j))) {
             let color = cubic(self.image.color, width, place.to_array());
-            // A cubic that overshoots would draw a line along edges, which would grow from picture to picture.
+            // Clamped, because an overshooting cubic would draw a line along edges, which would grow from picture to
+            // picture.
             let around = [pixel(1, 1), pixel(2, 1), pixel(1, 2), pixel(2, 2)];
             return Some(std::array::from_fn(|c| {
                 let (low, high) = around
@@ -187,10 +189,10 @@ impl<'a> Past<'a> {
     }
 }
 
-/// The four pixels around a coordinate; outside of the picture those of its edge.
+/// Four pixels around a coordinate; outside the picture its edge is repeated.
 struct Taps {
     pixels: [usize; 4],
-    /// Where the coordinate is between the middles of the second and the third.
+    /// Fraction of the way from the centre of the second to that of the third pixel.
     between: f64,
 }
 
@@ -202,7 +204,7 @@ impl Taps {
         Self { pixels, between: at - 0.5 - first }
     }
 
-    /// Weight of the second or the third pixel.
+    /// Returns the weight of the second or the third pixel.
     fn share(&self, tap: usize) -> f64 {
         if tap == 1 { 1.0 - self.between } else { self.between }
     }

@@ -1,5 +1,5 @@
-//! The background behind near geometry: the environment map; for the ideal picture, the hit of a ray from the centre;
-//! the sky where there is no far part.
+//! Background behind near geometry: the environment map; for the ideal picture, the hit of a ray from the centre; the
+//! sky if there is no far part.
 
 use glam::{DVec3, Vec3};
 
@@ -14,8 +14,8 @@ use crate::morph::Morph;
 use crate::scene::Scene;
 use crate::trace::{All, AlphaFilter, Hit, Ray, closest_hits};
 
-/// Share of its range by which a fragment may lie behind the map before it counts as hidden. It covers the error of a
-/// half float, and of a range taken half a texel away on a surface at 45° in a map of 512 texels.
+/// Relative range by which a fragment may lie behind the map before it counts as hidden. It covers the error of a half
+/// float, and of a range taken half a texel away on a surface at 45° in a map of 512 texels.
 const BIAS: f32 = 4e-3;
 
 /// Source of the far part.
@@ -23,7 +23,7 @@ const BIAS: f32 = 4e-3;
 pub(super) enum Far<'a> {
     /// There is no far part.
     Nothing,
-    /// The far part's picture from the centre.
+    /// Picture of the far part from the centre.
     Map(&'a EnvironmentMap),
     /// The static scene itself, beyond a radius in metres, along rays from the centre.
     Traced(&'a Scene, f64),
@@ -32,15 +32,15 @@ pub(super) enum Far<'a> {
 #[derive(Clone, Copy)]
 pub(super) struct Backdrop<'a> {
     pub far: Far<'a>,
-    /// The centre O, relative to the scene's origin.
+    /// Centre O, relative to the scene's origin.
     pub center: DVec3,
-    /// The morph, which gives the displayed distance of far points. Without one it is their distance from O.
+    /// Morph that gives the displayed distance of far points; without one it is their distance from O.
     pub morph: Option<Morph>,
-    /// The part of the map that is seen.
+    /// Visible part of the map.
     pub seen: Seen,
 }
 
-/// The part of space in which surfaces are visible from an eye; both are relative to the scene's origin.
+/// Volume in which surfaces are visible from an eye; both are relative to the scene's origin.
 #[derive(Clone, Copy)]
 pub(super) struct Seen {
     pub limits: Limits,
@@ -48,7 +48,7 @@ pub(super) struct Seen {
 }
 
 impl Seen {
-    /// The part of the eye's ray in a direction.
+    /// Returns the visible segment of the eye's ray in a direction.
     fn of(&self, direction: Vec3) -> Segment {
         self.limits.of(self.eye, direction.as_dvec3())
     }
@@ -70,7 +70,7 @@ impl Backdrop<'_> {
         }
     }
 
-    /// Channels of a far pixel. The map shows what O sees in this direction; with its range the point is known.
+    /// Returns the channels of a far pixel. The map shows what O sees in this direction; its range gives the point.
     pub fn sample(&self, direction: Vec3, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample {
         match self.far {
             Far::Nothing => Sample::default(),
@@ -94,21 +94,21 @@ impl Backdrop<'_> {
         }
     }
 
-    /// Whether the map is visible: the ray's segment has no end, and the map's surface is not nearer than the segment's
-    /// start. Maps without ranges are infinitely far.
+    /// Returns whether the map is visible: the ray's segment is unbounded, and the map's surface is not nearer than
+    /// its start. Maps without ranges are infinitely far.
     fn shows(&self, map: &EnvironmentMap, direction: Vec3) -> bool {
         let Segment { t_min, t_max } = self.seen.of(direction);
         let is_behind = || map.range.is_none() || self.displayed(direction, map.surface(direction).0) >= t_min;
         t_max.is_infinite() && (t_min == 0.0 || is_behind())
     }
 
-    /// Displayed distance beyond which the far part hides other points beyond the near part. Points of the near part
-    /// are not tested: along their bent ray they precede all far points.
+    /// Returns the displayed distance beyond which the far part hides other points beyond the near part. Points of the
+    /// near part are not tested: along their bent ray they precede all far points.
     pub fn hides_beyond(&self, direction: Vec3) -> f32 {
         self.displayed(direction, self.range_limit(direction))
     }
 
-    /// The same limit as a distance from O; infinite if the map has no range or its surface is nearer than the
+    /// Returns the same limit as a distance from O; infinite if the map has no range or its surface is nearer than the
     /// segment's start.
     pub fn range_limit(&self, direction: Vec3) -> f32 {
         let limit = match self.far {
@@ -120,18 +120,19 @@ impl Backdrop<'_> {
         if t_min > 0.0 && self.displayed(direction, limit) < t_min { f32::INFINITY } else { limit }
     }
 
-    /// Displayed distance |Q−U| of a point that O sees at `range`.
+    /// Returns the displayed distance |Q−U| of a point that O sees at `range`.
     pub fn displayed(&self, direction: Vec3, range: f32) -> f32 {
         self.morph.map_or(range, |morph| morph.far_distance(direction.as_dvec3(), f64::from(range)) as f32)
     }
 
-    /// A ray from the centre that starts where it leaves the near part.
+    /// Returns a ray from the centre that starts where it leaves the near part.
     pub fn ray(&self, radius: f64, direction: Vec3) -> Ray {
         let slope = f64::from(direction.x).hypot(f64::from(direction.z));
         Ray { origin: self.center.as_vec3(), direction, t_min: (radius / slope) as f32, t_max: f32::INFINITY }
     }
 
-    /// Traces the missing rays of a tile into the far part, if that is traced; together, because they are coherent.
+    /// Traces the rays without a hit of a tile into the far part, if that is traced; as one packet, because they are
+    /// coherent.
     pub fn behind(&self, rays: &[Ray], hits: &[Hit]) -> Option<Behind> {
         let Far::Traced(scene, radius) = self.far else { return None };
         let mut behind = Behind { rays: [self.ray(radius, Vec3::Y); PIXELS], hits: [Hit::MISS; PIXELS] };
@@ -163,7 +164,7 @@ pub(super) struct Behind {
 }
 
 impl Behind {
-    /// Linear RGB that the n-th ray sees.
+    /// Returns the linear RGB that the n-th ray sees.
     pub fn color(&self, n: usize, scene: &Scene, footprint: Footprint) -> [f32; 3] {
         let (ray, hit) = (&self.rays[n], &self.hits[n]);
         if hit.is_miss() {
@@ -173,7 +174,7 @@ impl Behind {
     }
 }
 
-/// Closest opaque points along rays.
+/// Finds the closest opaque points along rays.
 pub(super) fn closest(scene: &Scene, rays: &[Ray], hits: &mut [Hit]) {
     closest_hits(scene, rays, &AlphaFilter::new(scene, All), hits);
 }

@@ -50,7 +50,7 @@ impl HitFilter for Split<'_> {
 }
 
 impl Bent<'_> {
-    /// The hit on the face that a piece was cut from.
+    /// Converts a hit on a piece to a hit on its source face.
     #[inline]
     fn on_scene(&self, hit: &Hit) -> Hit {
         let piece = self.shown.piece(hit.instance, hit.face);

@@ -1,12 +1,12 @@
-//! The bent rays of a tile: polynomials in the position within the tile, through the bent rays of its corners.
+//! Bent rays of a tile, interpolated by polynomials in the tile between the bent rays of its corners.
 
 use glam::{Vec3, Vec4, Vec4Swizzles};
 
 use super::corner::Corner;
 use crate::base::Aabb;
 
-/// Share of a tile's width by which rays inside the tile may leave the box about its corner rays. Unit directions bulge
-/// between corners by at most an eighth of the tile's angle.
+/// Fraction of a tile's width by which rays inside the tile may leave the box of its corner rays. Unit directions
+/// bulge between corners by at most an eighth of the tile's angle.
 const BULGE: f32 = 0.1;
 
 /// One of `parts` × `parts` parts of a tile.
@@ -21,7 +21,7 @@ impl TilePart {
     pub const WHOLE: Self = Self { parts: 1, x: 0, y: 0 };
 }
 
-/// The bends of the rays of a tile, or of a part of it.
+/// Bends of the rays of a tile, or of a part of it.
 pub(super) struct Cell<'a> {
     part: TilePart,
     corners: Corners<'a>,
@@ -31,24 +31,25 @@ pub(super) struct Cell<'a> {
     boxes: Vec<Aabb>,
 }
 
-/// Rays that those of a tile are interpolated between, in row order.
+/// Corner rays for interpolation, in row order.
 enum Corners<'a> {
     /// The tile's own corners.
     Four([&'a Corner; 4]),
-    /// Those and the next ones on one side, with the column and the row of the tile's first one, 0 or 1.
+    /// A tile's corners with their neighbours on one side, and the column and row (0 or 1) of the tile's first corner.
     Nine([&'a Corner; 9], [usize; 2]),
 }
 
-/// Offset of a bend and its position along the ray, as coefficients of powers of x and y across the tile.
+/// Offset of a bend and its position along the ray, as polynomial coefficients in x and y across the tile.
 pub(super) enum Bend {
-    /// Of 1, x, y and xy.
+    /// Coefficients of 1, x, y and xy.
     Linear([Vec4; 4]),
-    /// Of 1, x, x² and the same times y and times y².
+    /// Coefficients of 1, x, x², each times 1, y and y².
     Quadratic([[Vec4; 3]; 3]),
 }
 
 impl Bend {
-    /// Position of a ray's bend relative to the user, from the ray's direction and its position in the part.
+    /// Returns the position of a ray's bend relative to the user, from the ray's direction and its position in the
+    /// part.
     #[inline]
     pub fn at(&self, direction: Vec3, [x, y]: [f32; 2]) -> Vec3 {
         let v = match self {
@@ -63,13 +64,14 @@ impl Bend {
 }
 
 impl<'a> Cell<'a> {
-    /// Between four corners in row order.
+    /// Interpolates bilinearly between four corners in row order.
     pub fn linear(corners: [&'a Corner; 4], user: Vec3, part: TilePart) -> Self {
         let legs = legs_of(&corners);
         Self { part, corners: Corners::Four(corners), legs, boxes: hulls(corners, legs, user) }
     }
 
-    /// Through nine corners in row order; the tile's first one stands in this column and row of them, 0 or 1.
+    /// Interpolates biquadratically between nine corners in row order; `first` is the tile's first corner, column and
+    /// row 0 or 1.
     pub fn quadratic(corners: [&'a Corner; 9], first: [usize; 2], user: Vec3) -> Self {
         let legs = legs_of(&corners);
         let at = first[1] * 3 + first[0];
@@ -77,7 +79,7 @@ impl<'a> Cell<'a> {
         Self { part: TilePart::WHOLE, corners: Corners::Nine(corners, first), legs, boxes: hulls(own, legs, user) }
     }
 
-    /// Position within this part of a position in the tile; `None` for positions in other parts.
+    /// Converts a position in the tile to one in this part; `None` outside of it.
     #[inline]
     pub fn within(&self, spot: [f32; 2]) -> Option<[f32; 2]> {
         let TilePart { parts, x, y } = self.part;
@@ -86,7 +88,7 @@ impl<'a> Cell<'a> {
         ((u as usize, v as usize) == (x, y)).then_some([u - x as f32, v - y as f32])
     }
 
-    /// The k-th bend of all rays.
+    /// Returns the k-th bend of all rays.
     pub fn bend(&self, k: usize) -> Bend {
         match &self.corners {
             Corners::Four(corners) => {
@@ -107,7 +109,7 @@ impl<'a> Cell<'a> {
         }
     }
 
-    /// Bounding box of the tile's rays between two bends.
+    /// Returns the bounding box of the tile's rays between two bends.
     pub fn region(&self, from: usize, to: usize) -> Aabb {
         let mut region = Aabb::EMPTY;
         for bends in &self.boxes[from..=to] {
@@ -122,7 +124,7 @@ fn legs_of(corners: &[&Corner]) -> usize {
     corners.iter().map(|corner| corner.legs).max().unwrap_or_default()
 }
 
-/// Coefficients of 1, x and x² of the parabola through three values, x being 0 at the `first` of them and 1 at the next.
+/// Returns the coefficients of the parabola through three values, at x = 0, 1, 2 (`first` = 0) or −1, 0, 1.
 fn parabola([a, b, c]: [Vec4; 3], first: usize) -> [Vec4; 3] {
     let square = 0.5 * (a + c) - b;
     match first {
@@ -131,7 +133,7 @@ fn parabola([a, b, c]: [Vec4; 3], first: usize) -> [Vec4; 3] {
     }
 }
 
-/// Bounding box of each bend of all rays between four corners.
+/// Returns the bounding box of each bend of all rays between four corners.
 fn hulls(corners: [&Corner; 4], legs: usize, user: Vec3) -> Vec<Aabb> {
     let place = |n: usize, k: usize| {
         let bend = corners[n].bend(k, legs);
@@ -140,7 +142,7 @@ fn hulls(corners: [&Corner; 4], legs: usize, user: Vec3) -> Vec<Aabb> {
     (0..=legs).map(|k| around([place(0, k), place(1, k), place(2, k), place(3, k)])).collect()
 }
 
-/// Bounding box of all rays between four corners, wherever they bend.
+/// Returns the bounding box of all rays between four corners, wherever they bend.
 pub(super) fn bounds(corners: [&Corner; 4], user: Vec3) -> Aabb {
     let mut bounds = Aabb::EMPTY;
     for corner in corners {
@@ -155,7 +157,7 @@ pub(super) fn bounds(corners: [&Corner; 4], user: Vec3) -> Aabb {
     Aabb { min: bounds.min - margin, max: bounds.max + margin }
 }
 
-/// Bounding box of the rays between the four corners of a tile, given in row order.
+/// Returns the bounding box of the rays between the four corners of a tile, given in row order.
 fn around(points: [Vec3; 4]) -> Aabb {
     let mut region = Aabb::EMPTY;
     points.into_iter().for_each(|point| region.extend(point));

@@ -1,18 +1,18 @@
-//! The bent ray through one corner of a tile.
+//! Bent ray through one corner of a tile.
 
 use glam::{Vec3, Vec4};
 
 use crate::base::Aabb;
 use crate::bend::{RayCurve, Stretch};
 
-/// Greatest number of legs between the radii; rays that need more are bent one by one.
+/// Maximum number of legs between the radii; rays that need more are bent one by one.
 pub(super) const MOST_LEGS: usize = 128;
-/// Least number of legs, so that neighbouring corners can be compared there.
+/// Minimum number of legs, so that neighbouring corners can be compared there.
 pub(super) const LEAST_LEGS: usize = 4;
-/// Tolerance of a bend's offset as a share of the greatest offset. The error is about its square, float32's resolution.
+/// Tolerance of a bend's offset relative to the maximum offset. The error is about its square, float32's resolution.
 const OFFSET_PRECISION: f64 = 1e-4;
 
-/// A ray's bends between the radii, at equal steps along it. Each chord between two bends meets the tolerance.
+/// Bends of a ray between the radii, at equal steps along it. Each chord between two bends meets the tolerance.
 pub(super) struct Corner {
     pub direction: Vec3,
     across: Vec3,
@@ -20,15 +20,15 @@ pub(super) struct Corner {
     step: f32,
     /// Number of legs, a power of two.
     pub legs: usize,
-    /// Offset of each bend across the ray, metres. There is one more bend than legs.
+    /// Offset of each bend across the ray, metres; there is one more bend than legs.
     beside: Box<[f32]>,
     /// Bounding box of all bends, relative to the user.
     pub bounds: Aabb,
 }
 
 impl Corner {
-    /// `None` for users outside r₁, for vertical rays, and if even the greatest number of legs misses the tolerance, in
-    /// radians.
+    /// Bends the ray; `None` for users outside r₁, for vertical rays, and if the maximum number of legs misses the
+    /// tolerance, in radians.
     pub fn new(curve: &RayCurve<'_>, tolerance: f64) -> Option<Self> {
         let stretch = between_radii(curve)?;
         let (mut beside, mut legs) = ([0.0; MOST_LEGS + 1], 1);
@@ -56,18 +56,18 @@ impl Corner {
         Some(corner)
     }
 
-    /// Position of the k-th of its own bends, relative to the user.
+    /// Returns the position of this corner's k-th bend, relative to the user.
     fn place(&self, k: usize) -> Vec3 {
         self.direction * (self.from + self.step * k as f32) + self.across * self.beside[k]
     }
 
-    /// Positions of its first and its last bend, relative to the user.
+    /// Returns the positions of the first and the last bend, relative to the user.
     pub fn ends(&self) -> [Vec3; 2] {
         [self.place(0), self.place(self.legs)]
     }
 
-    /// The k-th of `legs` + 1 bends, with `legs` at least the corner's own number: the offset from the ray to the
-    /// curve, and the distance along the ray.
+    /// Returns the k-th of `legs` + 1 bends, with `legs` at least the corner's own number: the offset from the ray to
+    /// the curve, and the distance along the ray.
     #[inline]
     pub fn bend(&self, k: usize, legs: usize) -> Vec4 {
         // Both are powers of two.
@@ -84,7 +84,7 @@ impl Corner {
     }
 }
 
-/// The stretch between the radii of a ray from a user inside r₁; `None` for other users and vertical rays.
+/// Returns the stretch between the radii of a ray from a user inside r₁; `None` for other users and vertical rays.
 fn between_radii(curve: &RayCurve<'_>) -> Option<Stretch> {
     match curve.stretches()[..] {
         [within, between] if within.straight && !between.straight => Some(between),
@@ -93,13 +93,13 @@ fn between_radii(curve: &RayCurve<'_>) -> Option<Stretch> {
     .filter(|_| curve.end().is_some())
 }
 
-/// Position of the k-th of `legs` equal steps; k may be fractional.
+/// Returns the position of the k-th of `legs` equal steps; k may be fractional.
 fn place(stretch: &Stretch, k: f64, legs: usize) -> f64 {
     stretch.from + (stretch.to - stretch.from) * k / legs as f64
 }
 
-/// Whether a chord misses the curve at its middle or between middle and ends. A winding curve crosses its chords, so
-/// one point is not enough.
+/// Returns whether a chord misses the curve at its middle or between middle and ends. A winding curve crosses its
+/// chords, so one point is not enough.
 fn misses(curve: &RayCurve<'_>, stretch: &Stretch, beside: &[f64], tolerance: f64) -> bool {
     let legs = beside.len() - 1;
     let miss = |k: usize, t: f64| {
@@ -108,9 +108,9 @@ fn misses(curve: &RayCurve<'_>, stretch: &Stretch, beside: &[f64], tolerance: f6
     [0.5, 0.2, 0.8].into_iter().any(|t| (0..legs).any(|k| miss(k, t)))
 }
 
-/// Inserts a bend between each two neighbours.
+/// Inserts a bend between each pair of neighbours.
 fn halve(curve: &RayCurve<'_>, stretch: &Stretch, beside: &mut [f64; MOST_LEGS + 1], legs: usize) {
-    // From the last one on, so that the values that are read are not yet overwritten.
+    // In reverse, so that values are read before they are overwritten.
     for k in (0..legs).rev() {
         let (a, b) = (beside[k], beside[k + 1]);
         // The cubic through four neighbours is a better first guess than the chord.

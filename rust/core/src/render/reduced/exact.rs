@@ -1,5 +1,5 @@
-//! The exact morph per pixel: each ray is bent and traced leg by leg through the unchanged scene up to the morph's r₂.
-//! Beyond it, the ray from the centre shows what is left of the near part, and beyond that only moving objects.
+//! Exact morph per pixel: each ray is bent and traced leg by leg through the unchanged scene up to the morph's r₂.
+//! Beyond, the ray from the centre hits the rest of the near part, and beyond that only moving objects.
 
 use glam::{DVec3, Vec2, Vec3, Vec3Swizzles};
 
@@ -18,10 +18,10 @@ use crate::morph::{Kind, Morph};
 use crate::scene::Scene;
 use crate::trace::{Hit, Ray, touches};
 
-/// Share by which each leg is lengthened, so that rounding leaves no gap to the next leg.
+/// Relative lengthening of each leg, so that rounding leaves no gap to the next leg.
 const OVERLAP: f32 = 1e-5;
 
-/// Number of legs that are skipped together where nothing lies near them.
+/// Number of legs skipped together if nothing lies near them.
 const SPAN: usize = 8;
 
 pub(super) struct Exact<'a> {
@@ -29,7 +29,7 @@ pub(super) struct Exact<'a> {
     morph: Morph,
     /// Radius at which the near part ends, metres; at least the morph's r₂.
     boundary: f64,
-    /// Data that gives the point where rays of a user inside r₁ begin to bend; `None` if they bend from the start.
+    /// Data for the point where rays of a user inside r₁ begin to bend; `None` if they bend from the start.
     inside: Option<Inside>,
     backdrop: Backdrop<'a>,
     moving: Option<Moving>,
@@ -39,7 +39,8 @@ pub(super) struct Exact<'a> {
 }
 
 impl<'a> Exact<'a> {
-    /// The morph is relative to the scene's origin; beside it stands the radius at which the near part ends.
+    /// Creates the picture. The morph is relative to the scene's origin; the radius beside it is where the near part
+    /// ends.
     pub fn new(
         scene: &'a Scene,
         camera: &Camera,
@@ -55,7 +56,7 @@ impl<'a> Exact<'a> {
         Ok(Self { scene, morph, boundary, inside, backdrop, moving, lattice, tolerance })
     }
 
-    /// Number of moving triangles that each ray is tested against.
+    /// Returns the number of moving triangles that each ray is tested against.
     pub fn moving_triangles(&self) -> u64 {
         self.moving.as_ref().map_or(0, Moving::triangles)
     }
@@ -138,7 +139,7 @@ impl<'a> Exact<'a> {
         }
     }
 
-    /// Traces one ray with a bend of its own.
+    /// Traces one ray with its individually computed bends.
     fn trace_alone(&self, ray: &mut Ray, hit: &mut Hit) {
         let curve = RayCurve::new(&self.morph, ray.direction.as_dvec3().normalize());
         let points = curve.polyline(self.tolerance);
@@ -179,7 +180,7 @@ impl<'a> Exact<'a> {
         }
     }
 
-    /// Traces the missing rays of a tile between the morph's r₂ and the end of the near part, as the centre sees it.
+    /// Traces the rays without a hit between the morph's r₂ and the end of the near part, as the centre sees it.
     fn trace_outside(&self, rays: &mut [Ray], hits: &mut [Hit]) {
         let (from, to) = (self.morph.r2, self.boundary);
         let nothing = Ray { origin: Vec3::ZERO, direction: Vec3::Y, t_min: 1.0, t_max: 0.0 };
@@ -206,7 +207,7 @@ impl<'a> Exact<'a> {
         ray.direction = leg.direction.normalize();
     }
 
-    /// Displayed distance |Q−U| of a point.
+    /// Returns the displayed distance |Q−U| of a point.
     fn distance(&self, point: Vec3) -> f32 {
         if self.morph.kind == Kind::Cylinder {
             return (self.morph.apply(point.as_dvec3()) - self.morph.user).length() as f32;
@@ -251,7 +252,7 @@ impl Picture for Exact<'_> {
     }
 }
 
-/// The position of a user inside r₁, in the ground plane.
+/// Position of a user inside r₁, in the ground plane.
 struct Inside {
     /// Position relative to the centre.
     user: Vec2,
@@ -266,7 +267,7 @@ impl Inside {
         (power < 0.0 && morph.strength == 1.0).then_some(Self { user: user.as_vec2(), power: power as f32 })
     }
 
-    /// Distance along a direction to r₁; infinite for vertical directions. Both roots are in the form without
+    /// Returns the distance along a direction to r₁; infinite for vertical directions. Both roots are computed without
     /// cancellation.
     #[inline]
     fn leave(&self, direction: Vec3) -> f32 {
@@ -283,7 +284,7 @@ impl Inside {
     }
 }
 
-/// Keeps those of the first `count` indices whose rays are misses; returns their number.
+/// Keeps the indices, among the first `count`, whose rays are misses; returns their number.
 fn only_misses(numbers: &mut [usize], count: usize, hits: &[Hit]) -> usize {
     let mut kept = 0;
     for i in 0..count {

@@ -1,5 +1,5 @@
-//! Fold margins of the users of a reduced scene. One takes ten milliseconds to find, and depends on a user's height and
-//! distance from the axis alone, so that the last one serves all users of about the same height.
+//! Cache of the fold margin. Computing a margin takes ten milliseconds, and it depends only on a user's height and
+//! distance from the axis, so the last one serves all users of about the same height.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -9,18 +9,18 @@ use crate::base::Result;
 use crate::bend;
 use crate::morph::Morph;
 
-/// Step of heights as a share of r₂: 5 cm for 50 m. The margin hardly changes with the height.
+/// Quantisation of heights relative to r₂: 5 cm for 50 m. The margin hardly changes with the height.
 const HEIGHT_STEP: f64 = 1e-3;
 
-/// The height, the radii and the strength of the last margin, and its value for a user on the axis.
+/// Height, radii and strength of the last margin, and its value for a user on the axis.
 type Known = ([f64; 4], f64);
 
-/// Margins by height.
+/// Cache of the last margin.
 #[derive(Debug, Default)]
 pub(super) struct Folding(Mutex<Option<Known>>);
 
 impl Folding {
-    /// Metres that a user may still move before the picture folds; infinite without near geometry.
+    /// Returns the metres that a user may still move before the picture folds; infinite without near geometry.
     pub fn margin(&self, morph: &Morph) -> Result<f64> {
         let Morph { user, center, r1, r2, kind, strength, .. } = *morph;
         if r2 == 0.0 {

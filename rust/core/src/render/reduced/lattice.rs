@@ -2,8 +2,8 @@
 //!
 //! A ray between the corners is P = U + s d + offset with its own direction d. Only the positions s and the offsets of
 //! its bends are interpolated; both change little across a tile. Tiles across which they change too much (steep rays,
-//! users outside r₁) are not interpolated, and their rays are bent one by one. A corner is bent when a tile first needs
-//! it, because most rays hit a surface before they bend.
+//! users outside r₁) are not interpolated, and their rays are bent one by one. A corner is bent when a tile first
+//! needs it, because most rays hit a surface before they bend.
 
 use std::sync::OnceLock;
 
@@ -17,10 +17,10 @@ use crate::bend::RayCurve;
 use crate::camera::{Camera, Rays};
 use crate::morph::Morph;
 
-/// Shares of the tolerance that the chords and the interpolation may use.
+/// Fractions of the tolerance that the chords and the interpolation may use.
 const CHORD: f64 = 0.6;
 const BETWEEN: f64 = 0.25;
-/// Greatest error of a quadratic polynomial between the second and the third of its points, as a share of the third
+/// Maximum error of a quadratic polynomial between the second and the third of its points, relative to the third
 /// difference: the maximum of |t (t² − 1)|/6 is √3/27.
 const THIRD: f64 = 0.064_150_029_909_958_42;
 
@@ -35,7 +35,7 @@ pub(super) struct Lattice {
 }
 
 impl Lattice {
-    /// The tolerance is in pixels, with the angular size of a pixel at each ray.
+    /// Creates a lattice. The tolerance is in pixels, with the angular size of a pixel at each ray.
     pub fn new(camera: &Camera, morph: &Morph, tolerance_px: f64) -> Self {
         let (columns, lines) =
             ((camera.width as usize).div_ceil(TILE) + 1, (camera.height as usize).div_ceil(TILE) + 1);
@@ -44,7 +44,7 @@ impl Lattice {
     }
 
     /// Calls `trace` with the bends of a tile's rays, part by part if they change too much across the tile, and not at
-    /// all if nothing is near the box about them. Returns false if rays must be bent one by one.
+    /// all if nothing lies near their bounding box. Returns false if rays must be bent one by one.
     pub fn for_each_cell(
         &self,
         (column, row): (usize, usize),
@@ -85,7 +85,7 @@ impl Lattice {
         true
     }
 
-    /// Tolerance in radians at a position in units of tiles.
+    /// Returns the tolerance in radians at a position in units of tiles.
     fn tolerance_at(&self, column: f64, row: f64) -> f64 {
         self.tolerance_px * self.rays.pixel_angle(column * TILE as f64, row * TILE as f64)
     }
@@ -103,9 +103,9 @@ impl Lattice {
         self.corners[row * self.columns + column].get_or_init(|| self.bent(column as f64, row as f64)).as_ref()
     }
 
-    /// Angle by which interpolated rays inside a tile miss their curve. The error of linear interpolation in each
-    /// direction is an eighth of the second difference, which follows from the surrounding corners. `None` if corners
-    /// cannot be compared.
+    /// Returns the angle by which interpolated rays inside a tile miss their curve. The error of linear interpolation
+    /// in each direction is an eighth of the second difference, which follows from the surrounding corners. `None` if
+    /// corners cannot be compared.
     fn turn(&self, column: usize, row: usize) -> Option<f64> {
         let inner = |i: usize, count: usize| i.clamp(1, count.saturating_sub(2).max(1));
         if self.columns < 3 || self.lines < 3 {
@@ -124,9 +124,9 @@ impl Lattice {
         Some(2.0 * worst)
     }
 
-    /// Nine corners, for interpolation by quadratic polynomials in each direction: those of a tile and the next ones on
-    /// one side, and the place of the tile's first one. `None` if bends would miss their curves by more than the allowed
-    /// angle: by 0.0642, the maximum of |t (t² − 1)|/6, times the third differences, those of both directions added.
+    /// Returns nine corners for biquadratic interpolation: a tile's corners and their neighbours on one side, and the
+    /// position of the tile's first corner. `None` if bends would miss their curves by more than the allowed angle:
+    /// 0.0642, the maximum of |t (t² − 1)|/6, times the third differences, summed over both directions.
     fn nine(&self, column: usize, row: usize, allowed: f64) -> Option<([&Corner; 9], [usize; 2])> {
         if self.columns < 4 || self.lines < 4 {
             return None;
@@ -154,8 +154,8 @@ impl Lattice {
     }
 }
 
-/// Angle by which bends miss their curve if their offsets and positions are off by these errors. An error δs of a bend's
-/// position along the ray moves it across the ray by δs times the curve's slope.
+/// Returns the angle by which bends miss their curve if their offsets and positions have these errors. An error δs of
+/// a bend's position along the ray moves it across the ray by δs times the curve's slope.
 fn angle_of(errors: &[Vec4; LEAST_LEGS + 1], bends: &[Vec4; LEAST_LEGS + 1]) -> f64 {
     let angle = |k: usize| {
         let next = if k < LEAST_LEGS { k + 1 } else { k - 1 };
@@ -167,7 +167,7 @@ fn angle_of(errors: &[Vec4; LEAST_LEGS + 1], bends: &[Vec4; LEAST_LEGS + 1]) -> 
     (0..=LEAST_LEGS).map(angle).fold(0.0, f64::max)
 }
 
-/// The bends that all corners have.
+/// Returns the bends that all corners have.
 fn coarse(corner: &Corner) -> [Vec4; LEAST_LEGS + 1] {
     std::array::from_fn(|k| corner.bend(k * corner.legs / LEAST_LEGS, corner.legs))
 }

@@ -1,4 +1,4 @@
-//! Moving objects, which are geometry everywhere and may be hidden by the far part.
+//! Moving objects: geometry at every distance, possibly hidden by the far part.
 
 use std::sync::Arc;
 
@@ -10,23 +10,23 @@ use super::backdrop::Backdrop;
 use crate::scene::Scene;
 use crate::trace::{All, AlphaFilter, Hit, HitFilter, Ray, closest_hits};
 
-/// A ray that meets nothing.
+/// A ray that hits nothing.
 const NOWHERE: Ray = Ray { origin: Vec3::ZERO, direction: Vec3::NEG_Z, t_min: 0.0, t_max: -1.0 };
 
-/// Where the conventional method shows moving objects beyond the near part.
+/// Placement of moving objects beyond the near part by the conventional method.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ConventionalDynamic {
-    /// In the direction in which the centre sees them, where nothing of the far part is nearer.
+    /// In the direction in which the centre sees them, unless the far part is nearer.
     #[default]
     Center,
-    /// In the direction in which the user sees them, before the whole far part.
+    /// In the direction in which the user sees them, in front of the whole far part.
     User,
-    /// Nowhere.
+    /// Not shown.
     Omit,
 }
 
 impl ConventionalDynamic {
-    /// Its public name.
+    /// Returns the public name.
     pub fn name(self) -> &'static str {
         match self {
             Self::Center => "center",
@@ -36,14 +36,14 @@ impl ConventionalDynamic {
     }
 }
 
-/// The moving objects of a scene in one pose, with the number of the first in the whole scene.
+/// Moving objects of a scene in one pose, with the number of the first in the whole scene.
 pub(super) struct Moving {
     scene: Scene,
     first: u32,
 }
 
 impl Moving {
-    /// `None` if nothing moves, so that no ray is traced for it.
+    /// Extracts the moving objects; `None` if nothing moves, so that no ray is traced for it.
     pub fn of(scene: &Scene) -> Option<Self> {
         let moves = !scene.moving.instances().is_empty();
         moves.then(|| Self {
@@ -56,9 +56,9 @@ impl Moving {
         self.scene.triangle_count() as u64
     }
 
-    /// For rays that are misses, finds moving objects beyond the near part that no far surface hides. They are shown in
-    /// the direction in which the centre sees them (w = 0), so they are traced along the ray from the centre. `seen`
-    /// gives the part of the n-th ray in which surfaces are visible.
+    /// Finds, for rays that are misses, moving objects beyond the near part that no far surface hides. They are shown
+    /// in the direction in which the centre sees them (w = 0), so they are traced along the ray from the centre.
+    /// `seen` gives the visible segment of the n-th ray.
     pub fn trace_beyond(
         &self,
         backdrop: &Backdrop<'_>,
@@ -72,8 +72,8 @@ impl Moving {
         for (n, ((other, ray), hit)) in others.iter_mut().zip(rays).zip(hits.iter()).enumerate() {
             let from_center = backdrop.ray(radius, ray.direction);
             if hit.is_miss() && from_center.t_min.is_finite() {
-                // Without a morph the displayed distance is the distance from the centre. With bent rays the segment is
-                // the whole ray.
+                // Without a morph the displayed distance is the distance from the centre. With bent rays the segment
+                // is the whole ray.
                 let Segment { t_min, t_max } = seen(n);
                 *other = Ray { t_min: from_center.t_min.max(t_min), t_max, ..from_center };
             }
@@ -87,7 +87,7 @@ impl Moving {
         }
     }
 
-    /// For rays that are misses, finds moving objects, which the far part does not hide.
+    /// Finds, for rays that are misses, moving objects in front of the far part.
     pub fn trace_before(&self, seen: impl Fn(usize) -> Segment, rays: &[Ray], hits: &mut [Hit]) {
         let (mut others, mut found) = ([NOWHERE; PIXELS], [Hit::MISS; PIXELS]);
         let (others, found) = (&mut others[..rays.len()], &mut found[..rays.len()]);

@@ -1,5 +1,5 @@
 //! Triangles that the morph bends, split once for all users at about the same distance from the centre. For each user
-//! their vertices are moved, and the tree over them is refitted.
+//! their vertices are morphed, and the tree over them is refitted.
 
 use std::cell::Cell;
 use std::collections::HashMap;
@@ -14,11 +14,11 @@ use crate::morph::Morph;
 use crate::scene::{Instance, Mesh, Scene};
 use crate::tessellate::{self, Precision, Rule, Settings};
 
-/// Greatest number of pieces that a split may add, which take about a gigabyte.
+/// Maximum number of pieces that a split may add, about a gigabyte.
 const MOST_PIECES: u64 = 1 << 22;
-/// Tolerance in radians from which on triangles are left whole.
+/// Tolerance in radians above which triangles are left whole.
 const COARSEST: f64 = 0.5;
-/// Number of vertices that are moved between two checks whether the caller has cancelled.
+/// Vertices morphed between two checks for cancellation.
 const TILE: usize = 1 << 14;
 
 /// A piece of a scene's face, given by the positions of its three corners on the face.
@@ -26,14 +26,14 @@ const TILE: usize = 1 << 14;
 pub(super) struct NearPiece {
     pub instance: u32,
     pub face: u32,
-    /// Whether the piece lies in the near part's cylinder as a whole, so that its points need not be tested.
+    /// Whether the whole piece lies in the near part's cylinder, so that its points need not be tested.
     pub is_within: bool,
     /// Weights of the face's second and third corner at the piece's corners.
     corners: [[f32; 2]; 3],
 }
 
 impl NearPiece {
-    /// Converts weights on the piece to weights on the face. For a whole face they are equal, bit for bit.
+    /// Converts weights on the piece to weights on the face. For a whole face they are bit-equal.
     #[inline]
     pub fn on_face(&self, u: f32, v: f32) -> (f32, f32) {
         let [a, b, c] = self.corners;
@@ -42,19 +42,19 @@ impl NearPiece {
     }
 }
 
-/// Pieces and the mesh that is traced, face by face.
+/// Pieces, one per face of the traced mesh.
 #[derive(Clone, Debug)]
 pub(super) struct NearPart {
     pub pieces: Arc<Vec<NearPiece>>,
     pub instance: Instance,
-    /// Vertices that user and centre see in opposite directions.
+    /// Number of vertices that user and centre see in opposite directions.
     pub opposed: u64,
     /// Whether the tolerance is an upper bound.
     pub bounded: bool,
 }
 
 impl NearPart {
-    /// Whole faces where they are.
+    /// Creates unmorphed whole faces.
     pub fn fixed(faces: Vec<(u32, u32)>, scene: &Scene) -> Result<Self> {
         let split = Split::new(&faces, scene, None, false, |_| true, &Progress::new())?;
         let positions = split.vertices.iter().map(|vertex| vertex.as_vec3().to_array()).collect();
@@ -62,8 +62,8 @@ impl NearPart {
     }
 }
 
-/// Pieces of triangles (instance, face), with their corners; none if those of split triangles are more than
-/// `MOST_PIECES`.
+/// Cuts triangles (instance, face) into pieces with corners; `None` if split triangles give more than `MOST_PIECES`
+/// pieces.
 fn cut(
     sources: &[(u32, u32)],
     scene: &Scene,
@@ -102,7 +102,7 @@ fn cut(
         Ok(split(tessellate::Piece::whole(corners))?.into_iter().map(place).collect())
     });
     let triangles: Result<Vec<Vec<Placed>>> = triangles.collect();
-    // The number is the same for any number of threads, whichever of them found that it is too great.
+    // The total does not depend on the number of threads, whichever of them found that it is too large.
     if made.into_inner() > MOST_PIECES {
         progress.check()?;
         return Ok(None);
@@ -113,21 +113,21 @@ fn cut(
 /// A piece and its corners.
 type Placed = (NearPiece, [DVec3; 3]);
 
-/// Pieces of triangles before they are morphed.
+/// Pieces of triangles before the morph.
 #[derive(Debug)]
 pub(super) struct Split {
     pieces: Arc<Vec<NearPiece>>,
     vertices: Vec<DVec3>,
     faces: Vec<[u32; 3]>,
     bounded: bool,
-    /// The mesh of the first user, whose tree is refitted for others.
+    /// Mesh of the first user, whose tree is refitted for others.
     first: OnceLock<Arc<Mesh>>,
 }
 
 impl Split {
-    /// Splits triangles (instance, face) by settings, or not at all; coarser, and so without a bound, where that would
-    /// make more pieces than a frame should have. Pieces that are not drawn are left out, unless `moves`: what moves is
-    /// drawn everywhere. `is_within` tells whether a point lies in the near part's cylinder.
+    /// Splits triangles (instance, face) by settings, if given. If that gives more pieces than a frame should have,
+    /// the split is coarser and has no error bound. Pieces that are not drawn are omitted, unless `moves`: moving
+    /// objects are drawn everywhere. `is_within` returns whether a point lies in the near part's cylinder.
     pub fn new(
         sources: &[(u32, u32)],
         scene: &Scene,
@@ -149,7 +149,7 @@ impl Split {
         };
         progress.check()?;
         let (mut pieces, mut faces, mut vertices) = (vec![], vec![], vec![]);
-        // The cut of an edge depends on the edge alone, so that neighbours have vertices of equal bits.
+        // The cut of an edge depends on the edge alone, so neighbours have bit-equal vertices.
         let mut known = HashMap::new();
         for (piece, corners) in triangles.into_iter().flatten() {
             pieces.push(piece);
@@ -163,7 +163,7 @@ impl Split {
         Ok(Self { pieces: Arc::new(pieces), vertices, faces, bounded, first: OnceLock::new() })
     }
 
-    /// The pieces as one user sees them, with a tree over them.
+    /// Returns the pieces morphed for one user, with a tree over them.
     pub fn morphed(&self, morph: &Morph, progress: &Progress) -> Result<NearPart> {
         let tiles = self.vertices.par_chunks(TILE).map(|tile| {
             progress.check()?;

@@ -24,7 +24,7 @@ use crate::scene::Scene;
 pub enum Join {
     /// Near geometry is morphed between r₁ and r₂ so that it meets the map without a seam.
     Morph(Kind),
-    /// Near geometry is not moved and ends at a radius, with a visible break.
+    /// Near geometry is not morphed and ends at a radius, with a visible break.
     Conventional {
         /// Radius, in metres, at which the near part ends and the map begins.
         radius: f64,
@@ -32,7 +32,7 @@ pub enum Join {
 }
 
 impl Join {
-    /// Kind of the morph, if there is one.
+    /// Returns the kind of the morph, if there is one.
     fn kind(self) -> Option<Kind> {
         match self {
             Self::Morph(kind) => Some(kind),
@@ -41,16 +41,16 @@ impl Join {
     }
 }
 
-/// The points to which the morph is applied.
+/// Primitives to which the morph is applied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MorphMethod {
-    /// To vertices, as a vertex shader does.
+    /// Vertices, as in a vertex shader.
     Vertex,
-    /// To rays: each pixel shows the first hit of its bent ray.
+    /// Rays: each pixel shows the first hit of its bent ray.
     Exact,
 }
 
-/// How far the morph has grown in a frame.
+/// Growth of the morph in a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Growth {
     /// Radius of the morph, metres; `None` for r₂. r₁ shrinks in proportion.
@@ -66,33 +66,33 @@ pub struct Drawing<'a> {
     pub channels: Channels,
     /// Number of colour samples per pixel.
     pub samples: u32,
-    /// The part of space in which surfaces are visible, by displayed distances and by where they are shown in the world.
+    /// Visible volume, by displayed distances and displayed world positions.
     pub limits: Limits,
-    /// The pixels that are drawn.
+    /// Pixels to draw.
     pub pixels: Pixels<'a>,
     /// World position of the user's eye U, for which near geometry is morphed; `None` for the camera's position.
     pub user: Option<DVec3>,
-    /// How far the morph has grown in this frame.
+    /// Growth of the morph in this frame.
     pub growth: Growth,
-    /// The points to which the morph is applied.
+    /// Primitives to which the morph is applied.
     pub method: MorphMethod,
     /// True for the baked map; false for the ideal picture, whose far part is traced from the centre.
     pub mapped: bool,
     /// Tolerance of the morph in units of this view's finest pixel. With `Vertex`, triangles that exceed it are split
-    /// for the frame, and infinity morphs the existing vertices only. With `Exact`, it limits the error of a bent ray.
+    /// for the frame; infinity morphs only the existing vertices. With `Exact`, it limits the error of a bent ray.
     pub tolerance_px: f64,
-    /// Where moving objects beyond the near part are shown without a morph.
+    /// Placement of moving objects beyond the near part without a morph.
     pub conventional_dynamic: ConventionalDynamic,
 }
 
 impl Drawing<'_> {
-    /// World position of the user's eye U for a camera's picture.
+    /// Returns the world position of the user's eye U for a camera's picture.
     pub fn user(&self, camera: &Camera) -> DVec3 {
         self.user.unwrap_or(camera.position)
     }
 }
 
-/// A scene divided at two radii about a centre, with its environment map.
+/// A scene partitioned at two radii about a centre, with its environment map.
 #[derive(Debug)]
 pub struct Reduced {
     standing: Scene,
@@ -107,11 +107,11 @@ pub struct Reduced {
 /// Counts of a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrameCounts {
-    /// Triangles that were traced in place of the whole scene, after splitting; 0 if the scene's own trees were used.
+    /// Triangles traced in place of the whole scene, after splitting; 0 if the scene's own trees were used.
     pub triangles: u64,
     /// Moving triangles that rays were tested against; 0 without a pass for them.
     pub moving: u64,
-    /// Vertices that user and centre see in opposite directions.
+    /// Number of vertices that user and centre see in opposite directions.
     pub opposed: u64,
     /// Whether the tolerance was an upper bound: no vertex was morphed, or the tolerance was finite and the camera is
     /// the user's eye, well inside r₁.
@@ -133,22 +133,22 @@ impl Reduced {
         Ok(Self { standing, center: partition.center(), radii, join, map, near, folding: Folding::default() })
     }
 
-    /// Join of the near and the far part.
+    /// Returns the join of the near and the far part.
     pub fn join(&self) -> Join {
         self.join
     }
 
-    /// Environment map; `None` if nothing lies beyond the near part.
+    /// Returns the environment map; `None` if nothing lies beyond the near part.
     pub fn map(&self) -> Option<&EnvironmentMap> {
         self.map.as_ref()
     }
 
-    /// Size of the copies of near geometry, bytes.
+    /// Returns the size of the copies of near geometry, bytes.
     pub fn near_bytes(&self) -> usize {
         self.near.bytes()
     }
 
-    /// Draws a view. `scene` is the reduced scene with its moving objects in any pose.
+    /// Renders a view. `scene` is the reduced scene with its moving objects in any pose.
     pub fn render(
         &self,
         scene: &Scene,
@@ -191,13 +191,13 @@ impl Reduced {
         Ok((draw(&view, &bent::Bent { scene, shown, backdrop, radius: boundary }, progress)?, counts))
     }
 
-    /// Kind of the morph; `None` if user and camera are at the centre, from which no point is moved.
+    /// Returns the kind of the morph; `None` if user and camera are at the centre, from which no point moves.
     pub fn morph_kind(&self, camera: &Camera, drawing: &Drawing<'_>) -> Option<Kind> {
         let at_center = [camera.position, drawing.user(camera)] == [self.center; 2];
         self.join.kind().filter(|_| !at_center)
     }
 
-    /// The morph for a user and a centre in the same frame of coordinates.
+    /// Returns the morph for a user and a centre in the same frame of coordinates.
     pub fn morph(&self, user: DVec3, center: DVec3, kind: Kind, growth: Growth) -> Result<Morph> {
         let [r1, r2] = self.radii;
         let smaller = growth.radius.filter(|&radius| radius < r2);
@@ -205,8 +205,8 @@ impl Reduced {
         Morph::new(user, center, near, far, kind)?.with_strength(growth.strength)
     }
 
-    /// Metres that a user at a world position may still move before the picture folds; infinite without a morph. The
-    /// user's height is rounded to a thousandth of r₂.
+    /// Returns the metres that a user at a world position may still move before the picture folds; infinite without a
+    /// morph. The user's height is rounded to a thousandth of r₂.
     pub fn fold_margin(&self, user: DVec3, growth: Growth) -> Result<f64> {
         self.check_growth(growth)?;
         match self.join.kind() {
@@ -215,7 +215,7 @@ impl Reduced {
         }
     }
 
-    /// The far part; nothing if nothing was baked.
+    /// Returns the far part; `Far::Nothing` if nothing was baked.
     fn far(&self, mapped: bool, radius: f64, progress: &Progress) -> Result<Far<'_>> {
         match &self.map {
             None => Ok(Far::Nothing),
@@ -277,12 +277,12 @@ impl Reduced {
         Ok(())
     }
 
-    /// Angle of the finest pixel, radians; for parallel rays as seen from the distance r₂.
+    /// Returns the angle of the finest pixel, radians; for parallel rays as seen from the distance r₂.
     pub fn pixel_angle(&self, camera: &Camera) -> f64 {
         camera.least_pixel_angle() / if camera.is_parallel() { self.radii[1] } else { 1.0 }
     }
 
-    /// Far pixels have only the channels that were baked, and positions if the range was.
+    /// Checks the channels: far pixels have only those that were baked, and positions if the range was.
     fn check_channels(&self, wanted: Channels) -> Result<()> {
         let Some(map) = &self.map else { return Ok(()) };
         let (has_range, has_objects) = (map.range.is_some(), map.object_id.is_some());
@@ -301,7 +301,7 @@ impl Reduced {
     }
 }
 
-/// Refuses limits if rays are bent or the far part is traced.
+/// Fails for limits if rays are bent or the far part is traced.
 fn check_limits(drawing: &Drawing<'_>, bends: bool) -> Result<()> {
     let Segment { t_min, t_max } = drawing.limits.segment;
     let method = match (bends, drawing.mapped) {

@@ -12,11 +12,11 @@ use crate::partition::Partition;
 use crate::scene::Scene;
 use crate::tessellate::{Settings, Steps, bent_from};
 
-/// Splits that are kept: a user who walks to and fro across a step finds both.
+/// Number of cached splits per part (static, moving): a user who walks to and fro across a step finds both.
 const MAX_SPLITS: usize = 3;
 
-/// Inputs of a split: the steps of reach and tolerance, the radii of the morph, and the poses of what moves; none
-/// for what stands.
+/// Cache key of a split: steps of reach and tolerance, radii of the morph, and poses of moving objects (`None` for
+/// static parts).
 #[derive(Clone, Debug, PartialEq)]
 struct Cause {
     steps: Option<Steps>,
@@ -24,21 +24,21 @@ struct Cause {
     poses: Option<Vec<DAffine3>>,
 }
 
-/// The morph that a split was shown with last.
+/// Cached result of a split: the last morph and its near part.
 type Seen = (Arc<Split>, Morph, NearPart);
 
 /// Near geometry of a reduced scene.
 #[derive(Debug, Default)]
 pub(super) struct NearGeometry {
-    /// Static triangles with all corners inside r₁, which only a morph of smaller radii or less than full strength moves.
+    /// Static triangles with all corners inside r₁, which move only if the morph's radii or strength shrink.
     fixed: Option<NearPart>,
     /// r₁ and r₂ of the reduction, metres.
     radii: [f64; 2],
-    /// The other static triangles: instance and face.
+    /// All other static triangles: instance and face.
     bending: Vec<(u32, u32)>,
-    /// The latest splits, the last used at the end.
+    /// Cached splits, the last used at the end.
     splits: Mutex<Vec<(Cause, Arc<Split>)>>,
-    /// The static and the moving part that were morphed last. They are kept because a user who stands still may request
+    /// Static and moving part that were morphed last. They are cached because a user who stands still may request
     /// frames with other poses.
     last: Mutex<Vec<Seen>>,
 }
@@ -48,7 +48,7 @@ pub(super) struct Shown {
     /// Instance 0 holds the fixed pieces, instance 1 the morphed static pieces, instance 2 the moving ones.
     pub scene: Scene,
     pieces: [Arc<Vec<NearPiece>>; 3],
-    /// Vertices that user and centre see in opposite directions.
+    /// Number of vertices that user and centre see in opposite directions.
     pub opposed: u64,
     /// Whether the tolerance is an upper bound.
     pub bounded: bool,
@@ -57,8 +57,8 @@ pub(super) struct Shown {
 impl NearGeometry {
     /// Copies the triangles inside r₁ and lists the others.
     pub fn gather(partition: &Partition, progress: &Progress) -> Result<Self> {
-        // Edges between two points of r₁ are split for the triangles beyond them, so the triangles within must be split
-        // as well.
+        // Edges between two points of r₁ are split for the triangles beyond them, so the triangles within must be
+        // split as well.
         let [fixed, bending] = partition.nsf_inside(partition.r1());
         let fixed = NearPart::fixed(fixed, partition.scene())?;
         fixed.instance.mesh.build_bvh(progress)?;
@@ -66,7 +66,7 @@ impl NearGeometry {
         Ok(Self { fixed: Some(fixed), radii, bending, ..Self::default() })
     }
 
-    /// Size of the copies, bytes.
+    /// Returns the size of the copies, bytes.
     pub fn bytes(&self) -> usize {
         let fixed = self.fixed.as_ref().map_or(0, |part| {
             size_of_val(&part.pieces[..]) + part.pieces.len() * 12 + part.instance.mesh.positions.len() * 12
@@ -74,8 +74,8 @@ impl NearGeometry {
         fixed + size_of_val(&self.bending[..])
     }
 
-    /// Near geometry as a user sees it, with all moving objects. For a user who stands still, only parts that moved are
-    /// morphed again.
+    /// Returns near geometry as a user sees it, with all moving objects. For a user who stands still, only parts that
+    /// moved are morphed again.
     pub fn morphed(&self, scene: &Scene, morph: &Morph, tolerance: Option<f64>, progress: &Progress) -> Result<Shown> {
         let moves_all = bent_from(morph) < self.radii[0];
         let standing = || {
@@ -106,8 +106,8 @@ impl NearGeometry {
         Ok(Shown { scene, pieces: parts.map(|part| part.pieces), opposed, bounded })
     }
 
-    /// The split of some triangles for a user and all others at about the same distance from the centre; what moves has
-    /// poses.
+    /// Returns the split of some triangles, shared by all users at about the same distance from the centre. `poses`
+    /// are given for moving objects.
     fn split(
         &self,
         sources: impl Fn() -> Vec<(u32, u32)>,
@@ -148,7 +148,7 @@ impl NearGeometry {
         Ok(split)
     }
 
-    /// A split as a user sees it.
+    /// Returns a split as a user sees it, from the cache if possible.
     fn seen(&self, split: &Arc<Split>, morph: &Morph, progress: &Progress) -> Result<NearPart> {
         let is_same = |(other, last, _): &&Seen| Arc::ptr_eq(other, split) && last == morph;
         if let Some((_, _, part)) = self.last().iter().find(is_same) {
@@ -175,18 +175,18 @@ impl NearGeometry {
 }
 
 impl Shown {
-    /// The piece that a hit on `scene` belongs to.
+    /// Returns the piece of a hit on `scene`.
     #[inline]
     pub fn piece(&self, instance: u32, face: u32) -> &NearPiece {
         &self.pieces[instance as usize][face as usize]
     }
 
-    /// Number of traced triangles.
+    /// Returns the number of traced triangles.
     pub fn triangle_count(&self) -> u64 {
         self.pieces.iter().map(|pieces| pieces.len() as u64).sum()
     }
 
-    /// Number of traced triangles that move.
+    /// Returns the number of traced triangles that move.
     pub fn moving_triangles(&self) -> u64 {
         self.pieces[2].len() as u64
     }

@@ -1,4 +1,4 @@
-//! Unmorphed near geometry up to a radius: the conventional method, and every method for a user at the centre. The
+//! Unmorphed near geometry up to a radius: the conventional method, and all methods for a user at the centre. The
 //! scene's own trees are traced, and nothing is copied.
 
 use super::super::frame::{Channels, Sample};
@@ -22,7 +22,7 @@ pub(super) struct Straight<'a> {
 }
 
 impl<'a> Straight<'a> {
-    /// `beyond` says where moving objects farther away than the radius are shown.
+    /// Creates the picture; `beyond` places moving objects farther away than the radius.
     pub fn new(
         scene: &'a Scene,
         backdrop: Backdrop<'a>,
@@ -35,7 +35,7 @@ impl<'a> Straight<'a> {
         Ok(Self { scene, moving, backdrop, radius, beyond })
     }
 
-    /// Number of moving triangles that each ray is tested against.
+    /// Returns the number of moving triangles that each ray is tested against.
     pub fn moving_triangles(&self) -> u64 {
         self.moving.as_ref().map_or(0, Moving::triangles)
     }

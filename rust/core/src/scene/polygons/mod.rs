@@ -1,4 +1,4 @@
-//! Polygons with holes, many at once: outlines of buildings, and surfaces in their own plane.
+//! Batches of polygons with holes: outlines of buildings, and planar surfaces.
 
 mod outlines;
 mod prisms;

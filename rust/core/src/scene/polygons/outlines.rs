@@ -5,11 +5,11 @@ use std::ops::Range;
 use crate::base::error::number;
 use crate::base::{Error, Result};
 
-/// Greatest absolute coordinate: products of four of them are still numbers.
+/// Maximum absolute coordinate, so that products of four coordinates stay finite.
 const FARTHEST: f64 = 1e30;
 
-/// Polygons in a plane. A polygon is a run of rings, the first of which bounds it from outside and the others bound its
-/// holes; a ring is a run of points, whose last one is joined to the first. Directions of rings do not count.
+/// Polygons in a plane. A polygon is a sequence of rings: the first is its outer boundary, the others bound holes. A
+/// ring is a sequence of points, closed implicitly. Either orientation is allowed.
 #[derive(Debug, Clone, Copy)]
 pub struct Polygons<'a> {
     points: &'a [[f64; 2]],
@@ -18,7 +18,8 @@ pub struct Polygons<'a> {
 }
 
 impl<'a> Polygons<'a> {
-    /// Ring r is `points[rings[r]..rings[r + 1]]`, polygon p has the rings `polygons[p]..polygons[p + 1]`.
+    /// Creates polygons: ring r is `points[rings[r]..rings[r + 1]]`, and polygon p has the rings
+    /// `polygons[p]..polygons[p + 1]`.
     pub fn new(points: &'a [[f64; 2]], rings: &'a [i64], polygons: &'a [i64]) -> Result<Self> {
         if points.len() > u32::MAX as usize {
             return Err(Error::value("points", "fewer than 2^32", points.len()));
@@ -32,29 +33,29 @@ impl<'a> Polygons<'a> {
         Ok(Self { points, rings, polygons })
     }
 
-    /// Number of polygons.
+    /// Returns the number of polygons.
     pub fn len(&self) -> usize {
         self.polygons.len() - 1
     }
 
-    /// Whether there are none.
+    /// Returns whether there are no polygons.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// All points.
+    /// Returns all points.
     pub(super) fn points(&self) -> &'a [[f64; 2]] {
         self.points
     }
 
-    /// Ranges of the points of each ring of a polygon.
+    /// Returns the point range of each ring of a polygon.
     pub(super) fn rings_of(&self, polygon: usize) -> impl Iterator<Item = Range<usize>> {
         let rings = self.polygons[polygon] as usize..self.polygons[polygon + 1] as usize;
         rings.map(|ring| self.rings[ring] as usize..self.rings[ring + 1] as usize)
     }
 }
 
-/// Offsets that begin with 0, end with a count and never fall.
+/// Checks that offsets begin with 0, end with `count` and never decrease.
 pub(super) fn check_offsets(argument: &'static str, offsets: &[i64], count: usize) -> Result<()> {
     let is_run = offsets.first() == Some(&0)
         && offsets.last() == i64::try_from(count).ok().as_ref()

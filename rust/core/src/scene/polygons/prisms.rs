@@ -1,13 +1,13 @@
-//! Walls, roofs and floors of outlines that are extruded.
+//! Walls, roofs and floors of extruded outlines.
 
 use super::outlines::Polygons;
 use super::triangulate::{Clipper, Faces, by_polygon, doubled_ring_area};
 use crate::base::{Error, Progress, Result};
 
-/// Faces of upright prisms over polygons: walls, the roof and, where `has_floor`, the floor of each, seen from outside
-/// counter-clockwise where x points east, y north and heights up.
+/// Returns the faces of upright prisms over polygons: walls, roof and, where `has_floor`, floor. They are
+/// counter-clockwise from outside if x points east, y north and heights up.
 ///
-/// Corner n is point n at the lower end, and corner `points + n` the same at the upper one.
+/// Corner n is point n at the lower end, corner `points + n` the same point at the upper end.
 pub fn prisms(polygons: &Polygons, has_floor: &[bool], progress: &Progress) -> Result<Faces> {
     let count = polygons.points().len();
     if has_floor.len() != polygons.len() {
@@ -42,7 +42,8 @@ pub fn prisms(polygons: &Polygons, has_floor: &[bool], progress: &Progress) -> R
 mod tests {
     use super::*;
 
-    /// Six times the volume that faces enclose, by the divergence theorem; positive where they are seen from outside.
+    /// Returns six times the enclosed volume, by the divergence theorem; positive if faces are counter-clockwise from
+    /// outside.
     fn volume(points: &[[f64; 2]], height: f64, faces: &[[u32; 3]]) -> f64 {
         let corner = |number: u32| {
             let [x, y] = points[number as usize % points.len()];

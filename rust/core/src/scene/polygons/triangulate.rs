@@ -1,4 +1,4 @@
-//! Triangles of polygons, by ear clipping: the crate `earcut`, a port of Mapbox's.
+//! Triangulation of polygons by ear clipping: the crate `earcut`, a port of Mapbox's.
 
 use std::ops::Range;
 
@@ -8,22 +8,22 @@ use rayon::prelude::*;
 use super::outlines::Polygons;
 use crate::base::{Progress, Result};
 
-/// Polygons that one task takes, so that a task reuses its memory and takes milliseconds.
+/// Polygons per task: a task takes milliseconds and reuses its buffers.
 const POLYGONS_PER_TASK: usize = 512;
 
-/// Faces of many things, in their order.
+/// Faces of many items, in their order.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Faces {
     /// Corners of the triangles.
     pub faces: Vec<[u32; 3]>,
-    /// Those of thing n are `faces[offsets[n]..offsets[n + 1]]`.
+    /// Item n has the faces `faces[offsets[n]..offsets[n + 1]]`.
     pub offsets: Vec<i64>,
 }
 
-/// Triangulates polygons; corners are numbers of points, counter-clockwise where y points up.
+/// Triangulates polygons; corners are point numbers, counter-clockwise if y points up.
 ///
-/// Rings of fewer than three points count as absent. Where rings cross, touch or leave the outer ring, the triangles
-/// are some that lie between the points.
+/// Rings of fewer than three points are ignored. If rings cross, touch or leave the outer ring, the result is some set
+/// of triangles between the points.
 pub fn triangulate(polygons: &Polygons, progress: &Progress) -> Result<Faces> {
     by_polygon(polygons.len(), progress, Clipper::new, |clipper, polygon, faces| {
         clipper.clip(polygons, polygon);
@@ -31,7 +31,7 @@ pub fn triangulate(polygons: &Polygons, progress: &Progress) -> Result<Faces> {
     })
 }
 
-/// Collects the faces that `add` appends for each of `count` things; each task has a tool of its own.
+/// Collects the faces that `add` appends for each of `count` items; each task creates its own scratch object.
 pub(super) fn by_polygon<T>(
     count: usize,
     progress: &Progress,
@@ -66,11 +66,11 @@ pub(super) fn by_polygon<T>(
     Ok(all)
 }
 
-/// Clips the ears of one polygon after the other.
+/// Reusable state that clips the ears of one polygon at a time.
 pub(super) struct Clipper {
     earcut: Earcut<f64>,
     local: Vec<[f64; 2]>,
-    /// Number of each local point among all.
+    /// Global point number of each local point.
     numbers: Vec<u32>,
     holes: Vec<u32>,
     corners: Vec<u32>,
@@ -89,7 +89,8 @@ impl Clipper {
         }
     }
 
-    /// Triangulates a polygon, relative to its first point, because coordinates of national grids have few digits left.
+    /// Triangulates a polygon relative to its first point, because large coordinates of national grids leave few
+    /// digits.
     pub(super) fn clip(&mut self, polygons: &Polygons, polygon: usize) {
         self.local.clear();
         self.numbers.clear();
@@ -118,18 +119,18 @@ impl Clipper {
         }));
     }
 
-    /// The triangles of the polygon that was clipped last.
+    /// Returns the triangles of the polygon clipped last.
     pub(super) fn triangles(&self) -> &[[u32; 3]] {
         &self.triangles
     }
 }
 
-/// Twice the signed area of a triangle.
+/// Returns twice the signed area of a triangle.
 fn doubled_area([a, b, c]: [[f64; 2]; 3]) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/// Twice the signed area of a ring, positive where it runs counter-clockwise; relative to its first point.
+/// Returns twice the signed area of a ring, positive if counter-clockwise; computed relative to its first point.
 pub(super) fn doubled_ring_area(ring: &[[f64; 2]]) -> f64 {
     let Some(&first) = ring.first() else { return 0.0 };
     ring.windows(2).map(|pair| doubled_area([first, pair[0], pair[1]])).sum()
@@ -210,7 +211,8 @@ mod tests {
     }
 
     proptest! {
-        /// Rings around a centre are simple, and so are smaller ones within: areas are those of the shoelace formula.
+        /// Star-shaped rings around a centre are simple, and so are smaller ones inside: areas follow the shoelace
+        /// formula.
         #[test]
         fn areas_are_those_of_the_rings(
             outer in proptest::collection::vec(10.0..20.0f64, 3..60),
@@ -233,7 +235,8 @@ mod tests {
             prop_assert!((area_of(&points, &found.faces) - expected).abs() <= 1e-9 * expected.abs().max(1.0));
         }
 
-        /// Any points, also equal ones and rings that cross: corners are points of the polygon, none is turned.
+        /// Arbitrary points, with duplicates and crossing rings: corners are points of the polygon, no triangle is
+        /// flipped.
         #[test]
         fn any_rings_have_an_answer(
             points in proptest::collection::vec((0..6i8, 0..6i8), 0..40),

@@ -1,4 +1,4 @@
-//! Polygons of well-known binary (WKB), as OGC and ISO define it and with the flags of PostGIS.
+//! Reader for polygons in well-known binary (WKB), by OGC and ISO and with the flags of PostGIS.
 
 use std::ops::Range;
 
@@ -7,19 +7,19 @@ use rayon::prelude::*;
 use super::outlines::check_offsets;
 use crate::base::{Error, Progress, Result};
 
-/// Rows that one task reads: a few milliseconds.
+/// Rows per task: a few milliseconds.
 const ROWS_PER_TASK: usize = 4096;
-/// Greatest depth of geometries in collections.
+/// Maximum nesting depth of geometry collections.
 const DEEPEST: usize = 16;
-/// Flags of PostGIS beside the type.
+/// Flags of PostGIS in the type field.
 const HAS_Z: u32 = 1 << 31;
 const HAS_M: u32 = 1 << 30;
 const HAS_SRID: u32 = 1 << 29;
 
-/// Polygons of many rows, as `Polygons` takes them.
+/// Polygons of many rows, in the layout of `Polygons`.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Outlines {
-    /// Points without the last one of each ring, which repeats the first.
+    /// Points, without the closing point of each ring.
     pub points: Vec<[f64; 2]>,
     /// Ring r is `points[rings[r]..rings[r + 1]]`.
     pub rings: Vec<i64>,
@@ -27,11 +27,11 @@ pub struct Outlines {
     pub polygons: Vec<i64>,
     /// Row n has the polygons `rows[n]..rows[n + 1]`.
     pub rows: Vec<i64>,
-    /// Number of geometries that are no polygons and were left out.
+    /// Number of skipped geometries that are not polygons.
     pub skipped: u64,
 }
 
-/// Reads the geometries `bytes[offsets[n]..offsets[n + 1]]`; rows without bytes have none. The error names the row.
+/// Reads the geometries `bytes[offsets[n]..offsets[n + 1]]`; empty rows have no polygons. Errors name the row.
 pub fn read(bytes: &[u8], offsets: &[i64], progress: &Progress) -> Result<Outlines> {
     check_offsets("offsets", offsets, bytes.len())?;
     let count = offsets.len() - 1;
@@ -53,12 +53,12 @@ pub fn read(bytes: &[u8], offsets: &[i64], progress: &Progress) -> Result<Outlin
         let start = number * ROWS_PER_TASK;
         task(start..count.min(start + ROWS_PER_TASK))
     });
-    // The first error is told, whichever task ends first.
+    // Reports the first error in row order, whichever task ends first.
     let parts: Vec<Result<Outlines>> = tasks.collect();
     Ok(joined(&parts.into_iter().collect::<Result<Vec<_>>>()?))
 }
 
-/// The parts one after the other; their offsets are ends, which get the leading 0 here.
+/// Concatenates parts; their offsets are ends, to which this adds the leading 0.
 fn joined(parts: &[Outlines]) -> Outlines {
     let mut all = Outlines { rings: vec![0], polygons: vec![0], rows: vec![0], ..Outlines::default() };
     all.points.reserve_exact(parts.iter().map(|part| part.points.len()).sum());
@@ -77,9 +77,9 @@ fn joined(parts: &[Outlines]) -> Outlines {
 /// Header of a geometry.
 struct Header {
     is_little: bool,
-    /// OGC's number: 1 for points to 7 for collections, and others.
+    /// Geometry type of OGC: 1 for points to 7 for collections, and others.
     kind: u32,
-    /// Numbers of a point, 2 to 4.
+    /// Coordinates per point, 2 to 4.
     columns: usize,
 }
 
@@ -105,7 +105,7 @@ impl<'a> Reader<'a, '_> {
             1 => self.take(8 * header.columns).map(drop),
             2 => self.point_run(&header).map(drop),
             3 => return self.polygon(&header),
-            // Points, lines and polygons of one kind, and collections; the parts have headers of their own.
+            // Multi-geometries and collections; their parts have their own headers.
             4..=7 if depth < DEEPEST => {
                 for _ in 0..self.count(&header, 5)? {
                     self.geometry(depth + 1)?;
@@ -161,13 +161,13 @@ impl<'a> Reader<'a, '_> {
         Ok(())
     }
 
-    /// The bytes of points that a count precedes.
+    /// Returns the bytes of a length-prefixed run of points.
     fn point_run(&mut self, header: &Header) -> Parsed<&'a [u8]> {
         let count = self.count(header, 8 * header.columns)?;
         self.take(count * 8 * header.columns)
     }
 
-    /// A count of things that take at least so many bytes each: no more than the rest has room for.
+    /// Reads a count of items of at least `least` bytes each; fails if the remaining bytes cannot hold them.
     fn count(&mut self, header: &Header, least: usize) -> Parsed<usize> {
         let count = self.number(header.is_little)? as usize;
         if count > self.rest.len() / least {

@@ -1,4 +1,4 @@
-//! Colours of stored vertices: linear fractions in files, sRGB with linear alpha in scenes.
+//! Vertex colours of stored meshes: linear fractions in files, sRGB with linear alpha in scenes.
 
 use rayon::prelude::*;
 
@@ -8,7 +8,7 @@ use super::rows::{Number, Table};
 use crate::scene::srgb::{srgb_from_linear, srgb_from_u16};
 
 impl StoredMeshes {
-    /// For each of the faces that `new` took, whether colours of their vertices have an alpha below 1.
+    /// Returns, for each face set given to `new`, whether its vertex colours have alpha below 1.
     pub fn see_through(&self) -> Vec<bool> {
         let of_mesh = |mesh: &StoredMesh| {
             let of_sets: Vec<bool> = mesh.vertices.iter().map(|set| self.is_see_through(set)).collect();
@@ -29,13 +29,13 @@ impl StoredMeshes {
     }
 }
 
-/// The nearest of 255 steps.
+/// Rounds alpha to the nearest of 255 steps.
 fn alpha(value: f32) -> u8 {
     (value.clamp(0.0, 1.0) * 255.0).round_ties_even() as u8
 }
 
 impl Table<'_> {
-    /// Writes linear colours as sRGB with linear alpha; rows of three numbers are opaque.
+    /// Writes linear colours as sRGB with linear alpha; rows of three components are opaque.
     pub(super) fn colors(&self, first: usize, slots: &mut [[u8; 4]]) {
         if let (Number::U16, 4) = (self.number(), self.width()) {
             let codes = srgb_from_u16();

@@ -1,4 +1,4 @@
-//! Which meshes can be used as the file holds them, found in one pass over their bytes.
+//! Search for the meshes that can be used without a copy, in one pass over the file's bytes.
 
 use glam::Vec3;
 use rayon::prelude::*;
@@ -6,13 +6,13 @@ use rayon::prelude::*;
 use super::meshes::{FaceSet, StoredMesh, StoredMeshes, VertexSet};
 use crate::base::{Aabb, Progress, REACH, Result};
 
-/// Number of rows that are read at a time; they stay in the first-level cache.
+/// Rows read at a time; they fit in the first-level cache.
 pub(super) const PIECE: usize = 1 << 10;
 
-/// Greatest number of vertices for each corner that a shared set may take. Vertices that faces do not use cost memory.
+/// Maximum number of shared vertices per corner. Vertices that faces do not use cost memory.
 const MOST_SPREAD: usize = 2;
 
-/// The range of a set of vertices that faces use.
+/// Range of a set's vertices that faces use.
 #[derive(Clone)]
 struct Use {
     least: usize,
@@ -54,7 +54,7 @@ impl StoredMeshes {
         mesh
     }
 
-    /// Least and greatest vertex number of faces.
+    /// Returns the smallest and largest vertex number of faces.
     fn limits(&self, faces: &FaceSet, vertices: &[VertexSet]) -> (u32, u32) {
         let Some(rows) = faces.corners else { return (0, (vertices[faces.set].count as u32).saturating_sub(1)) };
         let table = self.table(rows);
@@ -68,7 +68,7 @@ impl StoredMeshes {
         pieces_of(faces.count).map(of_piece).reduce(|| (u32::MAX, 0), |a, b| (a.0.min(b.0), a.1.max(b.1)))
     }
 
-    /// Boxes of the faces of meshes that are fit, each in its own frame: within `bounds`, as vertices may be unused.
+    /// Returns the boxes of the faces of fit meshes, each in its own frame; unused vertices may make `bounds` larger.
     pub fn face_bounds(&self, progress: &Progress) -> Result<Vec<[[f64; 3]; 2]>> {
         let of_mesh = |mesh: &StoredMesh| {
             progress.check()?;
@@ -94,7 +94,7 @@ impl StoredMeshes {
         pieces_of(faces.count).map(of_piece).reduce(|| Aabb::EMPTY, |a, b| a.union(&b))
     }
 
-    /// Box of a set's vertices; `None` if one is not finite.
+    /// Returns the box of a set's vertices; `None` if one is not finite.
     fn box_of(&self, set: &VertexSet) -> Option<Aabb> {
         let table = self.table(set.attributes.positions);
         let of_piece = |first: usize| {
@@ -105,7 +105,7 @@ impl StoredMeshes {
             let mut sum = Vec3::ZERO;
             for slot in slots {
                 bounds.extend((*slot).into());
-                // NaN and infinity stay in a sum of zeros.
+                // Multiplying by zero keeps NaN and turns infinity into NaN.
                 sum += Vec3::from_array(*slot) * 0.0;
             }
             (sum == Vec3::ZERO).then_some(bounds)
@@ -114,7 +114,7 @@ impl StoredMeshes {
     }
 }
 
-/// First rows of pieces.
+/// Returns the first row of each piece.
 pub(super) fn pieces_of(count: usize) -> impl IndexedParallelIterator<Item = usize> {
     (0..count.div_ceil(PIECE)).into_par_iter().with_min_len(64).map(|piece| piece * PIECE)
 }

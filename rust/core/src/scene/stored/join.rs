@@ -1,4 +1,4 @@
-//! One mesh from stored meshes, each placed: their bytes are read once, into the arrays of the result.
+//! Joining of stored meshes, each placed: their bytes are read once, into the arrays of the result.
 
 use glam::{DAffine3, Vec3};
 use rayon::prelude::*;
@@ -10,13 +10,13 @@ use crate::scene::merge::pieces;
 use crate::scene::mesh::{Mesh, TILE, check_finite, turned};
 use crate::scene::normal::{normal_matrix, placed};
 
-/// Greatest difference from 1 of the squared length of a unit normal, so that normals of four digits count as unit.
+/// Tolerance on the squared length of a unit normal, so that normals of four digits count as unit.
 const UNIT: f32 = 1e-4;
 
 /// A stored mesh to be joined.
 #[derive(Clone, Copy, Debug)]
 pub struct StoredPart {
-    /// Its number; it is fit.
+    /// Number of the mesh; it must be fit.
     pub mesh: usize,
     /// Transform object→scene; need not be invertible.
     pub to_scene: DAffine3,
@@ -29,25 +29,25 @@ impl StoredPart {
         self.to_scene == DAffine3::IDENTITY
     }
 
-    /// Whether the transform is a mirror, which turns faces inside out.
+    /// Returns whether the transform is a mirror, which turns faces inside out.
     fn is_mirrored(&self) -> bool {
         self.to_scene.matrix3.determinant() < 0.0
     }
 }
 
 impl StoredMeshes {
-    /// A mesh in its own frame, without an object. Arrays that lie in the file as they are used are not copied.
+    /// Returns a mesh in its own frame, without objects. Arrays that the file stores in usable form are not copied.
     pub fn mesh(&self, mesh: usize, progress: &Progress) -> Result<Mesh> {
         self.joined(&[StoredPart { mesh, to_scene: DAffine3::IDENTITY, object: -1 }], progress)
     }
 
-    /// Several meshes, as `mesh` makes one.
+    /// Returns several meshes, each as by `mesh`.
     pub fn meshes(&self, chosen: &[usize], progress: &Progress) -> Result<Vec<Mesh>> {
         chosen.par_iter().map(|&mesh| self.mesh(mesh, progress)).collect()
     }
 
-    /// Joins meshes in order. An attribute that only some vertices have is neutral at the others: white, without a
-    /// normal, texture coordinates 0.
+    /// Joins meshes in order. Vertices without an attribute that others have get a neutral value: white, no normal,
+    /// texture coordinates 0.
     pub fn joined(&self, parts: &[StoredPart], progress: &Progress) -> Result<Mesh> {
         if parts.iter().any(|part| !part.to_scene.is_finite()) {
             return Err(Error::value("transform", "finite numbers", "NaN or infinity"));
@@ -91,7 +91,7 @@ impl StoredMeshes {
             self.table(set.attributes.positions).floats(first, slots);
             if self.scale != 1.0 || !part.stands_in_place() {
                 for slot in slots {
-                    // Rounded once: a scaled coordinate may have digits that float32 has only at its place.
+                    // Rounded once: a scaled coordinate may need digits that float32 has only after placement.
                     let point = Vec3::from_array(*slot).as_dvec3() * self.scale;
                     *slot = part.to_scene.transform_point3(point).as_vec3().to_array();
                 }
@@ -103,7 +103,7 @@ impl StoredMeshes {
         self.by_vertex(parts, [0.0; 3], progress, |part, set, first, slots| {
             let Some(rows) = set.attributes.normals else { return };
             self.table(rows).floats(first, slots);
-            // Normals of whole numbers never have unit length exactly.
+            // Integer normals never have exactly unit length.
             let unit_enough = if self.rows[rows].number == Number::F32 { UNIT } else { 0.0 };
             slots.iter_mut().for_each(|slot| *slot = unit(*slot, unit_enough));
             if !part.stands_in_place() {
@@ -130,7 +130,8 @@ impl StoredMeshes {
         })
     }
 
-    /// Values of all vertices; `write` gets a part, one of its sets, the first of some of its rows, and their slots.
+    /// Collects values of all vertices; `write` gets a part, one of its sets, the first of some of its rows, and their
+    /// slots.
     fn by_vertex<T: Copy + Send + Sync>(
         &self,
         parts: &[StoredPart],
@@ -176,7 +177,7 @@ impl StoredMeshes {
         Ok(faces)
     }
 
-    /// Writes faces from number `first` on, with the vertex numbers of the file.
+    /// Writes faces from number `first` on, with the file's vertex numbers.
     pub(super) fn write_faces(&self, faces: &FaceSet, first: usize, slots: &mut [[u32; 3]]) {
         match faces.corners {
             Some(rows) => self.table(rows).corners(first, slots),
@@ -189,7 +190,7 @@ impl StoredMeshes {
         }
     }
 
-    /// The file's own positions, for one mesh that stays where it is.
+    /// Returns the file's own positions, for a single mesh that is not moved.
     fn borrowed_positions(&self, parts: &[StoredPart]) -> Option<Buffer<[f32; 3]>> {
         let [part] = parts else { return None };
         let [set] = &self.meshes[part.mesh].vertices[..] else { return None };
@@ -197,7 +198,7 @@ impl StoredMeshes {
         is_plain.then(|| self.borrowed(set.attributes.positions, Number::F32, set.first, set.count))?
     }
 
-    /// The file's own faces, for one mesh of one set of them.
+    /// Returns the file's own faces, for a single mesh with a single face set.
     fn borrowed_faces(&self, parts: &[StoredPart]) -> Option<Buffer<[u32; 3]>> {
         let [part] = parts else { return None };
         let mesh = &self.meshes[part.mesh];
@@ -235,14 +236,14 @@ impl<T: bytemuck::AnyBitPattern> AsRef<[T]> for Borrowed<T> {
 }
 
 impl StoredMesh {
-    /// Number to add to those of each set's vertices where the mesh's first one is `first`.
+    /// Returns the offset to add to each set's vertex numbers if the mesh's first vertex is `first`.
     fn shifts(&self, first: usize) -> Vec<u32> {
         let starts = starts(self.vertices.iter().map(|set| set.count));
         starts.zip(&self.vertices).map(|(start, set)| (first + start).wrapping_sub(set.first) as u32).collect()
     }
 }
 
-/// The sum of the lengths before each.
+/// Returns the prefix sums of lengths, from 0.
 fn starts(lengths: impl Iterator<Item = usize>) -> impl Iterator<Item = usize> {
     lengths.scan(0, |next, length| {
         let start = *next;
@@ -251,7 +252,8 @@ fn starts(lengths: impl Iterator<Item = usize>) -> impl Iterator<Item = usize> {
     })
 }
 
-/// A normal of unit length, itself if its squared length is at most `enough` from 1; zeros for one that is not finite.
+/// Normalises a normal; returns it unchanged if its squared length is within `enough` of 1, and zeros if it is not
+/// finite.
 fn unit(normal: [f32; 3], enough: f32) -> [f32; 3] {
     let vector = Vec3::from_array(normal);
     if (vector.length_squared() - 1.0).abs() <= enough {

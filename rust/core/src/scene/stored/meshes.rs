@@ -1,11 +1,11 @@
-//! Stored meshes: sets of vertices and the faces between them, as rows of numbers in blocks of bytes.
+//! Stored meshes: vertex sets and the faces between them, as rows of numbers in blocks of bytes.
 
 use std::collections::HashMap;
 
 use super::rows::{Number, Rows, Table};
 use crate::base::{Aabb, Buffer, Error, Progress, Result};
 
-/// Numbers of the rows that describe vertices.
+/// Row numbers of a vertex set's attributes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Attributes {
     /// Positions, three numbers.
@@ -14,40 +14,39 @@ pub struct Attributes {
     pub normals: Option<usize>,
     /// Texture coordinates, two numbers, v downwards.
     pub uvs: Option<usize>,
-    /// Linear colours, three or four numbers, always fractions.
+    /// Linear colours, three or four components, always fractions.
     pub colors: Option<usize>,
 }
 
 /// Triangles of one material.
 #[derive(Clone, Copy, Debug)]
 pub struct StoredFaces {
-    /// The mesh that they belong to; meshes ascend.
+    /// Mesh of these faces; mesh numbers ascend.
     pub mesh: usize,
-    /// Their vertices.
+    /// Attributes of their vertices.
     pub attributes: Attributes,
-    /// Rows of the corners' vertex numbers; `None` for three vertices after another.
+    /// Rows of the corners' vertex numbers; `None` if every three successive vertices form a triangle.
     pub corners: Option<usize>,
-    /// Their material.
+    /// Material of all faces.
     pub material: i32,
 }
 
-/// Vertices that faces of one mesh share.
+/// Vertices shared by faces of one mesh.
 #[derive(Clone, Debug)]
 pub(super) struct VertexSet {
     pub attributes: Attributes,
-    /// First vertex that is taken.
+    /// First vertex that is used.
     pub first: usize,
-    /// Number of vertices that are taken.
+    /// Number of vertices that are used.
     pub count: usize,
-    /// Whether other sets have the same positions, so that only the vertices between the least and the greatest one
-    /// that faces use are taken.
+    /// Whether other sets have the same positions, so that only the range of vertices that faces use is taken.
     pub is_shared: bool,
 }
 
 /// Triangles between the vertices of a set.
 #[derive(Clone, Debug)]
 pub(super) struct FaceSet {
-    /// Number of the vertices' set among those of the mesh.
+    /// Index of the vertex set in the mesh.
     pub set: usize,
     pub corners: Option<usize>,
     pub count: usize,
@@ -58,7 +57,7 @@ pub(super) struct FaceSet {
 pub(super) struct StoredMesh {
     pub vertices: Vec<VertexSet>,
     pub faces: Vec<FaceSet>,
-    /// Whether its arrays can be used as they are.
+    /// Whether the mesh is usable; see `StoredMeshes::is_fit`.
     pub is_fit: bool,
     /// Box of the vertices.
     pub bounds: Aabb,
@@ -76,18 +75,18 @@ impl StoredMesh {
     }
 }
 
-/// Meshes as the bytes of files hold them.
+/// Meshes stored in the bytes of files.
 #[derive(Clone, Debug)]
 pub struct StoredMeshes {
     pub(super) blocks: Vec<Buffer<u8>>,
     pub(super) rows: Vec<Rows>,
     pub(super) meshes: Vec<StoredMesh>,
-    /// Factor of all coordinates.
+    /// Scale factor of all coordinates.
     pub(super) scale: f64,
 }
 
 impl StoredMeshes {
-    /// Checks that all rows lie within their blocks and fit together, and finds out which meshes are fit for use.
+    /// Checks that all rows lie within their blocks and are consistent, and finds which meshes are fit for use.
     pub fn new(blocks: Vec<Buffer<u8>>, rows: Vec<Rows>, faces: &[StoredFaces], progress: &Progress) -> Result<Self> {
         for row in &rows {
             let length = blocks.get(row.block).map(|block| block.len());
@@ -106,18 +105,18 @@ impl StoredMeshes {
         Ok(stored)
     }
 
-    /// The same with all coordinates multiplied in float64.
+    /// Returns the meshes with all coordinates scaled in float64.
     pub fn scaled(&self, factor: f64) -> Self {
         Self { scale: self.scale * factor, ..self.clone() }
     }
 
-    /// Some of the meshes, with the ranges of shared vertices that they have.
+    /// Returns a subset of the meshes; ranges of shared vertices stay as they are.
     pub fn only(&self, meshes: &[usize]) -> Self {
         let (blocks, rows) = (self.blocks.clone(), self.rows.clone());
         Self { blocks, rows, meshes: meshes.iter().map(|&mesh| self.meshes[mesh].clone()).collect(), scale: self.scale }
     }
 
-    /// The same with `numbers[m]` in place of each material m.
+    /// Returns the meshes with `numbers[m]` in place of each material m.
     pub fn with_materials(&self, numbers: &[i32]) -> Result<Self> {
         let mut changed = self.clone();
         for faces in changed.meshes.iter_mut().flat_map(|mesh| &mut mesh.faces) {
@@ -128,7 +127,7 @@ impl StoredMeshes {
         Ok(changed)
     }
 
-    /// Adds faces to their mesh; `known` are the last mesh's sets of vertices.
+    /// Adds faces to their mesh; `known` maps attributes to vertex sets of the last mesh.
     fn add(&mut self, part: &StoredFaces, known: &mut HashMap<Attributes, usize>) -> Result<()> {
         let count = self.checked(part)?;
         if part.mesh.saturating_add(1) < self.meshes.len() || part.mesh > self.meshes.len() {
@@ -149,7 +148,7 @@ impl StoredMeshes {
         Ok(())
     }
 
-    /// Number of faces, whose rows have the right widths and numbers.
+    /// Returns the number of faces, after checking that rows have the right widths and types.
     fn checked(&self, part: &StoredFaces) -> Result<usize> {
         let wrong = |expected: &'static str| Error::value("faces", expected, format!("{part:?}"));
         let attributes = &part.attributes;
@@ -180,7 +179,7 @@ impl StoredMeshes {
         if corners.is_multiple_of(3) { Ok(corners / 3) } else { Err(wrong("three corners for each face")) }
     }
 
-    /// Finds positions that several sets of vertices refer to.
+    /// Marks vertex sets that share their positions with other sets.
     fn find_shared(&mut self) {
         let mut uses: HashMap<usize, usize> = HashMap::new();
         let sets = || self.meshes.iter().flat_map(|mesh| &mesh.vertices);
@@ -192,33 +191,33 @@ impl StoredMeshes {
         }
     }
 
-    /// Number of meshes.
+    /// Returns the number of meshes.
     pub fn len(&self) -> usize {
         self.meshes.len()
     }
 
-    /// Whether there are no meshes.
+    /// Returns whether there are no meshes.
     pub fn is_empty(&self) -> bool {
         self.meshes.is_empty()
     }
 
-    /// Whether a mesh can be used: its coordinates are finite, its faces have vertices, and those that it shares with
-    /// other meshes lie near each other in the file.
+    /// Returns whether a mesh is usable: its coordinates are finite, its faces have vertices, and the vertices that it
+    /// shares with other meshes lie close together in the file.
     pub fn is_fit(&self, mesh: usize) -> bool {
         self.meshes[mesh].is_fit
     }
 
-    /// Number of a mesh's vertices.
+    /// Returns the number of a mesh's vertices.
     pub fn vertex_count(&self, mesh: usize) -> usize {
         self.meshes[mesh].vertex_count()
     }
 
-    /// Number of a mesh's faces.
+    /// Returns the number of a mesh's faces.
     pub fn face_count(&self, mesh: usize) -> usize {
         self.meshes[mesh].face_count()
     }
 
-    /// Box of the vertices of a mesh that is fit, in its own frame.
+    /// Returns the box of the vertices of a fit mesh, in its own frame.
     pub fn bounds(&self, mesh: usize) -> [[f64; 3]; 2] {
         self.sides(&self.meshes[mesh].bounds)
     }

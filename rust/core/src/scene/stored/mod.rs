@@ -1,5 +1,5 @@
-//! Meshes that lie in the bytes of files: rows of numbers that become arrays when the meshes are used, each once and at
-//! its place. A file of ten thousand meshes is read without an array for each of them.
+//! Meshes stored in the bytes of files: rows of numbers, converted to arrays when a mesh is used, once and in place. A
+//! file of ten thousand meshes is read without an array for each of them.
 
 mod color;
 mod fitness;

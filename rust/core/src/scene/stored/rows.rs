@@ -1,8 +1,8 @@
-//! Rows of numbers in a block of bytes, as files describe them: a type, a place, a distance from row to row.
+//! Rows of numbers in a block of bytes, described by a type, a start and a stride.
 
 use crate::base::Buffer;
 
-/// Type of the numbers of rows, little-endian.
+/// Number type of rows, little-endian.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[expect(missing_docs, reason = "the names say it")]
 pub enum Number {
@@ -15,7 +15,7 @@ pub enum Number {
 }
 
 impl Number {
-    /// Bytes of a number.
+    /// Returns the bytes of a number.
     pub fn size(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,
@@ -25,10 +25,10 @@ impl Number {
     }
 }
 
-/// The place of rows.
+/// Location and layout of rows.
 #[derive(Clone, Copy, Debug)]
 pub struct Rows {
-    /// Number of the block of bytes.
+    /// Index of the block of bytes.
     pub block: usize,
     /// First byte of the first row.
     pub start: usize,
@@ -40,37 +40,37 @@ pub struct Rows {
     pub width: usize,
     /// Type of the numbers.
     pub number: Number,
-    /// Whether whole numbers stand for fractions of the greatest one of their type.
+    /// Whether integers are normalised: fractions of their type's maximum.
     pub is_fraction: bool,
 }
 
 impl Rows {
-    /// Bytes of a row.
+    /// Returns the bytes of a row.
     pub fn size(&self) -> usize {
         self.width * self.number.size()
     }
 
-    /// The byte after the last row; `None` beyond all numbers.
+    /// Returns the end of the last row; `None` if it overflows.
     pub fn end(&self) -> Option<usize> {
         let Some(before) = self.count.checked_sub(1) else { return Some(self.start) };
         before.checked_mul(self.step)?.checked_add(self.start)?.checked_add(self.size())
     }
 
-    /// The bytes of rows that follow each other without gaps.
+    /// Returns the byte range of rows without gaps between them; `None` if there are gaps.
     pub fn tight(&self, first: usize, count: usize) -> Option<std::ops::Range<usize>> {
         let start = self.start + first * self.step;
         (self.step == self.size()).then(|| start..start + count * self.step)
     }
 }
 
-/// A type of numbers in a file.
+/// A number type in a file.
 trait Stored: Copy {
     const SIZE: usize;
-    /// The number that begins with the first of these bytes.
+    /// Reads a number from the first bytes of a slice.
     fn first_of(bytes: &[u8]) -> Self;
-    /// The number itself.
+    /// Converts the number to float32.
     fn plain(self) -> f32;
-    /// The fraction of the type's greatest number, at least −1 (glTF 2.0, 3.6.2.2).
+    /// Converts a normalised integer to a fraction, at least −1 (glTF 2.0, 3.6.2.2).
     fn fraction(self) -> f32;
 }
 
@@ -112,7 +112,7 @@ impl Stored for f32 {
     }
 }
 
-/// Evaluates an expression with `$type` as the type of a number.
+/// Evaluates an expression with `$type` bound to a number type.
 macro_rules! with_number {
     ($number:expr, $type:ident => $body:expr) => {
         match $number {
@@ -144,7 +144,7 @@ macro_rules! with_number {
     };
 }
 
-/// Rows with the bytes that hold them.
+/// Rows and the bytes that hold them.
 #[derive(Clone, Copy)]
 pub struct Table<'a> {
     rows: Rows,
@@ -152,33 +152,33 @@ pub struct Table<'a> {
 }
 
 impl<'a> Table<'a> {
-    /// The rows lie within their block.
+    /// Creates a table; the rows must lie within their block.
     pub fn new(rows: Rows, blocks: &'a [Buffer<u8>]) -> Self {
         Self { rows, bytes: &blocks[rows.block] }
     }
 
-    /// Numbers in a row.
+    /// Returns the numbers per row.
     pub fn width(&self) -> usize {
         self.rows.width
     }
 
-    /// Type of the numbers.
+    /// Returns the number type.
     pub fn number(&self) -> Number {
         self.rows.number
     }
 
-    /// One number of each row.
+    /// Returns one column of the rows.
     pub fn column(&self, column: usize) -> Self {
         let rows = Rows { start: self.rows.start + column * self.rows.number.size(), width: 1, ..self.rows };
         Self { rows, bytes: self.bytes }
     }
 
-    /// Writes the results of a function of rows of `W` numbers of 16 bits.
+    /// Writes `of` for each row of `W` 16-bit numbers.
     pub fn shorts<R, const W: usize>(&self, first: usize, slots: &mut [R], of: impl Fn([u16; W]) -> R) {
         self.each_row(first, slots, of);
     }
 
-    /// Writes rows from number `first` on as float32; fractions are those of the type's greatest number.
+    /// Writes rows from number `first` on as float32; normalised integers become fractions.
     pub fn floats<const W: usize>(&self, first: usize, slots: &mut [[f32; W]]) {
         with_number!(self.rows.number, T => {
             if self.rows.is_fraction {
@@ -189,7 +189,7 @@ impl<'a> Table<'a> {
         });
     }
 
-    /// Writes three rows of one whole number each, from face `first` on.
+    /// Writes faces from number `first` on, each from three rows of one integer.
     pub fn corners(&self, first: usize, slots: &mut [[u32; 3]]) {
         let faces = Self { rows: Rows { step: 3 * self.rows.step, width: 3, ..self.rows }, bytes: self.bytes };
         match self.rows.number {
@@ -199,7 +199,7 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// Writes rows of `W` numbers as fractions of 1: whole numbers are fractions in any case.
+    /// Writes rows of `W` numbers as fractions of 1: integers are always normalised.
     pub fn fractions<const W: usize>(&self, first: usize, slots: &mut [[f32; W]]) {
         with_number!(self.rows.number, T => self.each(first, slots, T::fraction));
     }

@@ -1,4 +1,4 @@
-//! Stored meshes against meshes that are made of arrays and merged.
+//! Comparison of stored meshes with meshes made from arrays and merged.
 
 use std::sync::Arc;
 
@@ -9,7 +9,7 @@ use super::*;
 use crate::base::{Buffer, FaceMap, Progress};
 use crate::scene::{Mesh, PlacedMesh, merge};
 
-/// Bytes that grow, and the rows that describe them.
+/// A growing byte buffer and the rows that describe it.
 #[derive(Default)]
 struct Bytes {
     bytes: Vec<u8>,

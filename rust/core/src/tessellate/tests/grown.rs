@@ -17,7 +17,8 @@ fn settings(radii: [f64; 2], is_full: bool, reach: f64, tolerance: f64) -> Setti
     Settings { center, r1: NEAR * r2, r2, drawn: f64::INFINITY, reach, tolerance, stages }
 }
 
-/// The greatest error at points of the pieces, for users, radii and strengths that settings serve; most at the borders.
+/// Returns the maximum error at points of the pieces, for users, radii and strengths within the settings; most at the
+/// borders.
 fn greatest_miss(pieces: &[Piece], settings: &Settings, seed: u64, stages: usize, points: usize) -> f64 {
     let Stages::Cylinder { least, is_full } = settings.stages else { return f64::NAN };
     let mut next = numbers(seed);
@@ -64,7 +65,7 @@ fn any_settings() -> impl Strategy<Value = Settings> {
     )
 }
 
-/// Splits a triangle, with its first corner and the others nearer to it by a factor, and compares its error with the bound.
+/// Splits a triangle, with the other corners scaled towards its first one, and compares its error with the bound.
 fn check_bound([a, b, c]: [DVec3; 3], size: f64, settings: &Settings, seed: u64) -> Result<(), TestCaseError> {
     let rule = Rule::new(settings, Precision::Double).unwrap();
     prop_assert!(rule.demand().is_ok());

@@ -1,10 +1,10 @@
-//! Lanes as plain arrays, for every processor.
+//! Lanes as plain arrays, for any processor.
 
 use std::array::from_fn;
 
 use super::isa::{Isa, Lanes};
 
-/// Instructions that every processor of the target has.
+/// Baseline instruction set of the target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Portable;
 
@@ -14,7 +14,7 @@ impl Isa for Portable {
     type Group = Array<8>;
 }
 
-/// `N` float32 numbers.
+/// A vector of `N` float32 numbers.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(16))]
 pub(crate) struct Array<const N: usize>([f32; N]);

@@ -10,10 +10,10 @@ pub(crate) trait Isa: Copy {
     type Group: Lanes<Self>;
 }
 
-/// `N` float32 numbers. Masks are bits; the lowest bit is the first lane.
+/// A vector of `N` float32 numbers. Comparison masks are integers whose lowest bit is the first lane.
 pub(crate) trait Lanes<I>: Copy {
     const N: usize;
-    /// The same number in all lanes.
+    /// Returns a vector with the same number in all lanes.
     fn splat(isa: I, x: f32) -> Self;
     /// Loads the first `N` numbers of a slice.
     fn load(isa: I, from: &[f32]) -> Self;
@@ -33,7 +33,7 @@ pub(crate) trait Lanes<I>: Copy {
     fn le(self, other: Self) -> u32;
     /// `self == other`; false for NaN.
     fn eq(self, other: Self) -> u32;
-    /// Takes the lanes of `self` where the mask is set, otherwise those of `other`.
+    /// Returns the lanes of `self` where the mask is set, otherwise those of `other`.
     fn select(self, mask: u32, other: Self) -> Self;
     fn abs(self) -> Self;
 }

@@ -1,4 +1,4 @@
-//! The instruction sets of this processor, and the one in use.
+//! Instruction sets of this processor, and the one in use.
 
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -7,21 +7,21 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use super::x86::{Avx2, Avx512};
 use crate::base::{Error, Result};
 
-/// The instruction sets that have kernels.
+/// Instruction sets that have kernels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum InstructionSet {
-    /// Arrays; the compiler uses the instructions that every processor of the target has.
+    /// Arrays; the compiler uses the target's baseline instructions.
     Portable,
-    /// Vectors of 256 bits.
+    /// 256-bit vectors.
     #[cfg(target_arch = "x86_64")]
     Avx2(Avx2),
-    /// Vectors of 512 bits for groups of rays.
+    /// 512-bit vectors for groups of rays.
     #[cfg(target_arch = "x86_64")]
     Avx512(Avx512),
 }
 
 impl InstructionSet {
-    /// All sets that this processor supports, the best last.
+    /// Returns the sets that this processor supports, the best last.
     pub(crate) fn available() -> Vec<Self> {
         let mut levels = vec![Self::Portable];
         #[cfg(target_arch = "x86_64")]
@@ -32,7 +32,7 @@ impl InstructionSet {
         levels
     }
 
-    /// The public name.
+    /// Returns the public name.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Portable => "portable",
@@ -43,7 +43,7 @@ impl InstructionSet {
         }
     }
 
-    /// The chosen set, otherwise the best one.
+    /// Returns the chosen set, by default the best one.
     #[inline]
     pub(crate) fn current() -> Self {
         let levels = LEVELS.get_or_init(Self::available);
@@ -53,15 +53,15 @@ impl InstructionSet {
 }
 
 static LEVELS: OnceLock<Vec<InstructionSet>> = OnceLock::new();
-/// Index in `LEVELS`; an index beyond the end stands for the best set.
+/// Index in `LEVELS`; an index beyond the end selects the best set.
 static CHOSEN: AtomicUsize = AtomicUsize::new(usize::MAX);
 
-/// Names of the instruction sets that have kernels and that this processor supports, the best last.
+/// Returns the names of the instruction sets that have kernels and that this processor supports, the best last.
 pub fn instruction_sets() -> Vec<&'static str> {
     LEVELS.get_or_init(InstructionSet::available).iter().map(|level| level.name()).collect()
 }
 
-/// Makes all tracing of this process use one instruction set, for tests and timing. All sets give the same bits.
+/// Selects the instruction set for all tracing of this process, for tests and timing. All sets give the same bits.
 pub fn use_instruction_set(name: &str) -> Result<()> {
     let names = instruction_sets();
     let Some(found) = names.iter().position(|&known| known == name) else {

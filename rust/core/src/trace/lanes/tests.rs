@@ -19,7 +19,7 @@ const SPECIAL: [f32; 16] = [
     2.5,
 ];
 
-/// Bits of all operations on all pairs; all NaN payloads count as equal.
+/// Returns the bits of all operations on all pairs; all NaN payloads count as equal.
 fn results<I: Copy, L: Lanes<I>>(isa: I) -> Vec<u32> {
     let mut out = vec![];
     for shift in 0..16 {
@@ -62,8 +62,8 @@ fn all_widths_agree_bit_for_bit() {
 fn instruction_sets_are_chosen_by_name() {
     assert!(use_instruction_set("mmx").is_err());
     assert_eq!(instruction_sets()[0], "portable");
-    // The loop ends with the best set, which restores the default. Tests that trace meanwhile get the same bits either
-    // way.
+    // The loop ends with the best set, which restores the default. Tests that trace at the same time get the same bits
+    // either way.
     for name in instruction_sets() {
         assert_eq!(use_instruction_set(name), Ok(()));
     }

@@ -5,23 +5,23 @@ use std::arch::x86_64::*;
 
 use super::isa::{Isa, Lanes};
 
-/// Proof of AVX2.
+/// Proof that the processor supports AVX2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Avx2(());
 
-/// Proof of AVX-512 F, VL and DQ, and of AVX2.
+/// Proof that the processor supports AVX-512 F, VL and DQ, and AVX2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Avx512(());
 
 impl Avx2 {
-    /// The proof, if the processor supports the instructions.
+    /// Returns the proof if the processor supports the instructions.
     pub(crate) fn detect() -> Option<Self> {
         is_x86_feature_detected!("avx2").then_some(Self(()))
     }
 }
 
 impl Avx512 {
-    /// The proof, if the processor supports the instructions.
+    /// Returns the proof if the processor supports the instructions.
     pub(crate) fn detect() -> Option<Self> {
         let has_all = is_x86_feature_detected!("avx2")
             && is_x86_feature_detected!("avx512f")
@@ -48,15 +48,15 @@ pub(crate) trait HasAvx2 {}
 impl HasAvx2 for Avx2 {}
 impl HasAvx2 for Avx512 {}
 
-/// 128 bits. Values are created only with a proof that the processor has AVX2.
+/// A 128-bit vector. Values are created only with a proof that the processor has AVX2.
 #[derive(Clone, Copy)]
 pub(crate) struct F32x4(__m128);
 
-/// 256 bits. Values are created only with a proof that the processor has AVX2.
+/// A 256-bit vector. Values are created only with a proof that the processor has AVX2.
 #[derive(Clone, Copy)]
 pub(crate) struct F32x8(__m256);
 
-/// 512 bits. Values are created only with a proof that the processor has AVX-512.
+/// A 512-bit vector. Values are created only with a proof that the processor has AVX-512.
 #[derive(Clone, Copy)]
 pub(crate) struct F32x16(__m512);
 
@@ -78,14 +78,14 @@ macro_rules! memory {
 
         #[inline(always)]
         fn splat(_isa: $isa, x: f32) -> Self {
-            // SAFETY: the instruction set's value proves that the processor has it.
+            // SAFETY: `_isa` proves that the processor has the instruction.
             Self(unsafe { $set1(x) })
         }
 
         #[inline(always)]
         fn load(_isa: $isa, from: &[f32]) -> Self {
             assert!(from.len() >= $n);
-            // SAFETY: the instruction set's value proves that the processor has it, and the slice is long enough.
+            // SAFETY: `_isa` proves that the processor has the instruction, and the slice is long enough.
             Self(unsafe { $load(from.as_ptr()) })
         }
 

@@ -98,8 +98,7 @@ fn thousands_of_equal_triangles_and_boxes() {
     let bvh = copies.build_bvh(&Progress::new()).unwrap();
     assert_eq!((bvh.validate(), bvh.blocks.len()), (Ok(()), 1));
     assert_eq!(different.build_bvh(&Progress::new()).unwrap().validate(), Ok(()));
-    // Far less than the 25 s that the builder's clustering would take for either mesh, far more than the milliseconds
-    // needed.
+    // The builder's clustering would take 25 s for either mesh; the expected time is milliseconds.
     assert!(start.elapsed().as_secs() < 5);
     let scene = scene(vec![(copies, DAffine3::IDENTITY), (mesh(&[second]), DAffine3::IDENTITY)], vec![]);
     assert_eq!(one(&scene, ray(Vec3::new(0.5, -0.5, 0.0), Vec3::Z)).face, 0);
@@ -124,7 +123,7 @@ fn copies_with_other_texture_coordinates_are_kept() {
 
 #[test]
 fn triangles_nested_over_the_whole_range_of_sizes() {
-    // Each square is twice as large as the last, so the tree has the greatest possible depth.
+    // Each square is twice as large as the last, so the tree has the maximum possible depth.
     let triangles: Vec<[Vec3; 3]> = (-60..60).flat_map(|i| wall(1.0, 2.0f32.powi(i))).collect();
     let mesh = mesh(&triangles);
     assert_eq!(mesh.build_bvh(&Progress::new()).unwrap().validate(), Ok(()));
@@ -179,7 +178,7 @@ fn trees_can_be_built_by_all_threads_at_once() {
         let triangles: Vec<[Vec3; 3]> =
             (0..1_000).flat_map(|n| wall(((n * 7919 + turn) % 1_009) as f32, 1.0)).collect();
         let mesh = mesh(&triangles);
-        // A thread that waits for a part of its tree takes up another of these tasks.
+        // A thread that waits for a part of its tree may run another of these tasks.
         pool.install(|| (0..8).into_par_iter().for_each(|_| assert!(mesh.build_bvh(&Progress::new()).is_ok())));
     }
 }

@@ -1,4 +1,4 @@
-//! Reduced scenes: near geometry, morphed by the vertex shader, before an environment map.
+//! Reduced scenes: near geometry, morphed by the vertex shader, in front of an environment map.
 
 mod near;
 mod picture;

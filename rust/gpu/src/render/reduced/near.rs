@@ -1,5 +1,5 @@
-//! Near triangles as two meshes: those that no morph changes, and those that it bends, split finely enough for it.
-//! Moving instances are placed by their transforms; those between the radii whose edges are too long are split.
+//! Near triangles as two meshes: triangles that no morph moves, and triangles that it bends, split finely enough for
+//! it. Moving instances are placed by their transforms; those between the radii with too long edges are split.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -12,48 +12,48 @@ use nearfar_core::tessellate::{Precision, Rule, Settings, Stages, Steps, bent_fr
 
 use crate::draw::Sources;
 
-/// Splits that are kept: a user who walks to and fro across a step finds both.
+/// Maximum number of cached splits: a user who walks to and fro across a step finds both.
 const MAX_SPLITS: usize = 3;
 /// Near geometry of a reduced scene.
 pub(super) struct Near {
     /// Triangles with all corners inside the radius.
     fixed: Geometry,
-    /// The other triangles, as they are in the scene.
+    /// All other triangles, unsplit.
     bending: Geometry,
     /// All triangles, gathered when a morph of smaller radii or less than full strength first needs them.
     all: Mutex<Option<Geometry>>,
-    /// Triangles after splitting, the last used at the end.
+    /// Cached splits, the last used at the end.
     split: Mutex<Vec<(Cause, Bent)>>,
-    /// Instances that move and were split, in their last poses.
+    /// Split moving instances in their last poses.
     moved: Mutex<Option<Moved>>,
-    /// No standing instances, for layers of moving objects.
+    /// An empty static set, for layers of moving objects.
     no_instances: Arc<InstanceSet>,
     radii: [f64; 2],
 }
 
-/// Triangles to be drawn, and the faces that they were made from.
+/// Triangles to draw, and their source faces.
 #[derive(Clone)]
 pub(super) struct Geometry {
-    /// One standing mesh.
+    /// A scene with one static mesh.
     pub scene: Scene,
     pub sources: Arc<Sources>,
 }
 
-/// Standing triangles that the morph bends.
+/// Static triangles that the morph bends.
 #[derive(Clone)]
 pub(super) struct Bent {
     pub geometry: Geometry,
-    /// The triangles that it leaves where they are.
+    /// Triangles that the morph does not move.
     pub fixed: Option<Geometry>,
-    /// The rule for what moves, which is drawn everywhere.
+    /// Rule for moving objects, which are drawn everywhere.
     pub rule: Option<Arc<Rule>>,
 }
 
 /// Moving objects as they are drawn.
 pub(super) struct Moving {
-    /// Placed by transforms.
+    /// Instances placed by transforms.
     pub placed: Geometry,
-    /// Split where they stand now.
+    /// Instances split in their current poses.
     pub split: Option<Geometry>,
 }
 
@@ -63,8 +63,8 @@ struct Moved {
     geometry: Geometry,
 }
 
-/// The causes of a split: steps of reach and tolerance, so that it stays while users move their heads; the kind and the
-/// radii of the morph, and its strength if that matters.
+/// Cache key of a split: steps of reach and tolerance, which stay while users move their heads; kind and radii of the
+/// morph, and its strength if that matters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Cause {
     steps: Steps,
@@ -88,7 +88,7 @@ impl Near {
         })
     }
 
-    /// Triangles that a morph bends from this radius on, as they are.
+    /// Returns the triangles that a morph bends from this radius on, unsplit.
     pub fn unsplit(&self, from: f64, progress: &Progress) -> Result<Bent> {
         if from < self.radii[0] {
             return Ok(Bent { geometry: self.all(progress)?, fixed: None, rule: None });
@@ -96,7 +96,8 @@ impl Near {
         Ok(Bent { geometry: self.bending.clone(), fixed: Some(self.fixed.clone()), rule: None })
     }
 
-    /// The same, split for all users about as far from the centre and a tolerance in radians.
+    /// Returns these triangles, split for a tolerance in radians and all users at about the same distance from the
+    /// centre.
     pub fn split(&self, morph: &Morph, tolerance: f64, progress: &Progress) -> Result<Bent> {
         let reach = (morph.user - morph.center).length();
         let (steps, settings) = Settings::of(morph, self.radii[1], reach, tolerance).stepped();
@@ -129,7 +130,7 @@ impl Near {
     }
 
     /// No lock is held during parallel work: a thread that waits inside rayon may run another frame, which needs the
-    /// same.
+    /// same lock.
     fn known_split(&self, cause: &Cause) -> Option<Bent> {
         let mut known = self.split.lock().unwrap_or_else(PoisonError::into_inner);
         let found = known.iter().position(|(other, _)| other == cause)?;
@@ -139,7 +140,7 @@ impl Near {
         Some(bent)
     }
 
-    /// Moving objects in a pose of the scene; a rule says which edges are too long.
+    /// Returns the moving objects in a pose of the scene; `rule` decides which edges are too long.
     pub fn moving(&self, scene: &Scene, rule: Option<&Arc<Rule>>, progress: &Progress) -> Result<Moving> {
         let first = scene.standing.instances().len() as u32;
         let all = scene.moving.instances().iter().enumerate().map(|(n, instance)| (first + n as u32, instance));
@@ -159,7 +160,7 @@ impl Near {
         Ok(Moving { placed: Geometry { scene: placed, sources }, split })
     }
 
-    /// Moving instances as standing geometry, split in their present poses.
+    /// Returns moving instances as static geometry, split in their current poses.
     fn moved(
         &self,
         scene: &Scene,
@@ -183,7 +184,7 @@ impl Near {
         Ok(geometry)
     }
 
-    /// Triangles that stand and are drawn.
+    /// Returns the number of drawn static triangles.
     pub fn triangle_count(bent: &Bent) -> u64 {
         let count = |geometry: &Geometry| geometry.scene.triangle_count() as u64;
         count(&bent.geometry) + bent.fixed.as_ref().map_or(0, count)

@@ -16,35 +16,35 @@ use crate::draw::{Backdrop, Layer, Picture, Set};
 use crate::render::near_far::{NearFar, Shown, Zone};
 use crate::upload::{EnvTexels, Residents};
 
-/// A reduced scene as a user sees it.
+/// A reduced scene as seen by a user.
 pub(super) struct View<'a> {
-    /// The scene that was reduced, its moving objects in a pose.
+    /// The reduced scene, with its moving objects in a pose.
     pub scene: &'a Scene,
-    /// The centre relative to the scene's origin.
+    /// Centre relative to the scene's origin.
     pub center: DVec3,
     pub near_far: NearFar,
-    /// How points are morphed; none where they are shown where they are.
+    /// Kind of the morph; `None` without one.
     pub kind: Option<Kind>,
-    /// Near triangles that no morph changes, if there are any, and those that it bends.
+    /// Near triangles that no morph moves, if there are any, and triangles that it bends.
     pub fixed: Option<&'a Geometry>,
     pub bending: &'a Geometry,
-    /// Those that move.
+    /// Moving objects.
     pub moving: &'a Moving,
     pub map: Option<&'a EnvironmentMap>,
-    /// The map on the device, where the far part is taken from it.
+    /// Device texels of the map, if the far part is taken from it.
     pub texels: Option<Arc<EnvTexels>>,
-    /// False where the far part is drawn from the centre instead of taken from the map.
+    /// Whether the far part is taken from the map, or else drawn from the centre.
     pub mapped: bool,
-    /// In world positions.
+    /// Visible volume, in world coordinates.
     pub limits: Limits,
-    /// Samples that see no triangle are black.
+    /// Whether samples without a triangle are black.
     pub bare: bool,
-    /// Where moving objects beyond the near part are shown without a morph.
+    /// Placement of moving objects beyond the near part without a morph.
     pub conventional_dynamic: ConventionalDynamic,
 }
 
 impl View<'_> {
-    /// The frame's layers before the map.
+    /// Returns the frame's layers in front of the map.
     pub fn picture(&self, device: &Device) -> Result<Picture> {
         let near = self.kind.map_or(Shown::AsItIs, Shown::from);
         let beyond = if self.kind == Some(Kind::Cylinder) { Shown::FromCenterOnCylinder } else { Shown::FromCenter };
@@ -60,9 +60,9 @@ impl View<'_> {
         let from_user = self.conventional_dynamic == ConventionalDynamic::User;
         let has_range = !from_user && self.texels.as_ref().is_some_and(|texels| texels.has_range);
         let zone = if has_range { Zone::BeyondAndUnhidden } else { Zone::Beyond };
-        // Morphed vertices on both sides of r₂, so that nothing gapes where triangles cross it. Without a map, what
-        // stands is drawn as far away as it is from the centre, so what moves is too.
-        // Beside the user's eye it has parallax, which what stands beyond r₂ has not.
+        // Morphed vertices on both sides of r₂, so that no gap opens where triangles cross it. Without a map, static
+        // objects are drawn at their distance from the centre, so moving ones are too. Away from the user's eye they
+        // have parallax, which static objects beyond r₂ have not.
         let is_apart = self.near_far.apart != DVec3::ZERO;
         let moved = match self.kind {
             None if from_user => near,
@@ -81,7 +81,7 @@ impl View<'_> {
                 layer.covers = from_user && first > 0;
             }
         }
-        // The first layer of the near part covers what lies beyond it.
+        // The first layer of the near part covers everything beyond it.
         let first = layers.len();
         if let Some(fixed) = self.fixed {
             layers.push(self.near_layer(device, fixed, Set::Standing, Shown::AsItIs, Zone::Whole)?);

@@ -1,4 +1,4 @@
-//! Frames of a reduced scene.
+//! Rendering of reduced scenes.
 
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 
@@ -19,19 +19,19 @@ use crate::draw::{Job, Mask, Picture};
 use crate::render::near_far::NearFar;
 use crate::upload::EnvTexels;
 
-/// The near part of a reduced scene as devices draw it, and its map on the last device.
+/// Near part of a reduced scene in device form, and its map on the last device.
 pub struct Reduced {
     near: Near,
     join: Join,
     center: DVec3,
     radii: [f64; 2],
     map: Option<EnvironmentMap>,
-    /// The map on the device that drew last.
+    /// The map on the device used last.
     texels: Mutex<Option<(Weak<Device>, Arc<EnvTexels>)>>,
 }
 
 impl Reduced {
-    /// Gathers the near part of a scene that was reduced; nothing is sent before it is drawn.
+    /// Gathers the near part of a reduced scene; uploads happen when it is drawn.
     pub fn new(partition: &Partition, reduced: &reduced::Reduced, progress: &Progress) -> Result<Self> {
         let radii = [partition.r1(), partition.r2()];
         let inside = match reduced.join() {
@@ -48,7 +48,7 @@ impl Reduced {
         })
     }
 
-    /// Begins a frame, and counts what is drawn. `scene` is the one that was reduced, its moving objects in any pose;
+    /// Begins a frame, and counts drawn triangles. `scene` is the reduced scene with its moving objects in any pose;
     /// `reduced` checks the drawing.
     pub fn begin(
         &self,
@@ -126,8 +126,8 @@ impl Reduced {
     }
 }
 
-/// Vertices that user and centre see in opposite directions: none while the user is in the near cylinder, unless the
-/// strength is ½.
+/// Returns the number of vertices that user and centre see in opposite directions: none while the user is in the near
+/// cylinder, unless the strength is ½.
 fn opposed(scene: &Scene, morph: &Morph, bending: &Scene) -> u64 {
     let offset = morph.user - morph.center;
     if offset.x.hypot(offset.z) < morph.r1 && morph.strength != 0.5 {

@@ -4,12 +4,12 @@ use super::*;
 
 type Rings = Vec<Vec<[f64; 2]>>;
 
-/// How a writer lays out geometries.
+/// Layout in which a writer encodes geometries.
 #[derive(Debug, Clone, Copy)]
 struct Style {
     is_little: bool,
     columns: usize,
-    /// Flags of PostGIS in place of ISO's numbers.
+    /// Whether types use the flags of PostGIS instead of ISO's numbers.
     is_flagged: bool,
 }
 
@@ -62,7 +62,7 @@ fn read_rows(rows: &[Vec<u8>]) -> Result<Outlines> {
     read(&rows.concat(), &offsets, &Progress::new())
 }
 
-/// The rings of each polygon of each row.
+/// Returns the rings of each polygon of each row.
 fn unpacked(found: &Outlines) -> Vec<Vec<Rings>> {
     let range = |offsets: &[i64], n: usize| offsets[n] as usize..offsets[n + 1] as usize;
     let ring = |n: usize| found.points[range(&found.rings, n)].to_vec();
