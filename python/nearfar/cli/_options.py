@@ -199,7 +199,7 @@ def check_radii(r1: float | None, r2: float | None) -> None:
 
 
 def is_reduced(text: str) -> bool:
-    """Whether `-i` is a folder written by `nearfar reduce` or `ReducedScene.save`."""
+    """Return whether `-i` is a folder written by `nearfar reduce` or `ReducedScene.save`."""
     files.restore(text)
     return (Path(text) / folder.DOCUMENT).is_file()
 

@@ -53,7 +53,7 @@ class Rings:
         return len(self.radii)
 
     def objects(self, ring: int) -> tuple[str, ...]:
-        """Names of the objects of a ring.
+        """Return the names of a ring's objects.
 
         Parameters
         ----------
@@ -77,7 +77,7 @@ class Rings:
         return [{"radius": radius, **row} for radius, row in zip((*self.radii, np.inf), rows, strict=True)]
 
     def codes(self) -> NDArray[np.uint16]:
-        """(objects + 1,) ring codes for the kernels: one per object, then one for the faces without an object."""
+        """Return ring codes for the kernels (objects + 1,): one per object, then one for faces without an object."""
         return np.append(self.ring, self.rest).astype(np.uint16)
 
     @card.repr_html
@@ -149,7 +149,7 @@ def loads(scene: Scene, codes: NDArray[np.uint16], last: int) -> list[dict[str, 
 def object_radii(
     scene: Scene, center: tuple[float, float, float], reach: float, rule: str
 ) -> tuple[NDArray[np.float32], float, int]:
-    """Least ρ of each object and of the faces without one, infinite beyond `reach`; number of measured triangles."""
+    """Return the least ρ of objects and of faces without one, infinite beyond `reach`; and the triangles measured."""
     settings: dict[str, Any] = {"center": center, "reach": reach, "rule": rule}
     with progress.bar("rings") as report:
         least, measured = _core.object_radii(scene._core, len(scene.object_names), **settings, report=report)

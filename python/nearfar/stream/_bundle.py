@@ -298,7 +298,7 @@ class Bundle(InRegions):
 
 
 def _geometry_files(entry: Mapping[str, Any] | None) -> list[str]:
-    """Names of the files of an entry with a GLB: the GLB, its buffers and its images."""
+    """Return the file names of an entry with a GLB: the GLB, its buffers and its images."""
     return [] if entry is None else [*names_of(entry["geometry"]), *entry["parts"]]
 
 

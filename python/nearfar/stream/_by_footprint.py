@@ -51,7 +51,7 @@ class Portions:
         return cls(scene, portion, count if rings.rest <= rings.count else count + 1, count)
 
     def codes(self) -> NDArray[np.uint16]:
-        """(objects + 1,) portion codes for the kernels: one per object, then one for the faces without an object."""
+        """Return portion codes for the kernels (objects + 1,): one per object, then one for faces without an object."""
         return np.append(self.portion, self.rest).astype(np.uint16)
 
     def summary(self) -> list[dict[str, Any]]:

@@ -115,7 +115,7 @@ def neighbours(centers: Floats) -> list[list[int]]:
 
 
 def halfway(centers: Floats, near: list[list[int]]) -> float:
-    """Half the greatest distance in metres between a centre and a neighbour; 0 without neighbours.
+    """Return half the greatest distance in metres between a centre and a neighbour; 0 without neighbours.
 
     It bounds the distance to the nearest centre of a user who walks straight from one centre to the next.
     """
@@ -136,7 +136,7 @@ def _check_apart(points: Floats) -> None:
 
 
 def _is_between(ends: Floats, others: Floats) -> NDArray[np.bool_]:
-    """Whether any of the points (M, 3) sees the origin and each end (N, 3) at an angle of 90° or more."""
+    """Return whether any of the points (M, 3) sees the origin and each end (N, 3) at an angle of 90° or more."""
     back = ends[:, None] - others
     lengths = np.linalg.norm(back, axis=2) * np.linalg.norm(others, axis=1)
     return np.asarray(((-others * back).sum(axis=2) < RIGHT_ANGLE * lengths).any(axis=1))

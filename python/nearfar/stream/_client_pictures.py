@@ -83,7 +83,7 @@ class SceneParts:
         return self._before(names, number, self.rings.radii[max(number, 1) - 1])
 
     def _portion(self, number: int) -> ReducedScene:
-        """All objects up to a portion; after the last portion also the map."""
+        """Return all objects up to a portion; after the last portion also the map."""
         scene, rings = self.rings.scene, self.rings
         if self.portions is None:
             self.portions = Portions.of(rings, scene=scene)
@@ -93,7 +93,7 @@ class SceneParts:
         return self._before(names, ring, rings.radii[-1])
 
     def _before(self, names: list[str], ring: int | None, radius: float) -> ReducedScene:
-        """Whole objects in front of a ring's map, or without a map."""
+        """Return whole objects in front of a ring's map, or without a map."""
         zones = partition(
             self.rings.scene.subset(objects=names),
             center=self.rings.center,

@@ -91,14 +91,14 @@ class Detail:
             yield from ((self.shown(rings).scene, least_distances(rings, self.reach)) for rings in divided)
 
     def _camera(self) -> Camera:
-        """The client's view straight ahead."""
+        """Return the client's view straight ahead."""
         sharp = SHARPEST if self.pixels_per_degree is None else self.pixels_per_degree
         side = math.ceil(2.0 * math.tan(math.radians(VIEW_DEG / 2.0)) * math.degrees(sharp))
         return Camera((0.0, 0.0, 0.0), fov=Fov.symmetric(VIEW_DEG), size=(side, side))
 
 
 def least_distances(rings: Rings, reach: float) -> NDArray[np.float64]:
-    """Distances in metres that account for the morph: objects never look larger than from here, (objects + 1,).
+    """Return lower bounds (objects + 1,) of viewing distances in metres, including the morph's magnification.
 
     The last entry is for the faces without an object. It is infinite for objects in no ring, 0 for dynamic objects. A
     point at ρ is at least ρ − reach away. The morph's weight changes by at most 1/(0.3 R) per metre, R ≥ ρ and R ≥ R₁,

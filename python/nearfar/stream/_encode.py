@@ -46,12 +46,12 @@ class Files:
         return name
 
     def listed(self) -> dict[str, Any]:
-        """Size and hash of each file by name, in the order of the names."""
+        """Return size and hash of each file by name, sorted by name."""
         return {name: described(self.content[name]) for name in sorted(self.content)}
 
 
 def scale_of(maps: RingMaps, error: float) -> RangeScale:
-    """Codes for all ranges of all maps."""
+    """Return the scale of codes for all ranges of all maps."""
     ranges: list[Any] = [maps.first.range, *(change["range"] for change in maps.changes if "range" in change)]
     return RangeScale.of(np.concatenate([np.ravel(values) for values in ranges]), error)
 
@@ -210,12 +210,12 @@ class Geometry:
 
 
 def referenced(data: bytes) -> list[str]:
-    """Names of the files that a GLB of a bundle refers to."""
+    """Return the names of the files that a GLB of a bundle refers to."""
     document, _ = binary.header(data)
     entries = [*document.get("buffers", []), *document.get("images", [])]
     return sorted({f"{FOLDER}/{entry['uri']}" for entry in entries if "uri" in entry})
 
 
 def _beside(name: str) -> str:
-    """URI of a file, relative to the folder of all files."""
+    """Return the URI of a file, relative to the folder of all files."""
     return name.removeprefix(f"{FOLDER}/")

@@ -84,14 +84,14 @@ class Growth:
         return math.radians(self.speed) / self.reach
 
     def _turn(self, ring: int) -> float:
-        """Radians by which the growth of a ring turns the picture, for each metre of |U−O|."""
+        """Return the radians by which the growth of a ring turns the picture, per metre of |U−O|."""
         own = self._radius(ring)
         if ring == 1:
             return 1.0 / (NEAR_SHARE * own)
         return (1.0 / self._radius(ring - 1) - 1.0 / own) / (1.0 - NEAR_SHARE)
 
     def _grown(self, time: float) -> float:
-        """Radians by which the picture has turned at a time, per metre of |U−O|; not limited to the growth's end."""
+        """Return the picture's turn at a time in radians per metre of |U−O|; not limited to the growth's end."""
         return max(check.at_least_zero("time", time) - self.fade, 0.0) * self._rate
 
     def _radius(self, ring: int) -> float:

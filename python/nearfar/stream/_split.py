@@ -100,9 +100,9 @@ def _split_within(room: int, core: Any, settings: dict[str, Any]) -> tuple[Any, 
 
 
 def stages(radii: tuple[float, ...], ring: int) -> dict[str, Any]:
-    """Radii of the last morph, and the range of stages in which a ring's objects are shown, from its arrival on.
+    """Return the radii of the last morph, and the range of stages in which a ring's objects are shown.
 
-    Ring 1 grows by strength at its own radius, others from the previous radius.
+    The range begins with the ring's arrival. Ring 1 grows by strength at its own radius, others from the one before.
     """
     last = radii[-1]
     return {"radii": (NEAR_SHARE * last, last), "stages": (radii[max(ring - 2, 0)], ring > 1)}

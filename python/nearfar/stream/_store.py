@@ -21,12 +21,12 @@ FOLDER = "files"
 
 
 def named(data: bytes, kind: str) -> str:
-    """Name of a file by its content: a quarter of its SHA-256, which is unique in practice, and its suffix."""
+    """Name a file by its content: a quarter of its SHA-256, which is unique in practice, and its suffix."""
     return f"{FOLDER}/{hashlib.sha256(data).hexdigest()[:16]}.{kind}"
 
 
 def described(data: bytes) -> dict[str, Any]:
-    """Size and hash of a file, as manifests list them."""
+    """Return size and hash of a file in the format of manifests."""
     return {"bytes": len(data), "sha256": hashlib.sha256(data).hexdigest()}
 
 
@@ -116,7 +116,7 @@ class _TrialError(Exception):
 
 
 def _refuse_foreign_manifest(path: Path, wanted: str) -> None:
-    """Refuse a folder with another program's manifest.json, which would be replaced; a damaged one may be ours."""
+    """Reject a folder with another program's manifest.json, which would be replaced; a damaged one may be ours."""
     try:
         document = formats.from_json(path.read_bytes())
     except (OSError, ValueError, RecursionError):
@@ -149,7 +149,7 @@ def write(path: str | os.PathLike[str], content: Mapping[str, bytes]) -> None:
 
 
 def _sizes_at(system: Any, folder: str) -> dict[str, int]:
-    """Sizes of a folder's files by their names in manifests; object stores have no empty folders."""
+    """Return sizes of a folder's files by their names in manifests; object stores have no empty folders."""
     system.invalidate_cache()
     try:
         entries = system.ls(folder, detail=True)

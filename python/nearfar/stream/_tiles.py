@@ -98,7 +98,7 @@ class Tiles:
 
 
 def _largest(parts: dict[str, Any]) -> int | None:
-    """Row of the instance to divide: untransformed, with per-face objects; None if there is none."""
+    """Return the row of the instance to divide: untransformed, with per-face objects; None if there is none."""
     rows = range(parts.get("standing_count", 0))
     chosen = [row for row in rows if parts["objects"][row] < 0 and parts["meshes"][row].face_count >= LEAST_FACES]
     chosen = [row for row in chosen if np.array_equal(parts["placements"][row], np.eye(4)[:3])]
@@ -106,7 +106,7 @@ def _largest(parts: dict[str, Any]) -> int | None:
 
 
 def _objects_of(parts: dict[str, Any], row: int) -> NDArray[np.int32]:
-    """Objects of an instance, −1 for faces without one."""
+    """Return the objects of an instance, −1 for faces without one."""
     own = parts["objects"][row : row + 1]
     found: NDArray[np.int32] = own if own[0] >= 0 else _core.mesh_parts(parts["meshes"][row])["objects"]
     return found

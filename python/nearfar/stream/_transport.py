@@ -180,7 +180,7 @@ class Transport:
         return min(int(self._dice.poisson(self._link.loss * size / SEGMENT)) * SEGMENT, size)
 
     def _come(self, connection: _Connection, flow: _Flow, size: int, lost: int, began: float) -> None:
-        """The link has transmitted a piece."""
+        """Process a piece that the link has transmitted."""
         self._is_busy = False
         self._note(began, size - lost)
         if flow.left == 0:
@@ -194,7 +194,7 @@ class Transport:
         self._fill()
 
     def _acknowledge(self, connection: _Connection, flow: _Flow, size: int, lost: int, began: float) -> None:
-        """The server receives a piece's acknowledgement: it gains credit for its size and the change of the window."""
+        """Process a piece's acknowledgement: the server gains credit for its size and the change of the window."""
         grown = 0.0
         if lost:
             self._shrink(connection, began)

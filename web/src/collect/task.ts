@@ -107,7 +107,7 @@ export class Task {
     return this.trial && this.sphere && placeOf(this.sphere, this.trial.box, now - this.appeared);
   }
 
-  /** A user of the group has joined and must be told the state. */
+  /** Records that a user of the group has joined, who must be told the state. */
   joined(user: number): void {
     const before = this.conductor;
     if (this.trial && before === this.user) this.isToTell = true;
@@ -115,13 +115,13 @@ export class Task {
     if (this.conductor !== before) this.former = before;
   }
 
-  /** A user of the group has left. */
+  /** Records that a user of the group has left. */
   left(user: number): void {
     if (user !== this.user) this.present.delete(user);
     if (user === this.former) this.former = null;
   }
 
-  /** The connection is broken: users are announced again later, and the task continues from its state. */
+  /** Handles a broken connection: users are announced again later, and the task continues from its state. */
   alone(): void {
     this.present.clear();
     this.present.add(this.user);

@@ -106,7 +106,7 @@ class Task:
         return spheres.place(self.sphere, self.trial, now - self.appeared)
 
     def joined(self, user: int) -> None:
-        """A user of the group has joined and must be told the state."""
+        """Record that a user of the group has joined, who must be told the state."""
         before = self.conductor
         self._is_to_tell |= self.trial is not None and before == self.user
         self.present.add(user)
@@ -114,13 +114,13 @@ class Task:
             self._former = before
 
     def left(self, user: int) -> None:
-        """A user of the group has left."""
+        """Record that a user of the group has left."""
         self.present -= {user} - {self.user}
         if user == self._former:
             self._former = None
 
     def alone(self) -> None:
-        """The connection is broken: users are announced again later, and the task continues from its state."""
+        """Handle a broken connection: users are announced again later, and the task continues from its state."""
         self.present = {self.user}
         self.forget_scores((self.group,))
         self._former = self._entered_until = None
@@ -239,11 +239,11 @@ class Task:
         self.aims, self.misses, self.held_since = (), 0, None
 
     def _count(self) -> int:
-        """Number of spheres collected in the trial, which is the number of the next sphere."""
+        """Return the number of collected spheres of the trial, which is the number of the next sphere."""
         return 0 if self.trial is None else _count_of(self.trial)
 
     def _seated(self) -> set[int]:
-        """Seated users who are present."""
+        """Return the seated users who are present."""
         return self.present & {seat.user for seat in self.trial.seats} if self.trial else set()
 
     def _said(self, message: Message, now: float) -> list[Message]:

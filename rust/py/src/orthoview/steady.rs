@@ -18,9 +18,9 @@ fn image<'a>((camera, color, range): &'a Picture<'_>) -> PyResult<Image<'a>> {
 
 type Colors<'py> = Bound<'py, PyArray3<f32>>;
 
-/// Blends a picture's colours (H, W, 3) with those of an earlier one, and returns a mask (H, W) of pixels where both show
-/// the same surface; with `motion` (H, W, 2) their distances must agree, too. `fade` has the exponents for static and for
-/// moving pixels.
+/// Blends a picture's colours (H, W, 3) with those of an earlier one, and returns a mask (H, W) of pixels where both
+/// show the same surface; with `motion` (H, W, 2) their distances must agree, too. `fade` has the exponents for static
+/// and for moving pixels.
 #[pyfunction]
 #[pyo3(signature = (past, now, *, fade, motion=None))]
 pub(crate) fn blend_past<'py>(
