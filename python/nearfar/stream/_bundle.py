@@ -173,7 +173,7 @@ class Bundle(InRegions):
         return EnvMap(self.center, color=color, range=ranges)
 
     def at(self, ring: int, radius: float | None = None, strength: float = 1.0) -> ReducedScene:
-        """Return what a client shows that has all rings up to one, at a state of the morph's growth.
+        """Return the scene of a client that has all rings up to `ring`, at a state of the morph's growth.
 
         Parameters
         ----------

@@ -69,7 +69,7 @@ class SceneParts:
         return cls(rings, maps, (camera,))
 
     def state(self, number: int, *, by_footprint: bool) -> ReducedScene:
-        """Return what a client shows that has all rings, or portions by footprint, up to a number."""
+        """Return the scene of a client that has all rings, or portions by footprint, up to a number."""
         key = (by_footprint, number)
         if key not in self.reduced:
             self.reduced[key] = self._portion(number) if by_footprint else self._ring(number)
