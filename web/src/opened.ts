@@ -1,4 +1,4 @@
-/** Opens what the address of the page names: a bundle, or a scene whose regions a server makes on demand. */
+/** Opens the content named by the page's address: a bundle, or a scene whose regions a server makes on demand. */
 import { BundleError } from './bundle/error';
 import { filesOfGeometry } from './bundle/contents';
 import type { Point } from './bundle/manifest';
@@ -16,22 +16,22 @@ import { type World, worldOf } from './show/world';
 export interface Opened {
   readonly world: World;
   readonly files: Files;
-  /** Name of the scene; null where none is told. */
+  /** Name of the scene; null if unknown. */
   readonly title: string | null;
   /** Triangles of the whole scene. */
   readonly triangles: number;
   readonly isStatic: boolean;
-  /** Files of what moves, which every region needs; none where regions list their own. */
+  /** Files of dynamic objects, which every region needs; empty if regions list their own. */
   readonly moving: readonly string[];
-  /** Where the page begins, if its address names no place. */
+  /** Start pose, if the page's address names none. */
   readonly start: Pose;
-  /** Centres of all regions; null where there are places everywhere. */
+  /** Centres of all regions; null if there is a place everywhere. */
   readonly centers: readonly Point[] | null;
-  /** How far the server is with a region; null where nothing is made. */
+  /** Progress of the server with a region; null for bundles. */
   makingOf(region: number): Making | null;
 }
 
-/** `waits` is told when the server still loads the scene. */
+/** Opens the address; `waits` is called when the server may still be loading the scene. */
 export async function openAddress(
   base: URL,
   query: URLSearchParams,

@@ -1,4 +1,4 @@
-/** The page: opens the bundle that its address names, and draws it for whoever looks. */
+/** Page that opens the bundle named by its address and draws it. */
 import { BundleError, damagedFile } from './bundle/error';
 import type { RegionEntry } from './bundle/manifest';
 import { createControls } from './control/controls';
@@ -22,15 +22,15 @@ import type { Headset } from './xr/session';
 
 /** Vertical field of view, degrees. */
 const ANGLE = 75;
-/** Seconds that a frame may stand for: a tab that was hidden goes on where it was. */
+/** Greatest duration of a frame in seconds: after a pause of a hidden tab the page continues where it was. */
 const LONGEST_FRAME = 0.1;
-/** Seconds between two updates of the panel, and those in which the script of rooms is waited for. */
+/** Seconds between two updates of the panel; timeout in seconds for loading the script of rooms. */
 const [PANEL_EVERY, ROOM_SCRIPT] = [0.25, 2] as const;
 const LOST = 'The browser has taken the graphics away. The picture comes back as soon as they do.';
 
 declare global {
   interface Window {
-    /** The viewer, for scripts and tests. */
+    /** Viewer and room for scripts and tests. */
     nearfar?: { readonly viewer: Viewer; readonly pose: Pose; readonly room: Room | null; setPose(pose: Pose): void };
   }
 }
@@ -42,9 +42,9 @@ async function main(): Promise<void> {
   const base = new URL(query.get('bundle') ?? '.', location.href);
   const strategy = strategyOf(query.get('strategy'));
   const wait = createWait(root);
-  // Beside the manifest, so that nothing waits for it.
+  // Loaded in parallel with the manifest.
   const script = query.has('room') ? import('./room') : null;
-  // A failure is told once there is a panel to tell it by.
+  // A failure is reported below, when the panel exists.
   script?.catch(() => {});
   const opened = await openAddress(base, query, strategy, meter.receive, wait.begin).finally(wait.end);
   meter.restart();
@@ -53,14 +53,14 @@ async function main(): Promise<void> {
   let headset: Headset | null = null;
   let room: Room | null = null;
   let problems: readonly string[] = [];
-  /** Where the user is about to go, and where that has failed. */
+  /** Pose that the user is moving to; pose whose loading has failed. */
   let [wanted, missed]: (Pose | null)[] = [null, null];
   const go = (target: Pose): void => {
     wanted = target;
     viewer.go(target);
   };
   const retry = (): void => {
-    // Browsers that keep the graphics to themselves give them to a page that begins anew.
+    // Some browsers restore lost graphics only to a reloaded page.
     if (problems.includes(LOST)) {
       history.replaceState(null, '', writeLink(pose));
       location.reload();
@@ -85,16 +85,16 @@ async function main(): Promise<void> {
       if (viewer.facts.goal === null) [wanted, missed] = [null, wanted];
       const file = damagedFile(reason);
       if (file !== null) files.distrust(file);
-      // Without ring 0 there is no picture to keep.
+      // Without ring 0 there is nothing to draw.
       if (viewer.facts.arrived < 0) tell(reason);
     },
     lost(isLost) {
       problems = isLost ? [LOST] : [];
-      // Its pictures are gone with the graphics, and what comes back is not the headset's.
+      // The lost context belonged to the headset's session, and the restored one does not.
       if (isLost && headset?.isPresenting) void headset.toggle();
     },
     moved(pose) {
-      // Nobody misses the other place any more.
+      // The failed pose is no longer wanted.
       if (missed) problems = [];
       wanted = missed = null;
       controls.setPose(pose);
@@ -171,7 +171,7 @@ async function main(): Promise<void> {
       },
       () => panel.announce('The script of rooms cannot be loaded; reload the page'),
     ).catch((reason) => panel.announce(`The room cannot be entered: ${reason}`));
-    // Files may come from others of the room.
+    // Files may come from other users of the room.
     await Promise.race([entered, new Promise((done) => setTimeout(done, 1000 * ROOM_SCRIPT))]);
   }
   viewer.open(world.places.nearest(start.position));
@@ -212,7 +212,7 @@ async function main(): Promise<void> {
   });
 }
 
-/** Rings of a region; one that only makes maps sharper is none. */
+/** Number of rings of a region, without a last one that only makes maps sharper. */
 function ringsOf(entry: RegionEntry | null): number {
   return (entry?.rings.length ?? 1) - 1 - (entry?.isCoarse ? 1 : 0);
 }
@@ -223,7 +223,7 @@ function element<T extends HTMLElement>(selector: string, kind: abstract new () 
   return found;
 }
 
-/** Say over the whole page why there is nothing to show. */
+/** Shows a page-wide message about a fatal error. */
 function tell(reason: unknown): void {
   const detail = reason instanceof Error ? reason.message : String(reason);
   const { title, text } = FATAL[reason instanceof BundleError ? reason.kind : 'other'];

@@ -1,4 +1,4 @@
-/** A room in the page: who is here, where they look and point. A script of its own, for those who join a room. */
+/** Room in the page: presence, gaze and pointers of users. A separate script, loaded by users who join a room. */
 import { filesOfRing } from './bundle/contents';
 import type { Files } from './bundle/source';
 import type { Pose } from './control/pose';
@@ -28,7 +28,7 @@ import type { HandRay } from './xr/hands';
 /** Seconds between two updates of the card. */
 const CARD_EVERY = 0.25;
 
-/** How to point, for the help. */
+/** Ways to point, for the help. */
 const HELP: readonly Row[] = [
   [['E'], 'point at the cursor, while held'],
   [['Middle button'], 'the same'],
@@ -37,7 +37,7 @@ const HELP: readonly Row[] = [
   [['Index finger'], 'headset: point by it alone, the others bent'],
 ];
 
-/** The page, as far as a room uses it. */
+/** Interface of the page to a room. */
 export interface Host {
   readonly viewer: Viewer;
   readonly canvas: HTMLCanvasElement;
@@ -47,12 +47,12 @@ export interface Host {
   readonly moving: readonly string[];
   /** r1 as a share of r2. */
   readonly nearShare: number;
-  /** The hands of the headset; null outside. */
+  /** Hands of the headset; null outside a session. */
   hands(): readonly HandRay[] | null;
-  /** Go to another place, as soon as it can be shown. */
+  /** Moves to another place when it can be shown. */
   go(pose: Pose): void;
   announce(text: string): void;
-  /** Add a part to the help. */
+  /** Adds a section to the help. */
   explain(title: string, rows: readonly Row[]): void;
 }
 
@@ -61,20 +61,20 @@ export interface Room {
   readonly connection: Connection;
   readonly presence: Presence;
   readonly avatars: Avatars;
-  /** The exchange of files with others. */
+  /** Exchange of files with other users. */
   readonly peers: Peers;
-  /** Others as they were drawn last, and the user's own body. */
+  /** Other users as last drawn; the user's own body. */
   readonly seen: readonly Seen[];
   readonly body: Body | null;
-  /** Before each frame: where the user is. */
+  /** Updates the room before each frame with the user's pose. */
   frame(pose: Pose): void;
-  /** The task that users do together; null for nothing. */
+  /** Shared task of the users; null for none. */
   readonly activity: Activity | null;
-  /** Let users do something together from now on. */
+  /** Starts a shared task. */
   begin(activity: Activity): void;
 }
 
-/** Join the room that the address of the page names; null where it names none that there can be. */
+/** Joins the room that the page's address names; null if the address is invalid. */
 export function enter(host: Host): Room | null {
   document.head.append(make('link', { rel: 'stylesheet', href: new URL('rooms.css', import.meta.url).href }));
   const address = readAddress(new URLSearchParams(location.search));
@@ -105,7 +105,7 @@ export function enter(host: Host): Room | null {
   return room;
 }
 
-/** `told` is called a few times a second. */
+/** Joins a room; `told` is called a few times a second. */
 function join(host: Host, address: Address, hold: Hold, told: (room: Room) => void): Room {
   const { viewer, nearShare } = host;
   const presence = createPresence();
@@ -134,7 +134,7 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
     signal: connection.signal,
   });
   const sender = createSender((body, stops) => {
-    // Beyond it no frame can say where the user is.
+    // Frames cannot encode positions outside the range.
     const isSendable = [body.head, body.left, body.right].every((placed) => !placed || isWithin(placed.position));
     return isSendable && connection.pose(body, stops);
   });
@@ -204,7 +204,7 @@ function join(host: Host, address: Address, hold: Hold, told: (room: Room) => vo
   return room;
 }
 
-/** The tangent of the angle that a pixel covers in the middle of the picture, or of an eye's. */
+/** Tangent of the angle of a pixel in the middle of the picture, or of an eye's picture. */
 function pixelOf({ camera, renderer }: Viewer): number {
   const [eye] = renderer.xr.isPresenting ? renderer.xr.getCamera().cameras : [];
   const { projectionMatrix } = eye ?? camera;

@@ -1,4 +1,4 @@
-"""Runs the command line by `python -m nearfar.cli`."""
+"""Runs the command line with `python -m nearfar.cli`."""
 
 from nearfar.cli import main
 

@@ -74,7 +74,7 @@ def run(arguments: Sequence[str]) -> int:
     """Run a command line, print errors to standard error, and return the exit status."""
     try:
         with progress.lines(), warnings.catch_warnings():
-            # Reports say it themselves.
+            # Reports contain this warning themselves.
             warnings.filterwarnings("ignore", "the picture folds")
             app(list(arguments), prog_name="nearfar")
     except SystemExit as end:
@@ -92,7 +92,7 @@ def run(arguments: Sequence[str]) -> int:
 
 
 def _interrupt_behind(end: SystemExit) -> KeyboardInterrupt | None:
-    """Return the Ctrl-C that typer turned into an exit, if there was one."""
+    """Return the KeyboardInterrupt that typer turned into an exit, if any."""
     error: BaseException | None = end
     while error is not None and not isinstance(error, KeyboardInterrupt):
         error = error.__cause__ or error.__context__
@@ -100,6 +100,6 @@ def _interrupt_behind(end: SystemExit) -> KeyboardInterrupt | None:
 
 
 def _fail(sentence: str, status: int) -> int:
-    # Names of files may hold bytes that no text has.
+    # File names may contain bytes that are not valid text.
     print(f"nearfar: {check.one_line(sentence)}", file=sys.stderr)
     return status

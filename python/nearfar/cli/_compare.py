@@ -129,7 +129,7 @@ def compare(
             view = camera(stand.user, stand.target, fov, pixels)
         with clock.step("load curve"):
             curve = nf.load_curve(loaded, center=place.eye)
-        # The discontinuity of far pixels needs their scene points, which follow from the map's range.
+        # The discontinuity of far pixels needs their scene points, which are computed from the map's range.
         texels = options.faces(face_size) if saved is None or saved.env is None else saved.env.face_size
         place_and_map = {"center": place.eye, "r1": inner, "r2": outer, "channels": ("color", "range")}
         rendered = render_all(
@@ -198,7 +198,7 @@ def compare(
 
 
 def _document(measured: nf.Comparison, torn: nf.BoundaryTear) -> dict[str, Any]:
-    """Rounded measures for the report, without the map of discontinuity."""
+    """Return rounded measures for the report, without the map of discontinuity."""
     return {
         "tear": _rounded(torn.tear),
         "tear_kink": _rounded(torn.kink),

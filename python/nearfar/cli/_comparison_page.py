@@ -40,7 +40,7 @@ PICTURES = {
 
 
 def save_heat_maps(folder: Path, maps: dict[str, NDArray[np.float32]]) -> None:
-    """Draw maps of discontinuity (H, W) side by side on one scale, up to the greatest 99th percentile."""
+    """Plot maps of discontinuity (H, W) side by side on one scale, up to the greatest 99th percentile."""
     from matplotlib.figure import Figure
 
     greatest = max(float(np.nanpercentile(torn, 99)) if np.isfinite(torn).any() else 0.0 for torn in maps.values())

@@ -1,4 +1,4 @@
-"""`nearfar cut`: takes a part of a world, as one GLB or as a folder of tiles."""
+"""`nearfar cut`: extracts a part of a world, as one GLB or as a folder of tiles."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from nearfar.cli._options import option
 from nearfar.cli._output import check_target, count
 
 INDEX = "tiles.json"
-"""Name of the file that every folder of tiles has."""
+"""Name of the index file of a folder of tiles."""
 
 Box = tuple[tuple[float, float, float], tuple[float, float, float]]
 
@@ -62,7 +62,7 @@ def cut(
 
 
 def read_box(text: str | None) -> Box:
-    """Parse "x0,z0,x1,z1" in metres as a box without end in height; None is everything."""
+    """Parse "x0,z0,x1,z1" in metres as a box of unlimited height; None means everything."""
     if text is None:
         return (-math.inf, -math.inf, -math.inf), (math.inf, math.inf, math.inf)
     try:
@@ -78,13 +78,13 @@ def read_box(text: str | None) -> Box:
 def open_world(
     text: str, *, up: str, on_invalid: str, scale: float | None, max_bytes: int | None = None
 ) -> nf.SceneSource:
-    """Open the folder of tiles, or load the scene, that `-i` names."""
+    """Open the source given by `-i`: a folder of tiles, or a scene."""
     if (Path(text) / INDEX).is_file() or Path(text).name == INDEX:
         return nf.open_source(text, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
     return options.open_scene(text, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
 
 
 def _span(source: nf.SceneSource) -> str:
-    """The extent in x and z, as `--box` takes it."""
+    """Return the extent in x and z in the format of `--box`."""
     (x0, _, z0), (x1, _, z1) = source.bounds.tolist()
     return f"{x0:g},{z0:g},{x1:g},{z1:g}"

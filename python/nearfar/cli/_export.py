@@ -129,7 +129,7 @@ def export(
 
 @contextmanager
 def _options_named() -> Iterator[None]:
-    """Name options in errors as the user typed them."""
+    """Replace parameter names in errors by names of options."""
     try:
         yield
     except ValueError as error:
@@ -154,7 +154,7 @@ def _described(region: nf.stream.Bundle) -> dict[str, Any]:
 
 
 def _rows(region: nf.stream.Bundle) -> list[tuple[str, str]]:
-    """Rows on the centre of a region and on its rings."""
+    """Return table rows for the centre of a region and its rings."""
     rings = [(_title(number, ring["radius"]), _text(ring)) for number, ring in enumerate(region.summary())]
     return [("centre", metres(region.center)), *rings]
 

@@ -1,4 +1,4 @@
-"""Headsets of `nearfar render`: their size, lens and files."""
+"""Headsets of `nearfar render`: picture size, lens and files."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from nearfar.cli import _options as options
 
 
 def headset(name: str, lens: str, fov: float | None) -> nf.Hmd:
-    """Return the headset, with the generic lens if that is asked for."""
+    """Return the headset, with the generic lens if requested."""
     check.choice("--lens", lens, ("own", "generic"))
     if fov is not None:
         raise ValueError(f"--fov: expected none with --hmd, which has fields of view of its own, got {fov:g}")
@@ -19,18 +19,18 @@ def headset(name: str, lens: str, fov: float | None) -> nf.Hmd:
 
 
 STRETCHED = 0.03
-"""Difference of a picture's shape, as a share, that is not mentioned."""
+"""Relative difference of aspect ratios that is not reported."""
 
 
 def pixels_of(size: str | None, device: nf.Hmd | None) -> tuple[int, int]:
-    """Width and height of a picture, for a headset by default those of an eye."""
+    """Return width and height of a picture; for a headset by default those of an eye."""
     if size is None and device is not None:
         return device.render_size
     return options.read_size("--size", "1280x720" if size is None else size)
 
 
 def stretching(pixels: tuple[int, int], device: nf.Hmd) -> list[str]:
-    """Say so if a headset's pictures have another shape than its own."""
+    """Report a headset's pictures whose aspect ratio differs from the headset's."""
     width, height = device.render_size
     if abs(pixels[0] * height / (pixels[1] * width) - 1.0) <= STRETCHED:
         return []
@@ -39,13 +39,13 @@ def stretching(pixels: tuple[int, int], device: nf.Hmd) -> list[str]:
 
 
 def targets_of(output: Path, device: nf.Hmd) -> dict[str, Path]:
-    """Files of a headset's pictures by content."""
+    """Return the files of a headset's pictures by content."""
     names = ["left", "right", *(("left_warped", "right_warped") if device.lens else ())]
     return {"side_by_side": output} | {name: output.with_stem(f"{output.stem}_{name}") for name in names}
 
 
 def save(result: nf.Frame | nf.StereoFrame, targets: dict[str, Path]) -> None:
-    """Write the picture, or those of both eyes, to files by content."""
+    """Write the picture, or the pictures of both eyes, to files by content."""
     result.save(targets["side_by_side"])
     if isinstance(result, nf.Frame):
         return

@@ -106,11 +106,11 @@ def info(
 
 
 _LABELS = {"notes": "not as in the file", "used": "used of the file"}
-"""Labels of parts of the report that are not their names."""
+"""Labels of report fields that differ from their names."""
 
 
 def describe_adapters() -> dict[str, Any]:
-    """Make the document of the adapters found and of those that the backends use; schema "adapters"."""
+    """Return the document of the adapters, and of those that the back ends use; schema "adapters"."""
     adapters = nf.gpu.adapters()
     selected, reason = None, ""
     try:
@@ -144,7 +144,7 @@ def _suffix(note: str) -> str:
 
 
 def describe(scene: nf.Scene, source: str, seconds: float) -> dict[str, Any]:
-    """Make the document of a scene; schema "info"."""
+    """Return the document of a scene; schema "info"."""
     return formats.header("info", VERSION, origin=[float(value) for value in scene.origin]) | {
         "source": source,
         "triangles": int(scene.triangle_count),
@@ -156,7 +156,7 @@ def describe(scene: nf.Scene, source: str, seconds: float) -> dict[str, Any]:
 
 
 def describe_reduced(reduced: nf.ReducedScene) -> dict[str, Any]:
-    """Make the part of the document that describes a reduced scene."""
+    """Return the part of the document that describes a reduced scene."""
     stats, env = reduced.stats, reduced.env
     texels = None if env is None else {"face_size": env.face_size, "channels": list(env.channels), "bytes": env.nbytes}
     return {
@@ -184,7 +184,7 @@ def _reduced_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
 
 
 def save_preview(scene: nf.Scene, source: str, reduced: nf.ReducedScene | None, path: Path) -> float:
-    """Render a small picture from the default viewpoint to a file; returns the time that it took in seconds."""
+    """Render a small picture from the default viewpoint to a file; return the time in seconds."""
     started = time.perf_counter()
     stand = None if reduced is None else _source.view_of(source)
     place = _viewpoint.choose(scene, source, None if reduced is None else reduced.center)

@@ -1,4 +1,4 @@
-"""`nearfar lod`: levels of detail of one object, and from which size on each is good enough."""
+"""`nearfar lod`: levels of detail of one object, and the size from which on each is good enough."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from nearfar.cli._output import bytes_text, check_target, count, note_rows, show
 
 VERSION = 1
 
-# Their fields' defaults are those of the options.
+# Defaults of their fields are the defaults of the options.
 Settings, Threshold = nf.lod.MeasureSettings, nf.lod.LodThreshold
 
 
@@ -96,7 +96,7 @@ def lod(
 
 
 def read_ratios(text: str) -> list[float]:
-    """Numbers of a list such as "0.5,0.2"."""
+    """Parse a list of numbers such as "0.5,0.2"."""
     try:
         return [float(part) for part in text.split(",")]
     except ValueError:
@@ -104,7 +104,7 @@ def read_ratios(text: str) -> list[float]:
 
 
 def describe(model: nf.lod.LodModel, switches: nf.lod.Switches, written: NDArray[np.bool_]) -> dict[str, Any]:
-    """Document of a model's levels, of which a file holds those that are `written` (K,); schema "levels"."""
+    """Return the document of a model's levels; `written` (K,) marks those in the file; schema "levels"."""
     statuses = [None, *model.curves.status.tolist()]
     never = switches.solid_angle == 0
     geometry = model.levels or ()

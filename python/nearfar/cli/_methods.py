@@ -1,4 +1,4 @@
-"""Renders truth, conventional and continuous method from one eye, for `nearfar reduce` and `nearfar compare`."""
+"""Rendering of truth, conventional and continuous method from one eye, for `nearfar reduce` and `nearfar compare`."""
 
 from __future__ import annotations
 
@@ -10,11 +10,10 @@ import nearfar as nf
 from nearfar.cli._output import Clock
 
 METHODS = {"conventional": "none", "continuous": "blend"}
-"""Morph of each method, by the method's name."""
-
+"""Morph of each method by name."""
 
 DENSITY = 20.0
-"""Pixels for each degree of a headset, at which tears are measured."""
+"""Pixels per degree of a headset, at which tears are measured."""
 
 
 @dataclass(frozen=True)
@@ -22,15 +21,15 @@ class Rendered:
     """Pictures of a scene and of its reduction, from one eye."""
 
     frames: dict[str, nf.Frame]
-    """Truth and methods by name."""
+    """Frames of the truth and the methods by name."""
     reduced: nf.ReducedScene
-    """The reduced scene, whose map both methods share."""
+    """Reduced scene whose map both methods share."""
     dense: dict[str, nf.Frame]
-    """Positions of both methods at `DENSITY`, where they are asked for."""
+    """Positions of both methods at `DENSITY`, if requested."""
 
 
 def morph_of(method: str, saved: nf.ReducedScene | None) -> str:
-    """Morph of a method; a saved scene keeps its continuous one."""
+    """Return the morph of a method; a saved scene keeps its continuous one."""
     continues = method == "continuous" and saved is not None and saved.morph != "none"
     return saved.morph if saved is not None and continues else METHODS[method]
 
@@ -45,10 +44,10 @@ def render_all(
     drawing: dict[str, Any] | None = None,
     saved: nf.ReducedScene | None = None,
 ) -> Rendered:
-    """Render the truth and both methods; `position` among the channels asks for dense pictures, too.
+    """Render the truth and both methods; `position` among the channels also requests dense pictures.
 
-    The dicts are arguments of `render`, of `reduce`, and of `ReducedScene.render` beside those of `render`. A `saved`
-    reduced scene is shown instead of a new one; if its map has no range, a new one gives the positions of far pixels.
+    The dicts are arguments of `render`, of `reduce`, and additional ones of `ReducedScene.render`. A `saved` reduced
+    scene is shown instead of a new one; if its map has no range, a new one provides the positions of far pixels.
     """
     with clock.step("truth"):
         frames = {"truth": nf.render(scene, view, backend=reduction["backend"], **pictures)}
@@ -71,14 +70,14 @@ def render_all(
         with clock.step("dense pictures"):
             for name in METHODS:
                 shown = made.with_morph(morph_of(name, saved))
-                # Vertices would be split for all directions, which takes seconds; rays are bent in view alone.
+                # Splitting triangles for all directions takes seconds; bent rays are only traced within the view.
                 how = {"method": "exact", **(drawing or {})}
                 dense[name] = shown.render(_dense(view), channels=("position",), **how)
     return Rendered(frames, reduced, dense)
 
 
 def _dense(view: nf.Camera) -> nf.Camera:
-    """The same view with as many pixels as a headset has; a denser one stays."""
+    """Return the same view with at least the pixel density of a headset."""
     if not isinstance(view.fov, nf.Fov):
         return view
     more = DENSITY / math.radians(view.width / (view.fov.right - view.fov.left))

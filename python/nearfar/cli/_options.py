@@ -1,4 +1,4 @@
-"""Options that several commands share, and the parsing of their values."""
+"""Shared options of several commands, and the parsing of their values."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from nearfar._reduce import default_radii, folder
 Point = tuple[float, float, float]
 
 FACE_SIZE = 1024
-"""Texels across a face of the cube map by default."""
+"""Default number of texels per side of a cube face."""
 
 PROCEDURAL = ("city", "room", "factory", "forest", "beams", "spheres", "landscape", "world", "asteroids")
 """Names of the procedural scenes."""
 
 MIDDLE = ((-500.0, -math.inf, -500.0), (500.0, math.inf, 500.0))
-"""The part of a world that commands take: a square kilometre around its town."""
+"""Part of a world for commands that need a scene: a square kilometre around its town."""
 
 
 def read_point(option: str, text: str | None) -> Point | None:
@@ -62,13 +62,13 @@ def read_radii(text: str | None) -> list[float] | None:
 
 
 def check_angle(fov: float) -> None:
-    """Refuse fields of view that no camera has before the work starts."""
+    """Reject invalid fields of view before the work starts."""
     if not 0.0 < fov < 180.0:
         raise ValueError(f"--fov: expected degrees between 0 and 180, got {fov:g}")
 
 
 def option(names: str, metavar: str, text: str) -> Any:
-    """Describe an option with a value: its names, separated by spaces, the value's, and a sentence on it."""
+    """Describe an option with a value: its names, separated by spaces, its metavar, and its help text."""
     return typer.Option(*names.split(), metavar=metavar, help=text)
 
 
@@ -180,18 +180,18 @@ Json = Annotated[bool, typer.Option("--json", help="Print a JSON document instea
 
 
 def check_backend(text: str | None) -> None:
-    """Refuse unknown backends before the work starts."""
+    """Reject unknown back ends before the work starts."""
     if text is not None:
         check.choice("--backend", text, ("auto", "cpu", "gpu"))
 
 
 def faces(face_size: int | None) -> int:
-    """Texels across a face."""
+    """Return the number of texels per side of a face."""
     return FACE_SIZE if face_size is None else face_size
 
 
 def check_radii(r1: float | None, r2: float | None) -> None:
-    """Refuse wrong radii before the work starts; the scene decides on those that are None."""
+    """Reject invalid radii before the work starts; radii that are None are chosen by the scene."""
     for name, radius in (("--r1", r1), ("--r2", r2)):
         if radius is not None:
             check.at_least_zero(name, radius)
@@ -199,19 +199,19 @@ def check_radii(r1: float | None, r2: float | None) -> None:
 
 
 def is_reduced(text: str) -> bool:
-    """Whether `-i` names a folder that `nearfar reduce` or `ReducedScene.save` wrote."""
+    """Return whether `-i` is a folder written by `nearfar reduce` or `ReducedScene.save`."""
     files.restore(text)
     return (Path(text) / folder.DOCUMENT).is_file()
 
 
 WHOLE: Mapping[str, Any] = {"error": None, "triangles": None, "origin": None, "lod": None, "height": None}
-"""Arguments of `nearfar.Scene.load` that choose the part of a tileset or a city, and its place: all of it."""
+"""Arguments of `nearfar.Scene.load` that select a part of a tileset or a city, and its place: everything."""
 
 
 def parts_of(
     error: float | None, triangles: int | None, origin: str | None, lod: str | None, height: str | None
 ) -> dict[str, Any]:
-    """Arguments of `nearfar.Scene.load` by `--error`, `--triangles`, `--origin`, `--lod` and `--height`."""
+    """Return the arguments of `nearfar.Scene.load` for `--error`, `--triangles`, `--origin`, `--lod` and `--height`."""
     place = None
     if origin is not None:
         try:
@@ -233,9 +233,9 @@ def open_scene(
     blend: str = "opaque",
     parts: Mapping[str, Any] = WHOLE,
 ) -> nf.Scene:
-    """Load the file or make the procedural scene that `-i` names; an extent that suggests another unit is said.
+    """Load the file or make the procedural scene given by `-i`; report an extent that suggests another unit.
 
-    No file or folder hides a procedural scene: `./room` is the one that lies here.
+    Names of procedural scenes take precedence over files and folders: `./room` refers to a file.
     """
     if scale is not None:
         check.positive("--scale", scale)
@@ -265,7 +265,7 @@ def open_scene(
 
 
 def headset(text: str) -> nf.Hmd:
-    """Return the headset of a name, in small letters too, or of a .json file."""
+    """Return a headset by name, in any case, or from a .json file."""
     if Path(text).suffix.lower() == ".json":
         return nf.Hmd.load(text)
     try:
@@ -277,7 +277,7 @@ def headset(text: str) -> nf.Hmd:
 def procedural(
     text: str, *, up: str, scale: float | None, max_bytes: int | None, parts: Mapping[str, Any] = WHOLE
 ) -> nf.Scene | nf.datasets.World | nf.datasets.Asteroids:
-    """Make what a text such as "city:blocks=4,seed=1" names; options of files are refused."""
+    """Make a procedural scene such as "city:blocks=4,seed=1"; reject options of files."""
     name, _, settings = text.partition(":")
     if up != "y":
         raise ValueError(f"--up: expected y with {name}, which stands upright already, got {check.shortened(up)}")

@@ -1,4 +1,4 @@
-"""`nearfar orthoview`: trees of orthoviews, built, looked at, updated, checked and written as plain Zarr."""
+"""`nearfar orthoview`: builds, describes, updates, verifies and exports trees of orthoviews."""
 
 from __future__ import annotations
 
@@ -173,7 +173,7 @@ def export(
 
 
 def read_light(text: str) -> str | tuple[float, ...] | None:
-    """The light that a word or three numbers name."""
+    """Parse the light: a word or three numbers."""
     if text in ("sun", "none"):
         return None if text == "none" else text
     try:
@@ -184,7 +184,7 @@ def read_light(text: str) -> str | tuple[float, ...] | None:
 
 
 def read_directions(text: str) -> int | Literal["auto"]:
-    """A number of directions, or the word that lets it be chosen."""
+    """Parse a number of directions, or `auto`."""
     if text == "auto":
         return "auto"
     try:
@@ -195,7 +195,7 @@ def read_directions(text: str) -> int | Literal["auto"]:
 
 
 def open_world(text: str, *, up: str, on_invalid: str, scale: float | None, max_bytes: int | None) -> nf.SceneSource:
-    """Open the world that `-i` names."""
+    """Open the world given by `-i`."""
     if text.partition(":")[0] in options.PROCEDURAL:
         return options.procedural(text, up=up, scale=scale, max_bytes=max_bytes)
     return nf.open_source(text, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
@@ -203,7 +203,7 @@ def open_world(text: str, *, up: str, on_invalid: str, scale: float | None, max_
 
 @contextmanager
 def _client(cluster: str | None) -> Iterator[Any]:
-    """The cluster that `--cluster` names."""
+    """Yield the cluster given by `--cluster`."""
     if cluster is None or cluster == LOCAL:
         yield cluster
         return
@@ -220,7 +220,7 @@ def _client(cluster: str | None) -> Iterator[Any]:
 
 
 def _show(tree: nf.orthoview.OrthoTree, as_json: bool, **facts: Any) -> None:
-    """Print what a tree holds, and what was done."""
+    """Print the content of a tree, and the result of the command."""
     held = tree.held
     document = formats.header("orthoview_info", VERSION) | {
         "store": tree.path,
@@ -261,7 +261,7 @@ def _show(tree: nf.orthoview.OrthoTree, as_json: bool, **facts: Any) -> None:
 
 
 def _splat_rows(counts: dict[str, int]) -> list[tuple[str, str]]:
-    """Rows on what was written for splat viewers."""
+    """Return table rows for files written for splat viewers."""
     (parts,) = (f"{count(counts[name])} {name}" for name in ("cells", "tiles") if name in counts)
     each = bytes_text(counts["bytes"] / counts["splats"])
     return [
@@ -271,7 +271,7 @@ def _splat_rows(counts: dict[str, int]) -> list[tuple[str, str]]:
 
 
 def _geometry_rows(facts: dict[str, Any] | None) -> list[tuple[str, str]]:
-    """Rows on the triangles of leaves."""
+    """Return table rows for the triangles of leaves."""
     if facts is None:
         return []
     stands, moving = f"{count(facts['triangles'])} triangles in {count(facts['leaves'])} leaves", facts["moving"]

@@ -22,14 +22,14 @@ class Clock:
 
     @contextlib.contextmanager
     def step(self, name: str) -> Iterator[None]:
-        """Time a step."""
+        """Measure the time of a step."""
         started = time.perf_counter()
         yield
         self.seconds[name] = round(time.perf_counter() - started, 3)
 
 
 def show(document: dict[str, Any], rows: Iterable[tuple[str, str]], *, title: str, as_json: bool) -> None:
-    """Print a document on standard output as JSON, or its rows as a table."""
+    """Print a document on standard output, as JSON or as a table of rows."""
     if as_json:
         typer.echo(formats.to_json(document), nl=False)
         return
@@ -46,7 +46,7 @@ def show(document: dict[str, Any], rows: Iterable[tuple[str, str]], *, title: st
 
 
 def check_target(path: Path, *suffixes: str) -> None:
-    """Refuse a path that cannot be written or has another suffix, before the work starts."""
+    """Reject a path that cannot be written or has another suffix, before the work starts."""
     if path.suffix.lower() not in suffixes:
         raise ValueError(f"{path}: expected a name ending in {' or '.join(suffixes)}")
     with contextlib.suppress(_TrialWrite), files.atomic_file(path):
@@ -54,7 +54,7 @@ def check_target(path: Path, *suffixes: str) -> None:
 
 
 class _TrialWrite(Exception):  # noqa: N818
-    """Ends a trial write, so that the target stays unchanged."""
+    """Aborts a trial write, so that the target stays unchanged."""
 
 
 def count(value: int) -> str:
@@ -69,7 +69,7 @@ def triangles_text(document: dict[str, Any]) -> str:
 
 
 def note_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
-    """Rows on what a result lacks, and on what of the scene's file is not drawn as it is there."""
+    """Return table rows for findings about a result, and for parts of the file that are drawn differently."""
     notes = document["notes"]
     return [
         *(("note", finding) for finding in document.get("findings", [])),
@@ -78,7 +78,7 @@ def note_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
 
 
 def radii_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
-    """Rows on the radii, and on why they were chosen."""
+    """Return table rows for the radii and the reason for them."""
     reason = document["radii_reason"]
     return [("radii", f"r1 = {document['r1']:g} m, r2 = {document['r2']:g} m"), *([("", reason)] if reason else [])]
 
@@ -90,7 +90,7 @@ def radii_text(document: dict[str, Any]) -> str:
 
 
 def bytes_text(value: float) -> str:
-    """Format a number of bytes in a suitable unit."""
+    """Format a number of bytes with a suitable unit."""
     for unit in ("bytes", "kB", "MB"):
         if value < 1000.0:
             return f"{value:.0f} {unit}" if unit == "bytes" else f"{value:.3g} {unit}"

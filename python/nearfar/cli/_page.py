@@ -18,7 +18,7 @@ td + td, th + th { text-align: right; font-variant-numeric: tabular-nums } th { 
 """
 
 BROKEN = ("not met", "not measured")
-"""Last cells of rows that are marked."""
+"""Last cells of table rows that are highlighted."""
 
 
 @dataclass(frozen=True)
@@ -27,11 +27,11 @@ class Page:
 
     title: str
     paragraphs: list[str]
-    """Those that begin with "Note: " are marked."""
+    """Paragraphs; those that begin with "Note: " are highlighted."""
     pictures: list[tuple[str, str]]
-    """Names of files in the report's folder, and captions."""
+    """File names in the report's folder, and captions."""
     tables: dict[str, list[list[str]]]
-    """Rows by heading; the first row of each is its header."""
+    """Table rows by heading; the first row of each is its header."""
     generator: str
 
     def save(self, folder: Path) -> None:

@@ -1,4 +1,4 @@
-"""`nearfar partition`: counts the triangles that stay geometry."""
+"""`nearfar partition`: counts the triangles that remain geometry."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from nearfar.cli._viewpoint import choose
 VERSION = 1
 
 CURVE_RADII = (20.0, 30.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0)
-"""Radii in metres at which the load curve is listed."""
+"""Radii of the listed points of the load curve, metres."""
 
 ROWS = {
     "triangles": "triangles",
@@ -31,7 +31,7 @@ ROWS = {
     "straddling": "of these in both (they cross r2)",
     "nsf_at_r1": "drawn as geometry if it ended at r1",
 }
-"""Labels of the counts of triangles."""
+"""Labels of the triangle counts."""
 
 
 def partition(
@@ -84,7 +84,7 @@ def partition(
 
 
 def describe(scene: nf.Scene, source: str, center: options.Point, radii: Choice) -> dict[str, Any]:
-    """Make the document of a partition; schema "partition"."""
+    """Return the document of a partition; schema "partition"."""
     parts = nf.partition(scene, center=center, r1=radii.r1, r2=radii.r2)
     curve = nf.load_curve(scene, center=center)
     return formats.header("partition", VERSION, origin=[float(value) for value in scene.origin]) | {

@@ -1,4 +1,4 @@
-"""Writes the report of `nearfar reduce`: pictures side by side, the load curve, and the text as JSON and Markdown."""
+"""Report of `nearfar reduce`: pictures side by side, the load curve, and the text as JSON and Markdown."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from nearfar._reduce import default_radii
 from nearfar.cli._output import bytes_text, count, metres, radii_text
 
 CAPTION = 0.07
-"""Height of a picture's caption as a share of the picture's height."""
+"""Height of a caption as a share of the picture's height."""
 
 TITLES = {
     "truth": "truth: the whole scene",
@@ -56,7 +56,7 @@ def caption(picture: NDArray[np.uint8], text: str) -> NDArray[np.uint8]:
 
 
 def save_curve(folder: Path, curve: nf.LoadCurve, r2: float) -> bool:
-    """Plot the load curve with r2 marked; returns False if matplotlib is not installed."""
+    """Plot the load curve with r2 marked; return False if matplotlib is not installed."""
     if not importlib.util.find_spec("matplotlib"):
         return False
     from matplotlib.figure import Figure

@@ -1,4 +1,4 @@
-"""Rooms of `nearfar serve`, and `nearfar invite`, which makes the tokens that let users in."""
+"""Rooms of `nearfar serve`, and `nearfar invite`, which makes tokens for users."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Key = Annotated[
         "--rooms-key", "FILE", "Secret of 16 bytes or more; users need a token that `nearfar invite` makes with it."
     ),
 ]
-"""The key that lets users in; `nearfar serve` makes it if there is no such file."""
+"""Key that signs users' tokens; `nearfar serve` creates a missing file."""
 
 
 def invite(
@@ -41,20 +41,20 @@ def invite(
 def chosen(
     is_wanted: bool, sources: list[str], key: str | None, most: Mapping[str, int | None], without: Mapping[str, bool]
 ) -> Rooms | None:
-    """The rooms of a server; None if it is to have none.
+    """Return the rooms of a server; None for a server without rooms.
 
     Parameters
     ----------
     is_wanted
-        Whether it is to have rooms; if not, no option of rooms may be given.
+        Whether the server has rooms; if not, no option of rooms may be given.
     sources
-        What it serves.
+        Sources that it serves.
     key
-        File of the key that lets users in; None if they need no token.
+        File of the key for tokens; None if users need no token.
     most
-        The most `rooms` and `users`; None for the default.
+        Greatest numbers of `rooms` and `users`; None for the default.
     without
-        Whether to do without `peers` and `datagrams`.
+        Whether `peers` and `datagrams` are disabled.
     """
     given = {name: count for name, count in most.items() if count is not None}
     if not is_wanted:
@@ -64,12 +64,12 @@ def chosen(
             raise ValueError(f"{unused[0]}: expected --rooms beside it")
         return None
     if len(sources) > 1:
-        # Users of several scenes would stand in one room, and pages look for it beside their own scene.
+        # Users of different scenes would share a room, and pages look for rooms beside their own scene.
         raise ValueError(f"--rooms: expected one source, got {len(sources)}")
     for name, count in given.items():
         check.integer(f"--most-{name}", count, 1, 2**16 - 2)
     secret = kept_key(cache.folder() / "rooms" / "key" if key is None else key)
-    # A user who joins is told of all others at once, 72 bytes each.
+    # A new user is told of all others at once, with 72 bytes each.
     queue = max(Rooms.queue_bytes, 128 + 72 * given.get("users", 0))
     return Rooms(
         rooms=given.get("rooms", Rooms.rooms),
@@ -83,7 +83,7 @@ def chosen(
 
 
 def tell(url: str, rooms: Rooms | None, key: str | None) -> None:
-    """Say how users enter."""
+    """Print how users enter rooms."""
     if rooms is None:
         return
     links = (

@@ -1,4 +1,4 @@
-"""`nearfar serve`: serves bundles, reduced scenes, and regions of scenes on demand, to many clients."""
+"""`nearfar serve`: serves bundles, reduced scenes, and on-demand regions of scenes to many clients."""
 
 from __future__ import annotations
 
@@ -159,7 +159,7 @@ def _tell(server: Server, sources: list[str], certificate: Certificate | None) -
 
 
 def _tell_what_is_there(server: Server, sites: Mapping[str, Site], scenes: Sequence[LoadedScene]) -> None:
-    """Tell of all that can be served; ValueError for a scene that cannot."""
+    """Print everything that can be served; raise ValueError for a scene that cannot."""
     for name, site in sites.items():
         typer.echo(f"{server.url}{f'{name}/' if name else ''} can be served: {site.title}")
     for scene in scenes:
@@ -168,7 +168,7 @@ def _tell_what_is_there(server: Server, sites: Mapping[str, Site], scenes: Seque
 
 @contextmanager
 def _ended() -> Iterator[threading.Event]:
-    """Yield an event that Ctrl-C and a request to end set."""
+    """Yield an event that is set by SIGINT and SIGTERM."""
     end = threading.Event()
     before = {number: signal.signal(number, lambda *_: end.set()) for number in (signal.SIGINT, signal.SIGTERM)}
     try:

@@ -1,4 +1,4 @@
-"""The sites that `nearfar serve` is told to serve: bundles, reduced scenes, and scenes."""
+"""Sites of `nearfar serve`: bundles, reduced scenes, and scenes."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from nearfar.serve._site import Site
 
 @dataclass(frozen=True)
 class Loading:
-    """How the files of scenes are loaded."""
+    """Options for loading the files of scenes."""
 
     up: str
     on_invalid: str
@@ -33,7 +33,7 @@ class Loading:
 
 @dataclass(frozen=True)
 class Regions:
-    """How regions are made, and how many bytes of them are kept."""
+    """Options for making regions, and the size of their cache."""
 
     cache_bytes: int
     grid: float
@@ -43,7 +43,7 @@ class Regions:
 
 
 def read(sources: Sequence[str], loading: Loading, regions: Regions) -> tuple[dict[str, Site], list[LoadedScene]]:
-    """Sites by their names, of which a single one has the empty name, and the scenes that are being loaded."""
+    """Return sites by name, with an empty name for a single one, and the scenes that are being loaded."""
     named = [_named(source) for source in sources]
     names = [name for name, _ in named]
     twice = next((name for name in names if names.count(name) > 1), None)
@@ -62,12 +62,12 @@ def read(sources: Sequence[str], loading: Loading, regions: Regions) -> tuple[di
 
 
 def loaded(scene: LoadedScene) -> str:
-    """Wait for a scene, and tell of it in a sentence; ValueError with another one if it cannot be loaded."""
+    """Wait for a scene, and describe it in a sentence; raise ValueError if it cannot be loaded."""
     return f"{scene.title} is loaded: {scene.wait().triangle_count:,} triangles"
 
 
 def tell_of(scenes: Sequence[LoadedScene]) -> None:
-    """Say of each scene when it is there, or why it is not, while the server answers."""
+    """Print for each scene when it is loaded or why it cannot be, in background threads."""
 
     def tell(scene: LoadedScene) -> None:
         try:
@@ -80,7 +80,7 @@ def tell_of(scenes: Sequence[LoadedScene]) -> None:
 
 
 def _named(source: str) -> tuple[str, str]:
-    """Split "name=path"; without a name it is that of the file or folder, or of the procedural scene."""
+    """Split "name=path"; the default name is that of the file, the folder or the procedural scene."""
     name, sign, path = source.partition("=")
     if sign and not {"/", ":"} & set(name) and not Path(source).exists():
         return name, path
@@ -97,7 +97,7 @@ def _scene(text: str, loading: Loading, regions: Regions) -> LoadedScene:
     start = partial(_start, text)
     procedural, _, _ = text.partition(":")
     if procedural not in options.PROCEDURAL:
-        # A file that is not there is said now, not when a client asks.
+        # Report a missing file now, and not at a client's first request.
         Path(text).stat()
         return LoadedScene.of_file(text, start=start, **asdict(loading), **settings)
     load = partial(options.open_scene, text, **asdict(loading))

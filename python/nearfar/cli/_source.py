@@ -1,4 +1,4 @@
-"""Reduced scenes that commands read from a folder, and the scenes that they were made from."""
+"""Reduced scenes in folders, and the scenes that they were made from."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from nearfar.cli._viewpoint import Stand
 
 
 def refuse(reason: str, **given: object) -> None:
-    """Raise ValueError for options that do not fit a folder, by their names with underscores; None was not given."""
+    """Raise ValueError for options that do not fit a folder, given by name with underscores; None means absent."""
     for name, value in given.items():
         if value is not None:
             raise ValueError(f"--{name.replace('_', '-')}: expected none with a folder as -i, {reason}")
 
 
 def report_of(folder: str) -> dict[str, Any]:
-    """Return the report that `nearfar reduce` wrote beside a reduced scene; empty if there is none."""
+    """Return the report of `nearfar reduce` beside a reduced scene; empty if there is none."""
     path = Path(folder) / "report.json"
     if not path.is_file():
         return {}
@@ -32,7 +32,7 @@ def report_of(folder: str) -> dict[str, Any]:
 
 
 def view_of(folder: str) -> Stand | None:
-    """Return the view of the pictures beside a reduced scene, which its report states; None without a report."""
+    """Return the view of the pictures beside a reduced scene from its report; None without a report."""
     report = report_of(folder)
     try:
         user, target = (check.vector(name, report[name]) for name in ("user", "target"))
@@ -52,7 +52,7 @@ def open_truth(
     blend: str = "opaque",
     parts: Mapping[str, Any] = options.WHOLE,
 ) -> tuple[str, nf.Scene]:
-    """Open the scene that a folder was made from, `truth` or what its report names; also returns its name."""
+    """Open the original scene of a folder, from `truth` or its report; also return its name."""
     if truth is not None:
         return truth, options.open_scene(
             truth, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend, parts=parts
@@ -78,7 +78,7 @@ def open_truth(
 
 
 def _parts_of(report: dict[str, Any]) -> dict[str, Any]:
-    """The part of a tileset or a city that a report is about."""
+    """Return the selected part of a tileset or a city from a report."""
     stated = report.get("parts")
     known = stated if isinstance(stated, dict) else {}
     return {name: known.get(name) for name in options.WHOLE}

@@ -1,4 +1,4 @@
-"""`nearfar stereo`: renders a scene in hybrid mono-stereo, and measures what that saves and costs."""
+"""`nearfar stereo`: renders a scene in hybrid mono-stereo, and measures savings and errors."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from nearfar.cli._output import Clock, count, metres, note_rows, show
 
 VERSION = 1
 NEAR = 0.1
-"""Least depth that is drawn, metres."""
+"""Near plane, metres."""
 
 
 def stereo(
@@ -89,7 +89,7 @@ def stereo(
         where, towards = (place.eye, aim or place.target) if stand is None else (stand.user, stand.target)
         way = nf.Camera.look_at(where, towards, fov=rig.center_fov, size=(1, 1)).orientation
         settings: dict[str, Any] = {"samples": samples, "channels": ("color",), "backend": backend}
-        # The first picture builds the scene's trees, which both methods need.
+        # The first picture builds the scene's trees, which both methods need; it is not timed.
         nf.render(source, nf.Camera(where, way, fov=rig.center_fov, size=(8, 8)), channels=("color",), backend=backend)
         hybrid, hybrid_seconds = _timed(
             lambda: rig.render(source, where, way, assembly=assembly, cull=cull, near=NEAR, **settings)
@@ -135,7 +135,7 @@ SIDES = ("left", "right")
 
 
 def _plane(device: nf.Hmd, size: tuple[int, int], mono_plane: float | None, max_error: float | None) -> float:
-    """Distance of the mono plane, as given or by the error."""
+    """Return the distance of the mono plane, as given or from the greatest error."""
     if max_error is None:
         plane = 8.0 if mono_plane is None else check.positive("--mono-plane", mono_plane)
         if plane <= NEAR:
@@ -147,7 +147,7 @@ def _plane(device: nf.Hmd, size: tuple[int, int], mono_plane: float | None, max_
 
 
 def _with_zone(rig: nf.stereo.HybridRig, end: float) -> nf.stereo.HybridRig:
-    """The rig with a zone from its plane on."""
+    """Return the rig with a zone beyond its plane."""
     plane = rig.planes[0]
     if not check.number("--zone-end", end) > plane:
         raise ValueError(f"--zone-end: expected more than the mono plane's {plane:g} metres, got {end:g}")
@@ -166,7 +166,7 @@ def _findings(
     frame: nf.StereoFrame,
     counted: dict[str, int] | None,
 ) -> list[str]:
-    """Sentences on pictures that gain nothing from a shared one."""
+    """Report pictures that gain nothing from a shared one."""
     found, plane = [], rig.planes[1]
     if frame.center is None:
         found.append("nothing lies beyond the mono plane, so the picture is plain stereo")

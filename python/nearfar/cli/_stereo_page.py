@@ -1,4 +1,4 @@
-"""The report of `nearfar stereo`: pictures of both eyes, maps of what differs, and tables."""
+"""Report of `nearfar stereo`: pictures of both eyes, difference maps, and tables."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from nearfar.cli._output import count, metres
 from nearfar.cli._page import Page
 
 DEPTHS = (1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0, 1000.0, math.inf)
-"""Depths at which errors are listed, metres."""
+"""Depths of the listed errors, metres."""
 
 PICTURES = {
     "side_by_side.png": "Left and right eye",
@@ -40,13 +40,13 @@ class Compared:
 
     document: dict[str, Any]
     difference: NDArray[np.float32]
-    """(H, W), greatest difference of a channel, sRGB codes."""
+    """Greatest difference of a channel (H, W), sRGB codes."""
     dissimilarity: NDArray[np.float64]
-    """(H, W), 1 − SSIM, the mean of the channels."""
+    """Mean of 1 − SSIM over the channels (H, W)."""
 
 
 def compare(plain: nf.Frame, hybrid: nf.Frame) -> Compared:
-    """Compare one eye's pictures, as sRGB codes."""
+    """Compare one eye's pictures as sRGB codes."""
     before, after = plain.to_image(), hybrid.to_image()
     similarity = nf.ssim(before, after, data_range=255.0, window="uniform", size=4, convention="full", full=True)
     psnr = nf.psnr(before, after, data_range=255.0)
@@ -65,7 +65,7 @@ def save_pictures(
     compared: dict[str, Compared],
     rig: nf.stereo.HybridRig,
 ) -> bool:
-    """Write all pictures; returns False if matplotlib is not installed, without which there is no plot of the error."""
+    """Write all pictures; return False if matplotlib is not installed, without which the error is not plotted."""
     from PIL import Image
 
     hybrid.left.save(folder / "left.png")
@@ -101,7 +101,7 @@ def _plot_error(path: Path, rig: nf.stereo.HybridRig) -> None:
 
 
 def plane_of(document: dict[str, Any]) -> str:
-    """Where the mono plane is, in words."""
+    """Describe the position of the mono plane."""
     end = document["zone_end"]
     return f"{document['mono_plane']:g} m" + ("" if end is None else f", lines bend up to {end:g} m")
 

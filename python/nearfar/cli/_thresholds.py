@@ -1,4 +1,4 @@
-"""Limits of `nearfar compare` for measures of the continuous picture."""
+"""Thresholds of `nearfar compare` for measures of the continuous picture."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 from nearfar._base import check
 
 BROKEN = 3
-"""Exit status of a comparison that broke a threshold or could not check it; 1 is an error, 2 a wrong command line."""
+"""Exit status of a comparison with an unmet or unchecked threshold; 1 is an error, 2 a wrong command line."""
 
 OPTIONS = {
     "--min-psnr": ("psnr", True),
@@ -17,7 +17,7 @@ OPTIONS = {
     "--max-discontinuity": ("discontinuity", False),
     "--max-boundary-discontinuity": ("boundary", False),
 }
-"""Measure of each option, and whether the limit is its least allowed value."""
+"""Measure of each option, and whether the limit is a lower bound."""
 
 UNMEASURED = {
     "tear": "no pixel of the picture has neighbours on both sides of the boundary at r2",
@@ -29,15 +29,15 @@ UNMEASURED = {
 
 @dataclass(frozen=True)
 class Threshold:
-    """A limit for a measure of the continuous picture."""
+    """Threshold for a measure of the continuous picture."""
 
     option: str
     limit: float
 
     def check(self, values: dict[str, Any]) -> dict[str, Any]:
-        """Compare a value with the limit; a measure that the picture lacks does not keep it.
+        """Compare a value with the limit; a missing measure does not meet it.
 
-        PSNR alone is None for equal pictures, where it is infinite.
+        Only PSNR may be None and meet it: it is infinite for equal pictures.
         """
         measure, least = OPTIONS[self.option]
         value = values[measure]
@@ -53,13 +53,13 @@ class Threshold:
 
 
 def thresholds(**limits: float | None) -> list[Threshold]:
-    """Make the thresholds of options, by their names with underscores; None was not given."""
+    """Make thresholds from options, given by name with underscores; None means absent."""
     named = {f"--{name.replace('_', '-')}": limit for name, limit in limits.items()}
     return [Threshold(option, check.number(option, limit)) for option, limit in named.items() if limit is not None]
 
 
 def sentence(checked: dict[str, Any]) -> str:
-    """Say how a threshold was not met."""
+    """Describe how a threshold was not met."""
     if not checked["measured"]:
         reason = UNMEASURED.get(checked["measure"], "the picture has none")
         return f"{checked['option']}: {checked['measure']} was not measured, because {reason}"
@@ -67,7 +67,7 @@ def sentence(checked: dict[str, Any]) -> str:
 
 
 def result(checked: dict[str, Any]) -> str:
-    """Say in a word or two whether a threshold was met."""
+    """Return in a word or two whether a threshold was met."""
     if not checked["measured"]:
         return "not measured"
     return "met" if checked["kept"] else "not met"

@@ -34,7 +34,7 @@ def view(
         nf.view.write_page(folder)
         typer.echo(f"{folder}/index.html shows it from any web server.")
         return
-    # Ctrl-C ends it from the first word on.
+    # Ctrl-C ends the server from its start on.
     with Server.of_bundle(folder, port=port) as server, contextlib.suppress(KeyboardInterrupt):
         typer.echo(f"{server.url} shows {folder}; Ctrl-C ends it.")
         if browser:

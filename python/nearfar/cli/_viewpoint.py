@@ -1,4 +1,4 @@
-"""Default viewpoints and users of commands."""
+"""Default viewpoints and user positions of commands."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from nearfar.cli._options import Point
 
 
 def _from_origin() -> tuple[Point, Point]:
-    """Return the eye and a target of the scenes whose viewer stands at the origin."""
+    """Return eye and target of scenes whose viewer stands at the origin."""
     return (0.0, 1.7, 0.0), (0.0, 1.7, -10.0)
 
 
@@ -22,12 +22,12 @@ KNOWN = {
     "factory": nf.datasets.factory_view,
     **dict.fromkeys(("beams", "spheres", "landscape"), _from_origin),
 }
-"""Functions that return eye and target, by the name of their procedural scene."""
+"""Functions that return eye and target, by name of the procedural scene."""
 
 
 @dataclass(frozen=True)
 class Stand:
-    """A user beside a centre, who looks where the boundary is."""
+    """User beside a centre who looks at the boundary."""
 
     user: Point
     target: Point
@@ -54,7 +54,7 @@ def stand(
     target: Point | None = None,
     distance: float | None = None,
 ) -> Stand:
-    """Choose a user's place and view so that the boundary is in the picture; what is given stays as it is."""
+    """Choose a user's position and view so that the boundary is in the picture; given values are kept."""
     away = default_radii.aside(r1, r2) if distance is None else distance
     if user is None and target is None:
         chosen, forward, crosses = crossing.choose(scene, place, away, r1, r2, fov=fov)

@@ -1,3 +1,3 @@
-"""Server of bundles, of reduced scenes, and of scenes whose regions are made on demand."""
+"""HTTP server of bundles, reduced scenes, and scenes whose regions are made on demand."""
 
 from __future__ import annotations

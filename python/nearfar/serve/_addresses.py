@@ -1,4 +1,4 @@
-"""Where a server listens, and how clients call it."""
+"""Addresses at which a server listens, and host names of its clients."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ from nearfar._base import check
 
 LOCAL = "127.0.0.1"
 NAMES = (LOCAL, "localhost", "[::1]")
-"""Names by which browsers may call a server on this machine alone: another name is another site's that points here."""
+"""Host names accepted by a server that only local programs reach; other names may be DNS rebinding."""
 
 
 HOST = re.compile(r"[\w.-]+|\[[0-9a-f:.]+\]", re.ASCII)
-"""Name of a host without a port, as browsers send it in lower case."""
+"""Pattern of a host name without a port, in lower case as browsers send it."""
 
 ORIGIN = re.compile(rf"[a-z][a-z0-9+.-]*://(?:{HOST.pattern})(?::\d+)?", re.ASCII)
-"""Origin of a page, as browsers send it."""
+"""Pattern of a page's origin, as browsers send it."""
 
 PAGE = re.compile(rf"https?://(?:{HOST.pattern})(?::\d+)?(?:/[^\s?#]*)?", re.ASCII | re.IGNORECASE)
-"""Address of a page without a query."""
+"""Pattern of a page's address without a query."""
 
 
 def address(host: str) -> str:
-    """Parse the address to listen at; ValueError if it is none."""
+    """Parse the address to listen at; ValueError if it is invalid."""
     text = check.text("host", host)
     if text == "localhost":
         return LOCAL
@@ -39,12 +39,12 @@ def address(host: str) -> str:
 
 
 def is_local(listened: str) -> bool:
-    """Whether only programs on this machine reach an address."""
+    """Return whether an address is reachable only from this machine."""
     return ipaddress.ip_address(listened).is_loopback
 
 
 def reached(listened: str) -> list[str]:
-    """Addresses and names at which clients reach a server, the likeliest first."""
+    """Return addresses and names at which clients reach a server, the most useful first."""
     where = ipaddress.ip_address(listened)
     if not where.is_unspecified:
         return ["localhost", listened] if where.is_loopback else [listened]
@@ -54,7 +54,7 @@ def reached(listened: str) -> list[str]:
 
 
 def names(given: Sequence[str]) -> list[str]:
-    """Check names of hosts and return them in lower case; ValueError for what no browser sends as one."""
+    """Check host names and return them in lower case; ValueError for invalid names."""
     found = [name.lower() for name in check.texts("names", given)]
     for name in found:
         if not HOST.fullmatch(name):
@@ -64,7 +64,7 @@ def names(given: Sequence[str]) -> list[str]:
 
 
 def origin(given: str) -> str:
-    """Check whose pages may read the files; ValueError for what no browser sends as an origin."""
+    """Check the origin whose pages may read the files; ValueError for an invalid origin."""
     if check.text("origin", given) != "*" and not ORIGIN.fullmatch(given):
         got = check.shortened(given)
         raise ValueError(
@@ -77,7 +77,7 @@ def _outward() -> str | None:
     """Return the address of this machine in its network; None without a network. Nothing is sent."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         try:
-            # An address for documentation (RFC 5737): only the route to it is looked up.
+            # An address for documentation (RFC 5737); connecting a UDP socket only looks up the route.
             probe.connect(("192.0.2.1", 9))
             return str(probe.getsockname()[0])
         except OSError:
@@ -85,12 +85,12 @@ def _outward() -> str | None:
 
 
 def in_url(host: str) -> str:
-    """Write a host as it stands in an address of the web."""
+    """Return a host as it is written in a URL."""
     return f"[{host}]" if ":" in host and not host.startswith("[") else host
 
 
 def page(url: str) -> str:
-    """Check the address of a page or a server, without a query; ValueError for what leads to none."""
+    """Check the address of a page or a server, without a query; ValueError for an invalid address."""
     if not PAGE.fullmatch(check.text("url", url)):
         got = check.shortened(url)
         raise ValueError(f"url: expected an address such as https://example.org/town/ without a query, got {got}")

@@ -1,4 +1,4 @@
-"""Certificates for encrypted connections, without which headsets show nothing immersively."""
+"""Certificates for encrypted connections, which immersive WebXR sessions require."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from nearfar import _core
 from nearfar._base import check, files
 
 _DAYS_LEFT = 30
-"""A certificate of our own that ends sooner is made anew."""
+"""Remaining days below which an own certificate is replaced."""
 
 _DAY = 86400.0
 
@@ -23,24 +23,24 @@ class Certificate:
     Parameters
     ----------
     certificate, key
-        Files of the chain of certificates, the server's first, and of its key.
+        PEM files of the certificate chain, with the server's certificate first, and of its key.
 
     Raises
     ------
     ValueError
-        If a file cannot be read, the key is that of another certificate, or the certificate is not valid today.
+        If a file cannot be read, the key does not match the certificate, or the certificate is not valid today.
     TypeError
-        If a path is no path.
+        If an argument is not a path.
     """
 
     certificate: Path
     key: Path
     fingerprint: str = field(init=False)
-    """SHA-256 of the certificate, as browsers show it."""
+    """SHA-256 of the certificate, formatted as in browsers."""
     ends: int = field(init=False)
-    """When it ends, in seconds since 1970."""
+    """Expiry time, in seconds since 1970."""
     names: tuple[str, ...] = field(init=False)
-    """Names and addresses of hosts that it is for."""
+    """Host names and addresses in the certificate."""
 
     def __post_init__(self) -> None:
         for name in ("certificate", "key"):
@@ -56,28 +56,28 @@ class Certificate:
 
     @property
     def days(self) -> int:
-        """Days until it ends."""
+        """Days until the certificate expires."""
         return int((self.ends - time.time()) / _DAY)
 
     @classmethod
     def self_signed(cls, folder: str | os.PathLike[str], names: list[str]) -> Certificate:
-        """Take the certificate that signs itself from a folder, or make one that lasts 13 months.
+        """Load the self-signed certificate of a folder, or generate one that lasts 13 months.
 
-        It stays the same as long as it is valid and has the names, so that a headset need be told once to trust it.
+        It is kept as long as it is valid and has the names, so that a headset must accept it only once.
 
         Parameters
         ----------
         folder
             Folder of `certificate.pem` and `key.pem`; only its owner can read the key.
         names
-            Names and addresses of hosts that it must be for.
+            Host names and addresses that the certificate must include.
 
         Raises
         ------
         OSError
             If the folder cannot be written.
         ValueError
-            If a name is none of a host.
+            If a name is not a valid host name.
         """
         place, wanted = check.path("folder", folder), check.texts("names", names)
         certificate, key = place / "certificate.pem", place / "key.pem"

@@ -1,4 +1,4 @@
-"""The page that lists the sites of a server."""
+"""Index page that lists the sites of a server."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ span { opacity: .75 }
 
 
 def index(titles: Mapping[str, str]) -> dict[str, bytes]:
-    """Documents of the page: links to the sites, each with what it is."""
+    """Return the page's documents: links to the sites with their titles."""
     items = "\n".join(
         f'<li><a href="{html.escape(quote(name, safe=""))}/"><strong>{html.escape(name)}</strong>'
         f"<span>{html.escape(title)}</span></a></li>"

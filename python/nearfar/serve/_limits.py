@@ -1,4 +1,4 @@
-"""How much a server takes on."""
+"""Limits of a server."""
 
 from __future__ import annotations
 
@@ -12,37 +12,37 @@ _MOST = 2**20
 
 @dataclass(frozen=True)
 class Limits:
-    """How many connections and regions a server takes, and how long it waits for clients.
+    """Limits on connections and regions, and timeouts for clients.
 
     Parameters
     ----------
     connections
-        Connections at the same time; others wait until one ends.
+        Greatest number of connections; further ones wait until one ends.
     per_client
-        Connections of one address; more are closed at once. Programs on the server's machine may have all.
+        Greatest number of connections per address; further ones are closed at once. Local programs are exempt.
     header_bytes
-        Bytes of a request's headers, at least 8192.
+        Greatest size of a request's headers in bytes, at least 8192.
     header_seconds
-        Time for a handshake, for the headers of a request, and between two requests of a connection.
+        Timeout for a handshake, for the headers of a request, and between two requests of a connection.
     silent_seconds
-        Time in which a client takes no byte of an answer.
+        Timeout for a client that reads nothing of a response.
     grace_seconds
-        Time that answers get to end when the server closes.
+        Time for open responses to finish when the server closes.
     regions
-        Regions of a scene that are waited for; more are refused with 503.
+        Greatest number of a scene's regions in progress; further requests are refused with 503.
     regions_per_client
-        Regions of a scene that one address may wait for; more are refused with 429.
+        Greatest number of a scene's regions in progress per address; further requests are refused with 429.
     threads
-        Threads that make regions of a scene. The first one makes coarse maps alone.
+        Threads that make regions of a scene. The first one makes only coarse maps.
     memory_bytes
-        Bytes of a scene's regions that stay in memory where the disk takes no more.
+        Bytes of a scene's regions that may stay in memory if they cannot be written to disk.
 
     Raises
     ------
     ValueError
-        For a value outside its limits, which the message names.
+        For a value out of range; the message names it.
     TypeError
-        If a value is no number.
+        If a value is not a number.
     """
 
     connections: int = 1024
@@ -59,7 +59,7 @@ class Limits:
     def __post_init__(self) -> None:
         for name in ("connections", "per_client", "regions", "regions_per_client"):
             check.integer(name, getattr(self, name), 1, _MOST)
-        # Less would not hold the headers that browsers send.
+        # Smaller limits would reject the headers that browsers send.
         check.integer("header_bytes", self.header_bytes, 1 << 13, _MOST)
         for name in ("header_seconds", "silent_seconds"):
             check.within(name, getattr(self, name), 0.01, _MOST_SECONDS)

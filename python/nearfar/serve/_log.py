@@ -1,4 +1,4 @@
-"""The log of servers, on standard error."""
+"""Log of all servers, on standard error."""
 
 from __future__ import annotations
 
@@ -7,19 +7,19 @@ from nearfar._base import check
 
 
 def begin(*, as_json: bool = False, level: str = "info") -> bool:
-    """Write the log of all servers of this process to standard error from now on.
+    """Start writing the log of all servers of this process to standard error.
 
     Parameters
     ----------
     as_json
-        One JSON object a line instead of text.
+        Whether to write one JSON object per line instead of text.
     level
-        Least level: `error`, `warn`, `info` (each answer) or `debug` (connections that broke off).
+        Least level: `error`, `warn`, `info` (each response) or `debug` (broken connections).
 
     Returns
     -------
     bool
-        False if a log is written already, which stays as it is.
+        False if logging was started already; it continues unchanged.
 
     Raises
     ------

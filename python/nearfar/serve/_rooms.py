@@ -1,4 +1,4 @@
-"""Rooms of a server, and the keys that sign who may enter them."""
+"""Rooms of a server, and the keys that sign their tokens and tickets."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from nearfar._base import check, files
 from nearfar.stream import _room_names
 
 KEY_BYTES = 16
-"""Fewest bytes of a key."""
+"""Least size of a key, bytes."""
 
 _MADE_BYTES = 32
 _MOST = 2**20
@@ -23,44 +23,46 @@ _MOST_HOURS = 24.0 * 366
 
 @dataclass(frozen=True)
 class Rooms:
-    """How many rooms and users a server takes, and how much it lets each user send.
+    """Limits on rooms and users, and on the traffic of each user.
 
     Parameters
     ----------
     rooms, users
-        Rooms at the same time; users of a room at the same time.
+        Greatest number of rooms, and of users in a room.
     message_bytes
-        Bytes of a message that a user sends.
+        Greatest size of a user's message, bytes.
     queue_bytes
-        Bytes that wait for a user, besides poses; who lets more wait is closed.
+        Greatest size of a user's queue in bytes, without poses; a user whose queue exceeds it is disconnected.
     sockets_per_client, rooms_per_client
-        Sockets of one client, and rooms that it has begun, at the same time. Programs on this machine may have all.
+        Greatest number of connections per client, and of existing rooms that it has created. Local programs are exempt.
     messages_per_second, bytes_per_second, said_bytes_per_second
-        Rates that a user may send at, and say and signal to others; who sends more is closed.
+        Rates of all sent messages and bytes, and of bytes sent by `say` and `signal`; a user who exceeds them is
+        disconnected.
     poses_per_second
-        Poses a second that others get; those beyond are dropped. As many besides may say that none follows.
+        Poses per second that are forwarded; others are dropped. Final poses (`stops`) have a separate limit of equal
+        size.
     burst_seconds
-        So much time's worth of messages, of bytes and of poses may come at once.
+        Burst of messages, bytes and poses, as a duration at the limit.
     hello_seconds
-        Time from the beginning of a connection until its user is in the room.
+        Timeout from the start of a connection to the user's entry.
     ping_seconds, silent_seconds
-        Times without a byte of a user after which it is sent a ping, and after which it is gone.
+        Times without a byte from a user before it is sent a ping, and before it is disconnected.
     linger_seconds
-        Time that a user gets to read why the server ends its connection.
+        Time for a disconnected user to read the reason.
     key
-        Secret bytes that sign tickets, with which users get their numbers back after a restart, and tokens; None for
-        random ones of this server alone.
+        Secret bytes that sign tokens, and the tickets that restore users' numbers after a restart; None for a random
+        key that lasts as long as the server.
     needs_token
-        Whether users need a token that `token` made with the same key.
+        Whether users need a token made by `token` with the same key.
     peers
         Whether pages may exchange files among themselves.
     datagrams
-        Whether users may connect by WebTransport, at the server's port of UDP or the next one that is free.
+        Whether users may connect by WebTransport, at the server's port over UDP or the next free one.
 
     Raises
     ------
     ValueError
-        For a value outside its limits, which the message names, and for tokens without a key.
+        For a value out of range; the message names it. Also for tokens without a key.
     TypeError
         If a value has another type.
     """
@@ -87,11 +89,11 @@ class Rooms:
 
     def __post_init__(self) -> None:
         check.integer("rooms", self.rooms, 1, _MOST)
-        # Users have numbers of 16 bits, of which one is always free.
+        # Numbers of users have 16 bits, and one must stay free.
         check.integer("users", self.users, 1, 2**16 - 2)
         for name in ("sockets_per_client", "rooms_per_client"):
             check.integer(name, getattr(self, name), 1, _MOST)
-        # Less would not hold the largest signal.
+        # Smaller limits would reject the largest signal.
         check.integer("message_bytes", self.message_bytes, 1 << 15, 1 << 24)
         check.integer("queue_bytes", self.queue_bytes, 1 << 15, 1 << 24)
         for name in ("messages_per_second", "bytes_per_second", "said_bytes_per_second", "poses_per_second"):
@@ -107,28 +109,28 @@ class Rooms:
 
 
 def token(room: str, key: bytes, *, hours: float = 24.0) -> str:
-    """Make a token that lets one user at a time into a room of a server that has the same key.
+    """Make a token that admits one user at a time to a room of a server with the same key.
 
     Parameters
     ----------
     room
         The room's name.
     key
-        The secret bytes.
+        Secret bytes of the key.
     hours
-        Time from now on after which nobody can enter with it; who is in the room then stays.
+        Validity from now on, hours; a user who is in the room at its end may stay.
 
     Raises
     ------
     ValueError
-        For what is no name of a room, for a short key, and for times outside (0, 366 days].
+        For an invalid room name, for a short key, and for times outside (0, 366 days].
     TypeError
         If an argument has another type.
     """
     name, secret = _room_names.room("room", room), _checked("key", key)
     if check.within("hours", hours, 0.0, _MOST_HOURS) == 0.0:
         raise ValueError("hours: expected more than 0, got 0")
-    # The end counts in whole seconds; a second more, so that a short time is not over at once.
+    # Rounded up to whole seconds, so that a short validity does not expire at once.
     ends = int(time.time() + 3600.0 * hours) + 1
     return _core.room_token(name, ends, secrets.token_bytes(16), secret)
 
@@ -143,12 +145,12 @@ def read_key(path: str | os.PathLike[str]) -> bytes:
 
 
 def kept_key(path: str | os.PathLike[str]) -> bytes:
-    """Read a key from a file; make one first, which only its owner can read, if there is none.
+    """Read a key from a file; if there is none, first generate one that only its owner can read.
 
     Raises
     ------
     ValueError
-        If there is a file that is too short for a key.
+        If the file is too short for a key.
     OSError
         If the file can be neither read nor written.
     """

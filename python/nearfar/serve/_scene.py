@@ -1,4 +1,4 @@
-"""A scene that is loaded while its server already answers, and the documents that tell the page of it."""
+"""A scene that is loaded while its server already responds, and the documents that describe it to the page."""
 
 from __future__ import annotations
 
@@ -23,34 +23,34 @@ from nearfar.stream._on_demand import OnDemand, Part
 from nearfar.stream._store import FOLDER, MANIFEST
 
 SITE, SCENE, VERSION = "on_demand", "scene", 1
-"""Names of the formats of the manifest of a site and of the document on its scene, and their version."""
+"""Format names of a site's manifest and of its scene document, and their version."""
 
 Result = TypeVar("Result")
 
 POLL = 0.05
-"""Seconds between two looks whether a scene is there."""
+"""Seconds between two checks whether a scene is loaded."""
 
 
 class LoadedScene:
-    """Loads a scene in a thread of its own, and makes its regions; who asks before it is there waits.
+    """Loads a scene in a background thread, and makes its regions; requests wait until it is loaded.
 
     Parameters
     ----------
     load
-        Returns the scene. If it raises, whoever asks is told why.
+        Returns the scene. If it raises, requests fail with its message.
     title
-        Words that name the scene to people.
+        Title of the scene for users.
     source
-        Hash of all that `load` reads, and of how; None where nothing is kept from one start of the server to the next.
+        Hash of all input files and settings of `load`; None disables the disk cache between runs.
     start
-        Chooses where the page begins if its address names no place; by default an open place of the scene.
+        Chooses the start pose of pages whose address has none; by default in an open area of the scene.
     **settings
         As for `nearfar.stream._on_demand.OnDemand`.
 
     Raises
     ------
     ValueError, TypeError
-        For settings that cannot be used.
+        For invalid settings.
     """
 
     def __init__(
@@ -63,7 +63,7 @@ class LoadedScene:
         **settings: Any,
     ) -> None:
         self.title, self._source, self._settings = check.text("title", title), source, settings
-        # Settings are checked before the scene is there.
+        # Settings are checked before the scene is loaded.
         self.grid = OnDemand(_triangle(), **settings).grid
         self._begin(lambda: OnDemand(load(), **settings), start)
 
@@ -87,7 +87,7 @@ class LoadedScene:
 
     @classmethod
     def of_made(cls, scene: OnDemand) -> LoadedScene:
-        """Make regions of a scene that is there."""
+        """Wrap a scene that is already loaded."""
         made = cls.__new__(cls)
         made.title, made.grid = "scene", scene.grid
         made._source, made._settings = None, {}
@@ -99,11 +99,11 @@ class LoadedScene:
         self._loaded, self._start = loaded, background.Later(lambda: start(loaded.result().scene))
 
     def wait(self) -> Scene:
-        """Wait until the scene is there, and return it; ValueError with a sentence if it cannot be loaded."""
+        """Wait for the scene and return it; ValueError with a message if it cannot be loaded."""
         return self._result(self._loaded).scene
 
     def cache_folder(self) -> Path | None:
-        """Folder for the regions of this scene with these settings; None where they should not outlast the server."""
+        """Return the cache folder for this scene with these settings; None if regions must not outlast the server."""
         if self._source is None:
             return None
         settings = {name: _plain(value) for name, value in self._settings.items()}
@@ -117,16 +117,16 @@ class LoadedScene:
         yield from self._result(self._loaded).parts(center)
 
     def documents(self) -> Mapping[str, bytes | Callable[[], bytes]]:
-        """List the documents by which the page begins: a manifest, and one on the scene, which waits until it is there.
+        """List the documents that a page loads first: a manifest, and a scene document that waits for the scene.
 
-        The name of the latter is another one after each start, because clients may keep files for ever.
+        The name of the latter differs after each start, because clients may cache files for ever.
         """
         name = f"{FOLDER}/{secrets.token_hex(8)}.json"
         manifest = formats.header(SITE, VERSION, title=self.title, grid=self.grid, scene=name)
         return {MANIFEST: _encoded(manifest), name: lambda: _encoded(self._described())}
 
     def _described(self) -> dict[str, Any]:
-        """The document on the scene, or on why it is not there."""
+        """Return the scene document; if loading failed, it has the reason."""
         try:
             made, start = self._result(self._loaded), self._result(self._start)
         except ValueError as error:
@@ -147,7 +147,7 @@ class LoadedScene:
         )
 
     def _result(self, work: background.Later[Result]) -> Result:
-        """Result of work on the scene, which is waited for; ValueError with a sentence if it failed."""
+        """Wait for the result of work on the scene; ValueError with a message if it failed."""
         try:
             return work.result()
         except Exception as error:
@@ -165,5 +165,5 @@ def _encoded(document: dict[str, Any]) -> bytes:
 
 
 def _plain(value: Any) -> Any:
-    """A setting as keys of the cache take it."""
+    """Convert a setting to a type that cache keys accept."""
     return value if value is None or isinstance(value, bool | int | float | str | tuple | list) else repr(value)

@@ -1,4 +1,4 @@
-"""A server of sites; its work is done in Rust, in threads of its own."""
+"""Server of sites, implemented in Rust with its own threads."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ from nearfar.serve._site import Site
 from nearfar.view._page import POLICY
 
 RESERVED = ("healthz", "metrics", "index.html", "index.css")
-"""Names that the server has itself."""
+"""Names that the server itself uses."""
 
 ROOMS = "rooms"
-"""First part of the paths of rooms."""
+"""First segment of the paths of rooms."""
 
 HEADERS = {
     "content-security-policy": POLICY,
@@ -33,40 +33,40 @@ HEADERS = {
     "cross-origin-resource-policy": "same-origin",
     "permissions-policy": "xr-spatial-tracking=(self)",
 }
-"""Headers of all answers."""
+"""Headers of all responses."""
 
 
 class Server:
-    """Serves sites over HTTP from now on; use it in a `with` block, or `close` it.
+    """Serves sites over HTTP from construction on; use it in a `with` block, or `close` it.
 
     Parameters
     ----------
     sites
-        Sites by the first part of their paths; the one with the empty name has all other paths. Several sites without
-        such a one get a page that lists them.
+        Sites by the first segment of their paths; the site with the empty name serves all other paths. Several sites
+        without such a one get an index page.
     host
-        Address of this machine to listen at: 127.0.0.1 for programs on this machine alone, 0.0.0.0 for all networks.
+        Address to listen at: 127.0.0.1 for programs on this machine only, 0.0.0.0 for all networks.
     port
-        Port to listen at; 0 for any that is free.
+        Port to listen at; 0 for any free one.
     names
-        Names of hosts, without a port, by which clients may call the server; others are refused. By default those of
-        this machine where only its programs reach the server, else any.
+        Accepted host names, without a port; requests for other hosts are refused. By default the names of this machine
+        if only local programs reach the server, else any.
     certificate
-        Certificate for encrypted connections (TLS 1.2 and 1.3, HTTP/1.1 and HTTP/2); None for HTTP/1.1 without one.
-        Its files are read again when they change.
+        Certificate for encrypted connections (TLS 1.2 and 1.3, HTTP/1.1 and HTTP/2); None for plain HTTP/1.1. Its files
+        are reloaded when they change.
     origin
         Origin whose pages may read the files, such as `https://example.org`, or `*` for all; None for the server's own.
     limits
-        Limits of connections, times and regions.
+        Limits on connections, times and regions.
     rooms
         Limits and key of rooms, in which users see each other, at `rooms/NAME`; None for no rooms.
 
     Raises
     ------
     OSError
-        If the port is taken, the address is not of this machine, or a cache cannot be opened.
+        If the port is taken, the address does not belong to this machine, or a cache cannot be opened.
     ValueError
-        For other arguments that cannot be used.
+        For other invalid arguments.
     TypeError
         If an argument has another type.
     """
@@ -110,12 +110,12 @@ class Server:
             what = "address of this machine" if error.errno == errno.EADDRNOTAVAIL else "port"
             reason = f"{os.strerror(error.errno)}: choose another {what}"
             raise OSError(error.errno, reason, f"{_addresses.in_url(listened)}:{number}") from None
-        # Threads that make regions need the interpreter.
+        # Region threads need the interpreter, so the server is closed before it exits.
         self._end = weakref.finalize(self, self._server.close)
 
     @classmethod
     def of_bundle(cls, path: str | os.PathLike[str], *, port: int = 0) -> Server:
-        """Serve one bundle, reduced scene or tree of orthoviews; errors also as the functions that open them."""
+        """Serve one bundle, reduced scene or tree of orthoviews; errors also as for the functions that open them."""
         check.integer("port", port, 0, 65535)
         return cls({"": Site.of_bundle(path)}, port=port)
 
@@ -127,12 +127,12 @@ class Server:
 
     @property
     def urls(self) -> list[str]:
-        """Addresses at which clients reach the server, the likeliest first; with the names that it was given alone."""
+        """Addresses at which clients reach the server, the most useful first; only with `names`, if given."""
         return [self._address(host) for host in self._names or _addresses.reached(self._host)]
 
     @property
     def port(self) -> int:
-        """Port that it listens at."""
+        """Port at which the server listens."""
         return self._server.port
 
     def _address(self, host: str) -> str:
@@ -140,7 +140,7 @@ class Server:
         return f"{scheme}://{_addresses.in_url(host)}:{self.port}/"
 
     def close(self) -> None:
-        """Stop; answers that are being sent get a few seconds to end."""
+        """Stop the server; open responses get a few seconds to finish."""
         self._end()
 
     def __enter__(self) -> Server:

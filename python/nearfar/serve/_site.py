@@ -1,4 +1,4 @@
-"""The documents of a site: the page with a bundle, or a scene whose regions are made on demand."""
+"""Documents of a site: the page with a bundle, or with a scene whose regions are made on demand."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ from nearfar.view._page import INDEX, TYPES, page_files
 from nearfar.view._tree import tree_files, tree_folder, tree_page
 
 CACHE_BYTES = 2 * 10**9
-"""Bytes of a scene's regions on disk, by default."""
+"""Default size of a scene's disk cache, bytes."""
 
 Source = bytes | tuple[str, int] | Callable[[], bytes]
-"""A document's content: bytes, the path of a file and its size, or what reads it."""
+"""Content of a document: bytes, path and size of a file, or a function that reads it."""
 
 Listed = tuple[str, str, bool, Source]
-"""Name, media type, whether the name is that of the content, and the content."""
+"""Name, media type, whether the name identifies the content, and the content."""
 
 Made = tuple[Callable[[list[float]], object], Callable[..., object], float, str | None, int]
-"""Functions that begin a region and make its next part, the grid's spacing, folder and bytes of the cache."""
+"""Functions that begin a region and make its next part, the grid's spacing, and the cache's folder and bytes."""
 
 
 @dataclass(frozen=True)
@@ -35,17 +35,17 @@ class Site:
     """Documents and regions below one path of a server."""
 
     content: Mapping[str, Source] = field(default_factory=dict)
-    """Each document beside the page, by name."""
+    """Documents besides the page, by name."""
     demand: Made | None = None
     """Maker of regions on demand."""
     title: str = ""
-    """The scene, in a few words."""
+    """Short description of the scene."""
     has_page: bool = True
-    """Whether the page that shows a scene lies at its root."""
+    """Whether the scene's page is served at the root."""
 
     @classmethod
     def of_bundle(cls, path: str | os.PathLike[str]) -> Site:
-        """Show a bundle, a reduced scene or a tree of orthoviews; errors as the functions that open them."""
+        """Serve a bundle, a reduced scene or a tree of orthoviews; errors as for the functions that open them."""
         if (tree := tree_folder(path)) is not None:
             return cls({**tree_files(tree), **tree_page()}, title="orthoviews", has_page=False)
         if reduced_folder(path) is not None:
@@ -57,10 +57,10 @@ class Site:
 
     @classmethod
     def of_scene(cls, scene: LoadedScene | OnDemand, cache: Path | None, cache_bytes: int = CACHE_BYTES) -> Site:
-        """Show a scene whose regions are made on demand.
+        """Serve a scene whose regions are made on demand.
 
-        The cache is a folder for this scene with these settings alone, such as `LoadedScene.cache_folder()`; None keeps
-        what is made in memory, a part of a gigabyte at most.
+        The cache is a folder for only this scene with these settings, such as `LoadedScene.cache_folder()`; None keeps
+        regions in memory, up to a quarter of a gigabyte.
         """
         maker = LoadedScene.of_made(scene) if isinstance(scene, OnDemand) else scene
         folder = None if cache is None else os.fspath(cache)
@@ -68,7 +68,7 @@ class Site:
         return cls(maker.documents(), made, title="regions are made where you go")
 
     def documents(self) -> list[Listed]:
-        """List the site's documents, the page's among them."""
+        """List the site's documents, including the page's."""
         content = {**(page_files() if self.has_page else {}), **self.content}
         listed: list[Listed] = []
         if INDEX in content:
@@ -80,7 +80,7 @@ class Site:
 
 
 def _check_folder(path: str | os.PathLike[str]) -> None:
-    """FileNotFoundError for a folder that is there, but has nothing to show."""
+    """Raise FileNotFoundError for a folder without content that can be served."""
     if not is_url(path) and Path(path).is_dir() and not (Path(path) / MANIFEST).exists():
         what = (
             "expected a folder that `nearfar export` or `nearfar reduce` wrote, or a store of orthoviews; "
@@ -99,7 +99,7 @@ def _title(bundle: stream.Bundle) -> str:
 
 
 def _local_files(bundle: stream.Bundle) -> dict[str, tuple[str, int]]:
-    """Path and size of the files of a local bundle, which the server reads itself; ValueError for a linked folder."""
+    """Return path and size of a local bundle's files, which the server reads itself; ValueError for a linked folder."""
     place = Path(bundle._reader.place).resolve() / FOLDER
     if place.is_symlink():
         raise ValueError(f"{place}: expected a folder of the bundle, got a link")

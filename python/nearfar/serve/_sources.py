@@ -1,4 +1,4 @@
-"""A key of all that a scene's file holds and refers to, so that what was made of it is found again."""
+"""Cache key of a scene's file and all files that it refers to."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ from nearfar._base import cache
 from nearfar._base.version import __version__
 
 LIBRARY = re.compile(rb"^\s*mtllib\s+(.+?)\s*$", re.MULTILINE)
-"""Materials that an OBJ refers to."""
+"""Pattern of material libraries that an OBJ refers to."""
 
 PICTURE = re.compile(rb"^\s*(?:map_\w+|bump|disp|decal|refl)\s+(?:.*\s)?(\S+)\s*$", re.MULTILINE)
-"""Pictures that materials refer to."""
+"""Pattern of pictures that materials refer to."""
 
 
 def key(path: Path, how: Mapping[str, object]) -> str | None:
-    """Hash a file, the files that it refers to, how it is loaded, and the version of nearfar.
+    """Hash a file, the files that it refers to, the loading settings, and the version of nearfar.
 
-    Those of glTF and OBJ are followed; other kinds are taken to be whole. None if the file cannot be read, so that what
-    loads it says why.
+    References of glTF and OBJ are followed; other formats are assumed to be self-contained. None if the file cannot be
+    read, so that the loader reports the error.
     """
     try:
         found = {path.name: _digest(path)}
         for other in _referred(path):
-            # One that is missing makes another scene than one that is there.
+            # A missing file changes the scene, so it changes the key.
             found[str(other)] = _digest(path.parent / other) if (path.parent / other).is_file() else "none"
     except (OSError, ValueError):
         return None
@@ -36,7 +36,7 @@ def key(path: Path, how: Mapping[str, object]) -> str | None:
 
 
 def _referred(path: Path) -> Iterator[str]:
-    """Names of the files that a file refers to, relative to its folder."""
+    """Yield the names of the files that a file refers to, relative to its folder."""
     kind = path.suffix.lower()
     if kind == ".gltf":
         document = json.loads(path.read_bytes())

@@ -1,4 +1,4 @@
-"""CloVR (2024): rings of near geometry about a centre, each with the map of what lies beyond it, as files."""
+"""CloVR (2024): rings of near geometry about a centre, each with a map of the scene beyond it, as files."""
 
 from __future__ import annotations
 

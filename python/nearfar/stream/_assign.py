@@ -1,4 +1,4 @@
-"""The ring of each object: whole objects become geometry where they reach inside a ring's radius."""
+"""Assignment of whole objects to rings: an object is geometry where it reaches inside a ring's radius."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from nearfar._scene.report import count
 from nearfar._scene.scene import Scene, core_of
 
 RULES = ("object", "vertex")
-"""Points of an object that can be inside a radius: those of its triangles, or their corners alone."""
+"""Points of an object that are compared with a radius: all points of its triangles, or only their vertices."""
 
 MOST_RINGS = 1000
 """Greatest number of rings."""
@@ -26,8 +26,8 @@ MOST_RINGS = 1000
 class Rings:
     """Static objects of a scene in rings about the vertical axis through a centre.
 
-    Ring i holds the objects whose least ρ (distance from the axis) lies between the radii i − 1 and i; ring 0 holds
-    none: there everything is in the map. Objects beyond the last radius are always in the map, dynamic objects never.
+    Ring i holds the objects whose least ρ (distance from the axis) lies between the radii i − 1 and i. Ring 0 has no
+    objects: its map shows everything. Objects beyond the last radius are always in the map, dynamic objects never.
     """
 
     scene: Scene
@@ -37,15 +37,15 @@ class Rings:
     radii: tuple[float, ...]
     """Radii of the rings 1 to n in metres, ascending."""
     rule: str
-    """"object" or "vertex": what counts as inside."""
+    """Rule for what counts as inside: "object" or "vertex"."""
     least: NDArray[np.float32]
     """(objects,) least ρ of each object in metres; infinite beyond the last radius."""
     ring: NDArray[np.int32]
     """(objects,) ring of each object, 1 to n; n + 1 beyond the last radius; 0 for dynamic objects."""
     rest: int
-    """Ring of the faces that belong to no object, which count as one."""
+    """Ring of the faces that belong to no object; they are treated as one object."""
     measured: int
-    """Triangles whose distances were computed; others lie in boxes beyond the last radius."""
+    """Triangles whose distances were computed; the others lie in boxes beyond the last radius."""
 
     @property
     def count(self) -> int:
@@ -53,12 +53,12 @@ class Rings:
         return len(self.radii)
 
     def objects(self, ring: int) -> tuple[str, ...]:
-        """Names of the objects of a ring.
+        """Return the names of a ring's objects.
 
         Parameters
         ----------
         ring
-            0 for dynamic objects, 1 to n, n + 1 for those beyond the last radius.
+            0 for dynamic objects, 1 to n for rings, n + 1 for the objects beyond the last radius.
         """
         number = check.integer("ring", ring, 0, self.count + 1)
         names = self.scene.object_names
@@ -70,14 +70,14 @@ class Rings:
         Returns
         -------
         list
-            For each ring from 1 to n + 1 `radius` in metres (infinite for what lies beyond), `objects`, `triangles` as
-            drawn, and `stored`, the triangles that no earlier ring has: meshes with several instances are sent once.
+            For each ring from 1 to n + 1 `radius` in metres (infinite for n + 1), `objects`, `triangles` as drawn, and
+            `stored`, the triangles that no earlier ring has: meshes with several instances are sent once.
         """
         rows = loads(self.scene, self.codes(), self.count + 1)
         return [{"radius": radius, **row} for radius, row in zip((*self.radii, np.inf), rows, strict=True)]
 
     def codes(self) -> NDArray[np.uint16]:
-        """(objects + 1,) rings as kernels take them: those of all objects, and last that of faces without one."""
+        """Return ring codes for the kernels (objects + 1,): one per object, then one for faces without an object."""
         return np.append(self.ring, self.rest).astype(np.uint16)
 
     @card.repr_html
@@ -105,11 +105,11 @@ def assign(scene: Scene, *, center: ArrayLike, radii: Iterable[float], rule: str
     center
         World position of the centre O, metres; its height does not matter.
     radii
-        Radii of the rings in metres, positive and ascending, such as those of `rings`.
+        Radii of the rings in metres, positive and ascending, for example from `rings`.
     rule
         "object": an object belongs to the first ring that any point of its triangles reaches. "vertex": to the first
-        ring with one of their corners; as published, for reproduction: a floor whose corners are far away stays in the
-        map under the user.
+        ring that contains one of their vertices, as published, for reproduction: a floor whose corners are far away
+        stays in the map under the user.
 
     Returns
     -------
@@ -139,7 +139,7 @@ def assign(scene: Scene, *, center: ArrayLike, radii: Iterable[float], rule: str
 
 
 def loads(scene: Scene, codes: NDArray[np.uint16], last: int) -> list[dict[str, Any]]:
-    """Objects of each group from 1 to `last`, their triangles as drawn, and those that no earlier group stores."""
+    """Count objects, triangles as drawn and triangles that no earlier group stores, for each group from 1 to `last`."""
     counts = _core.ring_loads(scene._core, codes, last + 1)
     objects = np.bincount(codes[:-1], minlength=last + 1)
     columns = zip(objects[1:].tolist(), *counts[1:, :2].T.tolist(), strict=True)
@@ -149,7 +149,7 @@ def loads(scene: Scene, codes: NDArray[np.uint16], last: int) -> list[dict[str, 
 def object_radii(
     scene: Scene, center: tuple[float, float, float], reach: float, rule: str
 ) -> tuple[NDArray[np.float32], float, int]:
-    """Least ρ of each object and of faces without one, infinite beyond `reach`; and the triangles measured."""
+    """Return the least ρ of objects and of faces without one, infinite beyond `reach`; and the triangles measured."""
     settings: dict[str, Any] = {"center": center, "reach": reach, "rule": rule}
     with progress.bar("rings") as report:
         least, measured = _core.object_radii(scene._core, len(scene.object_names), **settings, report=report)
@@ -157,7 +157,7 @@ def object_radii(
 
 
 def ascending(name: str, radii: Iterable[float]) -> tuple[float, ...]:
-    """Radii as numbers; ValueError where they are not positive and ascending."""
+    """Convert radii to numbers; ValueError unless they are positive and ascending."""
     listed = islice(check.iterable(name, radii, "radii"), MOST_RINGS + 1)
     bounds = tuple(check.positive(f"{name}[{n}]", radius) for n, radius in enumerate(listed))
     if not 1 <= len(bounds) <= MOST_RINGS:

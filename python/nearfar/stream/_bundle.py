@@ -1,4 +1,4 @@
-"""Bundles: rings of near geometry and their maps as files, and the pictures that a client makes of them."""
+"""Bundles: rings of near geometry and their maps as files, and the images that a client renders from them."""
 
 from __future__ import annotations
 
@@ -25,16 +25,16 @@ from nearfar.stream._regions import InRegions
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Bundle(InRegions):
-    """A bundle of files that `export` wrote, opened by `open`. Files are read when they are needed, and checked.
+    """A bundle of files that `export` wrote, opened by `open`. Files are read and checked when they are needed.
 
-    It speaks of one region at a time, the first one when it is opened; `region` returns it for another one. `files`,
-    `nbytes`, `read` and `verify` are about all of them.
+    A `Bundle` describes one region, the first one after `open`; `region` returns it for another one. `files`, `nbytes`,
+    `read` and `verify` cover all regions.
     """
 
     _reader: _store.Reader
     _manifest: dict[str, Any]
     number: int = 0
-    """Number of the region that this bundle speaks of."""
+    """Number of the described region."""
     _kept: dict[str, bytes] = field(default_factory=dict)
 
     @property
@@ -49,23 +49,23 @@ class Bundle(InRegions):
 
     @property
     def growth(self) -> Growth:
-        """How the morph of a client grows when a ring has arrived."""
+        """Growth of a client's morph after a ring has arrived."""
         described = self._manifest["growth"]
         return Growth(self.radii, **{name: described[name] for name in ("speed", "reach", "fade")})
 
     @property
     def pixels_per_degree(self) -> float | None:
-        """Pixels a degree of the display for which textures were halved; None if they are whole."""
+        """Pixels per degree of the display for which textures were halved; None if they have full size."""
         return self._display.get("pixels_per_degree")
 
     @property
     def split_px(self) -> float | None:
-        """Greatest error, in that display's pixels, to which large triangles were split; None if they are whole."""
+        """Greatest error, in that display's pixels, to which large triangles were split; None if not split."""
         return self._display.get("split_px")
 
     @property
     def _display(self) -> dict[str, float | None]:
-        """Displays that the files suit; a bundle that was written before this was kept does not say."""
+        """Display that the files suit; empty for bundles written before the manifest had this entry."""
         display: dict[str, float | None] = self._manifest.get("display", {})
         return display
 
@@ -94,15 +94,15 @@ class Bundle(InRegions):
         return rings
 
     def summary(self) -> list[dict[str, Any]]:
-        """Count what each ring of the region adds.
+        """Count what each ring adds to the region.
 
         Returns
         -------
         list
             For each ring from 0 on `radius` in metres, its static `objects` and their `triangles`, and the bytes of its
-            `geometry` with textures, of `color` and `range` of its map, and of `dynamic` objects. Those come with ring
-            0, because every picture shows them. A file that an earlier ring or column has counts there only, so that
-            the bytes of a bundle with one region add up to `nbytes`, unless it also has its objects by footprint.
+            `geometry` with textures, of `color` and `range` of its map, and of `dynamic` objects. Dynamic objects come
+            with ring 0, because every picture shows them. A file counts only in the first ring and column that has it,
+            so that the bytes of a bundle with one region add up to `nbytes`, unless it has objects by footprint too.
         """
         seen: set[str] = set()
         rows = []
@@ -142,7 +142,7 @@ class Bundle(InRegions):
         return self._kept[name]
 
     def verify(self) -> None:
-        """Read every file, also those that were read before, and check its size and hash.
+        """Read every file again and check its size and hash.
 
         Raises
         ------
@@ -153,7 +153,7 @@ class Bundle(InRegions):
             self._fetched(name)
 
     def map(self, ring: int) -> EnvMap:
-        """Return the map of what lies after a ring, as a client has it: with range from ring 1 on.
+        """Return a client's map of the scene beyond a ring; rings from 1 on have range too.
 
         Parameters
         ----------
@@ -173,23 +173,24 @@ class Bundle(InRegions):
         return EnvMap(self.center, color=color, range=ranges)
 
     def at(self, ring: int, radius: float | None = None, strength: float = 1.0) -> ReducedScene:
-        """Return what a client shows that has all rings up to one, while its morph grows.
+        """Return the scene of a client that has all rings up to `ring`, at a state of the morph's growth.
 
         Parameters
         ----------
         ring
             0 to n. The geometry of rings up to this one is drawn before its map.
         radius
-            Radius R of the morph in metres, from 0, where everything is shown as the centre sees it, to the ring's own,
-            which is the default. A client that has received ring i lets it grow from that of ring i − 1.
+            Radius R of the morph in metres, from 0, where everything is shown as the centre sees it, to the ring's own
+            radius, the default. In a client that has received ring i, R grows from the radius of ring i − 1.
         strength
-            Strength of the morph, from 0, where everything is shown as the centre sees it, to 1. A client that has
-            received ring 1 lets it grow. `growth` has the times of both.
+            Strength of the morph, from 0, where everything is shown as the centre sees it, to 1. In a client that has
+            received ring 1 it grows. `growth` has the times of both.
 
         Returns
         -------
         ReducedScene
-            What `nearfar.render` draws; its dynamic objects can be posed. Static objects of ring i are called "ring i".
+            The scene for `nearfar.render`; its dynamic objects can be posed. Static objects of ring i are called "ring
+            i".
 
         Raises
         ------
@@ -216,34 +217,33 @@ class Bundle(InRegions):
     def show(
         self, *, size: tuple[int, int] = (640, 400), camera: Camera | None = None, strategy: str = "clovr"
     ) -> View:
-        """Show the bundle in a notebook: the page's viewer, in which the user walks and looks around.
+        """Show the bundle in a notebook: a viewer in which the user walks and looks around.
 
-        Files go to the browser in messages of the notebook, so that Python may run on another machine.
+        Files reach the browser in messages of the notebook, so that Python may run on another machine.
 
         Parameters
         ----------
         size
-            Width and height in pixels of the browser, 16 to 8192; it is smaller where a cell is narrower.
+            Width and height in CSS pixels, 16 to 8192; a narrower cell makes it smaller.
         camera
-            Where the user begins; by default at the centre, looking along −z, with a vertical field of view of 75°.
+            Pose at the start; by default at the centre, looking along −z, with a vertical field of view of 75°.
         strategy
-            "clovr": rings that arrive fade in, and the morph grows. "clovrd": they are shown at
-            once. "vis0" and "vis1", as docs/view.md describes them, need
-            `export(by_footprint=True)`.
+            "clovr": rings that arrive fade in, and the morph grows. "clovrd": rings are shown at once. "vis0" and
+            "vis1", described in docs/view.md, need `export(by_footprint=True)`.
 
         Returns
         -------
         View
-            A widget, which a notebook shows if it is the last value of a cell. Its `camera` can be read and set, as
-            can `position`, `yaw`, `pitch` (radians) and `angle` (degrees); `ring`, `region`, `radius`, `strength` and
-            `problem` can be read. Places without widgets, such as saved notebooks, show a picture.
+            A widget, which a notebook shows if it is the last value of a cell. Its `camera` can be read and set, as can
+            `position`, `yaw`, `pitch` (radians) and `angle` (degrees); `ring`, `region`, `radius`, `strength` and
+            `problem` can be read. Without widget support, as in saved notebooks, a picture is shown.
 
         Raises
         ------
         ImportError
             If anywidget is not installed.
         ValueError, TypeError
-            For arguments out of their domains, such as a camera that is rolled.
+            For arguments out of range, such as a camera that is rolled.
         """
         return make_view(self, center=self.center, size=size, camera=camera, strategy=strategy)
 
@@ -298,19 +298,19 @@ class Bundle(InRegions):
 
 
 def _geometry_files(entry: Mapping[str, Any] | None) -> list[str]:
-    """Names of the files that an entry with a GLB needs: itself, its buffers and its images."""
+    """Return the file names of an entry with a GLB: the GLB, its buffers and its images."""
     return [] if entry is None else [*names_of(entry["geometry"]), *entry["parts"]]
 
 
 def open(path: str | os.PathLike[str]) -> Bundle:  # noqa: A001
-    """Open a bundle that `export` wrote; its files are read when they are needed, and checked.
+    """Open a bundle that `export` wrote; files are read and checked when they are needed.
 
-    In a local folder all files must be there with the listed sizes.
+    In a local folder all files must be present with the listed sizes.
 
     Parameters
     ----------
     path
-        The folder or its `manifest.json`; or a URL of either, which needs fsspec and what that needs for such a URL:
+        The folder or its `manifest.json`; or a URL of either, which needs fsspec and its package for the URL's scheme:
         'fsspec[http]' for web servers, s3fs for ``s3://``.
 
     Raises
@@ -319,7 +319,7 @@ def open(path: str | os.PathLike[str]) -> Bundle:  # noqa: A001
         For a manifest that is damaged or newer than this version reads, and for a file of a local folder that is
         missing or has another size; the message names the file.
     ValueError
-        For a URL whose file system is not known, and where fsspec, or a package that it needs, is missing.
+        For a URL with an unknown file system, and if fsspec, or a package that it needs, is missing.
     OSError
         If there is no manifest, or a server does not answer.
     """

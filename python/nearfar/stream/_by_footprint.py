@@ -1,4 +1,4 @@
-"""The near objects in the order in which vis0 and vis1 send them: by how much of the view from the centre they take."""
+"""Near objects in the sending order of vis0 and vis1: by their footprint, the solid angle seen from the centre."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ from nearfar.stream._map_files import RangeScale
 from nearfar.stream._maps import TILE
 
 PORTIONS = 32
-"""Files that the objects of a region are divided into, at most."""
+"""Greatest number of files that the objects of a region are divided into."""
 
 
 @dataclass(frozen=True, eq=False)
 class Portions:
-    """Static objects of all rings that the centre sees, the largest footprints first."""
+    """Static objects of all rings that are visible from the centre, in descending order of footprint."""
 
     scene: Scene
     """The scene."""
     portion: NDArray[np.int32]
-    """(objects,) portion of each object, from 1 on; `count` + 1 for those that are not sent, 0 for dynamic objects."""
+    """(objects,) portion of each object, from 1 on; `count` + 1 for objects not sent, 0 for dynamic objects."""
     rest: int
     """Portion of the faces that belong to no object."""
     count: int
@@ -38,9 +38,9 @@ class Portions:
 
     @classmethod
     def of(cls, rings: Rings, *, scene: Scene) -> Portions:
-        """Divide the near objects of rings; `scene` has them as they are sent.
+        """Divide the near objects of rings into portions; `scene` holds the objects as they are sent.
 
-        Faces without an object have no footprint of their own: they come last.
+        Faces without an object have no footprint, so they belong to the last portion.
         """
         seen = footprints(rings.scene, center=rings.center)
         chosen = np.flatnonzero((rings.ring > 0) & (rings.ring <= rings.count) & (seen > 0.0))
@@ -51,16 +51,16 @@ class Portions:
         return cls(scene, portion, count if rings.rest <= rings.count else count + 1, count)
 
     def codes(self) -> NDArray[np.uint16]:
-        """(objects + 1,) portions as kernels take them: those of all objects, and last that of faces without one."""
+        """Return portion codes for the kernels (objects + 1,): one per object, then one for faces without an object."""
         return np.append(self.portion, self.rest).astype(np.uint16)
 
     def summary(self) -> list[dict[str, Any]]:
-        """Count objects and triangles of each portion, and last of what is not sent."""
+        """Count objects and triangles of each portion, and last of the objects that are not sent."""
         return loads(self.scene, self.codes(), self.count + 1)
 
 
 def encode_whole(env: EnvMap, files: Files, quality: int | None, scale: RangeScale) -> dict[str, Any]:
-    """Encode a map as ring 0's colour and ring 1's range are: a file for each face of both."""
+    """Encode a map like ring 0's colour and ring 1's range: one file per face for each of the two."""
     assert env.range is not None
     codes = scale.codes(env.range)
     nothing, no_tiles = np.zeros((1, *codes.shape[1:]), bool), np.zeros(0, np.int64)

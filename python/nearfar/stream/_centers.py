@@ -1,4 +1,4 @@
-"""Centres of a bundle's regions: a grid that nearby requests share, and neighbours."""
+"""Centres of a bundle's regions: snapping to a grid, so that nearby requests share a region, and neighbours."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ Point = tuple[float, float, float]
 Floats = NDArray[np.float64]
 
 MOST_CENTERS = 1000
-"""Greatest number of centres of a bundle, whose manifest describes each one's rings and tiles."""
+"""Greatest number of centres in a bundle; the manifest describes each centre's rings and tiles."""
 
 APART = 1e-3
-"""Least distance in metres of two centres, about the step to which geometry is rounded."""
+"""Least distance between two centres, metres; about the step to which geometry is rounded."""
 
 RIGHT_ANGLE = 1e-9
-"""Cosine up to which an angle counts as a right one: corners of a grid touch circles, but for their last digits."""
+"""Cosine below which an angle counts as right: grid corners lie on the circles up to rounding errors."""
 
 NEAREST = 16
 """Number of nearest centres that are tested first, because they rule out almost all pairs."""
@@ -39,8 +39,8 @@ def snap(center: ArrayLike, grid: SupportsFloat) -> Point:
     Returns
     -------
     tuple
-        World position, metres: x and z are multiples of `grid`, of two equally near ones the even multiple; the height
-        is kept. It is up to grid/√2 from the centre.
+        World position, metres: x and z are multiples of `grid`, the even multiple of two equally near ones; the height
+        is kept. It is at most grid/√2 from the centre.
 
     Raises
     ------
@@ -59,7 +59,7 @@ def snap(center: ArrayLike, grid: SupportsFloat) -> Point:
 
 
 def centers_of(center: ArrayLike | Regions, grid: SupportsFloat | None) -> Floats:
-    """Centres (K, 3) of a point, of several or of regions; those that meet on the grid, if there is one, are one.
+    """Return the centres (K, 3) of a point, of several points or of regions, with duplicates on `grid` merged.
 
     ValueError for none, for too many, and for two that are closer than `APART`.
     """
@@ -82,10 +82,10 @@ def centers_of(center: ArrayLike | Regions, grid: SupportsFloat | None) -> Float
 
 
 def neighbours(centers: Floats) -> list[list[int]]:
-    """Find the neighbours of each centre: the Gabriel graph, which joins all centres to one another.
+    """Find the neighbours of each centre: the edges of the Gabriel graph, which is connected.
 
     Two centres are neighbours if no third one lies within or on the sphere whose diameter joins them, that is, sees
-    them at a right angle or a greater one. On a square grid those are the four nearest.
+    them at an angle of 90° or more. On a square grid the neighbours are the four nearest centres.
 
     Parameters
     ----------
@@ -95,7 +95,7 @@ def neighbours(centers: Floats) -> list[list[int]]:
     Returns
     -------
     list
-        Ascending numbers of each centre's neighbours.
+        Neighbours of each centre, in ascending order.
 
     References
     ----------
@@ -115,9 +115,9 @@ def neighbours(centers: Floats) -> list[list[int]]:
 
 
 def halfway(centers: Floats, near: list[list[int]]) -> float:
-    """Greatest distance in metres from a centre to the middle of the way to a neighbour; 0 without neighbours.
+    """Return half the greatest distance in metres between a centre and a neighbour; 0 without neighbours.
 
-    As far as that a user comes from the nearest centre who walks from one to the next.
+    It bounds the distance to the nearest centre of a user who walks straight from one centre to the next.
     """
     ways = [
         np.linalg.norm(centers[others] - place, axis=1).max()
@@ -136,7 +136,7 @@ def _check_apart(points: Floats) -> None:
 
 
 def _is_between(ends: Floats, others: Floats) -> NDArray[np.bool_]:
-    """Whether any of the points (M, 3) sees the origin and each end (N, 3) at a right angle or a greater one."""
+    """Return whether any of the points (M, 3) sees the origin and each end (N, 3) at an angle of 90° or more."""
     back = ends[:, None] - others
     lengths = np.linalg.norm(back, axis=2) * np.linalg.norm(others, axis=1)
     return np.asarray(((-others * back).sum(axis=2) < RIGHT_ANGLE * lengths).any(axis=1))

@@ -1,4 +1,4 @@
-"""Pictures of a scene while a client loads it, with object numbers: for measuring."""
+"""Pictures, with object numbers, of a partly loaded scene as a client shows it; for measurements."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ from nearfar.stream._maps import RingMaps, bake_maps
 from nearfar.stream._stage import Shown
 
 TEXELS = 3
-"""Texels of maps along a pixel of a face, an odd number, so that the middle of a pixel is that of a texel."""
+"""Map texels along a pixel of a cube face; odd, so that a pixel's centre is also a texel's centre."""
 KEPT = 4
-"""Pictures, and states of a client, that are kept, because the next ones may be the same."""
+"""Greatest number of cached pictures, and of cached client states; consecutive frames often share them."""
 CHANNELS = ("color", "object_id")
 
 Eye = tuple[float, float, float]
@@ -35,7 +35,7 @@ Eye = tuple[float, float, float]
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """Luma, encoded as sRGB, and object numbers, (H, W); −1 for none."""
+    """Luma, encoded as sRGB, and object numbers, (H, W) each; object −1 for none."""
 
     luma: NDArray[np.float64]
     objects: NDArray[np.int32]
@@ -43,21 +43,21 @@ class Picture:
 
 @dataclass(eq=False)
 class SceneParts:
-    """A scene in rings, and their maps, for all strategies and users."""
+    """A scene in rings, and their maps; shared by all strategies and user positions."""
 
     rings: Rings
     maps: RingMaps
     cameras: tuple[Camera, ...]
     """Views, which are moved to the user's eye."""
     most: int = KEPT
-    """How many states are kept, of those that were used last."""
+    """Number of cached states; the least recently used one is dropped."""
     reduced: OrderedDict[tuple[bool, int], ReducedScene] = field(default_factory=OrderedDict)
-    """These: by whether it is by footprint, and the number of the ring or portion."""
+    """Cached states by (whether objects are ordered by footprint, number of the ring or portion)."""
     portions: Portions | None = None
 
     @classmethod
     def of(cls, scene: Scene, bundle: Bundle, camera: Camera | None, size: int) -> SceneParts:
-        """Bake the maps of a bundle's region anew; without a camera for six faces of some pixels."""
+        """Bake the maps of a bundle's region anew; without a camera the views are six cube faces of `size`² pixels."""
         rings = assign(scene, center=bundle.center, radii=bundle.radii)
         if rings.rest <= rings.count:
             raise ValueError("scene: expected faces that all belong to objects, which are counted; name the objects")
@@ -69,7 +69,7 @@ class SceneParts:
         return cls(rings, maps, (camera,))
 
     def state(self, number: int, *, by_footprint: bool) -> ReducedScene:
-        """The picture of a client that has all rings, or portions by footprint, up to one."""
+        """Return the scene of a client that has all rings, or portions by footprint, up to a number."""
         key = (by_footprint, number)
         if key not in self.reduced:
             self.reduced[key] = self._portion(number) if by_footprint else self._ring(number)
@@ -83,7 +83,7 @@ class SceneParts:
         return self._before(names, number, self.rings.radii[max(number, 1) - 1])
 
     def _portion(self, number: int) -> ReducedScene:
-        """All objects up to a portion; beyond the last one also the map."""
+        """Return all objects up to a portion; after the last portion also the map."""
         scene, rings = self.rings.scene, self.rings
         if self.portions is None:
             self.portions = Portions.of(rings, scene=scene)
@@ -93,7 +93,7 @@ class SceneParts:
         return self._before(names, ring, rings.radii[-1])
 
     def _before(self, names: list[str], ring: int | None, radius: float) -> ReducedScene:
-        """Whole objects before the map of a ring, or before nothing."""
+        """Return whole objects in front of a ring's map, or without a map."""
         zones = partition(
             self.rings.scene.subset(objects=names),
             center=self.rings.center,
@@ -108,7 +108,7 @@ class SceneParts:
 
 @dataclass(eq=False)
 class Pictures:
-    """Pictures of a strategy, and how many were rendered."""
+    """Rendered pictures of a strategy, and their number."""
 
     parts: SceneParts
     by_footprint: bool
@@ -116,11 +116,11 @@ class Pictures:
     _kept: OrderedDict[tuple[Shown | None, Eye], Picture] = field(default_factory=OrderedDict)
 
     def shown(self, shown: Shown, eye: Eye) -> Picture:
-        """The picture of a client in a state."""
+        """Return the picture of a client in a state."""
         return self._find(shown, eye)
 
     def truth(self, eye: Eye) -> Picture:
-        """The scene itself."""
+        """Return the picture of the full scene."""
         return self._find(None, eye)
 
     def _find(self, shown: Shown | None, eye: Eye) -> Picture:
@@ -149,7 +149,7 @@ class Pictures:
         if shown.share == 0.0:
             return frame
         both = blend(frame, self._of_ring(shown, shown.ring + 1, view), shown.share)
-        # Of two pictures the one that has more of the colour tells the objects.
+        # Object numbers are taken from the picture with the greater share of the colour.
         return both if shown.share >= 0.5 else replace(both, object_id=frame.object_id)
 
     def _of_ring(self, shown: Shown, ring: int, view: Camera) -> Frame:
@@ -157,6 +157,6 @@ class Pictures:
         frame = reduced.with_growth(shown.radius, shown.strength).render(view, channels=CHANNELS)
         if reduced.env is not None:
             return frame
-        # Before the map comes the page shows black.
+        # The page shows black until the map has arrived.
         is_near = frame.require("object_id") >= 0
         return replace(frame, color=frame.require("color") * is_near[..., None])

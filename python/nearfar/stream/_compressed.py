@@ -1,4 +1,4 @@
-"""Bytes that files take on their way where the server compresses them, as `nearfar serve` does."""
+"""Transfer sizes of files that the server compresses, as `nearfar serve` does."""
 
 from __future__ import annotations
 
@@ -6,20 +6,20 @@ import zlib
 from collections.abc import Callable
 
 LEAST, MOST = 1 << 10, 1 << 26
-"""Files of fewer bytes, and of more, go as they are."""
+"""Sizes in bytes outside of which files are sent uncompressed."""
 WORTH = 0.95
-"""Share of a file's bytes that a compressed copy may have."""
+"""Greatest ratio of compressed to original size for which the compressed copy is sent."""
 COMPRESSED = (".webp", ".range")
-"""Ends of names of files whose content is compressed."""
+"""Suffixes of files whose content is already compressed."""
 
 _FORMAT = 16 + zlib.MAX_WBITS
-"""Of gzip."""
+"""zlib's `wbits` for the gzip format."""
 _known: dict[str, int] = {}
-"""By the names of files, which are those of their contents."""
+"""Compressed sizes by file name; a name identifies the content."""
 
 
 def sent(name: str, size: int, read: Callable[[str], bytes]) -> int:
-    """Return the bytes that a file takes on its way."""
+    """Return the transfer size of a file in bytes."""
     if name.endswith(COMPRESSED) or not LEAST <= size <= MOST:
         return size
     if name not in _known:
@@ -28,7 +28,7 @@ def sent(name: str, size: int, read: Callable[[str], bytes]) -> int:
 
 
 def sent_now(content: bytes) -> int:
-    """Return the bytes that a document takes whose name does not tell its content."""
+    """Return the transfer size in bytes of a document whose name does not identify its content."""
     packed = _copy(content)
     return packed if len(content) >= LEAST and packed < WORTH * len(content) else len(content)
 

@@ -1,4 +1,4 @@
-"""Decoding of the parts of a bundle: maps from pictures and codes, scenes from GLB files."""
+"""Decoding of the parts of a bundle: maps from images and codes, scenes from GLB files."""
 
 from __future__ import annotations
 
@@ -26,22 +26,22 @@ Read = Callable[[str], bytes]
 """Returns the bytes of a file by name."""
 
 Decoded = Callable[[str, Callable[[bytes], Any]], Any]
-"""Returns what a function makes of the bytes of a file by name; errors over its content name the file."""
+"""Decodes the content of a file by name with a function; errors name the file."""
 
 
 @dataclass(frozen=True)
 class Layout:
-    """How maps are divided into files."""
+    """Division of maps into files."""
 
     face_size: int
     tile: int
     across: int
-    """Tiles in a row of a picture of changed tiles."""
+    """Tiles in a row of an image of changed tiles."""
     scale: RangeScale
 
     @classmethod
     def of(cls, described: dict[str, Any]) -> Layout:
-        """Read it from a manifest; ValueError for values that cannot be."""
+        """Read the layout from a manifest; ValueError for impossible values."""
         size = check.integer("face_size", described["face_size"], 1, codec.MOST_PIXELS)
         tile = check.integer("tile", described["tile"], 1, size)
         if size % tile:
@@ -58,7 +58,7 @@ class Layout:
         return 6 * (self.face_size // self.tile) ** 2
 
     def check(self, maps: Sequence[dict[str, Any]]) -> None:
-        """Raise ValueError for maps that do not fit."""
+        """Raise ValueError for map entries that do not fit the layout."""
         if len(maps[0]["color"]) != 6:
             raise ValueError("map: expected six pictures for ring 0")
         for number, described in enumerate(maps[1:], 1):
@@ -76,9 +76,9 @@ class Layout:
 def decode_map(
     maps: Sequence[dict[str, Any]], layout: Layout, decoded: Decoded
 ) -> tuple[NDArray[np.float32], NDArray[np.float32] | None]:
-    """Colour (6, S, S, 3), linear RGB, and range (6, S, S), metres, of the last of consecutive maps from ring 0 on.
+    """Decode the last of consecutive maps from ring 0 on: colour (6, S, S, 3), linear RGB, and range (6, S, S), metres.
 
-    Ring 0 has no range of its own.
+    Range is None if only ring 0 is given.
     """
     side, tile, step, codes = layout.face_size, layout.tile, layout.scale.step, None
 
@@ -107,7 +107,7 @@ def decode_map(
 def _first_ranges(
     names: Sequence[str], tiles: NDArray[np.int64], layout: Layout, decoded: Decoded
 ) -> tuple[codec.Codes, NDArray[np.bool_]]:
-    """Codes of all texels in six files, and which texels ring 1 changes."""
+    """Decode the codes of all texels from six files, and which texels ring 1 changes."""
     side, tile, step = layout.face_size, layout.tile, layout.scale.step
 
     def face(name: str, own: NDArray[np.int64]) -> Any:
@@ -125,19 +125,19 @@ def _put_changes(
     tiles: NDArray[np.int64],
     tile: int,
 ) -> None:
-    """Replace changed texels and their neighbours in the listed tiles by those of a picture."""
+    """Replace changed texels and their neighbours in the listed tiles by those of an image."""
     known = codec.tiles_of(codec.with_neighbours(changed), tiles, tile)[..., None]
     shown = codec.tiles_of_sheet(sheet, len(tiles), tile)
     codec.put_tiles(faces, tiles, np.where(known, shown, codec.tiles_of(faces, tiles, tile)))
 
 
 def ring_scene(name: str, parts: Sequence[str], read: Read, place: str) -> Scene:
-    """The geometry of a ring; FormatError that names the file if it is damaged."""
+    """Read the geometry of a ring; FormatError that names the file if it is damaged."""
     return Scene._from_assembled(assembled(name, parts, read, place))
 
 
 def assembled(name: str, parts: Sequence[str], read: Read, place: str, *, moves: bool = False) -> Assembled:
-    """The parts of a scene of files, whose objects are all dynamic with `moves`."""
+    """Assemble the parts of a scene from files; with `moves` all objects are dynamic."""
     from nearfar._scene import load
 
     with tempfile.TemporaryDirectory() as folder:
@@ -151,7 +151,7 @@ def assembled(name: str, parts: Sequence[str], read: Read, place: str, *, moves:
 
 
 def joined(moving: Scene | None, rings: Sequence[tuple[str, Scene]]) -> Scene:
-    """One scene of dynamic objects, and of rings by name as objects that are drawn whole, as dynamic ones are."""
+    """Join dynamic objects and named rings into one scene; each ring becomes one object that is drawn whole."""
     if not rings:
         return Scene(empty_core((0.0, 0.0, 0.0)), Names(())) if moving is None else moving
     base = empty_core(rings[0][1]._core.origin) if moving is None else moving._core
@@ -169,5 +169,5 @@ def joined(moving: Scene | None, rings: Sequence[tuple[str, Scene]]) -> Scene:
 
 
 def _about_origin(core: _core.Scene) -> _core.Scene:
-    """The same scene with its origin at 0, so that its merged mesh keeps small coordinates."""
+    """Move a scene's origin to 0, so that its merged mesh keeps small coordinates."""
     return _core.Scene(**{**_core.scene_parts(core), "origin": (0.0, 0.0, 0.0)}) if any(core.origin) else core

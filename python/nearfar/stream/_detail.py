@@ -1,4 +1,4 @@
-"""Detail that a client can see: levels of objects and sizes of textures for the distances from which it sees them."""
+"""Detail that a client can see: levels of objects and sizes of textures for given viewing distances."""
 
 from __future__ import annotations
 
@@ -19,31 +19,31 @@ from nearfar.stream._assign import Rings
 from nearfar.stream._manifest import NEAR_SHARE
 
 MOST_HALVINGS = 32
-"""Halvings that leave one texel of any texture."""
+"""Halvings that reduce any texture to one texel."""
 
 SHARPEST = 60.0
-"""Pixels per degree of a display whose pixels the eye does not see, for clients that are not known."""
+"""Pixels per degree that the eye cannot resolve; used for unknown clients."""
 
 VIEW_DEG = 90.0
-"""Field of view for which levels are chosen: of its width depends from which size on objects have level 0."""
+"""Field of view for which levels are chosen, degrees; its width sets the object size from which level 0 is used."""
 
 
 @dataclass(frozen=True)
 class Detail:
-    """The detail of a scene that a client can see."""
+    """Detail of a scene that a client can see."""
 
     scene: Scene
     """The scene, whose objects may have levels."""
     rule: Any
-    """How levels are chosen, as `rule_of` returns it; None for the meshes of the scene."""
+    """Rule that chooses levels, as `rule_of` returns it; None for the scene's own meshes."""
     pixels_per_degree: float | None
-    """Of the client's display; None for one that shows everything."""
+    """Resolution of the client's display; None for unlimited resolution."""
     reach: float
-    """Greatest horizontal distance of a user from a centre, metres."""
+    """Greatest horizontal distance between a user and a centre, metres."""
 
     @classmethod
     def of(cls, scene: Scene, lod: Lod | None, pixels_per_degree: float | None, reach: float) -> Detail:
-        """Check how levels are to be chosen; ValueError for scenes without levels that are to be."""
+        """Check the rule for levels; ValueError if one is given and the scene has no levels."""
         if lod is None:
             return cls(scene, None, pixels_per_degree, reach)
         leveled = scene.leveled
@@ -52,7 +52,7 @@ class Detail:
         return cls(scene, rule_of(lod, leveled), pixels_per_degree, reach)
 
     def shown(self, rings: Rings) -> Rings:
-        """The rings with each static object at the level for a user within `reach` who is nearest to it.
+        """Return the rings with each static object at the level for the nearest user position within `reach`.
 
         Selectors see all objects straight ahead, where they look largest through a lens and to the eye.
         """
@@ -67,10 +67,10 @@ class Detail:
         return replace(rings, scene=self.scene.at_levels(np.where(is_static, levels, 0)))
 
     def halvings(self, divided: Sequence[Rings]) -> NDArray[np.uint32]:
-        """How often the sides of each texture are halved, so that its texels suffice wherever a user sees them.
+        """Return how often the sides of each texture can be halved while its texels suffice for all users.
 
-        Along the direction in which they are finest, no face has larger texels than the client's pixels, unless they
-        were larger. Textures that no ring shows become one texel.
+        Along the direction in which they are finest, no face gets larger texels than the client's pixels, unless they
+        were larger before. Textures that no ring shows become one texel.
         """
         count = self.scene._core.texture_count
         if self.pixels_per_degree is None or not count:
@@ -84,25 +84,26 @@ class Detail:
         return np.clip(times, 0, MOST_HALVINGS).astype(np.uint32)
 
     def _views(self, divided: Sequence[Rings]) -> Iterator[tuple[Scene, NDArray[np.float64]]]:
-        """Scenes with the least distances of their objects: one if no region shows other levels."""
+        """Yield scenes with the least distances of their objects; one scene if no region shows other levels."""
         if self.rule is None:
             yield self.scene, np.min([least_distances(rings, self.reach) for rings in divided], axis=0)
         else:
             yield from ((self.shown(rings).scene, least_distances(rings, self.reach)) for rings in divided)
 
     def _camera(self) -> Camera:
-        """The client's view of what lies straight ahead."""
+        """Return the client's view straight ahead."""
         sharp = SHARPEST if self.pixels_per_degree is None else self.pixels_per_degree
         side = math.ceil(2.0 * math.tan(math.radians(VIEW_DEG / 2.0)) * math.degrees(sharp))
         return Camera((0.0, 0.0, 0.0), fov=Fov.symmetric(VIEW_DEG), size=(side, side))
 
 
 def least_distances(rings: Rings, reach: float) -> NDArray[np.float64]:
-    """Metres from which objects look as large as a user within `reach` can see them, (objects + 1,).
+    """Return lower bounds (objects + 1,) of viewing distances in metres, including the morph's magnification.
 
-    The last is that of faces without an object. Infinite for what no ring shows, 0 for dynamic objects. A point at ρ is
-    at least ρ − reach away. The morph's weight changes by at most 1/(0.3 R) a metre, R ≥ ρ and R ≥ R₁, and the two
-    directions that it blends differ by at most reach/(ρ − reach): so it enlarges by at most 1 + reach/(0.3 R).
+    The last entry is for the faces without an object. It is infinite for objects in no ring, 0 for dynamic objects. A
+    point at ρ is at least ρ − reach away. The morph's weight changes by at most 1/(0.3 R) per metre, R ≥ ρ and R ≥ R₁,
+    and the two directions that it blends differ by at most reach/(ρ − reach), so it magnifies by at most
+    1 + reach/(0.3 R).
     """
     rest = (0.0, *rings.radii, np.inf)[rings.rest - 1] if rings.rest <= rings.count else np.inf
     least = np.append(rings.least.astype(np.float64), rest)

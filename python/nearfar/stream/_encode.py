@@ -1,4 +1,4 @@
-"""Encoding of the parts of a bundle: maps as pictures and codes, rings of geometry as GLB files."""
+"""Encoding of the parts of a bundle: maps as images and codes, rings of geometry as GLB files."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ from nearfar.stream._maps import TILE, RingMaps
 from nearfar.stream._store import FOLDER, described, named
 
 ACROSS = 16
-"""Tiles in a row of a picture of changed tiles."""
+"""Tiles in a row of an image of changed tiles."""
 
 BETTER = 2
-"""Steps by which the quality of changes exceeds that of map 0: what stays keeps errors beside objects that left."""
+"""Quality of changes minus that of map 0: unchanged texels keep errors beside objects that left the map."""
 
 LEAST_SHARED = 4096
-"""Bytes from which a mesh of several placements is a file of its own even if one group has it; regions share it."""
+"""Bytes from which a mesh with several placements gets its own file even if one group has it: regions share it."""
 
 Textures = list[tuple[str, bytes]]
 """Names and bytes of the files of a scene's textures, in the scene's order."""
@@ -46,20 +46,20 @@ class Files:
         return name
 
     def listed(self) -> dict[str, Any]:
-        """Size and hash of each file by name, in the order of the names."""
+        """Return size and hash of each file by name, sorted by name."""
         return {name: described(self.content[name]) for name in sorted(self.content)}
 
 
 def scale_of(maps: RingMaps, error: float) -> RangeScale:
-    """Codes for all ranges of all maps."""
+    """Return the scale of codes for all ranges of all maps."""
     ranges: list[Any] = [maps.first.range, *(change["range"] for change in maps.changes if "range" in change)]
     return RangeScale.of(np.concatenate([np.ravel(values) for values in ranges]), error)
 
 
 def encode_maps(maps: RingMaps, files: Files, *, quality: int | None, scale: RangeScale) -> Iterator[dict[str, Any]]:
-    """Encode the map of each ring, one after the other, from that of ring 0 on; their entries in a manifest.
+    """Encode the map of each ring, from ring 0 on; yields their manifest entries.
 
-    Colour of ring 0 is whole, then come changed texels; range is whole from ring 1 on.
+    Ring 0 has full colour, later rings changed texels; ring 1 has full range, later rings changed texels.
     """
     named: dict[str, list[str]] = {"webp": [], "range": []}
     for ring, kind, data in side_by_side.results(_jobs(maps, quality, scale)):
@@ -79,9 +79,9 @@ def _map_entry(maps: RingMaps, ring: int, named: dict[str, list[str]]) -> dict[s
 
 
 def _jobs(maps: RingMaps, quality: int | None, scale: RangeScale) -> Iterator[Callable[[], tuple[int, str, bytes]]]:
-    """Jobs that make the files of the maps: ring, kind and content of each; after those of a ring one without a kind.
+    """Yield jobs that make the files of the maps: ring, kind and content of each; a job without a kind ends a ring.
 
-    Jobs end in their order, so the last one tells that the ring's files are there.
+    Results arrive in order, so the job without a kind marks the ring's files as complete.
     """
     first = maps.first
     assert first.range is not None
@@ -117,13 +117,13 @@ def _file(ring: int, kind: str, encode: Callable[..., bytes], *given: Any) -> tu
 def encode_changes(
     shown: NDArray[np.float32], changed: NDArray[np.bool_], tiles: NDArray[np.int64], quality: int | None
 ) -> bytes:
-    """Encode the picture of the tiles in which texels change; only those and their neighbours show anything of use."""
+    """Encode the image of the tiles with changed texels; only these and their neighbours have meaningful colours."""
     known = codec.tiles_of(codec.with_neighbours(changed), tiles, TILE)
     return codec.encode_color(codec.sheet_of(codec.filled(shown, known), ACROSS), quality)
 
 
 class TextureFiles:
-    """Encodes the textures of a scene, which all regions share; each size of each is encoded once."""
+    """Encodes the textures of a scene, which all regions share; each size of a texture is encoded once."""
 
     def __init__(self, scene: Scene, quality: int | None) -> None:
         parts = _core.scene_parts(scene._core)
@@ -133,7 +133,7 @@ class TextureFiles:
         self._known: dict[tuple[int, int], tuple[str, bytes]] = {}
 
     def halved(self, halvings: NDArray[np.uint32]) -> Textures:
-        """Return the textures with their sides halved so many times each."""
+        """Return the textures, each with its sides halved the given number of times."""
         return [self._encoded(*key) for key in enumerate(halvings.tolist())]
 
     def _encoded(self, number: int, times: int) -> tuple[str, bytes]:
@@ -146,7 +146,7 @@ class TextureFiles:
 
 
 class Groups(Protocol):
-    """Static objects in groups that are sent one after the other, such as rings."""
+    """Static objects in groups that are sent in order, such as rings."""
 
     @property
     def scene(self) -> Scene: ...
@@ -157,11 +157,11 @@ class Groups(Protocol):
 
 
 class Geometry:
-    """Encodes groups of objects, and the dynamic ones; meshes and images that they share are files of their own."""
+    """Encodes groups of objects, and the dynamic ones; shared meshes and images become separate files."""
 
     def __init__(self, groups: Groups, files: Files, textures: Textures, *, step: float, compressed: bool) -> None:
         self._groups, self._files, self._textures = groups, files, textures
-        # Only those of moving objects are written, and there may be millions.
+        # Only names of moving objects are written; there may be millions of others.
         most = int(groups.scene._core.moving_objects().max(initial=-1)) + 1
         with progress.bar("encoding geometry") as report:
             self._export = _core.Export(
@@ -181,13 +181,13 @@ class Geometry:
             self._uris.append(_beside(files.add(data, "bin")) if is_file else None)
 
     def groups(self, kind: str) -> Iterator[dict[str, Any]]:
-        """Encode group after group from 1 on; their entries in a manifest, those of rings without maps."""
+        """Encode the groups from 1 on; yields their manifest entries, for rings without the map."""
         for number, row in enumerate(self._groups.summary()[: self._groups.count], 1):
             found = self._encoded(number, f"{kind} {number}") if row["triangles"] else None
             yield {**row, **({"geometry": None, "parts": []} if found is None else found[1])}
 
     def moving(self) -> dict[str, Any] | None:
-        """Encode the dynamic objects; their entry in a manifest, None if nothing moves."""
+        """Encode the dynamic objects; returns their manifest entry, None if nothing moves."""
         scene = self._groups.scene
         triangles = scene.triangle_count - scene._core.standing_triangle_count
         found = self._encoded(0, "dynamic objects") if triangles else None
@@ -197,7 +197,7 @@ class Geometry:
         return {**described, "triangles": triangles, "instances": rows_of(scene, data)}
 
     def _encoded(self, group: int, label: str) -> tuple[bytes, dict[str, Any]] | None:
-        """The GLB of a group and its entry; None if all its faces lose their area when positions are rounded."""
+        """Return a group's GLB and its entry; None if all its faces degenerate when positions are rounded."""
         with progress.bar(f"encoding {label}") as report:
             data, facts = self._export.glb(group, uris=self._uris, report=report)
         if not facts["drawn"]:
@@ -210,12 +210,12 @@ class Geometry:
 
 
 def referenced(data: bytes) -> list[str]:
-    """Names of the files that a GLB of a bundle refers to."""
+    """Return the names of the files that a GLB of a bundle refers to."""
     document, _ = binary.header(data)
     entries = [*document.get("buffers", []), *document.get("images", [])]
     return sorted({f"{FOLDER}/{entry['uri']}" for entry in entries if "uri" in entry})
 
 
 def _beside(name: str) -> str:
-    """URI of a file as other files in its folder refer to it."""
+    """Return the URI of a file, relative to the folder of all files."""
     return name.removeprefix(f"{FOLDER}/")

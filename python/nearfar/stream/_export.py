@@ -1,4 +1,4 @@
-"""Export of a scene as a bundle: plain files for any web server, ring after ring about each centre."""
+"""Export of a scene as a bundle: static files for any web server, with rings about each centre."""
 
 from __future__ import annotations
 
@@ -46,12 +46,12 @@ def export(
     speed: float = 0.7,
     by_footprint: bool = False,
 ) -> Bundle:
-    """Write a scene as a bundle: near geometry in rings about centres, each with the map of what lies beyond it.
+    """Write a scene as a bundle: near geometry in rings about centres, each with a map of the scene beyond it.
 
-    A client shows the picture of ring 0, which is a map alone, as soon as it has that; each further ring makes nearby
-    objects geometry. Each centre has a region of its own; a client uses that of the nearest one. Files are named by
-    their content, so that regions share equal ones, and that a server may let clients keep them for ever. Viewers of
-    3D Tiles show the near geometry of the first region's rings: `tileset.json` lists it.
+    A client shows ring 0, which is a map alone, as soon as it has arrived; each further ring turns nearby objects into
+    geometry. Each centre has its own region; a client uses the region of the nearest centre. Files are named by their
+    content, so that regions share equal files and clients may cache them for ever. Viewers of 3D Tiles show the near
+    geometry of the first region's rings: `tileset.json` lists it.
 
     Parameters
     ----------
@@ -61,10 +61,10 @@ def export(
         The folder; its parent must exist. An existing folder is replaced if it is empty or contains a bundle's
         `manifest.json`. A URL such as ``s3://bucket/city`` needs fsspec.
     center
-        World position O in metres that maps are baked from: an eye's height above the ground. Or several, (K, 3), up to
-        1000 at least a millimetre apart, or what `nearfar.regions` returns, whose centres are taken.
+        World position O in metres that maps are baked from, at eye height above the ground. Or several, (K, 3), up to
+        1000 at least a millimetre apart, or the result of `nearfar.regions`, whose centres are used.
     grid
-        Spacing in metres of a horizontal grid to which centres move (`snap`); centres that meet become one. None keeps
+        Spacing in metres of a horizontal grid to which centres move (`snap`); equal centres are merged. None leaves
         them where they are.
     radii
         Radii of the rings of all centres in metres, ascending; by default those of `nearfar.stream.rings` for each.
@@ -73,36 +73,38 @@ def export(
     samples
         Colour samples per texel, 1 to 1024.
     quality
-        Quality of the WebP pictures of maps and textures, 0 to 100; None for lossless ones.
+        Quality of the WebP images of maps and textures, 0 to 100; None for lossless images.
     range_error
-        Greatest relative error of the maps' ranges, 10⁻⁶ to 0.1. Where 16 bits do not suffice for it, the error is
-        larger; the manifest states it.
+        Greatest relative error of the maps' ranges, 10⁻⁶ to 0.1. If 16 bits do not suffice, the error is larger; the
+        manifest states it.
     step
-        Positions are rounded to multiples of this, metres, so that neighbours stay joined; it becomes a power of two
-        that is not greater. Beyond 2²³ steps from the scene's origin they are as precise as float32.
+        Positions are rounded to multiples of this, metres, so that neighbours stay joined; it is rounded down to a
+        power of two. Beyond 2²³ steps from the scene's origin positions have the precision of float32.
     compression
-        Of geometry: "meshopt" (`EXT_meshopt_compression`), or None for files that any reader of glTF 2.0 loads.
+        Compression of geometry: "meshopt" (`EXT_meshopt_compression`), or None for files that any glTF 2.0 reader
+        loads.
     pixels_per_degree
-        Of the client's display, in the middle of the picture: textures are halved while their texels, seen from where
-        users are nearest, still suffice for its pixels. Users are within 1 m of a centre, or within half of the way to
-        its farthest neighbour. 1 to 500; 25 is that of today's headsets. None keeps textures whole.
+        Resolution of the client's display in the middle of the picture: textures are halved while their texels still
+        suffice for its pixels at the nearest user position. Users are within 1 m of a centre, or within half of the
+        distance to its farthest neighbour. 1 to 500; 25 suits today's headsets. None keeps full-size textures.
     lod
-        Levels of the static objects of rings, in a scene whose objects have some, as for `nearfar.render`: a mode such
-        as "depth", a selector, a function like `nearfar.lod.select`, or levels as `Scene.at_levels` takes them. Each
-        object gets the level for the user who is nearest to it, as for textures; selectors and functions are given it
+        Rule for the levels of the static objects of rings, in a scene with levels, as for `nearfar.render`: a mode
+        such as "depth", a selector, a function like `nearfar.lod.select`, or levels as `Scene.at_levels` takes them.
+        Each object gets the level for the nearest user position, as for textures; selectors and functions see it
         straight ahead, at that distance. None writes the scene as it is. Maps are baked from the scene as it is;
         dynamic objects get level 0.
     split_px
-        Greatest error in pixels of the client's display (see `pixels_per_degree`; 60 a degree if that is None) of a
-        client that moves vertices and splits nothing itself: large triangles of rings are split as `nearfar.tessellate`
-        does, for the growth of their ring, all later radii, and the users named above, 0.001 to 1000. A mesh that is
-        placed several times stays shared between the placements that need no split. At most 10 million triangles may
-        be added to a region. None writes triangles whole.
+        Greatest error in pixels of the client's display (see `pixels_per_degree`; 60 per degree if that is None) for
+        a client that morphs vertices and splits nothing itself: large triangles of rings are split as by
+        `nearfar.tessellate`, for the growth of their ring, all later radii, and the user positions above, 0.001 to
+        1000. Placements of a mesh that need no split still share it. At most 10 million triangles may be added to a
+        region. None splits no triangle.
     speed
-        Degrees a second at which pictures turn while rings grow, for a user 1 m beside the centre, as in `Growth`.
+        Degrees per second by which the picture turns while a ring grows, for a user 1 m from the centre, as in
+        `Growth`.
     by_footprint
-        Whether to write the near objects a second time, in the order of their footprints, with the map of the last ring
-        as a whole: that is what the strategies vis0 and vis1, with which CloVR is compared, send instead of rings.
+        Whether to write the near objects a second time, ordered by footprint, with the full map of the last ring: the
+        strategies vis0 and vis1, with which CloVR is compared, send these instead of rings.
 
     Returns
     -------
@@ -113,10 +115,10 @@ def export(
     ------
     ValueError
         For numbers out of range, radii that fall or repeat, a centre that is not finite, the same centre twice, a
-        centre with nothing around it if radii are to be chosen, triangles that are to be split for users farther than
-        0.348 of the first radius from a centre, and a URL whose file system is not known or only reads; before any
-        work. During it, if triangles cannot be split as finely as `split_px` asks, or that would add more than 10
-        million to a region.
+        centre without surrounding objects if radii are to be chosen, triangles to be split for users farther than 0.348
+        of the first radius from a centre, and a URL whose file system is unknown or read-only; before any work. During
+        it, if triangles cannot be split as finely as `split_px` asks, or that would add more than 10 million to a
+        region.
     TypeError
         For arguments of another type.
     OSError
@@ -124,7 +126,7 @@ def export(
 
     References
     ----------
-    CloVR (2024): rings of near geometry, each with its cube map. Maps as changes to the one before are ours.
+    CloVR (2024): rings of near geometry, each with its cube map. Storing maps as changes is our addition.
     """
     from nearfar.stream import _tileset
 

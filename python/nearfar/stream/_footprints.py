@@ -1,4 +1,4 @@
-"""How much of the view from a centre each object takes."""
+"""Footprints: the solid angle of each object as seen from a centre."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from nearfar._render.bake import bake
 from nearfar._scene.scene import Scene, core_of
 
 FACE_SIZE = 256
-"""Texels along a face by which objects are weighed: one of them takes 0.35 degrees."""
+"""Texels along a face for measuring footprints; a texel spans 0.35 degrees."""
 
 
 def footprints(scene: Scene, *, center: ArrayLike, face_size: int = FACE_SIZE) -> NDArray[np.float64]:
@@ -31,8 +31,8 @@ def footprints(scene: Scene, *, center: ArrayLike, face_size: int = FACE_SIZE) -
     Returns
     -------
     NDArray
-        (objects,) float64, steradians, by object number; the sum is at most 4π. The error of an object whose outline is
-        L radians long is about 0.4 L/`face_size`, that of texels cut by its outline.
+        (objects,) float64, steradians, by object number; the sum is at most 4π. The error of an object with an outline
+        of L radians is about 0.4 L/`face_size`, from the texels that the outline cuts.
 
     Raises
     ------

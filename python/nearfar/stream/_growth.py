@@ -1,4 +1,4 @@
-"""Growth of rings: how the morph of a client that has received a ring grows with time, without a jump."""
+"""Growth of rings: a client's morph changes continuously over time after a ring has arrived."""
 
 from __future__ import annotations
 
@@ -13,32 +13,32 @@ from nearfar.stream._manifest import NEAR_SHARE
 
 @dataclass(frozen=True)
 class Growth:
-    """How fast the morph grows after a ring has arrived. Times are seconds since its arrival.
+    """Speed at which the morph grows after a ring has arrived. Times are seconds since its arrival.
 
-    First the picture is cross-faded from that of the ring before, then the morph grows. A point at ρ between the radii
-    has the weight w = (R − ρ) / ((1 − n) R), n = 0.7. While R grows, its picture turns by (|U−O| / ρ) dw/dt =
-    |U−O| Ṙ / ((1 − n) R²), the same for all ρ. So a constant speed means that 1/R falls linearly. Ring 1 has no radius
-    to start from: small radii fold for a user beside the centre. It is shown at its own radius while the strength grows
+    First the picture is cross-faded from that of the previous ring, then the morph grows. A point at ρ between the
+    radii has the weight w = (R − ρ) / ((1 − n) R), n = 0.7. While R grows, its direction turns by (|U−O| / ρ) dw/dt =
+    |U−O| Ṙ / ((1 − n) R²), the same for all ρ. So at constant speed 1/R falls linearly. Ring 1 has no radius to start
+    from: small radii fold for a user beside the centre. It is shown at its own radius while the strength grows
     linearly, which turns a point at ρ by |U−O| / (ρ T) in a growth of T seconds.
 
     Raises
     ------
     ValueError, TypeError
-        For radii that do not ascend from above 0, a `speed` and a `reach` that are not above 0, and a `fade` below 0.
+        For radii that are not positive and ascending, a `speed` or `reach` of 0 or less, and a `fade` below 0.
 
     References
     ----------
-    CloVR (2024) lets R grow over a second. Constant speed and the growth of the first ring by strength are ours.
+    CloVR (2024) lets R grow over a second. Constant speed and growth of ring 1 by strength are our additions.
     """
 
     radii: tuple[float, ...]
     """Radii of the rings 1 to n in metres, ascending."""
     speed: float = 0.7
-    """Speed of the picture in degrees a second for a user at `reach`; of ring 1, of points at 0.7 of its radius."""
+    """Speed of the picture in degrees per second for a user at `reach`; for ring 1, of points at 0.7 of its radius."""
     reach: float = 1.0
     """Distance |U−O| in metres for which `speed` holds. The speed is proportional to the distance."""
     fade: float = 0.5
-    """Seconds of the cross-fade."""
+    """Duration of the cross-fade, seconds."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "radii", ascending("radii", self.radii))
@@ -47,7 +47,7 @@ class Growth:
         object.__setattr__(self, "fade", check.at_least_zero("fade", self.fade))
 
     def seconds(self, ring: int) -> float:
-        """Return how long the cross-fade and the growth of a ring take; for ring 0, which has neither, 0."""
+        """Return the duration of a ring's cross-fade and growth; 0 for ring 0, which has neither."""
         number = self._ring(ring)
         return self.fade + self._turn(number) / self._rate if number else 0.0
 
@@ -71,27 +71,27 @@ class Growth:
         return min(grown / self._turn(1), 1.0) if number == 1 else 1.0
 
     def pixels(self, focal: float) -> float:
-        """Return the speed in pixels a second in the middle of a picture with a focal length in pixels."""
+        """Return the speed in pixels per second in the middle of a picture with a focal length in pixels."""
         return math.radians(self.speed) * check.positive("focal", focal)
 
     def described(self) -> dict[str, Any]:
-        """Return the entry of a manifest."""
+        """Return the manifest entry."""
         return {"first": "strength", "speed": self.speed, "reach": self.reach, "fade": self.fade}
 
     @property
     def _rate(self) -> float:
-        """Radians a second for each metre of |U−O|."""
+        """Radians per second for each metre of |U−O|."""
         return math.radians(self.speed) / self.reach
 
     def _turn(self, ring: int) -> float:
-        """Radians by which the growth of a ring turns the picture, for each metre of |U−O|."""
+        """Return the radians by which the growth of a ring turns the picture, per metre of |U−O|."""
         own = self._radius(ring)
         if ring == 1:
             return 1.0 / (NEAR_SHARE * own)
         return (1.0 / self._radius(ring - 1) - 1.0 / own) / (1.0 - NEAR_SHARE)
 
     def _grown(self, time: float) -> float:
-        """Radians by which the picture has turned at a time, for each metre of |U−O|, if the growth lasts that long."""
+        """Return the picture's turn at a time in radians per metre of |U−O|; not limited to the growth's end."""
         return max(check.at_least_zero("time", time) - self.fade, 0.0) * self._rate
 
     def _radius(self, ring: int) -> float:

@@ -1,4 +1,4 @@
-"""Where the user's eye is as time passes."""
+"""Position of the user's eye over time."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from nearfar._base import check
 
 @dataclass(frozen=True)
 class HeadPath:
-    """Positions by time, linear between them."""
+    """Positions over time, linearly interpolated."""
 
     times: NDArray[np.float64]
     """(N,) seconds, ascending."""
@@ -24,7 +24,7 @@ class HeadPath:
 
     @classmethod
     def of(cls, given: ArrayLike | None, center: tuple[float, float, float]) -> HeadPath:
-        """Check what a caller gave; the centre for None."""
+        """Check the caller's positions; None stands for the centre."""
         values = np.array(center) if given is None else check.plain("head_path", given)
         if values.ndim == 1:
             return cls(np.zeros(1), np.array([check.vector("head_path", values)]), center)
@@ -42,15 +42,15 @@ class HeadPath:
         return cls(times, rows[:, 1:], center)
 
     def at(self, time: float) -> tuple[float, float, float]:
-        """The eye at a time."""
+        """Return the position of the eye at a time."""
         x, y, z = (float(np.interp(time, self.times, column)) for column in self.places.T)
         return x, y, z
 
     def away(self, time: float) -> float:
-        """Metres from the axis through the centre at a time."""
+        """Return the distance in metres from the vertical axis through the centre at a time."""
         x, _, z = self.at(time)
         return math.hypot(x - self.center[0], z - self.center[2])
 
     def moves_after(self, time: float) -> bool:
-        """Whether the eye moves after a time."""
+        """Return whether the eye moves after a time."""
         return bool(time < self.times[-1]) and len(self.times) > 1

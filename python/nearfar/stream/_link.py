@@ -1,4 +1,4 @@
-"""Links between a server and a client: rate, delay and loss, and how HTTP uses them."""
+"""Links between a server and a client: rate, delay and loss, and their use by HTTP."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar._base import check, formats
 
 SEGMENT = 1460
-"""Bytes of a TCP segment's content on Ethernet."""
+"""Payload bytes of a TCP segment on Ethernet."""
 MOST_MBPS = 1e6
-"""Greatest rate, megabits a second."""
+"""Greatest rate, megabits per second."""
 MOST_RTT = 60_000.0
 """Greatest round-trip time, milliseconds."""
 MOST_POINTS = 10_000_000
 """Greatest number of points of a trace."""
 
 Trace = tuple[ArrayLike, ArrayLike] | str | os.PathLike[str]
-"""Times in seconds and rates in megabits a second, or the CSV file with both."""
+"""Times in seconds and rates in megabits per second, or the path of a CSV file with both."""
 
 
 @dataclass(frozen=True)
@@ -32,23 +32,23 @@ class Link:
     Raises
     ------
     ValueError, TypeError
-        For rates of 0 or less, for a trace that falls in time, has rates below 0 or ends with 0, for shares of packets
-        outside 0 to 0.5, and unless exactly one of `mbps` and `trace` is given.
+        For rates of 0 or less; for a trace whose times fall, with rates below 0 or a last rate of 0; for a loss outside
+        0 to 0.5; and unless exactly one of `mbps` and `trace` is given.
     FormatError
         For a CSV file whose rows are not two numbers; OSError for one that cannot be read.
     """
 
     mbps: float | None = None
-    """Rate in megabits (10⁶ bits) a second."""
+    """Rate in megabits (10⁶ bits) per second."""
     rtt_ms: float = 0.0
-    """Time from a request to the first byte of its answer on an idle link, milliseconds."""
+    """Time from a request to the first byte of the response on an idle link, milliseconds."""
     loss: float = 0.0
-    """Share of packets that are lost, at random; 0 to 0.5."""
+    """Share of packets that are lost at random, 0 to 0.5."""
     trace: Trace | None = None
-    """Instead of `mbps`: times in seconds, from 0 on, and the rate in megabits a second from each of them on; as two
-    arrays, or as a CSV file with a row for each time. The last rate stays."""
+    """Alternative to `mbps`: times in seconds, from 0 on, and the rate in megabits per second from each time on; as
+    two arrays, or as a CSV file with a row for each time. The last rate stays."""
     http: int = 2
-    """1: up to six connections with a request each. 2: one connection that all requests share."""
+    """HTTP version. 1: up to six connections with one request each. 2: one connection that all requests share."""
     handshake: float = 2.0
     """Round trips before a new connection carries a request: 1 for TCP, and 1 more for TLS 1.3."""
 
@@ -70,27 +70,27 @@ class Link:
         return self.rtt_ms / 1e3
 
     def _clock(self) -> Clock:
-        """Return what tells how long bytes take."""
+        """Return the clock that computes transfer times."""
         times, mbps = ((0.0,), (self.mbps,)) if self.mbps is not None else cast(Any, self.trace)
         return Clock(np.array(times, np.float64), np.array(mbps, np.float64) * (1e6 / 8.0))
 
 
 class Clock:
-    """How long bytes take over a link with a rate that changes."""
+    """Transfer times over a link whose rate changes."""
 
     def __init__(self, times: NDArray[np.float64], rates: NDArray[np.float64]) -> None:
-        """Take times in seconds, the first of them 0, and the bytes a second from each of them on."""
+        """Take times in seconds, starting at 0, and the rate in bytes per second from each time on."""
         self._times, self._rates = times, rates
         self._counts = np.concatenate([[0.0], np.cumsum(np.diff(times) * rates[:-1])])
-        """Bytes that could have come at each time."""
+        """Bytes that can have been transferred up to each time."""
 
     def after(self, time: float, count: int) -> float:
-        """Return when so many bytes have come that begin at a time."""
+        """Return the end of a transfer of `count` bytes that starts at `time`."""
         if len(self._times) == 1:
             return time + count / float(self._rates[0])
         place = int(np.searchsorted(self._times, time, side="right")) - 1
         goal = float(self._counts[place] + (time - self._times[place]) * self._rates[place]) + count
-        # Of equal counts the first, which ends a time with a rate above 0.
+        # Equal counts mark a pause; the first of them ends an interval with a rate above 0.
         place = max(int(np.searchsorted(self._counts, goal, side="left")) - 1, 0)
         return max(time, float(self._times[place] + (goal - self._counts[place]) / self._rates[place]))
 
@@ -105,7 +105,7 @@ def _rate(value: Any) -> float:
 
 
 def _checked(trace: Any) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """Times and rates of a trace; the first time becomes 0."""
+    """Check the times and rates of a trace, whose first time must be 0."""
     if isinstance(trace, str | os.PathLike):
         trace = _from_csv(trace)
     if not isinstance(trace, tuple | list) or len(trace) != 2:
@@ -128,7 +128,7 @@ def _checked(trace: Any) -> tuple[tuple[float, ...], tuple[float, ...]]:
 
 
 def _from_csv(path: Any) -> tuple[list[float], list[float]]:
-    """Times and rates of a CSV file, which may begin with a row of names."""
+    """Read times and rates from a CSV file, which may begin with a header row."""
     place = check.path("trace", path)
     with formats.guarded(str(place)):
         lines = [row for row in csv.reader(place.read_text(encoding="utf-8").splitlines()) if row]

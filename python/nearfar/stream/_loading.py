@@ -1,4 +1,4 @@
-"""A region that is loaded over a link on a virtual clock: what is asked for, what arrives, and what frames show."""
+"""Loading of a region over a link on a virtual clock: requested files, arrivals, and the content of frames."""
 
 from __future__ import annotations
 
@@ -11,54 +11,54 @@ from nearfar.stream._strategies import Plan, Step
 from nearfar.stream._transport import Transport
 
 MOST_AHEAD = 16 * 2**20
-"""Bytes that the page asks for ahead, at most."""
+"""Greatest number of bytes that the page requests ahead."""
 MANIFEST = "manifest.json"
 
 
 @dataclass
 class _Work:
-    """The decoding of a part of a step, in a worker of its own."""
+    """Decoding of a part of a step, in its own worker."""
 
     files: tuple[str, ...]
     ends: float | None = None
-    """When it is done; None until it has begun."""
+    """Time at which decoding ends; None until it has begun."""
 
 
 @dataclass
 class Loader:
-    """Asks for the files of a plan as the page does, and says which rings are there."""
+    """Requests the files of a plan as the page does, and reports the rings that have been decoded."""
 
     plan: Plan
     sizes: Mapping[str, tuple[int, int]]
-    """Bytes of each file on its way, and unpacked, the manifest's among them."""
+    """Transfer size and unpacked size of each file, including the manifest, in bytes."""
     transport: Transport
     seconds_per_byte: float
-    """That decoding takes in a worker."""
+    """Decoding time per byte in a worker."""
     may_replace: Callable[[int], bool]
     place: int = -1
-    """Number of the step that runs; −1 while the manifest comes."""
+    """Number of the current step; −1 while the manifest is loading."""
     _map: _Work | None = None
     _geometry: _Work | None = None
     _ahead: set[str] = field(default_factory=set)
 
     def begin(self) -> None:
-        """Ask for the manifest."""
+        """Request the manifest."""
         self.transport.ask(MANIFEST, self.sizes[MANIFEST][0])
 
     @property
     def is_done(self) -> bool:
-        """Whether all steps have ended."""
+        """Return whether all steps have ended."""
         return self.place >= len(self.plan.steps)
 
     def next_time(self) -> float:
-        """Return when decoding ends that has begun; infinite if there is none."""
+        """Return the next time at which a running decoding ends; infinite if none runs."""
         works = (self._map, self._geometry)
         ends = [work.ends for work in works if work is not None and work.ends is not None]
         later = [end for end in ends if end > self.transport.now]
         return min(later, default=math.inf)
 
     def go_on(self) -> Iterator[Step]:
-        """Begin and end what can begin and end now; yield each step that ended before the next one begins."""
+        """Start and end all work that can start and end now; yield each ended step before the next one starts."""
         if self.place < 0:
             if MANIFEST not in self.transport.arrived:
                 return
@@ -107,7 +107,7 @@ class Loader:
 
 @dataclass(frozen=True)
 class Frame:
-    """A frame whose state differs from that of the one before."""
+    """A frame whose state differs from that of the previous frame."""
 
     time: float
     shown: Shown
@@ -116,12 +116,12 @@ class Frame:
 
 @dataclass
 class Course:
-    """Events while a region was loaded."""
+    """Events during the loading of a region."""
 
     files: list[tuple[str, float]] = field(default_factory=list)
-    """Files and the times at which they were complete."""
+    """Files and their arrival times."""
     rings: list[tuple[int, float]] = field(default_factory=list)
-    """Rings and the times at which they were there."""
+    """Rings and the times at which they were decoded."""
     frames: list[Frame] = field(default_factory=list)
 
 
@@ -135,9 +135,9 @@ def follow(
     least: Callable[[float], float],
     moves: Callable[[float], bool],
 ) -> Course:
-    """Let a client load and show all, until nothing changes any more or the duration is over.
+    """Simulate a client that loads and shows all steps, until nothing changes any more or the duration is over.
 
-    `least` is the least radius for the user at a time, and `moves` whether the user moves after it.
+    `least` returns the least radius for the user at a time; `moves` returns whether the user moves after a time.
     """
     stage = Stage(rates, is_smooth=plan.is_smooth, is_whole=plan.is_whole)
     loader.may_replace = stage.may_replace
@@ -145,7 +145,7 @@ def follow(
     drawn = _triangles_by_ring(plan)
     loader.begin()
     before, last = 0.0, BLANK
-    """Time of the frame before, and what it showed."""
+    """Time of the previous frame, and what it showed."""
     course.frames.append(Frame(0.0, BLANK, 0))
     while True:
         is_still = stage.is_still(moves=moves(transport.now))
@@ -165,13 +165,13 @@ def follow(
                 stage.arrive(step.ring)
                 course.rings.append((step.ring, transport.now))
                 if is_still:
-                    # Frames in between showed the same.
+                    # Skipped frames showed the same state.
                     before = math.floor(transport.now * rate) / rate
     return course
 
 
 def _triangles_by_ring(plan: Plan) -> Callable[[Shown], int]:
-    """How many triangles a frame draws: while a picture fades in, those of the next ring, and the last again."""
+    """Return a function that counts a frame's drawn triangles; a cross-fade draws the pictures of both rings."""
     own = {step.ring: step.triangles for step in plan.steps}
     moving = own.pop(None, 0)
     totals = [moving + sum(own.get(ring, 0) for ring in range(last + 1)) for last in range(len(plan.radii) + 1)]

@@ -1,4 +1,4 @@
-"""The manifest of a bundle: its format, and checks of one that was read."""
+"""Manifest of a bundle: its format, and validation after reading."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from nearfar.stream import _store
 from nearfar.stream._decode import Layout
 
 NAME, VERSION = "bundle", 1
-"""Name of the manifest's format without "nearfar.", and its version."""
+"""Format name of the manifest without "nearfar.", and format version."""
 
 _NAME = re.compile(r"[\w.-]+", re.ASCII)
-"""Names of files, which are safe on every system and in every URL."""
+"""Pattern of file names that are safe on every system and in every URL."""
 
 _HASH = re.compile("[0-9a-f]{64}")
 
@@ -27,11 +27,11 @@ MOST = 2**62
 """Greatest number of triangles and objects."""
 
 NEAR_SHARE = 0.7
-"""Part of a ring's radius inside which nothing is morphed, as CloVR (2024) chose it."""
+"""Share n of a ring's radius inside which nothing is morphed, as in CloVR (2024)."""
 
 
 def read(reader: _store.Reader) -> dict[str, Any]:
-    """Read the manifest of a bundle and check it; FormatError that names it if it is damaged or newer."""
+    """Read and check the manifest of a bundle; FormatError that names it if it is damaged or newer."""
     where = f"{reader.place}/{_store.MANIFEST}"
     data = reader.read(_store.MANIFEST)
     with formats.guarded(where):
@@ -43,24 +43,24 @@ def read(reader: _store.Reader) -> dict[str, Any]:
 
 
 def listed(manifest: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
-    """Size and hash of every file of a bundle but the manifest, by name."""
+    """Return size and hash of every file of a bundle except the manifest, by name."""
     return {**manifest["files"], _store.TILESET: manifest["tileset"]}
 
 
 def names_of(value: Any) -> list[str]:
-    """Names of the files of an entry: one, several or none."""
+    """Return the file names of an entry: one, several or none."""
     if value is None:
         return []
     return [value] if isinstance(value, str) else list(value)
 
 
 def layout_of(manifest: Mapping[str, Any], region: Mapping[str, Any]) -> Layout:
-    """How the maps of a region are divided into files; ValueError for values that cannot be."""
+    """Return the division of a region's maps into files; ValueError for impossible values."""
     return Layout.of({**manifest["map"], "range": region["range"]})
 
 
 def _check(manifest: dict[str, Any]) -> None:
-    """Raise one of the errors of damage for a manifest that cannot be used."""
+    """Raise an error for a manifest that cannot be used; the caller converts it to FormatError."""
     check.integer("triangles", manifest["triangles"], 0, MOST)
     check.texts("notes", manifest["notes"])
     low, high = manifest["bounds"]
@@ -165,7 +165,7 @@ def _check_described(name: str, entry: dict[str, Any]) -> None:
 
 
 def _check_geometry(described: dict[str, Any], files: dict[str, Any]) -> None:
-    """Check the files of a GLB: itself, its buffers and its images."""
+    """Check the file names of a GLB: the GLB, its buffers and its images."""
     name = described["geometry"]
     if not (name is None or isinstance(name, str)):
         raise TypeError(f"geometry: expected the name of a file, got {check.described(name)}")

@@ -1,4 +1,4 @@
-"""Environment maps of all rings: the first one whole, the others as changes to the one before."""
+"""Environment maps of all rings: the first one in full, each further one as changes to the previous one."""
 
 from __future__ import annotations
 
@@ -14,40 +14,40 @@ from nearfar._cubemap.envmap import EnvMap
 from nearfar.stream._assign import Rings
 
 TILE = 64
-"""Texels along a side of the tiles in which changes are sent."""
+"""Side of the tiles in which changes are sent, texels."""
 
 MOST_SAMPLES = 1024
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class RingMaps:
-    """The maps of rings 0 to n: map i shows the static objects of all rings after i, whole.
+    """Maps of rings 0 to n: map i shows all static objects beyond ring i.
 
-    A texel whose first surface belongs to a later ring shows the same in the next map, so each map after the first is
-    stored as the texels that change.
+    A texel whose first surface belongs to a ring after i + 1 is the same in maps i and i + 1, so each map after the
+    first is stored as its changed texels.
     """
 
     rings: Rings
     """The rings."""
     first: EnvMap
-    """Map 0, of all static objects."""
+    """Map 0, which shows all static objects."""
     changes: tuple[dict[str, NDArray[Any]], ...]
-    """For each ring from 1 on `texels`, ascending numbers of texels that change, and their new values by channel."""
+    """For each ring from 1 on `texels`, ascending numbers of the changed texels, and their new values by channel."""
     samples: int
     """Colour samples per texel."""
 
     @property
     def rays(self) -> int:
-        """Number of rays that all maps hold: those of map 0, and a changed texel's once more for each change.
+        """Number of rays whose results are stored: all rays of map 0, and those of changed texels once per change.
 
-        A ray is traced once for all maps, so fewer are traced.
+        Each ray is traced once for all maps, so fewer are traced.
         """
         extra = self.samples > 1 and len(self.first.channels) > 1
         changed = sum(len(change["texels"]) for change in self.changes)
         return (6 * self.first.face_size**2 + changed) * (self.samples + extra)
 
     def map(self, ring: int) -> EnvMap:
-        """Return the whole map of what lies after a ring.
+        """Return the whole map of the scene beyond a ring.
 
         Parameters
         ----------
@@ -67,7 +67,7 @@ class RingMaps:
         return EnvMap(self.rings.center, **values, object_names=self.first.object_names)
 
     def changed_tiles(self, ring: int) -> NDArray[np.bool_]:
-        """Return the tiles with texels that change from the map before a ring to the ring's own.
+        """Return the tiles with texels that change from the previous ring's map to this ring's.
 
         Parameters
         ----------
@@ -99,7 +99,7 @@ class RingMaps:
 
 
 def bake_maps(rings: Rings, *, face_size: int = 1024, samples: int = 1, object_id: bool = False) -> RingMaps:
-    """Bake the maps of all rings from their centre, each texel as often as it changes.
+    """Bake the maps of all rings from their centre; a texel is stored once per change.
 
     Parameters
     ----------
@@ -108,14 +108,14 @@ def bake_maps(rings: Rings, *, face_size: int = 1024, samples: int = 1, object_i
     face_size
         Texels along a face, 1 to 16384.
     samples
-        Colour samples per texel, 1 to 1024; range is that of a texel's centre.
+        Colour samples per texel, 1 to 1024; range is taken at the texel's centre.
     object_id
-        Whether to store object numbers too, for measuring.
+        Whether to store object numbers too, for measurements.
 
     Returns
     -------
     RingMaps
-        The maps, with range: whole objects reach into the map's part of space.
+        The maps, with range, because whole objects reach beyond the radius into the map.
 
     Raises
     ------
@@ -126,7 +126,7 @@ def bake_maps(rings: Rings, *, face_size: int = 1024, samples: int = 1, object_i
 
     References
     ----------
-    CloVR (2024): a map for each ring. Sending changes only is ours.
+    CloVR (2024): a map for each ring. Storing only changes is our addition.
     """
     check.instance("rings", rings, Rings)
     size = check.integer("face_size", face_size, 1, check.MAX_SIZE)

@@ -1,4 +1,4 @@
-"""How much of the scene a simulated client shows, and how evenly its pictures follow one another."""
+"""Measures of a simulated client: how much of the scene it shows, and how continuous its pictures are."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from nearfar.stream._timeline import Timeline
 def measured(
     line: Timeline, parts: SceneParts, path: HeadPath, *, every: float, rate: float, duration: float
 ) -> Timeline:
-    """Add `pictures` to a timeline: at each change of the ring or of a cross-fade, and so many seconds apart."""
+    """Add `pictures` to a timeline: at each change of the ring or of a cross-fade, and every `every` seconds."""
     pictures = Pictures(parts, by_footprint=line.strategy in ("vis0", "vis1"))
     moments = _moments(line, path, every, min(duration, max(line.grown, float(path.times[-1]))))
     rows = []
@@ -39,7 +39,7 @@ def measured(
 
 
 def _moments(line: Timeline, path: HeadPath, every: float, end: float) -> list[float]:
-    """Times of frames to look at."""
+    """Choose the times of the measured frames."""
     frames = line.frames
     is_jump = np.zeros(len(frames["time"]), bool)
     is_jump[1:] = (np.diff(frames["ring"]) != 0) | (np.diff(frames["share"] > 0.0))
@@ -48,20 +48,20 @@ def _moments(line: Timeline, path: HeadPath, every: float, end: float) -> list[f
     is_jump[[0, -1]] = True
     steps = np.arange(1, math.floor(end / every) + 1) * every
     if len(path.times) == 1:
-        # Where nothing changes the picture is the last one.
+        # A still user's picture does not change after the last growth.
         steps = steps[steps < line.grown]
     return sorted({*frames["time"][is_jump].tolist(), *steps.tolist()})
 
 
 def _shown_at(line: Timeline, time: float) -> Shown:
     frames = line.frames
-    # Times of frames are rounded; half a frame of a fast display is far more.
+    # Times of frames are rounded; the tolerance is far below half a frame of a fast display.
     place = max(int(np.searchsorted(frames["time"], time + 1e-6, side="right")) - 1, 0)
     values: dict[str, Any] = {name: float(frames[name][place]) for name in ("radius", "strength", "share")}
     return Shown(ring=int(frames["ring"][place]), **values)
 
 
 def mean_over_time(times: NDArray[np.float64], values: NDArray[np.float64], end: float) -> float:
-    """The mean from 0 to an end of values that stay until the next time."""
+    """Return the mean from 0 to `end` of a step function whose values hold until the next time."""
     bounds = np.minimum(np.append(times, end), end)
     return float(np.diff(bounds) @ values / end)

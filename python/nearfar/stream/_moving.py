@@ -1,4 +1,4 @@
-"""Dynamic objects of a bundle: encoded as rings are, and posed by the transforms that they were loaded with."""
+"""Dynamic objects of a bundle: encoded as rings are, and posed with the transforms that they were loaded with."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from nearfar.stream._decode import Read, assembled
 
 
 def moving_scene(described: dict[str, Any], read: Read, place: str) -> Scene:
-    """The dynamic objects; FormatError that names the file if it is damaged, or does not fit its description.
+    """Read the dynamic objects; FormatError that names the file if it is damaged or does not fit its description.
 
-    Meshes come from the file's reader; placements are taken from the document itself, so that no bit of them changes.
+    Meshes come from the glTF reader; placements are taken from the document itself, so that they stay bit-exact.
     """
     name = described["geometry"]
     loaded = assembled(name, described["parts"], read, place, moves=True)
@@ -45,7 +45,7 @@ def moving_scene(described: dict[str, Any], read: Read, place: str) -> Scene:
 
 
 def _whole_meshes(core: _core.Scene) -> list[_core.Mesh]:
-    """The mesh of each object: of several materials a reader makes a mesh for each. Objects share it as before."""
+    """Return one mesh per object, merged from the reader's meshes, one per material; objects share meshes as before."""
     owner, meshes = core.moving_objects(), _core.scene_parts(core)["meshes"]
     order = np.argsort(owner, kind="stable")
     groups = np.split(order, np.flatnonzero(np.diff(owner[order])) + 1)

@@ -1,4 +1,4 @@
-"""Sentences on centres and rings that were hardly meant: they are no errors, but a bundle of them shows little."""
+"""Findings on centres and rings that are probably mistakes: valid input, but its bundle shows little."""
 
 from __future__ import annotations
 
@@ -19,21 +19,21 @@ RAYS = 256
 """Rays in all directions from a centre."""
 
 SEEN = 0.25
-"""Least share of the rays that see backs of surfaces around a centre inside of something."""
+"""Share of the rays that must hit back faces for the centre to count as inside a solid."""
 
 MOST_NAMED = 3
-"""Objects or rings that a sentence names."""
+"""Greatest number of objects or rings that a sentence names."""
 
 
 def findings_of(rings: Rings) -> list[str]:
-    """Say what makes the bundle of a scene's rings show little: units, the centre, empty rings, endless objects."""
+    """Describe why the bundle of a scene's rings may show little: units, centre, empty rings, endless objects."""
     note = extent_note(rings.scene.bounds)
     found = [_outside(rings), _inside(rings), _empty(rings), _endless(rings)]
     return [note] * bool(note) + [sentence for sentence in found if sentence]
 
 
 def _outside(rings: Rings) -> str:
-    """A centre beside or below the scene, or farther above it than the last ring reaches."""
+    """Report a centre beside or below the scene, or farther above it than the last radius."""
     if not rings.scene.triangle_count:
         return ""
     low, high = rings.scene.bounds
@@ -51,7 +51,7 @@ def _outside(rings: Rings) -> str:
 
 
 def _inside(rings: Rings) -> str:
-    """A centre within a solid, such as a wall, or under the ground: from there one sees backs of surfaces."""
+    """Report a centre within a solid, such as a wall, or under the ground, where rays hit back faces."""
     reach, directions = rings.radii[-1], _sphere(RAYS)
     hits = cast_rays(rings.scene, rings.center, directions, t_max=reach)
     stays = hits.object_id < 0
@@ -71,7 +71,7 @@ def _inside(rings: Rings) -> str:
 
 
 def _empty(rings: Rings) -> str:
-    """Rings without geometry."""
+    """Report rings without geometry."""
     bounds = list(pairwise((0.0, *rings.radii)))
     rows = zip(bounds, rings.summary()[: rings.count], strict=True)
     empty = [number for number, (_, row) in enumerate(rows, 1) if not row["triangles"]]
@@ -85,7 +85,7 @@ def _empty(rings: Rings) -> str:
 
 
 def _endless(rings: Rings) -> str:
-    """Objects that reach from within the first ring beyond the last one: they are sent whole with ring 1."""
+    """Report objects that reach from within the first ring beyond the last one: they are sent whole with ring 1."""
     found = _endless_objects(rings)
     if not found:
         return ""
@@ -102,7 +102,7 @@ def _endless(rings: Rings) -> str:
 
 
 def _endless_objects(rings: Rings) -> dict[int, int]:
-    """Triangles of each object that reaches from within the first radius beyond the last one; −1 for no object."""
+    """Count triangles of each object that reaches from within the first radius beyond the last; −1 for no object."""
     core, names = rings.scene._core, rings.scene.object_names
     chosen = np.append(rings.ring == 1, rings.rest == 1)
     if not chosen.any():
@@ -112,7 +112,7 @@ def _endless_objects(rings: Rings) -> dict[int, int]:
     greatest, triangles = np.zeros(len(names) + 1), np.zeros(len(names) + 1, np.int64)
     placed = zip(parts["meshes"], parts["placements"], parts["objects"].tolist(), strict=True)
     for mesh, placement, owner in islice(placed, parts["standing_count"]):
-        # Most instances end within the last ring; a box is farthest at one of its corners.
+        # Most instances end within the last ring; the farthest point of a box is a corner.
         if owner >= 0 and not (chosen[owner] and _farthest(mesh.bounds(), placement, (x, z)) > last):
             continue
         arrays = _core.mesh_parts(mesh)
@@ -131,13 +131,13 @@ def _endless_objects(rings: Rings) -> dict[int, int]:
 
 
 def _farthest(bounds: NDArray[np.float64], placement: NDArray[np.float64], axis: tuple[float, float]) -> float:
-    """Greatest distance of a placed box's corners from a vertical axis."""
+    """Return the greatest distance of a placed box's corners from a vertical axis."""
     corners = np.array(list(product(*bounds.T.tolist()))) @ placement[:, :3].T + placement[:, 3]
     return float(np.hypot(corners[:, 0] - axis[0], corners[:, 2] - axis[1]).max())
 
 
 def _sphere(number: int) -> NDArray[np.float64]:
-    """Unit vectors (number, 3) that cover all directions evenly: a Fibonacci lattice."""
+    """Return unit vectors (number, 3) that cover all directions evenly: a Fibonacci lattice."""
     height = 1.0 - (2.0 * np.arange(number) + 1.0) / number
     turn = np.arange(number) * (math.pi * (3.0 - math.sqrt(5.0)))
     flat = np.sqrt(1.0 - height * height)
@@ -149,7 +149,7 @@ def _named(rings: Rings, number: int) -> str:
 
 
 def _listed(names: list[str]) -> str:
-    """Words for a list, of which the first few are named."""
+    """Join names to a phrase; only the first few are listed."""
     more = len(names) - MOST_NAMED
     shown = names if more <= 0 else [*names[:MOST_NAMED], f"{more} more"]
     return shown[0] if len(shown) == 1 else f"{', '.join(shown[:-1])} and {shown[-1]}"

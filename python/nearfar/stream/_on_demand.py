@@ -1,4 +1,4 @@
-"""Regions of a scene, made when somebody asks for them: parts of a bundle, each as soon as it is ready."""
+"""Regions of a scene that are made on request: parts of a bundle, each sent as soon as it is ready."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ from nearfar.stream._settings import Settings
 from nearfar.stream._tiles import Tiles
 
 COARSE = 512
-"""Texels along a face of the maps that are shown until those of full size are there; they have one sample each."""
+"""Face size in texels of the coarse maps, which are shown until the full-size maps arrive; one sample per texel."""
 
 NO_TILESET = b""
-"""Of a region that is not complete."""
+"""Content of the tileset of an incomplete region."""
 
 
 @dataclass(frozen=True)
@@ -37,20 +37,20 @@ class Part:
     """A part of a region that is ready."""
 
     stage: int
-    """0 for coarse maps, 1 for those of full size."""
+    """0 for coarse maps, 1 for full-size maps."""
     line: bytes
-    """JSON that tells of it, for a client that waits."""
+    """JSON line that announces the part to a waiting client."""
     files: dict[str, bytes]
-    """Content of the files that it names and that no earlier part had; the last part also has the manifest."""
+    """Files that the part names and that no earlier part had; the last part also has the manifest and the tileset."""
     next: int | None
-    """Stage of the part that comes next; None after the last one."""
+    """Stage of the next part; None after the last part."""
 
 
 class OnDemand:
     """Makes the region of a bundle for any centre, ring 0 first.
 
-    A region comes in two stages: with maps of 512² texels of one sample, which take a small part of the time, and with
-    maps of full size. Geometry is the same in both.
+    A region comes in two stages: with maps of 512² texels and one sample, which take a small part of the time, and
+    with full-size maps. Geometry is the same in both.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ class OnDemand:
     References
     ----------
     CloVR (2024): a client gets the rings of its own centre at the start and after a teleport. Coarse maps first are
-    ours.
+    our addition.
     """
 
     def __init__(
@@ -96,7 +96,7 @@ class OnDemand:
         fine = Settings.checked(face_size, samples, quality, range_error, step, compression, pixels_per_degree, False)
         coarse = replace(fine, face_size=min(COARSE, fine.face_size), samples=1)
         self._stages = (coarse, fine)
-        # After the settings are checked, because it takes seconds.
+        # Built after the settings are checked, because it takes seconds.
         self._tiles = Tiles.of(scene)
         self.scene = scene = self._tiles.scene
         reach = Growth.reach + math.sqrt(0.5) * self.grid
@@ -107,11 +107,11 @@ class OnDemand:
         self._dynamic = self._encoded_moving()
 
     def snapped(self, center: ArrayLike) -> Point:
-        """Return the centre of the region that serves a place."""
+        """Return the centre of the region that serves a position."""
         return snap(center, self.grid)
 
     def parts(self, center: ArrayLike) -> Iterator[Part]:
-        """Make the region of a place, part by part.
+        """Make the region of a position, part by part.
 
         Parameters
         ----------
@@ -121,13 +121,13 @@ class OnDemand:
         Yields
         ------
         Part
-            For each stage one that begins it, then one for each ring from 0 on. The last part of all has the
+            For each stage one part that begins it, then one for each ring from 0 on. The last part has the
             `manifest.json` and the `tileset.json` of a bundle with this one region.
 
         Raises
         ------
         ValueError
-            For a centre that is not finite, and one with nothing around it if radii are to be chosen.
+            For a centre that is not finite, and one without surrounding objects if radii are to be chosen.
         """
         place = self.snapped(center)
         scene = self._tiles.about(place, REACH if self._radii is None else self._radii[-1])
@@ -140,7 +140,7 @@ class OnDemand:
             maps = Files()
             writer = Writer(settings, [], maps)
             baked = writer.bake(rings)
-            # Findings take a tenth of a second more.
+            # Findings take an additional 0.1 s.
             head = baked.head(findings_of(rings) if stage else [])
             outline = _region(head, _outline(rings))
             manifest = self._manifest(settings, radii, outline, self._moving, NO_TILESET)
@@ -159,7 +159,7 @@ class OnDemand:
         yield Part(last, _line(line), {_store.TILESET: tileset, _store.MANIFEST: text}, None)
 
     def _near(self, rings: Rings, files: Files) -> Iterator[dict[str, Any]]:
-        """Encode the geometry of ring after ring."""
+        """Encode the geometry of the rings in order."""
         textures = self._textures.halved(self._detail.halvings([rings]))
         step, compressed = self._stages[0].step, self._stages[0].compressed
         yield from Geometry(self._detail.shown(rings), files, textures, step=step, compressed=compressed).groups("ring")
@@ -189,26 +189,26 @@ class OnDemand:
 def next_part(parts: Iterator[Part], look: Callable[[], None]) -> Part | None:
     """Make the next part of a region; None after the last one.
 
-    `look` is called several times a second meanwhile: what it raises ends the work and is raised here. Parts must not
-    be asked for any more then.
+    `look` is called several times a second meanwhile; an exception that it raises ends the work and is raised here.
+    After that the iterator must not be used again.
     """
     with progress.hidden(), progress.watched(look):
         return next(parts, None)
 
 
 def _region(head: dict[str, Any], rings: list[dict[str, Any]]) -> dict[str, Any]:
-    """Entry of the only region of a bundle."""
+    """Return the entry of a bundle's only region."""
     return {**head, "rings": rings, "by_footprint": None, "neighbours": []}
 
 
 def _outline(rings: Rings) -> list[dict[str, Any]]:
-    """Entries of rings of which nothing is ready."""
+    """Return the entries of rings before any file is ready."""
     rows = rings.summary()[: rings.count]
     return [{**NOTHING, "map": None}, *({**row, "geometry": None, "parts": [], "map": None} for row in rows)]
 
 
 def _part(stage: int, then: int, told: dict[str, Any], *files: Files, sent: set[str]) -> Part:
-    """A part with the files that were not sent yet, which it describes."""
+    """Make a part with the files that were not sent yet, and a line that describes them."""
     new = {name: data for each in files for name, data in each.content.items() if name not in sent}
     sent.update(new)
     described = {name: _store.described(data) for name, data in new.items()}

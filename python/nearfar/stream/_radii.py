@@ -1,4 +1,4 @@
-"""Radii of rings: as published, of equal areas, or of the least expected time to quality."""
+"""Radii of rings: as published, of equal areas, or with the least expected time to quality."""
 
 from __future__ import annotations
 
@@ -15,22 +15,22 @@ from nearfar.stream._centers import Floats
 from nearfar.stream._footprints import footprints
 
 POLICIES = ("cost", "published", "equal_area")
-"""How radii are chosen."""
+"""Policies for choosing radii."""
 
 PUBLISHED = (10.0, 14.0, 17.0, 22.0, 32.0, 63.0)
 """Radii in metres that CloVR (2024) prints for its City; they are about 10 √i for i = 1, 2, 3, 5, 10, 40."""
 
 REACH = PUBLISHED[-1]
-"""The last radius in metres, by default."""
+"""Default of the last radius, metres."""
 
 TRIANGLE_BYTES = 5.0
-"""Bytes of a triangle of compressed geometry."""
+"""Bytes per triangle of compressed geometry."""
 
 INSTANCE_BYTES = 40.0
-"""Bytes of the placement of an instance."""
+"""Bytes per instance placement."""
 
 MAP_BYTES = 700_000.0
-"""Bytes of the changes of a map from one ring to the next."""
+"""Bytes of the map changes from one ring to the next."""
 
 
 def rings(
@@ -55,18 +55,18 @@ def rings(
     r_max
         The last radius, metres.
     base_radius
-        Radius R of the first of the rings of equal area, R √i, metres, at most `r_max`; None for 10 m, or `r_max` if
-        that is less. They are what "equal_area" returns, up to `r_max`, and what "cost" merges.
+        Radius R of the first ring of equal area, metres, at most `r_max`; the others are R √i. None for 10 m, or
+        `r_max` if that is less. "equal_area" returns these radii up to `r_max`, "cost" merges them.
     bandwidth
-        Of the link, 10⁶ bits a second, 10⁻⁶ to 10⁹. Only for "cost".
+        Bandwidth of the link, 10⁶ bits per second, 10⁻⁶ to 10⁹. Only for "cost".
     latency
-        Seconds before the first byte of a ring comes, up to 10⁶. Only for "cost".
+        Seconds before the first byte of a ring arrives, up to 10⁶. Only for "cost".
     map_bytes
-        Bytes by which the maps of two consecutive rings differ, up to 10¹⁵. Only for "cost".
+        Bytes of the differences between the maps of two consecutive rings, up to 10¹⁵. Only for "cost".
     policy
-        "cost": the radii with the least expected time to quality: the mean over all directions of view, of objects
-        within `r_max`, of the time until their geometry is there. Rings come one after the other, each with its map;
-        more rings show the nearest objects sooner, but send more maps. The best division is found exactly, from bytes
+        "cost": the radii with the least expected time to quality: the mean over all viewing directions that show an
+        object within `r_max` of the time until its geometry has arrived. Rings are sent in order, each with its map;
+        more rings show the nearest objects sooner, but send more maps. The optimum is found exactly, from byte counts
         estimated by triangles. "published": 10, 14, 17, 22, 32, 63 m, those up to `r_max`, scaled by `base_radius`/10.
         "equal_area": all rings have the same area.
 
@@ -84,7 +84,7 @@ def rings(
 
     References
     ----------
-    CloVR (2024): rings of equal area, merged by hand for the City. "cost" is ours.
+    CloVR (2024): rings of equal area, merged by hand for the City. "cost" is our addition.
     """
     core_of(scene)
     middle = check.vector("center", center)
@@ -96,7 +96,7 @@ def rings(
     if base > reach:
         raise ValueError(f"base_radius: expected at most r_max = {reach:g} m, got {base:g}")
     if policy == "published":
-        # The first one is `base` to the last bit, so that there is one even if that is `r_max`.
+        # The ratio of the first radius is exactly 1, so that it is included even if `base` equals `r_max`.
         scaled = [base * (radius / PUBLISHED[0]) for radius in PUBLISHED]
         return tuple(radius for radius in scaled if radius <= reach)
     area = equal_areas(base, reach)
@@ -104,7 +104,7 @@ def rings(
 
 
 def equal_areas(base: float, reach: float) -> tuple[float, ...]:
-    """Radii base √i below the reach, and the reach; ValueError for too many."""
+    """Return the radii base √i below the reach, and the reach; ValueError for too many."""
     count = math.ceil((reach / base) ** 2 * (1.0 - 1e-12)) if reach / base < MOST_RINGS else MOST_RINGS + 1
     if count > MOST_RINGS:
         raise ValueError(
@@ -121,7 +121,7 @@ def _cheapest(
     wait: float,
     map_bytes: float,
 ) -> tuple[float, ...]:
-    """Some of the radii, and the last, for the least expected time."""
+    """Choose a subset of the radii, including the last, with the least expected time."""
     least, rest, _ = object_radii(scene, center, radii[-1], "object")
     place = np.searchsorted(radii, np.append(least, rest))
     loads = _core.ring_loads(scene._core, place.astype(np.uint16), len(radii) + 1)[:-1]
@@ -135,24 +135,24 @@ def _cheapest(
 def merged(
     sizes: NDArray[np.float64], weights: NDArray[np.float64], rate: float, wait: float, map_bytes: float
 ) -> list[int]:
-    """Last parts of runs of consecutive parts, which are sent one run after the other.
+    """Divide consecutive parts, which are sent in order, into runs of least cost; returns the last part of each run.
 
-    The cost of a division is the mean, by weight, of the time at which a part is there. That is the sum over runs of
-    the time which the run takes, times the weight of it and of all later ones: so the best division of the first n
-    parts extends the best one of fewer parts.
+    The cost of a division is the mean, by weight, of the time at which a part has arrived. That is the sum over runs of
+    the duration of the run times the weight of it and of all later runs, so the best division of the first n parts
+    extends the best division of fewer parts (dynamic programming).
 
     Parameters
     ----------
     sizes
         (N,) bytes of each part.
     weights
-        (N,) what each part is worth; parts that are worth nothing wait for those that are.
+        (N,) weight of each part; parts of weight 0 wait for the others.
     rate
-        Bytes a second.
+        Bandwidth, bytes per second.
     wait
         Seconds before a run's first byte.
     map_bytes
-        Bytes that each run takes besides its parts.
+        Bytes of each run in addition to its parts.
 
     Returns
     -------
@@ -174,7 +174,7 @@ def merged(
 
 
 def chosen(scene: Scene, centers: Floats) -> list[tuple[float, ...]]:
-    """Radii about each centre, before anything is baked; ValueError that names a centre without objects around it."""
+    """Choose radii about each centre, before baking; ValueError that names a centre without objects around it."""
     found = []
     for place in centers:
         try:

@@ -1,4 +1,4 @@
-"""Regions of a bundle: the rings about a centre and their maps, as files and as entries of a manifest."""
+"""Regions of a bundle: the rings about a centre and their maps, as files and as manifest entries."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ from nearfar.stream._notes import findings_of
 from nearfar.stream._settings import Settings
 
 NOTHING: dict[str, Any] = {"radius": 0.0, "objects": 0, "triangles": 0, "stored": 0, "geometry": None, "parts": []}
-"""The geometry of ring 0."""
+"""Manifest entry of ring 0, which has no geometry."""
 
 
 @dataclass(frozen=True)
 class Baked:
-    """The maps of a region, and the codes of their ranges."""
+    """Maps of a region, and the scale of their ranges."""
 
     maps: RingMaps
     scale: RangeScale
 
     def head(self, findings: list[str]) -> dict[str, Any]:
-        """A region's entry without its rings."""
+        """Return a region's entry without its rings."""
         rings = self.maps.rings
         return {
             "center": list(rings.center),
@@ -42,14 +42,14 @@ class Baked:
 
 @dataclass(frozen=True)
 class Writer:
-    """Encodes regions; equal files are kept once."""
+    """Encodes regions; equal files are stored once."""
 
     settings: Settings
     textures: Textures
     files: Files = field(default_factory=Files)
 
     def geometry(self, groups: Groups) -> Geometry:
-        """Return what encodes the objects of groups."""
+        """Return the encoder of a group's objects."""
         step, compressed = self.settings.step, self.settings.compressed
         return Geometry(groups, self.files, self.textures, step=step, compressed=compressed)
 
@@ -59,16 +59,16 @@ class Writer:
         return Baked(maps, scale_of(maps, self.settings.range_error))
 
     def rings(self, baked: Baked, near: Iterable[dict[str, Any]]) -> Iterator[dict[str, Any]]:
-        """Encode ring after ring, from ring 0 on; `near` has the entries of the geometry of the others."""
+        """Encode the rings in order, from ring 0 on; `near` has the geometry entries of rings 1 to n."""
         pictures = encode_maps(baked.maps, self.files, quality=self.settings.quality, scale=baked.scale)
         yield {**NOTHING, "map": next(pictures)}
         for ring, picture in zip(near, pictures, strict=True):
             yield {**ring, "map": picture}
 
     def region(self, rings: Rings, shown: Rings, geometry: Geometry) -> dict[str, Any]:
-        """Bake and encode the maps and the geometry of rings; the region's entry without its neighbours.
+        """Bake and encode the maps and the geometry of rings; return the region's entry without its neighbours.
 
-        `shown` has the rings as they are sent, and `geometry` encodes those.
+        `shown` has the rings at the levels that are sent, and `geometry` encodes them.
         """
         baked = self.bake(rings)
         listed = list(self.rings(baked, geometry.groups("ring")))
@@ -81,7 +81,7 @@ class Writer:
 
 
 def manifest_of(scene: Scene, settings: Settings, *, growth: Growth, files: Files, **parts: Any) -> dict[str, Any]:
-    """The manifest of a bundle of regions."""
+    """Return the manifest of a bundle."""
     return formats.header(
         NAME,
         VERSION,

@@ -1,4 +1,4 @@
-"""The regions of a bundle: their centres, which of them are neighbours, and how far a user may walk in each."""
+"""Regions of a bundle: their centres, neighbours, and the distance that a user may walk in each."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class InRegions:
-    """The regions of a `Bundle`; a base of it."""
+    """Regions of a `Bundle`; its base class."""
 
     _manifest: dict[str, Any]
     number: int
@@ -30,18 +30,18 @@ class InRegions:
     def fold_margins(self) -> NDArray[np.float64]:
         """(K,) horizontal distances in metres from each region's centre within which no picture of all rings folds.
 
-        That is 0.7 of the last ring's radius: `nearfar.fold_margin` at O with kind="cylinder". While a client shows a
-        smaller radius, it is 0.7 of that.
+        Each is 0.7 of the last ring's radius: `nearfar.fold_margin` at O with kind="cylinder". While a client shows a
+        smaller radius, it is 0.7 of that radius.
         """
         return _fixed([region["fold_margin"] for region in self._regions])
 
     @property
     def findings(self) -> tuple[str, ...]:
-        """Reasons why the region shows little, a sentence each: its centre, empty rings, endless objects, units."""
+        """Reasons why the region may show little, a sentence each: its centre, empty rings, endless objects, units."""
         return tuple(self._region["findings"])
 
     def neighbours(self, region: SupportsIndex) -> tuple[int, ...]:
-        """Return the regions that a user comes to next from one, for fetching their first rings ahead.
+        """Return the neighbours of a region, whose first rings are worth fetching ahead.
 
         Parameters
         ----------
@@ -52,12 +52,12 @@ class InRegions:
         -------
         tuple
             Ascending numbers of regions: two centres are neighbours if no third one is within or on the sphere whose
-            diameter joins them. All regions are joined by neighbours.
+            diameter joins them. The graph of neighbours is connected.
 
         Raises
         ------
         ValueError, TypeError
-            For numbers that are no region.
+            For invalid region numbers.
 
         References
         ----------
@@ -66,7 +66,7 @@ class InRegions:
         return tuple(self._regions[self._checked(region)]["neighbours"])
 
     def nearest(self, point: ArrayLike) -> int:
-        """Find the region whose centre is nearest; of equally near ones the first.
+        """Return the region with the nearest centre; the first of equally near ones.
 
         Parameters
         ----------
@@ -79,11 +79,11 @@ class InRegions:
             For anything but three finite numbers.
         """
         away = self.centers - check.vector("point", point)
-        # Scaled, so that the squares of no distance overflow.
+        # Scaled, so that no square overflows.
         return int(np.argmin(np.linalg.norm(away / np.abs(away).max(), axis=1))) if away.any() else 0
 
     def region(self, region: SupportsIndex) -> Self:
-        """Return the same bundle for another region; both share the files that were read.
+        """Return the same bundle for another region; both share the cache of read files.
 
         Parameters
         ----------
@@ -93,7 +93,7 @@ class InRegions:
         Raises
         ------
         ValueError, TypeError
-            For numbers that are no region.
+            For invalid region numbers.
         """
         return replace(self, number=self._checked(region))  # type: ignore[type-var]
 

@@ -1,4 +1,4 @@
-"""A user of a room: what it sends, and what happens around it."""
+"""A user's connection to a room: sent messages and received events."""
 
 from __future__ import annotations
 
@@ -23,36 +23,36 @@ if TYPE_CHECKING:
     from typing import Self
 
 ENTERING = 30.0
-"""Seconds in which a connection must have led into the room."""
+"""Timeout for entering the room, seconds."""
 
 PAUSES = (0.05, 5.0)
-"""The first pause before another try to return, and the longest; each is twice the one before, more or less."""
+"""First and longest pause before a reconnection attempt, seconds; the pause doubles, with random jitter."""
 
 STAYED = 10.0
-"""Seconds in the room after which pauses begin anew."""
+"""Seconds in the room after which the pause is reset."""
 
 PATIENCE = 120.0
-"""Seconds after which no further try to return begins."""
+"""Seconds after which no further attempt begins."""
 
 RETURNS = ("gone", "slow", "silent", "ending")
-"""Reasons after which a user returns: not those that would meet it again."""
+"""Reasons after which the client reconnects; the others would occur again."""
 
 Placing = tuple[ArrayLike, ArrayLike]
-"""A position and a quaternion."""
+"""Position and quaternion."""
 
 Payload = bytes | bytearray | memoryview
-"""Bytes that are said and signalled."""
+"""Payload of `say` and `signal`."""
 
 
 class Room:
-    """A user's place in a room, from the beginning of an `async with` block to its end; `join` makes it.
+    """A user's place in a room during an `async with` block; created by `join`.
 
-    Iterating over it with `async for` yields events, until the connection has ended for good.
+    Iteration with `async for` yields events until the connection has ended for good.
 
     Parameters
     ----------
     url, room, name, group, token, reconnect, certificate
-        As those of `join`.
+        As for `join`.
     """
 
     def __init__(
@@ -85,12 +85,12 @@ class Room:
 
     @property
     def users(self) -> dict[int, User]:
-        """Other users who are there, by number."""
+        """Other users in the room, by number."""
         return dict(self._users)
 
     @property
     def user(self) -> int:
-        """The user's own number; RoomError before it has joined."""
+        """The user's own number; RoomError before joining."""
         if self._user is None:
             raise _outside()
         return self._user
@@ -102,17 +102,17 @@ class Room:
 
     @property
     def is_connected(self) -> bool:
-        """Whether the user is in the room now; not before it has joined, and not until it has returned."""
+        """Whether the user is in the room now; false before joining and while reconnecting."""
         return self._end is None and self._there.is_set()
 
     @property
     def round_trips(self) -> NDArray[np.float64]:
-        """Round trips of poses that others acknowledged, in seconds: the last 10,000, the newest last."""
+        """Round-trip times of acknowledged poses, in seconds: the last 10,000, the newest last."""
         return self._trips.seconds
 
     @property
     def dropped(self) -> int:
-        """Events that made place for others because nobody took them: 4,096 wait at most, and 1 MiB of what is said."""
+        """Number of discarded unread events: at most 4,096 events and 1 MiB of payload are queued."""
         return self._inbox.dropped
 
     async def pose(
@@ -126,27 +126,27 @@ class Room:
         stops: bool = False,
         acknowledged: bool = False,
     ) -> int:
-        """Tell the group where the user's head, hands and pointer are.
+        """Send the pose of the user's head, hands and pointer to the group.
 
-        While the connection is broken nothing is sent: a pose is of use only when it is new.
+        While disconnected nothing is sent, because an old pose is useless.
 
         Parameters
         ----------
         position, rotation
-            Of the head: metres from the scene's origin, y up, and a unit quaternion (x, y, z, w).
+            Head pose: metres from the scene's origin, y up, and a unit quaternion (x, y, z, w).
         left, right
-            Positions and quaternions of the hands that are there.
+            Positions and quaternions of the tracked hands.
         pointer
-            Where a ray begins, "head", "left" or "right", and its length in metres; it leaves its begin along −z.
+            Origin of the ray, "head", "left" or "right", and its length in metres; it points along −z of its origin.
         stops
             Whether no pose follows until the user moves again.
         acknowledged
-            Whether the group's users acknowledge it, so that its round trip is measured.
+            Whether the group's users acknowledge it, so that its round-trip time is measured.
 
         Returns
         -------
         int
-            The pose's number, which `Settled` has.
+            Sequence number of the pose, which `Settled` reports.
         """
         head = poses.placed(("position", "rotation"), position, rotation)
         hands = poses.hand("left", left), poses.hand("right", right)
@@ -159,23 +159,23 @@ class Room:
         if acknowledged and self._has_peers():
             self._trips.send(moved.sequence, 1e-9 * now)
         if self._there.is_set():
-            # Whoever reads notices that the connection has broken off.
+            # The reading task handles a broken connection.
             await self._send(frames.pose(moved), or_else=False)
         return moved.sequence
 
     async def say(self, data: Payload, *, to: To = "group") -> None:
-        """Say at most 4,096 bytes to the group, or to the room; it waits for the return while the connection is broken.
+        """Send at most 4,096 bytes to the group or the room; while disconnected it waits for the reconnection.
 
         Raises
         ------
         RoomError
-            If the connection breaks off, so that nobody may have heard it, or has ended.
+            If the connection breaks, so that the message may be lost, or has ended.
         """
         check.choice("to", to, ("group", "room"))
         await self._send_inside(frames.say(to, _payload(data, frames.MOST_SAID)))
 
     async def signal(self, user: int, data: Payload) -> None:
-        """Send at most 16,384 bytes to one user, whom the server knows or ignores; else as `say`."""
+        """Send at most 16,384 bytes to one user; the server ignores unknown users. Otherwise like `say`."""
         number = check.integer("user", user, 0, 2**16 - 1)
         await self._send_inside(frames.signal(number, _payload(data, frames.MOST_SIGNALLED)))
 
@@ -196,7 +196,7 @@ class Room:
             try:
                 await complete(self._reading)
             finally:
-                # A task that is cancelled before it began closes nothing.
+                # A task that is cancelled before its first step does not run its own cleanup.
                 await self._leave()
 
     def __aiter__(self) -> Self:
@@ -214,7 +214,7 @@ class Room:
         return f"Room({self._address.url.partition('?')[0]!r}, user={self._user}, others={len(self._users)})"
 
     async def _enter(self) -> None:
-        """Connect, say hello, and wait until it is known who is there; RoomError if that is not possible."""
+        """Connect, send hello, and wait for the list of users; RoomError if that fails."""
         connection = Connection(self._address)
         try:
             async with asyncio.timeout(ENTERING):
@@ -234,7 +234,7 @@ class Room:
         self._there.set()
 
     async def _read_on(self) -> None:
-        """Take messages, return after the connection broke off, and end at last."""
+        """Process messages, reconnect after a broken connection, and record the final reason."""
         try:
             end = await self._read()
             while self._reconnects and end.reason in RETURNS:
@@ -252,7 +252,7 @@ class Room:
         self._finish(end)
 
     async def _read(self) -> RoomError:
-        """Take messages until the connection has ended; the reason."""
+        """Process messages until the connection has ended; return the reason."""
         try:
             while self._connection is not None:
                 await self._take(self._connection)
@@ -263,15 +263,15 @@ class Room:
             await self._leave()
 
     async def _return(self) -> None:
-        """Enter again, however often it takes; RoomError if that is in vain."""
+        """Reconnect, with repeated attempts; RoomError if that fails for good."""
         shortest, longest = PAUSES
         if time.monotonic() - self._entered > STAYED:
             self._pause = shortest
         last = time.monotonic() + PATIENCE
         while True:
-            # Users whom a server has lost do not all come back at the same time.
+            # Jitter: users whom a server has lost do not all reconnect at the same time.
             await asyncio.sleep(self._pause * random.uniform(0.5, 1.0))
-            # Who is let in and thrown out again waits longer each time, too.
+            # A user who is let in and thrown out again also waits longer each time.
             self._pause = min(2.0 * self._pause, longest)
             try:
                 await self._enter()
@@ -283,7 +283,7 @@ class Room:
                 return
 
     async def _leave(self) -> None:
-        """Close the connection, if there is one; nobody is there then."""
+        """Close the connection, if any, and forget all users."""
         self._there.clear()
         self._forget()
         if self._connection is not None:
@@ -295,16 +295,16 @@ class Room:
         self._trips.forget()
 
     def _finish(self, end: RoomError) -> None:
-        """Let the last event be the end for this reason, unless there is one."""
+        """Record the final reason as the last event, unless there is one."""
         if self._end is None:
             self._end = Ended(end.reason, end.sentence, returns=False)
             self._add(self._end)
             self._inbox.end()
-            # Who waits for the return learns that there is none.
+            # Wakes up senders that wait for the reconnection.
             self._there.set()
 
     async def _take(self, connection: Connection) -> None:
-        """Take a message, and acknowledge the poses in it; RoomError at the end."""
+        """Receive a message and acknowledge its poses; RoomError at the end."""
         message = await connection.receive()
         if message is None:
             raise broken()
@@ -313,7 +313,7 @@ class Room:
             await connection.send(acks)
 
     def _took(self, frame: frames.Frame) -> bytes:
-        """Take a frame; the frame that answers it, if one does."""
+        """Process a frame; return the response frame, or no bytes."""
         match frame:
             case frames.Welcome(user, others, ticket):
                 self._user, self._missing, self._ticket = user, others, ticket
@@ -345,14 +345,14 @@ class Room:
         self._inbox.add(event)
 
     async def _send_inside(self, frame: bytes) -> None:
-        """Send a frame as soon as the user is in the room; RoomError at the end."""
+        """Send a frame once the user is in the room; RoomError at the end."""
         self._check_end()
         await self._there.wait()
         self._check_end()
         await self._send(frame)
 
     async def _send(self, frame: bytes, *, or_else: bool = True) -> None:
-        """Send a frame; RoomError if the connection has broken off, unless nothing depends on it."""
+        """Send a frame; RoomError if the connection is broken, unless `or_else` is false."""
         try:
             if self._connection is not None:
                 await self._connection.send(frame)

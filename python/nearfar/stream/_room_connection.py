@@ -1,4 +1,4 @@
-"""The WebSocket of a room, by aiohttp."""
+"""WebSocket connection of a room, using aiohttp."""
 
 from __future__ import annotations
 
@@ -19,28 +19,28 @@ if TYPE_CHECKING:
     import aiohttp
 
 HEARTBEAT = 15.0
-"""Seconds without a byte of the server after which it is sent a ping; half of it later it is gone."""
+"""Seconds without data from the server before a ping; without a reply after half of it the connection is broken."""
 
 CLOSING = 5.0
-"""Seconds for which a server may let a user wait who has said bye. When it closes, the user's seat is free."""
+"""Timeout for the server to close after bye, seconds. When it closes, the user's seat is free."""
 
 MOST_MESSAGE = 1 << 23
-"""Most bytes of a message: what waits for a user, and a pose of each other one."""
+"""Greatest size of a message in bytes: a user's full queue and one pose of each other user."""
 
 _AGAIN = range(500, 600)
-"""Codes of HTTP of a server, or a proxy before it, that may answer otherwise later."""
+"""HTTP status codes of a server, or a proxy, that may succeed later."""
 
 
 @dataclass(frozen=True)
 class Address:
-    """The address of a room, and whom it is believed to be of."""
+    """Address of a room, and the certificates to trust."""
 
     url: str
     certificates: ssl.SSLContext | None
 
     @classmethod
     def of(cls, url: str, room: str, token: str | None, certificate: str | os.PathLike[str] | None) -> Address:
-        """The address of a room of a server; errors name the argument."""
+        """Build the address of a server's room; errors name the argument."""
         base = _server(url)
         query = "" if token is None else f"?token={quote(check.text('token', token), safe='.')}"
         name = quote(_room_names.room("room", room), safe="")
@@ -48,7 +48,7 @@ class Address:
 
 
 class Connection:
-    """A WebSocket, which `close` ends. It stays open when `receive` is cancelled, and no message is lost."""
+    """A WebSocket, closed by `close`. Cancelling `receive` keeps it open and loses no message."""
 
     def __init__(self, address: Address) -> None:
         self._address = address
@@ -57,7 +57,7 @@ class Connection:
         self._receiving: asyncio.Task[aiohttp.WSMessage | None] | None = None
 
     async def open(self) -> None:
-        """Connect; RoomError if that is not possible, with the reason "gone" if it may be later."""
+        """Connect; RoomError on failure, with the reason "gone" if a later attempt may succeed."""
         import aiohttp
         import yarl
 
@@ -78,7 +78,7 @@ class Connection:
             raise RoomError("gone", check.one_line(f"the server cannot be reached: {error}", 300)) from None
 
     async def send(self, data: bytes) -> None:
-        """Send a message; RoomError if the connection has broken off."""
+        """Send a message; RoomError if the connection is broken."""
         if self._socket is None:
             raise broken()
         try:
@@ -87,12 +87,12 @@ class Connection:
             raise broken() from None
 
     async def receive(self) -> bytes | None:
-        """The next message; None at the end."""
+        """Return the next message; None at the end."""
         import aiohttp
 
         if self._receiving is None:
             self._receiving = asyncio.create_task(self._receive())
-        # aiohttp takes a WebSocket for closed when its receive() is cancelled, and waits for no Close then.
+        # aiohttp marks a WebSocket as closed when its receive() is cancelled, and then does not wait for Close.
         await asyncio.wait([self._receiving])
         message, self._receiving = self._receiving.result(), None
         if message is None:
@@ -104,7 +104,7 @@ class Connection:
         return None
 
     async def close(self) -> None:
-        """Say bye, and wait until the server closes, CLOSING seconds at most. Cancellation takes effect after it."""
+        """Send bye and wait until the server closes, at most CLOSING seconds. Cancellation takes effect afterwards."""
         await complete(asyncio.create_task(self._close()))
 
     async def _receive(self) -> aiohttp.WSMessage | None:
@@ -115,7 +115,7 @@ class Connection:
         try:
             return await self._socket.receive()
         except (aiohttp.ClientError, ConnectionError, RuntimeError):
-            # It answers pings while it receives, and may meet a connection that has ended meanwhile.
+            # aiohttp answers pings during receive, which fails if the connection has ended meanwhile.
             return None
 
     async def _close(self) -> None:
@@ -148,18 +148,18 @@ async def complete(task: asyncio.Task[None]) -> None:
 
 
 def broken() -> RoomError:
-    """The error for a connection that has broken off."""
+    """Return the error for a broken connection."""
     return RoomError("gone", "the connection broke off")
 
 
 def require() -> None:
-    """ImportError that says what to install if there is no aiohttp."""
+    """Raise ImportError with the command to install if aiohttp is missing."""
     if importlib.util.find_spec("aiohttp") is None:
         raise ImportError('rooms need aiohttp: pip install "nearfar[stream]"')
 
 
 def _server(url: str) -> str:
-    """The address of a server without a slash at its end."""
+    """Return the address of a server without a trailing slash."""
     try:
         parts = urlsplit(check.text("url", url))
         is_server = parts.scheme in ("http", "https", "ws", "wss") and bool(parts.hostname) and parts.port != 0
@@ -184,7 +184,7 @@ def _trusted(certificate: str | os.PathLike[str] | None) -> ssl.SSLContext | Non
 
 
 def _unwelcome(code: int) -> RoomError:
-    """The error for an answer that makes no WebSocket."""
+    """Return the error for a response that refuses the WebSocket."""
     if code in _AGAIN:
         return RoomError("gone", f"the server answered with code {code}")
     why = {

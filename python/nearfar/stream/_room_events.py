@@ -1,4 +1,4 @@
-"""Where users of a room are, and the events that tell of them."""
+"""Poses of users of a room, and events."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from nearfar._base.errors import Error
 
 Begin: TypeAlias = Literal["head", "left", "right"]
-"""Where a pointer begins."""
+"""Origin of a pointer."""
 
 To: TypeAlias = Literal["group", "room"]
-"""Whom something is said to."""
+"""Recipients of a message."""
 
 
 @dataclass(frozen=True)
@@ -22,16 +22,16 @@ class User:
     """Another user of a room."""
 
     number: int
-    """The number by which the server calls it."""
+    """Number that the server assigned."""
     name: str
-    """The name that it chose."""
+    """Name that the user chose."""
     group: int
-    """The group that it chose; poses go to its group only."""
+    """Group that the user chose; poses are sent only to their group."""
 
 
 @dataclass(frozen=True, eq=False)
 class Placed:
-    """Where a head or a hand is."""
+    """Position and rotation of a head or a hand."""
 
     position: NDArray[np.float32]
     """Metres from the scene's origin, y up, shape (3,)."""
@@ -49,24 +49,24 @@ class Placed:
 
 @dataclass(frozen=True)
 class Pointer:
-    """A ray that leaves its begin along −z."""
+    """A ray that points along −z of its origin."""
 
     begin: Begin
-    """The head or the hand at which it begins."""
+    """Head or hand at which the ray starts."""
     length: float
-    """Metres."""
+    """Length, metres."""
 
 
 @dataclass(frozen=True)
 class Pose:
-    """Where a user's head, hands and pointer are."""
+    """Pose of a user's head, hands and pointer."""
 
     sequence: int
-    """Its number, greater than that of each pose before."""
+    """Sequence number, greater than that of each earlier pose."""
     clock: int
-    """The sender's clock in microseconds from any begin."""
+    """Sender's clock, microseconds from an arbitrary start."""
     is_acknowledged: bool
-    """Whether others acknowledge it, so that the sender measures its round trip."""
+    """Whether others acknowledge it, so that the sender measures its round-trip time."""
     stops: bool
     """Whether no pose follows until the user moves again."""
     head: Placed
@@ -81,89 +81,89 @@ class Pose:
 
 @dataclass(frozen=True)
 class Joined:
-    """A user is there; also of those who were there before."""
+    """A user has entered the room, or was there already when this user entered."""
 
     user: int
-    """Its number."""
+    """Number of the user."""
     name: str
-    """Its name."""
+    """Name of the user."""
     group: int
-    """Its group."""
+    """Group of the user."""
 
 
 @dataclass(frozen=True)
 class Left:
-    """A user is not there any more."""
+    """A user has left the room."""
 
     user: int
-    """Its number."""
+    """Number of the user."""
 
 
 @dataclass(frozen=True)
 class Posed:
-    """A user of the own group has moved."""
+    """A user of the own group has sent a pose."""
 
     user: int
-    """Its number."""
+    """Number of the user."""
     pose: Pose
-    """Where it is."""
+    """Pose of the user."""
 
 
 @dataclass(frozen=True)
 class Said:
-    """A user has said something; all who hear it get what is said in a room in the same order."""
+    """A message to a group or the room; all recipients receive a room's messages in the same order."""
 
     user: int
-    """Its number."""
+    """Number of the sender."""
     data: bytes
-    """The bytes that it said."""
+    """Payload."""
     to: To
-    """Whether to its group or to the room."""
+    """Recipients: the sender's group or the room."""
 
 
 @dataclass(frozen=True)
 class Signalled:
-    """A user has sent something to this user alone."""
+    """A message to this user alone."""
 
     user: int
-    """Its number."""
+    """Number of the sender."""
     data: bytes
-    """The bytes that it sent."""
+    """Payload."""
 
 
 @dataclass(frozen=True)
 class Settled:
-    """All others of the group have acknowledged a pose of this user."""
+    """All other users of the group have acknowledged a pose of this user."""
 
     sequence: int
-    """The pose's number."""
+    """Sequence number of the pose."""
     seconds: float
-    """Its round trip by the paper's Eq. 3, on this user's clock."""
+    """Round-trip time by the paper's Eq. 3, on this user's clock."""
 
 
 @dataclass(frozen=True)
 class Ended:
-    """The connection has ended; nobody is there until those who are there are told anew."""
+    """The connection has ended; forget all users until new `Joined` events announce them."""
 
     reason: str
-    """Name of the reason, as docs/rooms.md lists them."""
+    """Name of the reason, listed in docs/rooms.md."""
     sentence: str
-    """The reason in words."""
+    """Description of the reason."""
     returns: bool
-    """Whether the user returns by itself; if not, this is the last event."""
+    """Whether the client reconnects; if not, this is the last event."""
 
 
 Event: TypeAlias = Joined | Left | Posed | Said | Signalled | Settled | Ended
-"""Anything that happens in a room."""
+"""Any event of a room."""
 
 
 class RoomError(Error):
-    """A connection to a room that cannot be made or has ended; the message tells the server's reason."""
+    """A connection to a room failed or has ended; the message has the server's reason."""
 
     reason: str
-    """Name of the reason, as docs/rooms.md lists them."""
+    """Name of the reason, listed in docs/rooms.md."""
     sentence: str
-    """The reason in words."""
+    """Description of the reason."""
 
     def __init__(self, reason: str, sentence: str) -> None:
         super().__init__(f"the connection to the room has ended ({reason}): {sentence}")

@@ -1,4 +1,4 @@
-"""Frames of rooms as bytes, field by field as in docs/rooms.md: those of users are written, the server's are read."""
+"""Frames of rooms as bytes, specified in docs/rooms.md: writes those of clients and reads those of the server."""
 
 from __future__ import annotations
 
@@ -25,26 +25,26 @@ from nearfar.stream._room_events import (
 
 VERSION = 1
 MOST_SAID = 1 << 12
-"""Most bytes of what is said."""
+"""Greatest payload of `say`, bytes."""
 MOST_SIGNALLED = 1 << 14
-"""Most bytes of a signal."""
+"""Greatest payload of `signal`, bytes."""
 ONE = 32767
-"""The number that 1 is in a rotation."""
+"""Integer that represents 1 in a rotation."""
 FARTHEST = 1e6
 """Greatest coordinate, and greatest length of a pointer, metres."""
 LEAST_LENGTH, MOST_LENGTH = 0.9, 1.1
-"""Lengths of quaternions that are taken for rotations."""
+"""Range of quaternion lengths that are accepted as rotations."""
 
 REASONS = (
     "bye", "gone", "version", "frame", "token", "full", "flood", "slow", "silent", "replaced", "ending",
 )  # fmt: skip
-"""Names of the reasons for which a connection ends, in the order of their numbers."""
+"""Names of the reasons for which a connection ends, in the order of their codes."""
 
 _TO: tuple[To, ...] = ("group", "room")
 _BEGINS: tuple[Begin, ...] = ("head", "left", "right")
 _ACKNOWLEDGED, _STOPS, _LEFT, _RIGHT = 1, 2, 4, 8
 _POINTER = 4
-"""Place of the pointer's two flags."""
+"""Bit position of the pointer's two flags."""
 
 _HEAD = struct.Struct("<BH")
 _HELLO = struct.Struct("<BH")
@@ -59,7 +59,7 @@ _TWO = struct.Struct("<HH")
 
 @dataclass(frozen=True)
 class Welcome:
-    """The user is in the room."""
+    """The server has admitted the user."""
 
     user: int
     others: int
@@ -68,31 +68,31 @@ class Welcome:
 
 @dataclass(frozen=True)
 class SettledUpTo:
-    """All others of the group have acknowledged this pose of the user, or a later one."""
+    """All other users of the group have acknowledged this pose of the user, or a later one."""
 
     sequence: int
 
 
 @dataclass(frozen=True)
 class Refused:
-    """The connection ends."""
+    """The server ends the connection."""
 
     reason: str
     sentence: str
 
 
 Frame: TypeAlias = Welcome | Posed | SettledUpTo | Said | Signalled | Joined | Left | Refused
-"""A frame of the server."""
+"""Frame of the server."""
 
 
 def hello(group: int, name: str, ticket: bytes) -> bytes:
-    """The first frame: who joins, with the ticket of the last time or none."""
+    """Encode the first frame: the user, with the ticket of the previous connection, or an empty one."""
     text = name.encode()
     return _frame(1, _HELLO.pack(VERSION, group) + _counted(text) + _counted(ticket))
 
 
 def pose(moved: Pose) -> bytes:
-    """Where the user is."""
+    """Encode a pose."""
     hands = [(moved.left, _LEFT), (moved.right, _RIGHT)]
     flags = _ACKNOWLEDGED * moved.is_acknowledged | _STOPS * moved.stops
     flags |= sum(flag for hand, flag in hands if hand is not None)
@@ -105,27 +105,27 @@ def pose(moved: Pose) -> bytes:
 
 
 def ack(user: int, sequence: int) -> bytes:
-    """A pose of another user has come."""
+    """Encode the acknowledgement of another user's pose."""
     return _frame(3, _ACK.pack(user, sequence))
 
 
 def say(to: To, data: bytes) -> bytes:
-    """Something to the group or to the room."""
+    """Encode a message to the group or the room."""
     return _frame(4, bytes([_TO.index(to)]) + data)
 
 
 def signal(user: int, data: bytes) -> bytes:
-    """Something to one user."""
+    """Encode a message to one user."""
     return _frame(5, _USER.pack(user) + data)
 
 
 def bye() -> bytes:
-    """The user leaves."""
+    """Encode the user's departure."""
     return _frame(6, b"")
 
 
 def read(message: bytes) -> Iterator[Frame]:
-    """Yield the frames of a message of the server; RoomError for what is none."""
+    """Yield the frames of a server's message; RoomError for malformed ones."""
     at = 0
     while at < len(message):
         if len(message) < at + _HEAD.size:
@@ -175,7 +175,7 @@ def _pose(body: bytes) -> Pose:
         at += _PLACED.size * bool(is_there)
     pointer = None
     if flags >> _POINTER:
-        # Greater flags have no meaning, and so no place in the tables.
+        # Undefined flag values raise IndexError here.
         number = (flags >> _POINTER) - 1
         pointer = Pointer(_BEGINS[number], *_LENGTH.unpack_from(body, at))
         at += _LENGTH.size
@@ -190,7 +190,7 @@ def _pose(body: bytes) -> Pose:
 def _placed(body: bytes, at: int) -> Placed:
     *position, x, y, z, w = _PLACED.unpack_from(body, at)
     placed = Placed(np.array(position, np.float32), np.array([x, y, z, w]) / ONE)
-    # Not-a-number is in no range.
+    # NaN fails the comparison.
     if not all(abs(value) <= FARTHEST for value in position):
         raise _fault("a position is none")
     if not LEAST_LENGTH <= np.linalg.norm(placed.rotation) <= MOST_LENGTH:
@@ -212,7 +212,7 @@ def _counted(data: bytes) -> bytes:
 
 
 def _rest_of(body: bytes, at: int) -> bytes:
-    """The bytes that are counted by one, which end the body."""
+    """Return a byte string with a one-byte length prefix, which must end the body."""
     if len(body) != at + 1 + body[at]:
         raise _fault("a frame has bytes that are not counted")
     return body[at + 1 :]

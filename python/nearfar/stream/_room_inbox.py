@@ -1,4 +1,4 @@
-"""Events that wait until who iterates takes them, in bounded memory."""
+"""Bounded queue of events that wait for the iterating consumer."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from nearfar.stream._room_events import Event, Left, Posed, Said, Signalled
 
 MOST_EVENTS = 4096
 MOST_BYTES = 1 << 20
-"""Most events that wait, and most bytes of what was said and signalled; older events make place."""
+"""Limits of the queue: number of events, and payload bytes; the oldest events are discarded."""
 
 
 class Inbox:
-    """Events in order. A pose that waits is overwritten by a newer one of the same user, as the server does it."""
+    """Events in order. A newer pose replaces a queued one of the same user, as on the server."""
 
     def __init__(self) -> None:
         self._waiting: OrderedDict[tuple[str, int], Event] = OrderedDict()
@@ -23,10 +23,10 @@ class Inbox:
         self._is_ended = False
         self._wake = asyncio.Event()
         self.dropped = 0
-        """Events that nobody took before too many waited."""
+        """Number of events discarded because the queue was full."""
 
     def add(self, event: Event) -> None:
-        """Let an event wait."""
+        """Enqueue an event."""
         if isinstance(event, Posed):
             self._waiting[("pose", event.user)] = event
         else:
@@ -40,12 +40,12 @@ class Inbox:
         self._wake.set()
 
     def end(self) -> None:
-        """Let no event follow those that wait."""
+        """Mark the end: no event follows the queued ones."""
         self._is_ended = True
         self._wake.set()
 
     async def take(self) -> Event | None:
-        """The first event that waits, as soon as there is one; None after the last."""
+        """Remove and return the first event, waiting for one; None after the last."""
         while not self._waiting:
             if self._is_ended:
                 return None

@@ -1,4 +1,4 @@
-"""Names of rooms and of their users, as the server takes them."""
+"""Names of rooms and of users, under the server's rules."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ import unicodedata
 from nearfar._base import check
 
 MOST_BYTES = 64
-"""Most bytes of a name."""
+"""Greatest size of a name, bytes."""
 
 
 def room(argument: str, value: str) -> str:
-    """Check a room's name; ValueError for one that no address of a room can have."""
+    """Check a room's name; ValueError for one that cannot be part of a room's address."""
     name = _name(argument, value)
-    # Clients and proxies take dots for folders.
+    # Clients and proxies resolve dots as folders.
     if not name or "/" in name or name in (".", ".."):
         got = check.shortened(value)
         raise ValueError(f"{argument}: expected 1 to {MOST_BYTES} bytes without a slash, but not . or .., got {got}")
@@ -21,7 +21,7 @@ def room(argument: str, value: str) -> str:
 
 
 def user(argument: str, value: str) -> str:
-    """Check a user's name, which may be empty; ValueError for letters that nobody sees, with which names look alike."""
+    """Check a user's name, which may be empty; ValueError for invisible characters, which make names look alike."""
     name = _name(argument, value)
     if any(unicodedata.category(letter) == "Cf" for letter in name):
         raise ValueError(f"{argument}: expected no characters that only format, got {check.shortened(value)}")

@@ -1,4 +1,4 @@
-"""Poses of a user, checked and rounded as frames hold them."""
+"""Poses of a user, checked and rounded to the precision of frames."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ from nearfar.stream._room_frames import FARTHEST, LEAST_LENGTH, MOST_LENGTH, ONE
 
 
 def placed(names: tuple[str, str], position: ArrayLike, rotation: ArrayLike) -> Placed:
-    """A head or a hand of a position and a quaternion with these names in messages."""
+    """Convert the pose of a head or a hand; errors name the arguments by `names`."""
     where, turned = check.vector(names[0], position), check.array(names[1], rotation, columns=None, dtype=np.float64)
     if max(map(abs, where)) > FARTHEST:
         raise ValueError(f"{names[0]}: expected coordinates within {FARTHEST:g} m of the origin, got {where}")
     if turned.shape != (4,):
         raise ValueError(f"{names[1]}: expected a quaternion (x, y, z, w), got shape {turned.shape}")
     length = float(np.linalg.norm(turned))
-    # Not-a-number is in no range.
+    # NaN fails the comparison.
     if not LEAST_LENGTH <= length <= MOST_LENGTH:
         raise ValueError(f"{names[1]}: expected a quaternion of length 1, got one of length {length:g}")
     return Placed(np.array(where, np.float32), np.rint(turned / length * ONE) / ONE)
 
 
 def hand(name: str, value: tuple[ArrayLike, ArrayLike] | None) -> Placed | None:
-    """A hand of a pair of a position and a quaternion; None stays None."""
+    """Convert the pose of a hand; None stays None."""
     if value is None:
         return None
     if not isinstance(value, tuple | list) or len(value) != 2:
@@ -34,7 +34,7 @@ def hand(name: str, value: tuple[ArrayLike, ArrayLike] | None) -> Placed | None:
 
 
 def pointer(value: tuple[Begin, float] | None, left: Placed | None, right: Placed | None) -> Pointer | None:
-    """A pointer of its begin and its length; None stays None. ValueError if it begins at a hand that is not there."""
+    """Convert a pointer from its origin and length; None stays None. ValueError if its hand is missing."""
     if value is None:
         return None
     if not isinstance(value, tuple | list) or len(value) != 2:

@@ -1,4 +1,4 @@
-"""How maps and geometry become files: the arguments of `export`, checked."""
+"""Settings of maps and geometry: the checked arguments of `export`."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ MOST_FACE_SIZE = 4096
 
 @dataclass(frozen=True)
 class Settings:
-    """How maps and geometry become files."""
+    """Settings that determine how maps and geometry become files."""
 
     face_size: int
     samples: int
@@ -38,7 +38,7 @@ class Settings:
         by_footprint: bool,
         split_px: SupportsFloat | None = None,
     ) -> Settings:
-        """Check them; ValueError or TypeError for settings that cannot be."""
+        """Check the arguments; ValueError or TypeError for invalid ones."""
         size = check.integer("face_size", face_size, TILE, MOST_FACE_SIZE)
         if size % TILE:
             raise ValueError(f"face_size: expected a multiple of {TILE}, got {size}")

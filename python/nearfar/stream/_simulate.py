@@ -1,4 +1,4 @@
-"""Loading strategies on a virtual clock."""
+"""Simulation of loading strategies on a virtual clock."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ from nearfar.stream._timeline import Timeline
 from nearfar.stream._transport import Transport
 
 RATE = 72.0
-"""Frames a second of the headset in CloVR (2024)."""
+"""Frames per second of the headset in CloVR (2024)."""
 MOST_SECONDS = 1e6
-"""Greatest duration."""
+"""Greatest duration, seconds."""
 
 
 def simulate(
@@ -49,49 +49,48 @@ def simulate(
 ) -> Timeline:
     """Load a region of a bundle over a link as the page does, on a virtual clock.
 
-    Files are asked for in the page's order, at most six at a time, those of the next ring ahead. Rings fade in and grow
+    Files are requested in the page's order, at most six at a time, those of the next ring ahead. Rings fade in and grow
     by the page's rules.
 
     Parameters
     ----------
     bundle
-        The bundle; the region that it speaks of is loaded.
+        The bundle; its current region is loaded.
     link
-        The link to its server.
+        The link to the server.
     strategy
-        "clovr": rings fade in, and the morph grows. "clovrd": the same rings at once. "vis0": blank until the near
-        objects that the centre sees and the last map are there. "vis1": these objects as they come, the map last. The
-        last two need `export(by_footprint=True)`.
+        "clovr": rings fade in, and the morph grows. "clovrd": the same rings without transitions. "vis0": blank until
+        the near objects visible from the centre and the last map have arrived. "vis1": these objects in order of
+        arrival, the map last. The last two need `export(by_footprint=True)`.
     gzip
-        Whether the server compresses what is not compressed yet, as `nearfar serve` does; plain servers of files
-        often do not.
+        Whether the server compresses uncompressed files, as `nearfar serve` does; plain file servers often do not.
     head_path
-        Where the user's eye is: one position in world metres, or rows of a time in seconds and a position, (N, 4),
-        which is linear between them and stays before and after. The centre by default.
+        Position of the user's eye: one position in world metres, or rows of a time in seconds and a position, (N, 4),
+        interpolated linearly and constant before and after. Default: the centre.
     duration
         Seconds after which the simulation ends; by default when nothing changes any more.
     rate
-        Frames a second, 1 to 1000.
+        Frames per second, 1 to 1000.
     decode_mbs
-        Megabytes a second that a worker decodes, of files of maps and, in another one, of geometry; None for no time.
+        Megabytes per second that a worker decodes, one worker for maps and one for geometry; None for no decoding time.
     frame_ms, triangles_per_second
-        What a frame takes: milliseconds, and more for its triangles; None for no time.
+        Drawing time of a frame: fixed milliseconds, and triangles drawn per second; None for no time.
     seed
-        Seed of the lost packets.
+        Seed of the packet losses.
     scene
-        The scene that was exported, to measure what the user sees of it: its rings before maps without the losses of
-        files. None measures nothing.
+        The exported scene, to measure how much of it the user sees: its rings in front of maps, without the losses of
+        file encoding. None measures nothing.
     camera
-        The view in which it is measured, moved to the user's eye; by default all directions, as six faces of `size`².
+        View for the measurement, moved to the user's eye; by default all directions, as six cube faces of `size`².
     size
         Pixels along a face, 16 to 4096.
     every
-        Seconds between the frames that are looked at, besides those in which a ring, or a cross-fade, begins.
+        Seconds between measured frames, in addition to those in which a ring or a cross-fade begins.
 
     Returns
     -------
     Timeline
-        What was there, and what was shown and drawn, by time.
+        Arrivals, shown states and drawn triangles over time.
 
     Raises
     ------
@@ -131,13 +130,13 @@ def simulate(
 
 
 def radius_for(bundle: Bundle, *, link: Link, seconds: SupportsFloat, gzip: bool = False) -> float:
-    """Find the radius of the last ring that a client at a link has within some seconds.
+    """Return the radius of the last ring that a client receives within some seconds.
 
     Parameters
     ----------
     bundle
-        The bundle; the region that it speaks of is loaded, as `simulate` does by "clovrd": no ring waits until another
-        one has faded in.
+        The bundle; its current region is loaded, as `simulate` does by "clovrd", where no ring waits for the
+        cross-fade of another one.
     link
         The client's link.
     seconds
@@ -148,12 +147,12 @@ def radius_for(bundle: Bundle, *, link: Link, seconds: SupportsFloat, gzip: bool
     Returns
     -------
     float
-        Metres; 0 if not even ring 1 comes in time.
+        Radius in metres; 0 if not even ring 1 arrives in time.
 
     Raises
     ------
     ValueError, TypeError
-        For arguments of another type, and seconds that are not above 0.
+        For arguments of another type, and seconds that are not positive.
     """
     limit = check.positive("seconds", seconds)
     line = simulate(bundle, link=link, strategy="clovrd", gzip=gzip, duration=min(limit, MOST_SECONDS))
@@ -162,7 +161,7 @@ def radius_for(bundle: Bundle, *, link: Link, seconds: SupportsFloat, gzip: bool
 
 
 def _sizes(bundle: Bundle, gzip: bool) -> dict[str, tuple[int, int]]:
-    """Bytes of each file on its way, and unpacked."""
+    """Transfer size and unpacked size of each file, in bytes."""
     sizes = {name: (int(entry["bytes"]),) * 2 for name, entry in bundle._manifest["files"].items()}
     manifest = bundle._reader.read(_store.MANIFEST)
     sizes[MANIFEST] = (len(manifest),) * 2

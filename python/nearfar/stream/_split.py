@@ -1,4 +1,4 @@
-"""Large triangles of rings are split, so that clients which move vertices show what those show that bend each ray."""
+"""Splitting of the large triangles of rings, so that a per-vertex morph matches ray bending within a tolerance."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ from nearfar.stream._detail import SHARPEST, Detail
 from nearfar.stream._manifest import NEAR_SHARE
 
 MOST_REACH = 0.348
-"""Distance of users from a centre, as a share of the first radius, up to which the error has a bound."""
+"""Greatest distance of users from a centre, as a share of the first radius, for which the error is bounded."""
 
 MOST_ADDED = 10_000_000
-"""Triangles that splitting may add to a region: several times as many as the rings of the greatest scenes have."""
+"""Triangles that splitting may add to a region; several times as many as the rings of the largest scenes have."""
 
 COARSEST = 8
-"""Times the tolerance at which a ring is split first, only to count its triangles."""
+"""Factor on the tolerance of the first trial split, which only counts triangles."""
 
 
 @dataclass(frozen=True)
 class Splitting:
-    """Which error the vertex morph may have, and for whom."""
+    """Tolerated error of the vertex morph, and the users for whom it holds."""
 
     tolerance: float
     """Greatest error, radians."""
@@ -35,14 +35,14 @@ class Splitting:
 
     @classmethod
     def of(cls, split_px: float | None, detail: Detail) -> Splitting | None:
-        """Take pixels of the client's display; None if nothing is to be split."""
+        """Convert an error in pixels of the client's display; None if nothing is to be split."""
         if split_px is None:
             return None
         sharp = SHARPEST if detail.pixels_per_degree is None else detail.pixels_per_degree
         return cls(split_px * math.radians(1.0 / sharp), detail.reach)
 
     def check(self, center: tuple[float, float, float], radii: tuple[float, ...]) -> None:
-        """ValueError if the rings about a centre cannot be split within the tolerance."""
+        """Raise ValueError if the rings about a centre cannot be split within the tolerance."""
         if self.reach > MOST_REACH * radii[0]:
             raise ValueError(
                 f"radii: expected a first radius of at least {self.reach / MOST_REACH:.3f} m with split_px, for users "
@@ -56,9 +56,9 @@ class Splitting:
             raise ValueError(f"split_px: {error}") from None
 
     def split(self, rings: Rings) -> Rings:
-        """The rings with the static triangles of each split for its own growth and for all later radii.
+        """Return the rings with the static triangles of each split for its own growth and for all later radii.
 
-        ValueError for a ring that cannot be split as finely, or that would add too many triangles.
+        ValueError for a ring that cannot be split finely enough, or that would add too many triangles.
         """
         room = MOST_ADDED
         core, codes = rings.scene._core, rings.codes()
@@ -79,10 +79,10 @@ class Splitting:
 
 
 def _split_within(room: int, core: Any, settings: dict[str, Any]) -> tuple[Any, int]:
-    """Split triangles if that adds at most `room`; return the scene and how many were added.
+    """Split triangles if that adds at most `room`; return the scene and the number of added triangles.
 
-    The number grows at most with the square of the fineness. Where it could pass the limit, coarser splits are counted
-    first, so that too fine a one ends long before memory does.
+    The number grows at most with the square of the fineness. Where it could exceed the limit, coarser splits are
+    counted first, so that a split that is too fine ends long before memory is exhausted.
     """
     times = COARSEST
     while True:
@@ -100,9 +100,9 @@ def _split_within(room: int, core: Any, settings: dict[str, Any]) -> tuple[Any, 
 
 
 def stages(radii: tuple[float, ...], ring: int) -> dict[str, Any]:
-    """Radii of the last morph and stages at which a ring's objects are shown: all of them from its arrival on.
+    """Return the radii of the last morph, and the range of stages in which a ring's objects are shown.
 
-    Ring 1 grows by strength at its own radius, others from the radius before.
+    The range begins with the ring's arrival. Ring 1 grows by strength at its own radius, others from the one before.
     """
     last = radii[-1]
     return {"radii": (NEAR_SHARE * last, last), "stages": (radii[max(ring - 2, 0)], ring > 1)}

@@ -1,4 +1,4 @@
-"""Which picture of a region the page shows as time passes: the mirror of `web/src/show/stage.ts` and `growth.ts`."""
+"""Picture that the page shows over time; a port of `web/src/show/stage.ts` and `growth.ts`."""
 
 from __future__ import annotations
 
@@ -8,23 +8,23 @@ from dataclasses import dataclass, replace
 from nearfar.stream._manifest import NEAR_SHARE
 
 SLACK = 0.5
-"""Metres beyond the user's place at which a radius that is chosen for it would fold."""
+"""Safety margin in metres: a chosen radius folds only for users this much farther from the axis."""
 _ROUNDED = 1.0 - 1e-9
-"""The last radius counts as great enough whatever its product with the near share is rounded to."""
+"""Factor that keeps the last radius large enough despite rounding of its product with the near share."""
 
 
 @dataclass(frozen=True)
 class Shown:
-    """The state that a frame shows."""
+    """State that a frame shows."""
 
     ring: int = -1
-    """Number of the ring; −1 for a blank picture."""
+    """Number of the shown ring; −1 for a blank picture."""
     radius: float = 0.0
     """Radius R of the morph, metres."""
     strength: float = 0.0
     """Strength of the morph, 0 to 1."""
     share: float = 0.0
-    """Share of the next ring's picture, which fades in over it, 0 to 1."""
+    """Opacity of the next ring's picture during its cross-fade, 0 to 1."""
 
 
 BLANK = Shown()
@@ -32,22 +32,22 @@ BLANK = Shown()
 
 @dataclass(frozen=True)
 class Rates:
-    """How fast the morph grows."""
+    """Growth speed of the morph."""
 
     radii: tuple[float, ...]
     turn: float
-    """Radians a second for each metre of |U−O|."""
+    """Radians per second for each metre of |U−O|."""
     fade: float
-    """Seconds of a cross-fade."""
+    """Duration of a cross-fade, seconds."""
 
 
 def least_radius(away: float, fold_margin: float) -> float:
-    """The least radius whose picture does not fold for a user so many metres from the axis."""
+    """Return the least radius whose picture does not fold for a user at a distance in metres from the axis."""
     return _ROUNDED * min(away + SLACK, fold_margin) / NEAR_SHARE
 
 
 def grow(now: Shown, seconds: float, rates: Rates, least: float) -> Shown:
-    """The state some seconds later: first the strength grows, then 1/R falls at a constant speed."""
+    """Return the state after some seconds: first the strength grows, then 1/R falls at a constant speed."""
     if not 1 <= now.ring <= len(rates.radii):
         return replace(now, radius=0.0, strength=0.0)
     goal = rates.radii[now.ring - 1]
@@ -69,7 +69,7 @@ def grow(now: Shown, seconds: float, rates: Rates, least: float) -> Shown:
 
 
 class Stage:
-    """The picture of a region while its rings arrive."""
+    """Picture of a region while its rings arrive."""
 
     def __init__(self, rates: Rates, *, is_smooth: bool, is_whole: bool) -> None:
         self._rates, self._is_smooth = rates, is_smooth
@@ -78,29 +78,29 @@ class Stage:
         self._now = self._last = BLANK
 
     def arrive(self, ring: int) -> None:
-        """A ring is there."""
+        """Record that a ring has arrived."""
         self._arrived = ring
         if not self._is_smooth or self._now.ring < 0:
             self._now = replace(self._now, ring=ring)
 
     def may_replace(self, ring: int) -> bool:
-        """Whether the map of a ring may take the place of that of the ring before the last."""
+        """Return whether a ring's map may overwrite the map of the ring before the previous one."""
         return self._now.ring >= ring - 1 or self._arrived < 1
 
     def is_still(self, *, moves: bool) -> bool:
-        """Whether more time changes nothing, as long as nothing arrives; `moves` tells whether the user does."""
+        """Return whether the picture stays the same until something arrives; `moves` tells whether the user moves."""
         now = self._now
         if now.ring < max(self._first, 0):
             return True
         if now != self._last or self._is_fading or self._arrived != now.ring:
             return False
-        # A picture that would fold waits for the user to come nearer.
+        # A picture that would fold waits until the user is closer to the centre.
         return now.ring < 1 or (
             now.radius == self._goal and (now.strength == 1.0 or (now.strength == 0.0 and not moves))
         )
 
     def advance(self, seconds: float, least: float) -> Shown:
-        """Go on by some seconds; smaller radii than `least` would fold."""
+        """Advance by some seconds; radii below `least` would fold."""
         self._last = self._next(seconds, least)
         return self._last
 
@@ -125,7 +125,7 @@ class Stage:
 
     @property
     def _goal(self) -> float:
-        """Radius of the ring that is shown."""
+        """Radius of the shown ring."""
         return self._rates.radii[self._now.ring - 1]
 
     def _at_once(self, least: float) -> Shown:

@@ -1,4 +1,4 @@
-"""Files of a bundle in a local folder, or behind a URL that fsspec knows."""
+"""Storage of a bundle's files: a local folder, or a URL that fsspec supports."""
 
 from __future__ import annotations
 
@@ -17,30 +17,30 @@ from nearfar._base.remote import READ_ONLY, as_os_errors, is_url, local
 MANIFEST = "manifest.json"
 TILESET = "tileset.json"
 FOLDER = "files"
-"""Folder of the files that are named by their content."""
+"""Folder of the files with content-based names."""
 
 
 def named(data: bytes, kind: str) -> str:
-    """Name of a file by its content: a quarter of its SHA-256, which no two files share by chance, and its kind."""
+    """Name a file by its content: a quarter of its SHA-256, which is unique in practice, and its suffix."""
     return f"{FOLDER}/{hashlib.sha256(data).hexdigest()[:16]}.{kind}"
 
 
 def described(data: bytes) -> dict[str, Any]:
-    """Size and hash of a file, as manifests list them."""
+    """Return size and hash of a file in the format of manifests."""
     return {"bytes": len(data), "sha256": hashlib.sha256(data).hexdigest()}
 
 
 class Reader(Protocol):
-    """Where the files of a bundle are read from."""
+    """Source of a bundle's files."""
 
     place: str
-    """The folder or URL, for messages."""
+    """Folder or URL, for messages."""
 
     def read(self, name: str) -> bytes:
-        """Bytes of a file; OSError if it is missing."""
+        """Return the bytes of a file; OSError if it is missing."""
 
     def sizes(self) -> Mapping[str, int] | None:
-        """Sizes of the files that are there, bytes; None where that takes a request for each."""
+        """Return the sizes of existing files in bytes; None if that takes a request for each."""
 
 
 class _Folder:
@@ -70,7 +70,7 @@ class _Remote:
 
 
 def reader(path: str | os.PathLike[str]) -> Reader:
-    """Open the place of a bundle; a path may also be that of its manifest."""
+    """Open a bundle's folder or URL, or the path of its manifest."""
     if is_url(path):
         return _Remote(str(path).removesuffix(f"/{MANIFEST}").rstrip("/"))
     folder = local(path)
@@ -81,7 +81,7 @@ def reader(path: str | os.PathLike[str]) -> Reader:
 
 
 def check_target(path: str | os.PathLike[str], wanted: str) -> None:
-    """Refuse a place that cannot take a bundle, before the work starts.
+    """Reject a target that cannot take a bundle, before the work starts.
 
     Parameters
     ----------
@@ -93,9 +93,9 @@ def check_target(path: str | os.PathLike[str], wanted: str) -> None:
     Raises
     ------
     ValueError
-        For a URL whose file system is not known or only reads, and where fsspec is missing.
+        For a URL whose file system is unknown or read-only, and if fsspec is missing.
     OSError
-        For a local folder that cannot be written, has no folder above or contains other files.
+        For a local folder that cannot be written, has no parent folder or contains other files.
     """
     if is_url(path):
         remote.system(str(path))
@@ -112,11 +112,11 @@ def check_target(path: str | os.PathLike[str], wanted: str) -> None:
 
 
 class _TrialError(Exception):
-    """Ends a trial, so that the target stays unchanged."""
+    """Ends a trial write, so that the target stays unchanged."""
 
 
 def _refuse_foreign_manifest(path: Path, wanted: str) -> None:
-    """Web pages have a file of this name, too: their folder would be replaced. One that is damaged may be ours."""
+    """Reject a folder with another program's manifest.json, which would be replaced; a damaged one may be ours."""
     try:
         document = formats.from_json(path.read_bytes())
     except (OSError, ValueError, RecursionError):
@@ -129,9 +129,9 @@ def _refuse_foreign_manifest(path: Path, wanted: str) -> None:
 def write(path: str | os.PathLike[str], content: Mapping[str, bytes]) -> None:
     """Write the files of a bundle, which include the manifest and the tileset.
 
-    A local folder is written aside and takes its place at once. At a URL the tileset and last the manifest are written
-    after all files, and files that are there already, by name and size, are not touched: until then a reader sees the
-    bundle that was there before.
+    A local folder is written beside its target and then replaces it atomically. At a URL the tileset and then the
+    manifest are written after all files, and existing files of equal name and size are kept: until then a reader sees
+    the previous bundle.
     """
     if not is_url(path):
         with files.atomic_folder(local(path), marker=MANIFEST) as folder:
@@ -149,7 +149,7 @@ def write(path: str | os.PathLike[str], content: Mapping[str, bytes]) -> None:
 
 
 def _sizes_at(system: Any, folder: str) -> dict[str, int]:
-    """Sizes of the files of a folder, by their names in manifests; object stores have no folder before its files."""
+    """Return sizes of a folder's files by their names in manifests; object stores have no empty folders."""
     system.invalidate_cache()
     try:
         entries = system.ls(folder, detail=True)
@@ -159,7 +159,7 @@ def _sizes_at(system: Any, folder: str) -> dict[str, int]:
 
 
 def checked(place: str, name: str, data: bytes, expected: Mapping[str, Any]) -> bytes:
-    """Return a file's bytes if they have the size and the hash that a manifest lists; FormatError otherwise."""
+    """Return a file's bytes if they have the listed size and hash; FormatError otherwise."""
     found = described(data)
     for field in ("bytes", "sha256"):
         if found[field] != expected[field]:
@@ -168,17 +168,17 @@ def checked(place: str, name: str, data: bytes, expected: Mapping[str, Any]) -> 
 
 
 def missing(place: str, name: str) -> FormatError:
-    """The error for a file that a manifest lists and that is not there."""
+    """Return the error for a listed file that does not exist."""
     return FormatError(f"{place}/{name}: expected the file that the manifest lists, found none")
 
 
 def differs(place: str, name: str, field: str, expected: object, found: object) -> FormatError:
-    """The error for a file whose size or hash is not the listed one."""
+    """Return the error for a file whose size or hash is not the listed one."""
     return FormatError(f"{place}/{name}: expected {expected} as {field}, as the manifest lists it, got {found}")
 
 
 def check_presence(source: Reader, listed: Mapping[str, Mapping[str, Any]]) -> None:
-    """Compare the files of a local folder with a manifest's sizes; FormatError that names the first wrong one."""
+    """Compare the files of a local folder with the listed sizes; FormatError that names the first wrong one."""
     sizes = source.sizes()
     if sizes is None:
         return

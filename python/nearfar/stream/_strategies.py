@@ -1,6 +1,6 @@
-"""The four strategies that CloVR (2024) compares: which files a client asks for in which order, and when it shows them.
+"""The four strategies that CloVR (2024) compares: order of a client's requests, and when files are shown.
 
-It is the order of `web/src/show/loader.ts`.
+The order is that of `web/src/show/loader.ts`.
 """
 
 from __future__ import annotations
@@ -16,49 +16,49 @@ STRATEGIES = ("vis0", "vis1", "clovr", "clovrd")
 
 @dataclass(frozen=True)
 class Step:
-    """Files that are asked for together; the next step begins when they are decoded."""
+    """Files that are requested together; the next step begins when they are decoded."""
 
     ring: int | None
-    """The ring that is there after it; None for dynamic objects."""
+    """Ring that is complete after the step; None for dynamic objects."""
     map: tuple[str, ...] | None
-    """Files of the map; None if there is no new one."""
+    """Files of the map; None if the map stays."""
     geometry: tuple[str, ...]
     """Files of the geometry."""
     triangles: int = 0
-    """That it adds to the picture."""
+    """Triangles that the step adds to the picture."""
     is_ahead: bool = False
-    """Whether its files are asked for when the step before begins."""
+    """Whether its files are requested when the previous step begins."""
 
     @property
     def files(self) -> tuple[str, ...]:
-        """Files as they are asked for ahead."""
+        """Files in the order of requests ahead."""
         return self.geometry + (self.map or ())
 
     @property
     def asked(self) -> tuple[str, ...]:
-        """Files as the step itself asks for them."""
+        """Files in the order of the step's own requests."""
         return (self.map or ()) + self.geometry
 
 
 @dataclass(frozen=True)
 class Plan:
-    """A strategy with a bundle's region."""
+    """Steps of a strategy for a bundle's region."""
 
     steps: tuple[Step, ...]
     radii: tuple[float, ...]
-    """Radii of the rings 1 to n as the strategy has them; portions of vis0 and vis1 all have the last one."""
+    """Radii of the rings 1 to n in this strategy; portions of vis0 and vis1 all have the last radius."""
     is_smooth: bool
     is_whole: bool
     """Whether nothing is shown before the last ring."""
 
     @property
     def triangles(self) -> int:
-        """Of static objects, in all rings."""
+        """Number of static triangles in all rings."""
         return sum(step.triangles for step in self.steps if step.ring is not None)
 
 
 def plan_of(strategy: str, region: Mapping[str, Any], number: int, dynamic: Mapping[str, Any] | None) -> Plan:
-    """Arrange the files of a region, as a manifest describes it."""
+    """Order the files of a region, given its manifest entry."""
     rings = list(region["rings"])
     if strategy in ("vis0", "vis1"):
         rings = _by_footprint(region, number)
@@ -73,7 +73,7 @@ def plan_of(strategy: str, region: Mapping[str, Any], number: int, dynamic: Mapp
 
 
 def _by_footprint(region: Mapping[str, Any], number: int) -> list[dict[str, Any]]:
-    """Portions as rings; the last ring has the map and nothing else."""
+    """Convert portions to rings; the last ring has only the map."""
     other = region["by_footprint"]
     if other is None:
         place = f"regions[{number}].by_footprint"

@@ -1,4 +1,4 @@
-"""A scene whose mesh of very many objects is divided by place, so that a region costs what lies near its centre."""
+"""A scene whose largest mesh is divided into tiles, so that the cost of a region depends on its surroundings."""
 
 from __future__ import annotations
 
@@ -13,34 +13,34 @@ from nearfar import _core
 from nearfar._scene.scene import Scene
 
 LEAST_FACES = 1_000_000
-"""Faces from which a mesh is divided; smaller ones are looked through in milliseconds."""
+"""Least number of faces of a divided mesh; smaller meshes are searched in milliseconds."""
 
 TILE_FACES = 10_000
-"""Faces of a tile, if they were spread evenly over the mesh's area."""
+"""Mean number of faces per tile if they are spread evenly over the mesh's extent."""
 
 LEAST_SIDE = 128.0
-"""Least side of a tile, metres: what most rings reach on both sides of their centre."""
+"""Least side of a tile, metres: about the diameter of most rings."""
 
 MOST_ACROSS = 250
-"""Most tiles side by side, so that numbers of 16 bits tell all tiles apart: those are sorted without comparisons."""
+"""Greatest number of tiles per side, so that tile numbers fit 16 bits, which numpy sorts by radix."""
 
 REST = np.iinfo(np.uint16).max
-"""Number of the tile of faces that stay together wherever they are."""
+"""Tile number of faces that are not divided."""
 
 MARGIN = 1.001
-"""Factor of a reach, for boxes that are rounded to float32."""
+"""Safety factor on a reach, for boxes that are rounded to float32."""
 
 Arrays = dict[str, Any]
-"""A mesh as `_core.mesh_parts` returns it."""
+"""Mesh arrays as `_core.mesh_parts` returns them."""
 
 
 @dataclass(frozen=True, eq=False)
 class Tiles:
-    """A scene in which square tiles of whole objects have taken the place of its largest mesh.
+    """A scene whose largest mesh is replaced by square tiles of whole objects.
 
-    Kernels look at the boxes of instances first, and then at every face of those that they cannot rule out. A city
-    that comes as one mesh is a single instance. About a centre each far tile counts as one object, so that kernels
-    need not look at its faces: all of them lie beyond the rings.
+    Kernels first test the bounding boxes of instances, then every face of those that they cannot cull. A city in one
+    mesh is a single instance. About a centre each far tile counts as one object, so that kernels skip its faces, which
+    all lie beyond the rings.
     """
 
     scene: Scene
@@ -48,16 +48,16 @@ class Tiles:
     parts: dict[str, Any]
     """Arguments of its core; the first instances are the tiles."""
     boxes: NDArray[np.float64]
-    """World boxes of the tiles (T, 2, 3); none if nothing was divided."""
+    """World bounding boxes of the tiles (T, 2, 3); empty if nothing was divided."""
     objects: NDArray[np.int32]
-    """One of the objects of each tile (T,)."""
+    """Number of one object of each tile, (T,)."""
 
     @classmethod
     def of(cls, scene: Scene) -> Tiles:
-        """Divide the largest static mesh that gives objects to its faces, if it has at least `LEAST_FACES`.
+        """Divide the largest static mesh with per-face objects, if it has at least `LEAST_FACES`.
 
-        Its objects that other meshes have parts of, and its faces without an object, stay together. Scenes with levels
-        stay as they are: their objects have meshes of their own.
+        Objects that also have parts in other meshes, and faces without an object, stay together. Scenes with levels
+        stay as they are, because their objects have separate meshes.
         """
         parts = {} if scene.leveled is not None else _core.scene_parts(scene._core)
         row = _largest(parts)
@@ -67,7 +67,7 @@ class Tiles:
         arrays = _core.mesh_parts(meshes[row])
         others = [number for number in range(len(meshes)) if number != row]
         is_own = np.ones(len(scene.object_names) + 1, bool)
-        # The last entry, number −1, is that of faces without an object.
+        # The last entry, index −1, is for faces without an object.
         is_own[-1] = False
         for number in others:
             is_own[_objects_of(parts, number)] = False
@@ -84,9 +84,9 @@ class Tiles:
         return cls(whole, parts, boxes, np.array([number for _, number in tiles], np.int32))
 
     def about(self, center: tuple[float, float, float], reach: float) -> Scene:
-        """The scene for rings of a reach in metres about a centre: tiles beyond it count as one object each.
+        """Return the scene for rings within a reach in metres about a centre: each tile beyond it counts as one object.
 
-        With textures, which would be copied for each region, it is the scene itself.
+        Scenes with textures, which would be copied for each region, are returned unchanged.
         """
         if not len(self.boxes) or self.parts["textures"]:
             return self.scene
@@ -98,7 +98,7 @@ class Tiles:
 
 
 def _largest(parts: dict[str, Any]) -> int | None:
-    """Row of the instance to divide; its mesh stands in its place, as merged ones do."""
+    """Return the row of the instance to divide: untransformed, with per-face objects; None if there is none."""
     rows = range(parts.get("standing_count", 0))
     chosen = [row for row in rows if parts["objects"][row] < 0 and parts["meshes"][row].face_count >= LEAST_FACES]
     chosen = [row for row in chosen if np.array_equal(parts["placements"][row], np.eye(4)[:3])]
@@ -106,16 +106,16 @@ def _largest(parts: dict[str, Any]) -> int | None:
 
 
 def _objects_of(parts: dict[str, Any], row: int) -> NDArray[np.int32]:
-    """Objects of an instance, −1 for faces without one."""
+    """Return the objects of an instance, −1 for faces without one."""
     own = parts["objects"][row : row + 1]
     found: NDArray[np.int32] = own if own[0] >= 0 else _core.mesh_parts(parts["meshes"][row])["objects"]
     return found
 
 
 def _divided(arrays: Arrays, is_own: NDArray[np.bool_]) -> tuple[list[tuple[_core.Mesh, int]], list[_core.Mesh]]:
-    """Tiles of the objects that may be divided, each with the number of one object, and the mesh of the others."""
+    """Divide the mesh: tiles, each with the number of one of its objects, and the mesh of the undivided rest."""
     faces, objects = arrays["faces"], arrays["objects"]
-    # An object lies where a corner of its last face does.
+    # An object's position is the first vertex of its last face.
     place = np.full((len(is_own), 2), np.nan, np.float32)
     place[objects] = arrays["positions"][faces[:, 0]][:, [0, 2]]
     is_here = is_own & np.isfinite(place[:, 0])
@@ -138,7 +138,7 @@ def _divided(arrays: Arrays, is_own: NDArray[np.bool_]) -> tuple[list[tuple[_cor
 
 
 def _tiles_of(place: NDArray[np.float32], faces: int) -> NDArray[np.int64]:
-    """Number of the tile of each place, row by row."""
+    """Return the tile number of each position, row-major."""
     if not len(place):
         return np.zeros(0, np.int64)
     low, size = place.min(axis=0), np.ptp(place, axis=0).astype(np.float64)
@@ -149,7 +149,7 @@ def _tiles_of(place: NDArray[np.float32], faces: int) -> NDArray[np.int64]:
 
 
 def _part(arrays: Arrays, chosen: NDArray[np.int64], numbers: NDArray[np.uint32]) -> _core.Mesh:
-    """The mesh of some faces and their vertices; `numbers` has room for a number of each vertex of the whole."""
+    """Extract a mesh of some faces and their vertices; `numbers` is scratch space for all vertices."""
     corners = arrays["faces"][chosen].ravel()
     places = np.arange(len(corners), dtype=np.uint32)
     numbers[corners] = places

@@ -1,7 +1,7 @@
-"""The near part of a bundle as a 3D Tiles 1.1 tileset, for other programs' viewers: a tile for each ring's GLB.
+"""Near part of a bundle as a 3D Tiles 1.1 tileset for other programs' viewers, with a tile for each ring's GLB.
 
-Tilesets are z-up; viewers turn the y-up content of glTF by (x, y, z) → (x, −z, y) themselves (3D Tiles 1.1, "glTF
-transforms"), so boxes are turned here and content is not.
+Tilesets are z-up; viewers rotate the y-up content of glTF by (x, y, z) → (x, −z, y) (3D Tiles 1.1, "glTF
+transforms"), so boxes are rotated here and content is not.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ from nearfar._scene.gltf import instances, nodes
 from nearfar._scene.gltf.buffers import Buffers
 
 VERSION = "1.1"
-"""Of 3D Tiles."""
+"""Version of 3D Tiles."""
 
 GRID = 2.0**-10
-"""Boxes end at multiples of this, metres, at least one of them outside of the geometry: flat ones have a volume, and
-the bytes do not depend on how sums are rounded."""
+"""Boxes are enlarged to multiples of this, metres, by at least one step: flat ones get a volume, and the bytes do
+not depend on the rounding of sums."""
 
 _TO_Z_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
 
@@ -39,10 +39,9 @@ def encode(
     Parameters
     ----------
     center
-        World position of the centre in metres, where the box of a tileset without geometry lies.
+        World position of the centre in metres; the box of a tileset without geometry lies there.
     rings, dynamic
-        As the manifest describes them; those with geometry become tiles, dynamic objects in the pose that they were
-        loaded in.
+        Manifest entries; those with geometry become tiles, dynamic objects in the pose in which they were loaded.
     content
         Files by name.
     """
@@ -55,7 +54,7 @@ def encode(
         tiles.append((dynamic["geometry"], {"dynamic": True}))
     boxes = [box_of(content[name]) for name, _ in tiles]
     whole = _union(boxes) if boxes else np.array([center, center])
-    # Without its children the root shows nothing, which is wrong by as much as there is to show.
+    # Without its children the root shows nothing, so its error is the extent of the whole.
     error = float(np.ceil(np.linalg.norm(whole[1] - whole[0])))
     root: dict[str, Any] = {"boundingVolume": _volume(whole), "geometricError": error, "refine": "ADD"}
     if tiles:
@@ -68,7 +67,7 @@ def encode(
 
 
 def box_of(data: bytes) -> NDArray[np.float64]:
-    """Box (2, 3) in glTF's axes, metres, around the placed boxes of a GLB's meshes, of which it has some."""
+    """Return the box (2, 3) in glTF's axes, metres, around all placed meshes of a GLB, which has at least one."""
     document, end = glb.header(data)
     budget = Budget(len(data) << 20)  # our own file
     buffers = Buffers(document, glb.binary(data, end), None, budget)
@@ -91,7 +90,7 @@ def _union(boxes: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
 
 
 def _volume(box: NDArray[np.float64]) -> dict[str, list[float]]:
-    """A bounding volume, z-up: the middle, then half of each edge."""
+    """Return a z-up bounding volume: the centre, then the half-axes."""
     corners = np.stack([np.floor(box[0] / GRID) - 1, np.ceil(box[1] / GRID) + 1]) * GRID
     turned = corners @ _TO_Z_UP.T
     half = np.ptp(turned, axis=0) / 2

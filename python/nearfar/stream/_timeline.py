@@ -23,35 +23,36 @@ FRAME_COLUMNS = ("time", "ring", "radius", "strength", "share", "triangles", "se
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Timeline:
-    """A client that loads a region by a strategy, on a virtual clock that begins when it asks for the manifest.
+    """Timeline of a client that loads a region by a strategy, on a virtual clock that starts at the manifest's request.
 
-    Arrays of frames have an entry for each frame whose state differs from that of the frame before. Times are seconds.
+    Arrays of frames have an entry for each frame whose state differs from the previous frame. Times are seconds.
     """
 
     strategy: str
     """Name of the strategy."""
     radii: tuple[float, ...]
-    """Radii in metres of the rings 1 to n that are loaded. For vis0 and vis1 these are portions of objects, and the map
-    as the last one, all with the radius of the last ring."""
+    """Radii in metres of the loaded rings 1 to n. For vis0 and vis1 these are portions of objects, and the map as
+    the last one, all with the radius of the last ring."""
     files: tuple[str, ...]
     """Names of the files in the order of their arrival."""
     file_times: NDArray[np.float64]
-    """(F,) when each of them was complete."""
+    """(F,) arrival time of each file."""
     ring_times: NDArray[np.float64]
-    """(n + 1,) when each ring could be shown; infinite for those that were not there in time."""
+    """(n + 1,) time from which each ring could be shown; infinite for rings that did not arrive in time."""
     ring_triangles: NDArray[np.int64]
-    """(n + 1,) triangles of static objects that each ring adds."""
+    """(n + 1,) static triangles that each ring adds."""
     received: NDArray[np.float64]
-    """(M, 2) times and bytes that had come until then; linear between them."""
+    """(M, 2) times and bytes received until then, to be interpolated linearly."""
     frames: dict[str, NDArray[Any]] = field(default_factory=dict)
-    """By name, an entry for each frame: `time`; `ring` that is shown (−1 for blank); `radius` in metres and `strength`
-    of the morph; `share` of the next ring's picture that fades in; `triangles` drawn, and the `seconds` of drawing."""
+    """Arrays by name with an entry for each frame: `time`; shown `ring` (−1 for blank); `radius` in metres and
+    `strength` of the morph; `share` of the next ring's picture in a cross-fade; `triangles` drawn; `seconds` of
+    drawing."""
     pictures: dict[str, NDArray[np.float64]] = field(default_factory=dict)
-    """With a scene, by name, an entry for each frame that was looked at: `time`; `ovc` and `ofc`, as
-    `nearfar.object_completion` measures them against the truth for the user; `continuity`, the similarity with the
-    frame before."""
+    """Measures by name, if a scene was given, with an entry for each measured frame: `time`; `ovc` and `ofc`, as
+    `nearfar.object_completion` measures them against the truth for the user; `continuity`, the similarity to the
+    previous frame."""
     renders: int = 0
-    """How many pictures were rendered for that, of all views at once."""
+    """Number of pictures rendered for the measures; all views together count as one."""
 
     @classmethod
     def _of(
@@ -64,7 +65,7 @@ class Timeline:
         frame_seconds: float,
         triangle_seconds: float,
     ) -> Timeline:
-        """Gather the arrays; a frame takes some seconds, and more for each triangle."""
+        """Build the arrays; a frame takes constant seconds, plus seconds for each triangle."""
         rings = np.full(len(plan.radii) + 1, math.inf)
         for ring, time in course.rings:
             rings[ring] = time
@@ -87,26 +88,26 @@ class Timeline:
 
     @property
     def picture(self) -> float:
-        """When the picture became complete: of clovr and clovrd with ring 0, of the others with the last map."""
+        """Time of the first complete picture: ring 0 for clovr and clovrd, the last map for the others."""
         return float(self.ring_times[0 if self.strategy.startswith("clovr") else -1])
 
     @property
     def first_ring(self) -> float:
-        """When the first near geometry could be shown: ring 1 or the first portion, and of vis0 all of it."""
+        """Time from which near geometry could be shown: ring 1 or the first portion; for vis0 all of it."""
         return float(self.ring_times[-1 if self.strategy == "vis0" else 1])
 
     @property
     def total(self) -> float:
-        """When all was there."""
+        """Time of the last arrival."""
         return float(self.ring_times.max())
 
     @property
     def grown(self) -> float:
-        """When the last frame changed."""
+        """Time of the last change of a frame."""
         return float(self.frames["time"][-1])
 
     def bytes_at(self, time: ArrayLike) -> Any:
-        """Return how many bytes had come at one time or several.
+        """Return the number of bytes received until one or several times.
 
         Parameters
         ----------
@@ -121,13 +122,13 @@ class Timeline:
 
     @property
     def geometry_share(self) -> NDArray[np.float64]:
-        """For each frame the share of the triangles of all rings that had arrived, 0 to 1."""
+        """Share of all rings' triangles that had arrived at each frame, 0 to 1."""
         there = self.ring_times[None, :] <= self.frames["time"][:, None]
         shares: NDArray[np.float64] = there @ self.ring_triangles / max(int(self.ring_triangles.sum()), 1)
         return shares
 
     def to_dict(self) -> dict[str, Any]:
-        """Return all of it as numbers, texts and lists; times that never come are None."""
+        """Return all fields as numbers, strings and lists; infinite times become None."""
         return {
             "strategy": self.strategy,
             "radii": list(self.radii),
@@ -148,7 +149,7 @@ class Timeline:
         }
 
     def to_json(self, path: str | os.PathLike[str]) -> None:
-        """Write `to_dict` as a JSON file, whole or not at all.
+        """Write `to_dict` as a JSON file, atomically.
 
         Parameters
         ----------
@@ -165,16 +166,16 @@ class Timeline:
         Parameters
         ----------
         ax
-            Axes of matplotlib; new ones by default.
+            Matplotlib axes; new ones by default.
         value
-            "bytes" that have come, or the name of an array of `frames` or `pictures`, such as "radius" or "ovc".
+            "bytes" received, or the name of an array of `frames` or `pictures`, such as "radius" or "ovc".
 
         Raises
         ------
         ImportError
             If matplotlib is not installed.
         ValueError, TypeError
-            For other names, and for what is not axes.
+            For unknown names, and if `ax` is not a matplotlib axes.
         """
         arrays = {**self.frames, **self.pictures}
         check.choice("value", value, ["bytes", *(name for name in arrays if name != "time")])
@@ -191,5 +192,5 @@ class Timeline:
 
 
 def _number(value: Any) -> Any:
-    """A number as JSON can hold it."""
+    """Return a value for JSON; None for infinite numbers and NaN."""
     return value if not isinstance(value, float) or math.isfinite(value) else None

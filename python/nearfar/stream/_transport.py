@@ -1,7 +1,7 @@
-"""Transfers over a link on a virtual clock: HTTP requests, TCP's windows and losses, and a queue before the link.
+"""Transfers over a link on a virtual clock: HTTP requests, TCP's congestion control and losses, and a queue.
 
-Time is that of arrival at the client; what is sent waits its turn in the queue, in pieces of at most a frame of HTTP/2.
-A piece that has begun to arrive is acknowledged, and its place in the window free again, a round trip later.
+Time is that of arrival at the client; data wait in the queue in pieces of at most an HTTP/2 frame. A piece is
+acknowledged one round trip after it has begun to arrive, which frees its place in the window.
 """
 
 from __future__ import annotations
@@ -18,20 +18,20 @@ import numpy as np
 from nearfar.stream._link import SEGMENT, Link
 
 AT_ONCE = 6
-"""Requests that the page makes at the same time, and connections that browsers open to a server for HTTP/1.1."""
+"""Concurrent requests of the page, and connections that browsers open to a server for HTTP/1.1."""
 FIRST_WINDOW = 10 * SEGMENT
-"""Bytes of the first congestion window (RFC 6928)."""
+"""Initial congestion window, bytes (RFC 6928)."""
 PIECE = 16_384
-"""Bytes of a frame of HTTP/2, after which another answer has its turn."""
+"""Bytes of an HTTP/2 frame, after which another response is served."""
 DECREASE = 0.7
-"""Part of a window that a loss leaves (RFC 9438, 4.6)."""
+"""Factor on the window after a loss (RFC 9438, 4.6)."""
 INCREASE = 3.0 * (1.0 - DECREASE) / (1.0 + DECREASE)
-"""Segments by which a window then grows in a round trip, so that its mean is that of Reno (RFC 9438, 4.3)."""
+"""Segments per round trip by which a window then grows, so that its mean is that of Reno (RFC 9438, 4.3)."""
 
 
 @dataclass(eq=False)
 class _Flow:
-    """The answer to a request."""
+    """Response to a request."""
 
     name: str
     left: int
@@ -39,41 +39,41 @@ class _Flow:
 
 @dataclass(eq=False)
 class _Connection:
-    """A connection; its congestion window is what flies and what may be sent."""
+    """A connection; its congestion window is the sum of the bytes in flight and the bytes that may be sent."""
 
     ready: float
-    """When its handshake is done."""
+    """Time at which the handshake is done."""
     window: float = FIRST_WINDOW
     credits: deque[list[float]] = field(default_factory=deque)
-    """Times, and bytes that may be sent from each of them on."""
+    """Times, and bytes that may be sent from each time on."""
     flows: deque[_Flow] = field(default_factory=deque)
     since: float = 0.0
-    """When it last had nothing to send."""
+    """Time from which it has had data to send without a break."""
     requests: int = 0
-    """That are not answered."""
+    """Number of outstanding requests."""
     is_slow: bool = True
     """Whether it is in slow start."""
     spare: float = 0.0
-    """Bytes by which the window has grown that are no whole segment yet."""
+    """Growth of the window in bytes that does not make a full segment yet."""
     debt: float = 0.0
-    """Bytes that fly beyond the window since it shrank."""
+    """Bytes in flight beyond the window since it shrank."""
     recovery: float = -math.inf
-    """Losses of what began to arrive before are those of a window that has shrunk already."""
+    """Time of the last reduction; losses of pieces that began to arrive earlier cause no further one."""
 
     @property
     def turn(self) -> float:
-        """When what it may send next came into the queue; infinite if there is nothing."""
+        """Time at which its next data entered the queue; infinite if there are none."""
         return max(self.credits[0][0], self.since) if self.flows and self.credits else math.inf
 
 
 class Transport:
-    """Fetches files over a link, each name once, in the order in which they are asked for."""
+    """Fetches files over a link, each name once, in the order of the requests."""
 
     def __init__(self, link: Link, *, seed: int = 0, at_once: int = AT_ONCE) -> None:
         self.now = 0.0
         self.arrived: dict[str, float] = {}
         self.curve: list[tuple[float, int]] = [(0.0, 0)]
-        """Times and bytes that had come until then; linear between them."""
+        """Times and bytes received until then, to be interpolated linearly."""
         self._link, self._at_once = link, at_once
         self._clock = link._clock()
         self._dice = np.random.default_rng(seed)
@@ -82,12 +82,12 @@ class Transport:
         self._connections: list[_Connection] = []
         self._waiting: deque[_Flow] = deque()
         self.asked: dict[str, int] = {}
-        """Bytes of the files that were asked for, in that order."""
+        """Bytes of the requested files, in the order of the requests."""
         self._open = 0
         self._is_busy = False
 
     def ask(self, name: str, count: int) -> None:
-        """Ask for a file of so many bytes now, unless that was done."""
+        """Request a file of `count` bytes, unless it was requested already."""
         if name not in self.asked:
             self.asked[name] = count
             self._waiting.append(_Flow(name, count))
@@ -95,15 +95,15 @@ class Transport:
 
     @property
     def free(self) -> int:
-        """Number of requests that would be sent at once."""
+        """Number of requests that could be sent immediately."""
         return max(self._at_once - self._open - len(self._waiting), 0)
 
     def next_time(self) -> float:
-        """Return when something happens; infinite if nothing is awaited."""
+        """Return the time of the next event; infinite if there is none."""
         return self._events[0][0] if self._events else math.inf
 
     def advance(self, time: float) -> list[str]:
-        """Go on to a time; return the names of files that became complete."""
+        """Advance to a time; return the names of files that became complete."""
         known = len(self.arrived)
         while self._events and self._events[0][0] <= time:
             self.now, _, deed = heapq.heappop(self._events)
@@ -115,7 +115,7 @@ class Transport:
         heapq.heappush(self._events, (time, next(self._order), deed))
 
     def _fill(self) -> None:
-        """Send requests while there are slots; with HTTP/1.1 each has a connection to itself."""
+        """Send requests while there are free slots; with HTTP/1.1 each gets its own connection."""
         while self._waiting and self._open < self._at_once:
             flow = self._waiting.popleft()
             connection = self._connection()
@@ -143,7 +143,7 @@ class Transport:
         self._serve()
 
     def _serve(self) -> None:
-        """Let the piece arrive that is first in the queue, if the link is free."""
+        """Transmit the first piece of the queue, if the link is idle."""
         if self._is_busy:
             return
         first = min(self._connections, key=lambda each: each.turn)
@@ -161,7 +161,7 @@ class Transport:
         self._later(began + self._link.rtt, lambda: self._acknowledge(first, flow, size, lost, began))
 
     def _spend(self, connection: _Connection, most: int) -> int:
-        """Take what may be sent from the credits whose time has come."""
+        """Consume credits that are valid now; returns the bytes to send, at most `most`."""
         size = 0.0
         while size < most and connection.credits and connection.credits[0][0] <= self.now:
             credit = connection.credits[0]
@@ -173,14 +173,14 @@ class Transport:
         return int(size)
 
     def _lost(self, size: int) -> int:
-        """Bytes of a piece that are lost."""
+        """Draw the number of lost bytes of a piece."""
         if self._link.loss == 0.0:
             return 0
-        # Whatever the sizes of pieces, as many in a number of bytes.
+        # Poisson-distributed, so that the loss rate does not depend on the sizes of pieces.
         return min(int(self._dice.poisson(self._link.loss * size / SEGMENT)) * SEGMENT, size)
 
     def _come(self, connection: _Connection, flow: _Flow, size: int, lost: int, began: float) -> None:
-        """The link has carried a piece."""
+        """Process a piece that the link has transmitted."""
         self._is_busy = False
         self._note(began, size - lost)
         if flow.left == 0:
@@ -194,12 +194,12 @@ class Transport:
         self._fill()
 
     def _acknowledge(self, connection: _Connection, flow: _Flow, size: int, lost: int, began: float) -> None:
-        """The server hears of a piece: it may send as much again, and more or less as the window has changed."""
+        """Process a piece's acknowledgement: the server gains credit for its size and the change of the window."""
         grown = 0.0
         if lost:
             self._shrink(connection, began)
             if flow.left > 0 and flow not in connection.flows:
-                # First what is missing.
+                # Lost bytes are sent first.
                 connection.since = connection.since if connection.flows else self.now
                 connection.flows.appendleft(flow)
         elif connection.is_slow:

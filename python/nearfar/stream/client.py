@@ -1,4 +1,4 @@
-"""A user of a server's rooms, for scripts and notebooks: joins, poses, speaks, and hears of others."""
+"""Client of a server's rooms, for scripts and notebooks: joins, sends poses and messages, and receives events."""
 
 from __future__ import annotations
 
@@ -50,8 +50,8 @@ def join(
 ) -> Room:
     """Join a room of a server when an `async with` block begins, and leave it when the block ends.
 
-    When the block has ended, the user's seat is free for another connection with the same token. The end waits for the
-    server's confirmation, at most 5 s.
+    After the block the user's seat is free for another connection with the same token. Leaving waits for the server's
+    confirmation, at most 5 s.
 
     Parameters
     ----------
@@ -60,31 +60,32 @@ def join(
     room
         The room's name.
     name
-        The name that others are told, at most 64 bytes of UTF-8.
+        Name that other users see, at most 64 bytes of UTF-8.
     group
-        The group that the user joins: poses go to the group only.
+        Group to join; poses are sent only to the group.
     token
-        A token of `nearfar invite`, if the server needs one.
+        Token from `nearfar invite`, if the server needs one.
     reconnect
-        Whether the user returns by itself, with its number, after the connection broke off or the server ended.
+        Whether to reconnect, with the same user number, after a broken connection or the server's end.
     certificate
-        File in PEM of a certificate to trust, such as that of a server that signs itself.
+        PEM file with a certificate to trust, such as a server's self-signed one.
 
     Returns
     -------
     Room
-        The user's place; entering the block raises RoomError with the server's reason if it cannot join.
+        Context manager of the connection; entering the block raises RoomError with the server's reason if joining
+        fails.
 
     Raises
     ------
     ValueError
-        For what is no address of a server, for names that a room or a user cannot have, for other groups than 0 to
-        65,535, and for a file without a certificate.
+        For an invalid server address, invalid names of a room or a user, groups outside 0 to 65,535, and a file without
+        a certificate.
     TypeError
         If an argument has another type.
     ImportError
         If aiohttp is not installed: `pip install "nearfar[stream]"`.
     OSError
-        If the certificate's file cannot be read.
+        If the certificate file cannot be read.
     """
     return Room(url, room=room, name=name, group=group, token=token, reconnect=reconnect, certificate=certificate)

@@ -1,4 +1,4 @@
-"""The page that shows bundles in a browser, and a server for it on this machine."""
+"""Web page that shows bundles in a browser, and its files."""
 
 from __future__ import annotations
 

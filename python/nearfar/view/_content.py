@@ -1,4 +1,4 @@
-"""Files of what is shown, by the names that the page asks for: those of a bundle, or a reduced scene's as a bundle."""
+"""Files for the viewer by the names that the page requests, from a bundle or a reduced scene converted to one."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Read = Callable[[], bytes]
 
 
 def opened(path: str | os.PathLike[str]) -> Mapping[str, Read]:
-    """How to read each file of the bundle or the reduced scene at a place; those of the latter are made here."""
+    """Return a reader for each file of the bundle or reduced scene at a path; the latter is converted in memory."""
     saved = reduced_folder(path)
     if saved is None:
         bundle = stream.open(path)
@@ -28,7 +28,7 @@ def opened(path: str | os.PathLike[str]) -> Mapping[str, Read]:
 
 
 def reduced_folder(path: str | os.PathLike[str]) -> Path | None:
-    """The folder of a reduced scene at a place; None if there is none."""
+    """Return the folder of a reduced scene at a path; None if there is none."""
     if remote.is_url(path):
         return None
     place = remote.local(path)
@@ -37,14 +37,14 @@ def reduced_folder(path: str | os.PathLike[str]) -> Path | None:
 
 
 def of_bundle(bundle: Bundle, read: Callable[[str], bytes]) -> dict[str, Read]:
-    """The files of a bundle, which are read when they are asked for."""
+    """Return readers for the files of a bundle, which are read on request."""
     manifest = formats.to_json(bundle._manifest).encode()
     listed = (*bundle.files, _store.TILESET)
     return {**{name: partial(read, name) for name in listed}, _store.MANIFEST: lambda: manifest}
 
 
 def of_reduced(reduced: ReducedScene) -> dict[str, Read]:
-    """The files of a reduced scene as a bundle."""
+    """Convert a reduced scene to a bundle and return readers for its files."""
 
     def made(content: bytes) -> Read:
         return lambda: content

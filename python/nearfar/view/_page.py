@@ -1,4 +1,4 @@
-"""The files of the page, which lie in the package; beside a bundle's manifest they show the bundle."""
+"""Files of the page, which are part of the package; in a bundle's folder they show the bundle."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ TYPES = {
     "glb": "model/gltf-binary",
     "bin": "application/octet-stream",
 }
-"""Media types by the ends of names."""
+"""Media types by file name suffix."""
 
 POLICY = "; ".join(
     (
@@ -33,44 +33,44 @@ POLICY = "; ".join(
         "worker-src 'self'",
         "style-src 'self'",
         "img-src 'self' blob: data:",
-        # A page may show a bundle of another host: ?bundle=https://…
+        # A page may show a bundle from another host: ?bundle=https://…
         "connect-src 'self' https: http:",
         "base-uri 'none'",
         "form-action 'none'",
         "frame-ancestors 'self'",
     )
 )
-"""Content-Security-Policy under which the page works: nothing that a bundle says is ever run."""
+"""Content-Security-Policy of the page: no content of a bundle is ever executed."""
 
 
 @cache
 def page_files() -> dict[str, bytes]:
-    """The page's files by name."""
+    """Return the page's files by name."""
     folder = resources.files("nearfar.view") / "dist"
     return {file.name: file.read_bytes() for file in folder.iterdir() if file.name.rpartition(".")[2] in TYPES}
 
 
 def write_page(path: str | os.PathLike[str]) -> None:
-    """Write the page's files into the folder of what it shows, so that any web server shows it.
+    """Write the page's files into a folder of content, so that any web server can show it.
 
     Parameters
     ----------
     path
-        A local folder that `nearfar.stream.export`, `ReducedScene.save` or `nearfar.orthoview.build` wrote. Its address
-        shows the scene then; the page needs no server of nearfar, and no other host. Headsets show bundles immersively
-        over https only. Beside a reduced scene the page also needs the scene's parts as a bundle has them, which are
-        written, too: `manifest.json`, `tileset.json` and `files/`.
+        A local folder that `nearfar.stream.export`, `ReducedScene.save` or `nearfar.orthoview.build` wrote. Opening its
+        address shows the scene; the page needs neither nearfar's server nor another host. Headsets show bundles
+        immersively only over https. For a reduced scene, its parts are also written in a bundle's form:
+        `manifest.json`, `tileset.json` and `files/`.
 
     Raises
     ------
     OSError
-        If the folder has none of them, or cannot be written.
+        If the folder has no such content, or cannot be written.
     FormatError
-        For a reduced scene that is damaged; the message names the file.
+        For a damaged reduced scene; the message names the file.
     ValueError
         For a reduced scene without a morph.
     TypeError
-        If `path` is no path.
+        If `path` is not a path.
     """
     tree = _tree.tree_folder(path)
     if tree is not None:

@@ -1,4 +1,4 @@
-"""Cameras as the page has them: an eye, a turn to the left, a look up, and a vertical field of view."""
+"""Cameras in the page's form: eye position, yaw to the left, pitch upwards, and vertical field of view."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
 
 STEEPEST = 1.5
-"""Greatest pitch up and down, radians."""
+"""Greatest absolute pitch, radians."""
 
 LEAST_ANGLE, MOST_ANGLE = 10.0, 150.0
-"""Vertical field of view, degrees."""
+"""Range of the vertical field of view, degrees."""
 
 LEVEL = 1e-6
-"""Greatest sine of a camera's roll, and part of a tangent by which opposite sides of a view may differ."""
+"""Tolerance for the sine of a camera's roll, and for the relative asymmetry of a field of view's tangents."""
 
 
 class Pose(NamedTuple):
-    """Where the user's eye is and looks, and the vertical field of view."""
+    """Position and direction of the user's eye, and the vertical field of view."""
 
     position: tuple[float, float, float]
     yaw: float
@@ -33,7 +33,7 @@ class Pose(NamedTuple):
 
 
 def pose_of(camera: Camera) -> Pose:
-    """The pose of a camera; ValueError or TypeError for one that the page has none for."""
+    """Convert a camera to a pose; ValueError or TypeError if the page cannot represent it."""
     fov = check.instance("camera", camera, Camera).fov
     if not isinstance(fov, Fov):
         raise TypeError(f"camera: expected a perspective one (nearfar.Fov), got {type(fov).__name__}")
@@ -53,7 +53,7 @@ def pose_of(camera: Camera) -> Pose:
 
 
 def camera_of(pose: Pose, size: tuple[int, int]) -> Camera:
-    """The camera of a pose, for pictures of a size in pixels."""
+    """Convert a pose to a camera with an image size in pixels."""
     half_yaw, half_pitch = 0.5 * pose.yaw, 0.5 * pose.pitch
     orientation = (
         math.cos(half_yaw) * math.sin(half_pitch),

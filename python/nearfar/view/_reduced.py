@@ -1,7 +1,7 @@
-"""Reduced scenes as the page reads them: a bundle of one region, whose one ring is the near part, in front of the map.
+"""Reduced scenes in the page's format: a bundle with one region whose single ring is the near part before the map.
 
-Map 0 shows the whole scene, as the centre sees it; the map of ring 1 is that of the reduced scene. Nothing is lost:
-pictures are stored without loss, but for the 8 bits of sRGB that screens have.
+Map 0 shows the whole scene as seen from the centre; the map of ring 1 is the reduced scene's own map. The
+conversion is lossless, except that colours are rounded to 8-bit sRGB.
 """
 
 from __future__ import annotations
@@ -30,18 +30,18 @@ from nearfar.stream._region import NOTHING
 from nearfar.stream._settings import MOST_FACE_SIZE
 
 SAMPLES = 4
-"""Colour samples of a texel of map 0 that shows the near part."""
+"""Colour samples per texel of map 0 where it shows the near part."""
 
 RANGE_ERROR = 2.0**-11
 STEP = 2.0**-10
-"""Greatest relative error of ranges, and metres of which positions are multiples, as bundles have them by default."""
+"""Greatest relative error of ranges, and rounding step of positions in metres; the defaults of bundles."""
 
 BLANK = 64
-"""Texels along a face of the map where there is none."""
+"""Texels along a face of the blank map of scenes without a map."""
 
 
 def files_of(reduced: ReducedScene) -> dict[str, bytes]:
-    """Return the files of a reduced scene as a bundle by name, its manifest and tileset among them.
+    """Convert a reduced scene to a bundle; returns its files by name, including manifest and tileset.
 
     ValueError for the conventional method, which has no morph.
     """
@@ -93,13 +93,13 @@ def files_of(reduced: ReducedScene) -> dict[str, bytes]:
 
 
 def _rings(near: Scene, reduced: ReducedScene) -> Rings:
-    """All static geometry as ring 1, although parts of objects that a rounded distance puts beyond it."""
+    """Assign all static geometry to ring 1, including parts that rounding would put beyond it."""
     rings = assign(near, center=reduced.center, radii=[reduced.r2])
     return replace(rings, ring=np.minimum(rings.ring, 1), rest=1)
 
 
 def _maps(near: Scene, reduced: ReducedScene, rings: Rings) -> RingMaps:
-    """The map of the reduced scene, after a first one with its static near part before it."""
+    """Build the maps: the reduced scene's own map, preceded by one with its static near part in front."""
     far = _far(reduced)
     static = near.subset(triangles=np.arange(near._core.standing_triangle_count))
     shown, is_near = _seen_from_center(static, reduced, far)
@@ -116,7 +116,7 @@ def _maps(near: Scene, reduced: ReducedScene, rings: Rings) -> RingMaps:
 
 
 def _far(reduced: ReducedScene) -> EnvMap:
-    """The map of the reduced scene in float32, with range, in faces of whole tiles."""
+    """Convert the reduced scene's map to float32 with range, and to a face size of whole tiles."""
     env = reduced.env
     if env is None:
         shape = (6, BLANK, BLANK)
@@ -129,7 +129,7 @@ def _far(reduced: ReducedScene) -> EnvMap:
         color = env.sample(directions)
         ranges = None if env.range is None else env.sample(directions, channel="range", filter="max")
     if ranges is None:
-        # Nothing in front of it needs to know how far it is.
+        # Only moving objects need the map's range, and there are none.
         ranges = np.full((6, size, size), np.inf)
     return EnvMap(reduced.center, color=np.asarray(color, np.float32), range=np.asarray(ranges, np.float32))
 
@@ -137,7 +137,7 @@ def _far(reduced: ReducedScene) -> EnvMap:
 def _seen_from_center(
     static: Scene, reduced: ReducedScene, far: EnvMap
 ) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
-    """Colours (6, S, S, 3) that the centre sees, and the texels whose neighbourhood shows the near part."""
+    """Render the colours (6, S, S, 3) seen from the centre, and mark texels within one texel of the near part."""
     size = far.face_size
     zones = partition(static, center=reduced.center, r1=reduced.r1, r2=reduced.r2)
     counts = {**reduced._counts, **zones.summary()}

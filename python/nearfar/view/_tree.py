@@ -1,4 +1,4 @@
-"""Files of a tree of orthoviews, as the page that flies it asks for them, and that page's own files."""
+"""Files of a tree of orthoviews for its viewer page, and the page's own files."""
 
 from __future__ import annotations
 
@@ -15,21 +15,21 @@ from nearfar.orthoview._layout import FOLDER
 from nearfar.orthoview._subtree import DONE
 
 SHOWN = (".glb", ".webp")
-"""Suffixes of files of geometry that the page reads: not those of the tileset."""
+"""Suffixes of geometry files that the page reads; the tileset is not among them."""
 
 File = bytes | tuple[str, int]
-"""Content of a file, or its path and its size."""
+"""Content of a file, or its path and size."""
 
 
 @cache
 def tree_page() -> dict[str, bytes]:
-    """Files by name of the page that flies a tree; it may lie in the folder of a store."""
+    """Return the files of the orthoview page by name; they may be placed in a store's folder."""
     folder = resources.files("nearfar.view") / "dist" / "orthoview"
     return {file.name: file.read_bytes() for file in folder.iterdir()}
 
 
 def tree_folder(path: str | os.PathLike[str]) -> Path | None:
-    """The folder of a tree's store at a place; None if there is none."""
+    """Return the folder of a tree's store at a path; None if there is none."""
     if remote.is_url(path):
         return None
     place = remote.local(path)
@@ -43,14 +43,14 @@ def tree_folder(path: str | os.PathLike[str]) -> Path | None:
 
 
 def tree_files(folder: Path) -> dict[str, File]:
-    """Documents, shards and leaves' geometry of a complete store by their paths below it.
+    """Return documents, shards and geometry of a complete store, by their paths below it.
 
     Raises
     ------
     ValueError
-        A store that is not complete.
+        For an incomplete store.
     FormatError
-        A record that is missing or damaged.
+        For a missing or damaged record.
     """
     store = Local(folder)
     attributes = _store.read(store)
@@ -68,7 +68,7 @@ def tree_files(folder: Path) -> dict[str, File]:
             found |= {
                 recorded.folder + path: (os.fspath(folder.resolve() / recorded.folder / path), size)
                 for path, (size, _) in (recorded.shards | geometry).items()
-                # An update lists geometry that is there no more.
+                # An update lists removed geometry with size 0.
                 if size > 0
             }
     return found | {name: (folder / name).read_bytes() for name in documents}

@@ -1,6 +1,6 @@
-"""The view in notebooks: the page's viewer as a widget of anywidget, which is imported with this module.
+"""View in notebooks: the page's viewer as an anywidget widget; importing this module imports anywidget.
 
-Files go to the browser in messages, because Python may run on another machine than the browser.
+Files are sent to the browser in messages, because Python may run on another machine.
 """
 
 from __future__ import annotations
@@ -25,10 +25,10 @@ ANGLE = 75.0
 """Vertical field of view at the start, degrees, as in the page."""
 
 PIECE = 4 << 20
-"""Bytes of a file in a message: others come in between."""
+"""Bytes of a file per message, so that other messages can be sent in between."""
 
 STRATEGIES = ("clovr", "clovrd", "vis0", "vis1")
-"""Ways to load that docs/view.md compares."""
+"""Loading strategies, compared in docs/view.md."""
 
 LEAST_SIDE, MOST_SIDE = 16, 8192
 
@@ -39,7 +39,7 @@ def _built(name: str) -> str:
 
 
 class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
-    """A bundle or a reduced scene in a notebook; `nearfar._render.showing.View` says what its attributes are."""
+    """A bundle or a reduced scene in a notebook; `nearfar._render.showing.View` documents the attributes."""
 
     position = traitlets.Tuple(*[traitlets.Float()] * 3).tag(sync=True)
     yaw = traitlets.Float().tag(sync=True)
@@ -79,13 +79,13 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
 
     @property
     def camera(self) -> Camera:
-        """The camera of the picture."""
+        """Camera of the picture."""
         return camera_of(Pose(self.position, self.yaw, self.pitch, self.angle), (self.width, self.height))
 
     @camera.setter
     def camera(self, camera: Camera) -> None:
         pose = pose_of(camera)
-        # One message, so that the browser shows none of the poses in between.
+        # One message, so that the browser shows no intermediate poses.
         with self.hold_sync():
             for name, value in pose._asdict().items():
                 setattr(self, name, value)
@@ -107,7 +107,7 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
         return check.within("angle", proposal["value"], LEAST_ANGLE, MOST_ANGLE)
 
     def _answer(self, _: Any, asked: Any, __: Any) -> None:
-        """Send a piece of a file to the browser, or why there is none."""
+        """Send a piece of a file to the browser, or an error message."""
         if not isinstance(asked, dict) or asked.get("kind") != "read":
             return
         mark = asked.get("id")
@@ -120,7 +120,7 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
             self.send({"id": mark, "bytes": len(content)}, [content[start : start + PIECE]])
 
     def _content(self, name: Any) -> bytes:
-        """The content of a file; that of the last one is kept, because it is sent in pieces."""
+        """Return the content of a file; the last file is cached, because it is sent in pieces."""
         if self._last is None or self._last[0] != name:
             if not isinstance(name, str) or name not in self._files:
                 raise ValueError(f"name: expected a file of what is shown, got {check.shortened(name)}")
@@ -128,7 +128,7 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
         return self._last[1]
 
     def _repr_mimebundle_(self, **settings: Any) -> Any:
-        """The widget; and a picture of it, for places that show no widgets, such as saved notebooks."""
+        """Return the widget, with an image for viewers without widgets, such as saved notebooks."""
         made = super()._repr_mimebundle_(**settings)
         if made is None:
             return None
@@ -136,7 +136,7 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
         return ({**data, "image/png": card.png(self._picture())}, *rest)
 
     def _picture(self) -> Any:
-        """The picture of the camera: of a bundle the map of ring 0, which needs little to be read."""
+        """Render an image with the current camera; for a bundle only the map of ring 0, which loads quickly."""
         shown = self._shown.at(0) if isinstance(self._shown, Bundle) else self._shown
         return shown.render(self.camera, samples=4, channels=("color",)).to_image()
 
@@ -145,7 +145,7 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
 
 
 def _check_strategy(shown: Bundle | ReducedScene, strategy: str) -> None:
-    """Raise ValueError for a strategy that what is shown has no files for."""
+    """Raise ValueError for a strategy that needs files which the content does not have."""
     by_footprint = check.choice("strategy", strategy, STRATEGIES).startswith("vis")
     if by_footprint and not (isinstance(shown, Bundle) and shown._region["by_footprint"] is not None):
         raise ValueError(
@@ -155,7 +155,7 @@ def _check_strategy(shown: Bundle | ReducedScene, strategy: str) -> None:
 
 def _files(shown: Bundle | ReducedScene) -> dict[str, _content.Read]:
     if isinstance(shown, Bundle):
-        # It keeps what it reads: a cell may remove the folder before a browser asks for files.
+        # `Bundle.read` caches: a cell may remove the folder before the browser requests files.
         return _content.of_bundle(shown, shown.read)
     return _content.of_reduced(shown)
 

@@ -31,8 +31,8 @@ pub(crate) fn thread_count() -> PyResult<usize> {
     pool::thread_count().map_err(to_python)
 }
 
-/// A kernel for tests of cancellation, forking and panics. "wait" runs until it is cancelled, "panic" panics on a
-/// thread of the pool, "value" returns a kernel error.
+/// Test kernel for cancellation, forking and panics. "wait" runs until it is cancelled, "panic" panics on a pool
+/// thread, other values return a kernel error.
 #[pyfunction]
 #[pyo3(signature = (behaviour, report=None))]
 pub(crate) fn probe(py: Python<'_>, behaviour: &str, report: Option<Py<PyAny>>) -> PyResult<()> {

@@ -14,7 +14,7 @@ fn morph(user: [f64; 3], center: [f64; 3], [r1, r2]: [f64; 2], (name, strength):
     full.and_then(|morph| morph.with_strength(strength)).map_err(to_python)
 }
 
-/// Polylines (N, K, 3) as a flat array, padded with NaN, and K.
+/// Polylines (N, K, 3) as a flat array padded with NaN, and their length K.
 #[pyfunction]
 #[pyo3(signature = (directions, *, user, center, r1, r2, kind, strength, tolerance, report=None))]
 #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
@@ -36,7 +36,7 @@ pub(crate) fn bend_rays<'py>(
     Ok((points.into_flattened().into_pyarray(py), longest))
 }
 
-/// The fold margin in metres.
+/// Fold margin in metres.
 #[pyfunction]
 #[pyo3(signature = (user, *, center, r1, r2, kind, strength))]
 pub(crate) fn fold_margin(

@@ -12,7 +12,7 @@ use crate::convert::errors::to_python;
 use crate::convert::one_of::one_of;
 use crate::convert::run;
 
-/// A checked view.
+/// A validated camera.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct Camera(pub camera::Camera);
 
@@ -76,7 +76,7 @@ impl Camera {
         self.0.is_parallel()
     }
 
-    /// A lower bound of the angle between neighbouring pixels, radians; metres for parallel rays.
+    /// Lower bound of the angle between neighbouring pixels, radians; metres for parallel rays.
     #[getter]
     fn least_pixel_angle(&self) -> f64 {
         self.0.least_pixel_angle()

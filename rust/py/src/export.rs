@@ -10,7 +10,7 @@ use pyo3::types::{PyBytes, PyDict};
 use crate::convert::run;
 use crate::scene::{Scene, texture};
 
-/// A scene divided into files.
+/// A scene prepared for export to files.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct Export(export::Export);
 
@@ -19,7 +19,7 @@ type SharedMesh<'py> = (Bound<'py, PyBytes>, Vec<u16>, Bound<'py, PyDict>);
 
 #[pymethods]
 impl Export {
-    /// `groups` has the group of each object, and last that of faces without an object.
+    /// `groups` has the group of each object, then that of the faces without an object.
     #[new]
     #[pyo3(signature = (scene, groups, count, *, names, images, step, compressed, report=None))]
     #[expect(clippy::too_many_arguments, reason = "settings, by keyword only")]
@@ -51,8 +51,8 @@ impl Export {
         self.0.shared().iter().map(described).collect()
     }
 
-    /// The file of a group and its statistics. `uris` has the URI of each shared mesh, `None` for those that are written
-    /// into the file.
+    /// GLB file of a group and its statistics. `uris` has the URI of each shared mesh, `None` for meshes that are
+    /// embedded in the file.
     #[pyo3(signature = (group, *, uris, report=None))]
     fn glb<'py>(
         &self,
@@ -85,8 +85,8 @@ fn named<'py>(py: Python<'py>, statistics: &Statistics) -> PyResult<Bound<'py, P
     Ok(named)
 }
 
-/// For each texture the least number of texels per radian at which it is seen, with the least distance of each object
-/// in metres, and last that of faces without an object.
+/// Least number of texels per radian at which each texture is seen. `distances` has the least distance of each
+/// object in metres, then that of the faces without an object.
 #[pyfunction]
 #[pyo3(signature = (scene, distances, *, report=None))]
 pub(crate) fn texels_per_radian<'py>(
@@ -100,7 +100,7 @@ pub(crate) fn texels_per_radian<'py>(
     Ok(found.into_pyarray(py))
 }
 
-/// A texture (H, W, 4), sRGB with alpha, with its sides halved so many times; `cutout` weights colours by alpha.
+/// Halves the sides of a texture (H, W, 4), sRGB with alpha, `times` times; `cutout` weights colours by alpha.
 #[pyfunction]
 #[pyo3(signature = (texels, *, times, cutout))]
 pub(crate) fn halved_texture<'py>(
@@ -115,10 +115,10 @@ pub(crate) fn halved_texture<'py>(
     rows.reshape([halved.height as usize, halved.width as usize, 4])
 }
 
-/// Codes, and which texels change.
+/// Codes, and the mask of changed texels.
 type Decoded<'py> = (Bound<'py, PyArray1<u16>>, Bound<'py, PyArray1<bool>>);
 
-/// The planes of codes, of all texels or of those that differ from the codes `before`.
+/// Encodes codes to byte planes: all texels, or only those that differ from the codes `before`.
 #[pyfunction]
 #[pyo3(signature = (codes, before, changed, *, size, tile, tiles, step))]
 #[expect(clippy::too_many_arguments, reason = "settings, by keyword only")]
@@ -139,7 +139,7 @@ pub(crate) fn encode_ranges<'py>(
     Ok(planes.iter().map(|plane| PyBytes::new(py, plane)).collect())
 }
 
-/// The codes of so many faces, and which texels change.
+/// Decodes the codes of `faces` faces, and the mask of changed texels.
 #[pyfunction]
 #[pyo3(signature = (planes, before, *, faces, size, tile, tiles, step))]
 #[expect(clippy::too_many_arguments, reason = "settings, by keyword only")]

@@ -49,7 +49,7 @@ impl ChannelArgument<'_> {
     }
 }
 
-/// A part whose arrays are borrowed.
+/// A part with borrowed arrays.
 struct PartArgument<'py> {
     name: String,
     shape: (usize, usize),
@@ -70,7 +70,7 @@ impl PartArgument<'_> {
     }
 }
 
-/// The bytes of a file. A part is (name, channels, attributes): a dictionary of (H, W) float16, float32 or uint32
+/// Encodes an EXR file. A part is (name, channels, attributes): a dictionary of (H, W) float16, float32 or uint32
 /// arrays, and a dictionary of texts and triples of numbers.
 #[pyfunction]
 pub(crate) fn encode_exr<'py>(
@@ -86,7 +86,7 @@ pub(crate) fn encode_exr<'py>(
 
 type DecodedPart<'py> = (String, Bound<'py, PyDict>, Bound<'py, PyDict>);
 
-/// The parts in the bytes of a file, in the form that `encode_exr` takes.
+/// Decodes an EXR file to parts in the form that `encode_exr` takes.
 #[pyfunction]
 pub(crate) fn decode_exr<'py>(py: Python<'py>, data: &[u8]) -> PyResult<Vec<DecodedPart<'py>>> {
     let parts = run::long(py, None, |progress| exr::decode(data, progress))?;

@@ -1,10 +1,10 @@
-//! Calls of the file system that Python does not have.
+//! File system calls that Python lacks.
 
 use std::path::PathBuf;
 
 use pyo3::prelude::*;
 
-/// Exchanges what two paths of a file system name, at once; returns false where the system cannot.
+/// Atomically exchanges two paths of a file system; returns false if that is unsupported.
 #[pyfunction]
 pub(crate) fn exchange_paths(py: Python<'_>, first: PathBuf, second: PathBuf) -> PyResult<bool> {
     py.detach(|| exchange(first, second))
@@ -17,7 +17,7 @@ fn exchange(first: PathBuf, second: PathBuf) -> PyResult<bool> {
 
     match renameat_with(CWD, first, CWD, second, RenameFlags::EXCHANGE) {
         Ok(()) => Ok(true),
-        // Old kernels, and file systems without it.
+        // Old kernels and some file systems do not support it.
         Err(Errno::NOSYS | Errno::INVAL | Errno::NOTSUP) => Ok(false),
         Err(error) => Err(std::io::Error::from(error).into()),
     }

@@ -46,7 +46,7 @@ fn fov([left, right, down, up]: [f64; 4]) -> Fov {
     Fov { left, right, down, up }
 }
 
-/// A lens.
+/// A radial lens.
 #[pyclass(frozen, module = "nearfar._core")]
 #[derive(Clone)]
 pub(crate) struct RadialLens(lens::RadialLens);
@@ -57,7 +57,7 @@ impl RadialLens {
     }
 }
 
-/// An array that a kernel computes from radii.
+/// Applies a kernel to an array of radii.
 fn radii<'py, T: Real + Element>(
     py: Python<'py>,
     from: &PyReadonlyArray1<'py, T>,
@@ -67,7 +67,7 @@ fn radii<'py, T: Real + Element>(
     filled(py, from.len(), |to| run::long(py, None, |progress| kernel(from, to, progress)))?.into_py_any(py)
 }
 
-/// An array that a kernel computes from points.
+/// Applies a kernel to an array of points.
 fn points<'py, T: Real + Element>(
     py: Python<'py>,
     from: &PyReadonlyArray2<'py, T>,
@@ -165,7 +165,7 @@ fn warped<'py, P: WarpPixel + Element>(
     filled(py, [height, width, channels], warp)?.into_py_any(py)
 }
 
-/// A picture (H, W, C) warped by one lens, or by one lens per channel.
+/// Warps a picture (H, W, C) by one lens, or by one lens per channel.
 #[pyfunction]
 #[pyo3(signature = (lenses, picture, *, from_fov, to_fov, tan_omega, size, distort, filter, fill))]
 #[expect(clippy::too_many_arguments, reason = "named ones, as Python passes them")]

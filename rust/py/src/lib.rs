@@ -1,5 +1,5 @@
-//! Bindings of nearfar-core, nearfar-gpu and nearfar-serve. Each function converts its arguments, releases the interpreter, calls a
-//! kernel and maps its error.
+//! Bindings of nearfar-core, nearfar-gpu and nearfar-serve. Each function converts its arguments, releases the
+//! interpreter, calls a kernel and maps its error.
 
 mod convert;
 
@@ -81,8 +81,8 @@ mod _core {
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
-        // rust-numpy looks up NumPy's functions at the first array. If that were in a thread that outlives the
-        // interpreter, it would panic and print its stack.
+        // rust-numpy looks up NumPy's functions at the first array. In a thread that outlives the interpreter this
+        // would panic and print a backtrace.
         drop(PyArray1::<u8>::zeros(module.py(), 0, false).readonly());
         convert::errors::register(module)
     }

@@ -19,8 +19,8 @@ use crate::convert::one_of::one_of;
 use crate::convert::run;
 
 one_of! {
-    /// Images of any type in the last two axes of a stack; strides are whole multiples of the values' size and not
-    /// negative.
+    /// Stacks of images of any type, with the image in the last two axes; strides are non-negative multiples of the
+    /// element size.
     pub(crate) enum Images<'py> {
         Bytes(PyReadonlyArrayDyn<'py, u8>),
         Shorts(PyReadonlyArrayDyn<'py, u16>),
@@ -66,7 +66,7 @@ fn stacks<'a, T: Element + Pixel>(
     Ok(Stacks { references: planes(references).map_err(to_python)?, tests: planes(tests).map_err(to_python)?, masks })
 }
 
-/// A mean of squared differences, and the least and the greatest value of both images.
+/// Mean squared difference, and the least and the greatest value of both images.
 type MeanSquare = (f64, f64, f64);
 
 /// Mean squared error of each pair of images and, if requested, the range of their values.
@@ -86,7 +86,7 @@ pub(crate) fn mean_squared_errors(
 }
 
 /// Settings of a comparison: window, its size and σ, (c1, c2), the factor by which images are shrunk first, whether
-/// windows that reach beyond the image count, whether windows use only pixels in the masks, and whether the ranges of
+/// windows that reach beyond the image count, whether windows use only unmasked pixels, and whether the ranges of
 /// values are requested.
 type Settings = (String, usize, f64, (f64, f64), usize, bool, bool, bool);
 
@@ -100,7 +100,7 @@ fn comparison((window, size, sigma, (c1, c2), shrink, all, hidden, ranges): Sett
     Ok(Comparison { window, constants: Similarity { c1, c2 }, shrink, all, hidden, ranges })
 }
 
-/// Sums of similarity and of pixels, the least and the greatest value of both images; and maps.
+/// Sums of similarity and of pixels, the least and the greatest value of both images; and similarity maps.
 type Compared<'py> = (Vec<[f64; 4]>, Option<Bound<'py, PyAny>>);
 
 fn compared<'py, P: PixelRows<Real: PixelRows<Real = P::Real> + Element> + Element>(
@@ -119,7 +119,7 @@ fn compared<'py, P: PixelRows<Real: PixelRows<Real = P::Real> + Element> + Eleme
     Ok((sums.iter().map(each).collect(), maps.map(Bound::into_any)))
 }
 
-/// Sums of similarity, numbers of pixels and ranges of values for each pair and, if requested, the maps with `map_shape`.
+/// Sums of similarity, numbers of pixels and ranges of values for each pair and, if requested, maps of `map_shape`.
 #[pyfunction]
 #[pyo3(signature = (references, tests, *, settings, masks=None, map_shape=None, report=None))]
 pub(crate) fn similarity<'py>(
@@ -140,7 +140,7 @@ pub(crate) fn similarity<'py>(
 /// Means of similarity and of its second factor at each scale, and the least and greatest value of both images.
 type AtScales = (Vec<[f64; 2]>, f64, f64);
 
-/// Comparison of each pair at each of `scales`.
+/// Compares each pair of images at each of `scales` scales.
 #[pyfunction]
 #[pyo3(signature = (references, tests, *, settings, scales))]
 pub(crate) fn multiscale(
@@ -180,10 +180,10 @@ pub(crate) fn discontinuity<'py>(
     Ok(map.into_pyarray(py))
 }
 
-/// Tears, and whether neighbours lie on both sides.
+/// Tears, and the mask of pixels whose neighbours lie on both sides.
 type Torn<'py> = (Bound<'py, PyArray1<f32>>, Bound<'py, PyArray1<bool>>);
 
-/// Tear of each pixel in pixels, as a flat array, and where `side` is given whether its neighbours lie on both sides.
+/// Tear of each pixel in pixels, as a flat array, and, if `side` is given, whether its neighbours lie on both sides.
 #[pyfunction]
 #[pyo3(signature = (position, *, origin, width, camera, epsilon, side=None, wanted=None, report=None))]
 #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
@@ -208,7 +208,7 @@ pub(crate) fn tear<'py>(
     Ok((tears.tear.into_pyarray(py), tears.parted.into_pyarray(py)))
 }
 
-/// Shares of objects and of their pixels that are visible; `None` without objects.
+/// Shares of visible objects and of their visible pixels; `None` without objects.
 #[pyfunction]
 pub(crate) fn object_completion(
     py: Python<'_>,

@@ -107,14 +107,14 @@ impl Partition {
         Ok(named)
     }
 
-    /// Measures every triangle again and compares.
+    /// Measures every triangle again and compares the results.
     #[pyo3(signature = (report=None))]
     fn validate(&self, py: Python<'_>, report: Option<Py<PyAny>>) -> PyResult<()> {
         run::long(py, report, |progress| self.0.validate(progress))
     }
 }
 
-/// The number of triangles that stay geometry as a function of r₂.
+/// Number of triangles that stay geometry as a function of r₂.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct LoadCurve(partition::LoadCurve);
 
@@ -152,8 +152,8 @@ impl LoadCurve {
     }
 }
 
-/// Least ρ of each object's static triangles within `reach`, and last that of faces without an object; and the number
-/// of triangles that were measured.
+/// Least ρ of each object's static triangles within `reach`, then that of the faces without an object; and the number
+/// of measured triangles.
 #[pyfunction]
 #[pyo3(signature = (scene, object_count, *, center, reach, rule, report=None))]
 pub(crate) fn object_radii<'py>(

@@ -18,11 +18,11 @@ use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyCFunction;
 
-/// A server that runs in threads of its own.
+/// A server that runs in its own threads.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct Server(serve::Server);
 
-/// Where a document's content is: bytes, the path of a file and its size, or a function that returns bytes.
+/// Content of a document: bytes, the path and size of a file, or a function that returns bytes.
 #[derive(FromPyObject)]
 enum Source {
     Bytes(PyBackedBytes),
@@ -30,16 +30,16 @@ enum Source {
     Read(Py<PyAny>),
 }
 
-/// Path below the site, media type, whether its name is that of its content, and the content.
+/// Path below the site, media type, whether the name identifies the content, and the content.
 type Listed = (String, String, bool, Source);
 
-/// Maker of a site's regions: a function that begins one, one that makes its next part, the spacing of the
-/// grid, and the folder and the bytes of the cache.
+/// Maker of a site's regions: functions that begin a region and make its next part, the grid's spacing, and the
+/// folder and size in bytes of the cache.
 type OnDemand = (Py<PyAny>, Py<PyAny>, f64, Option<PathBuf>, u64);
 
 #[pymethods]
 impl Server {
-    /// `sites` are names with their documents and what makes regions on demand.
+    /// `sites` are names with their documents and the makers of regions on demand.
     #[new]
     #[pyo3(signature = (sites, *, host, port, hosts, headers, origin, certificate, limits, rooms=None))]
     #[expect(clippy::too_many_arguments, reason = "settings, by keyword only")]
@@ -78,19 +78,19 @@ impl Server {
         py.detach(|| serve::Server::start(settings)).map(Self).map_err(with_number)
     }
 
-    /// The port that it listens at.
+    /// Port at which the server listens.
     #[getter]
     fn port(&self) -> u16 {
         self.0.address().port()
     }
 
-    /// Stop; answers that are being sent get the grace to end.
+    /// Stops the server; open responses may finish within the grace period.
     fn close(&self, py: Python<'_>) {
         py.detach(|| self.0.close());
     }
 }
 
-/// Limits of connections and of regions on demand, as Python has them.
+/// Limits of connections and of regions on demand, with Python's field names.
 #[derive(Clone, Copy, FromPyObject)]
 struct Limits {
     connections: usize,
@@ -127,8 +127,8 @@ impl Limits {
     }
 }
 
-/// Limits of rooms as Python has them, the secret bytes of their key, whether users need a token of it, whether pages may
-/// exchange files, and whether users may connect by WebTransport.
+/// Settings of rooms with Python's field names: limits, the key's secret bytes, whether users need a token, whether
+/// pages may exchange files, and whether users may connect by WebTransport.
 #[derive(FromPyObject)]
 struct Rooms {
     rooms: usize,
@@ -182,27 +182,27 @@ impl Rooms {
     }
 }
 
-/// A token that lets one user into a room until it ends, in seconds since 1970; its number is one that nobody can guess.
+/// Creates a token for a room that expires at `ends`, in seconds since 1970; `number` must be unpredictable.
 #[pyfunction]
 pub fn room_token(room: &str, ends: u64, number: rooms::Number, key: PyBackedBytes) -> PyResult<String> {
     let key = rooms::Key::new(&key).map_err(PyValueError::new_err)?;
     Ok(key.token(room, ends, number))
 }
 
-/// SHA-256 of a certificate, when it ends in seconds since 1970, and the names that it is for.
+/// SHA-256 of a certificate, its expiry in seconds since 1970, and its host names.
 #[pyfunction]
 pub fn certificate(certificate: PathBuf, key: PathBuf) -> PyResult<(String, i64, Vec<String>)> {
     let identity = Identity::read(&certificate, &key).map_err(PyValueError::new_err)?;
     Ok((identity.fingerprint, identity.ends, identity.names))
 }
 
-/// A certificate for names that signs itself, and its key, both in PEM.
+/// Generates a self-signed certificate for host names, and its key, both in PEM.
 #[pyfunction]
 pub fn self_signed(names: Vec<String>) -> PyResult<(String, String)> {
     tls::self_signed(names).map_err(PyValueError::new_err)
 }
 
-/// Write events of at least a level to standard error; False if a log is written already.
+/// Starts logging events of at least a level to standard error; False if logging was started already.
 #[pyfunction]
 pub fn begin_log(level: &str, as_json: bool) -> PyResult<bool> {
     let level = level.parse().map_err(|_| PyValueError::new_err(format!("level: expected a level, got {level:?}")))?;
@@ -243,7 +243,7 @@ fn seconds(value: f64) -> PyResult<Duration> {
     Duration::try_from_secs_f64(value).map_err(|_| PyValueError::new_err(format!("expected seconds, got {value}")))
 }
 
-/// An error with its number, by which Python tells a port that is taken.
+/// Converts an error with its number, by which Python recognises a port in use.
 fn with_number(error: io::Error) -> PyErr {
     match error.raw_os_error() {
         Some(number) => PyOSError::new_err((number, error.to_string())),
@@ -252,7 +252,7 @@ fn with_number(error: io::Error) -> PyErr {
     }
 }
 
-/// Python's maker of regions.
+/// Maker of regions, implemented in Python.
 struct Regions {
     begin: Py<PyAny>,
     next: Arc<Py<PyAny>>,
@@ -272,7 +272,7 @@ impl Maker for Regions {
     }
 }
 
-/// A part as Python has it.
+/// A part in Python's form.
 #[derive(FromPyObject)]
 struct Made {
     stage: u8,
@@ -297,7 +297,7 @@ impl Making for Region {
     }
 }
 
-/// The sentence of an error.
+/// Message of an error.
 fn told(py: Python<'_>, error: &PyErr) -> String {
     let sentence = error.value(py).to_string();
     let name = error.get_type(py).name().map_or_else(|_| "an error".into(), |name| name.to_string());

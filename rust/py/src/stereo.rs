@@ -21,7 +21,7 @@ use crate::scene::Scene;
 /// Tangents (left, right, down, up), position and orientation of an eye.
 type View = ([f64; 4], [f64; 3], [f64; 4]);
 
-/// The geometry of hybrid mono-stereo rendering.
+/// Geometry of hybrid mono-stereo rendering.
 #[pyclass(frozen, module = "nearfar._core")]
 pub(crate) struct HybridRig(Rig);
 
@@ -46,7 +46,7 @@ impl HybridRig {
         Rig::new([left, right].map(eye), Planes { begin, end }, size).map(Self).map_err(to_python)
     }
 
-    /// The same rig, all of whose pictures have their pixels to the right and down by a part of a pixel.
+    /// The same rig with the sample positions of all pictures shifted right and down by a fraction of a pixel.
     fn jittered(&self, jitter: [f64; 2]) -> PyResult<Self> {
         self.0.jittered(DVec2::from_array(jitter)).map(Self).map_err(to_python)
     }
@@ -70,25 +70,25 @@ impl HybridRig {
         self.0.planes().mono()
     }
 
-    /// Distance of the third camera behind the middle between the eyes, metres.
+    /// Distance of the third camera behind the midpoint between the eyes, metres.
     #[getter]
     fn setback(&self) -> f64 {
         self.0.setback()
     }
 
-    /// The middle between the eyes in head axes, metres.
+    /// Midpoint between the eyes in head axes, metres.
     #[getter]
     fn middle(&self) -> [f64; 3] {
         self.0.middle().to_array()
     }
 
-    /// By so much nearer than the plane does the third camera begin to draw, metres.
+    /// Distance in front of the plane from which the third camera draws, metres.
     #[getter]
     fn overlap(&self) -> f64 {
         self.0.overlap()
     }
 
-    /// Rows of the homography of the plane, from pixels of the third camera to pixels of an eye.
+    /// Rows of the plane's homography from pixels of the third camera to pixels of an eye.
     fn homography(&self, eye: &str) -> PyResult<[[f64; 3]; 3]> {
         Ok(self.0.homography(side(eye)?).transpose().to_cols_array_2d())
     }
@@ -112,8 +112,8 @@ impl HybridRig {
         })
     }
 
-    /// For each instance of a scene a bit for each view that may show it, (N,): 1 the left eye's, 2 the right eye's, 4
-    /// the third camera's; whether an eye has a surface of its own to draw; whether the third camera has one.
+    /// Bit mask of the views that may show each instance of a scene, (N,): 1 the left eye's, 2 the right eye's, 4 the
+    /// third camera's; whether an eye has own surfaces to draw; whether the third camera has any.
     fn contents<'py>(
         &self,
         py: Python<'py>,
@@ -130,7 +130,7 @@ impl HybridRig {
     }
 
     /// Triangles in the views of the left eye, the right eye and the third camera, those that all three draw, and those
-    /// of each eye's whole view.
+    /// of each eye's full view.
     #[pyo3(signature = (scene, position, orientation, depths, report=None))]
     fn triangles(
         &self,
@@ -147,7 +147,7 @@ impl HybridRig {
         Ok((views, thrice, plain))
     }
 
-    /// An eye's own picture up to the plane m₂, as images by name; the settings cut off all beyond m₁.
+    /// Renders an eye's own picture up to the plane m₂, as images by name; the settings cut off everything beyond m₁.
     #[expect(clippy::too_many_arguments, reason = "a picture of a scene with its settings")]
     #[pyo3(signature = (eye, scene, camera, settings, position, orientation, depths, report=None))]
     fn render_zone<'py>(
@@ -175,8 +175,8 @@ impl HybridRig {
         images(py, frame, (camera.height as usize, camera.width as usize))
     }
 
-    /// For each pixel of the third camera, (H, W), whether an eye looks it up; `left` and `right` are the shares of each
-    /// eye's pixels that its own surfaces cover.
+    /// Mask of the third camera's pixels, (H, W), that an eye looks up; `left` and `right` are the shares of each eye's
+    /// pixels that its own surfaces cover.
     fn needed<'py>(
         &self,
         py: Python<'py>,
@@ -189,7 +189,7 @@ impl HybridRig {
         mask.into_pyarray(py).reshape([height as usize, width as usize])
     }
 
-    /// Adds the third camera's picture behind an eye's own, in place.
+    /// Composites the third camera's picture behind an eye's own, in place.
     fn assemble<'py>(
         &self,
         py: Python<'py>,
@@ -203,8 +203,8 @@ impl HybridRig {
         run::long(py, None, |progress| self.0.assemble(side, coverage, center, color, progress))
     }
 
-    /// Adds the surfaces that the third camera sees behind an eye's own picture, in place; `color` and `faces` are the
-    /// third camera's.
+    /// Composites the surfaces that the third camera sees behind an eye's own picture, in place; `color` and `faces`
+    /// are the third camera's.
     #[expect(clippy::too_many_arguments, reason = "a picture of a scene with its settings")]
     fn resolve<'py>(
         &self,
@@ -229,7 +229,7 @@ impl HybridRig {
         run::long(py, None, |progress| self.0.resolve(side, coverage, &far, settings.samples, color, progress))
     }
 
-    /// Numbers (H, W) of the third camera's pixels that count most where an eye's pixels look them up.
+    /// Numbers (H, W) of the third camera's pixels with the greatest weight in the look-up of each of an eye's pixels.
     fn nearest<'py>(
         &self,
         py: Python<'py>,

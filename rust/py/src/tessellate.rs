@@ -10,19 +10,20 @@ use crate::convert::arrays::array_of_rows;
 use crate::convert::run;
 use crate::scene::Scene;
 
-/// Settings by their public names; `stages` has the least radius of a cylinder's growth, and whether its strength is full.
+/// Settings from their public names; `stages` has the least radius of a cylinder's growth, and whether it has full
+/// strength.
 fn settings(center: [f64; 3], [r1, r2]: [f64; 2], stages: Option<(f64, bool)>, reach: f64, tolerance: f64) -> Settings {
     let stages = match stages {
         Some((least, is_full)) => Stages::Cylinder { least, is_full },
         None => Stages::Blend,
     };
-    // Points beyond r₂ move along the ray with a cylinder.
+    // With a cylinder, points beyond r₂ move along the ray.
     let drawn = if stages == Stages::Blend { r2 } else { f64::INFINITY };
     Settings { center: DVec3::from_array(center), r1, r2, drawn, reach, tolerance, stages }
 }
 
-/// A scene with its static triangles split, and counts of the work by name; `chosen` tells for each object, and last for
-/// faces without one, whether they are split.
+/// Splits the static triangles of a scene, and returns counters by name; `chosen` has a flag for each object, then
+/// one for the faces without an object.
 #[pyfunction]
 #[pyo3(signature = (scene, *, center, radii, stages, reach, tolerance, chosen=None, report=None))]
 #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
@@ -39,7 +40,7 @@ pub(crate) fn tessellate_scene<'py>(
 ) -> PyResult<(Scene, Bound<'py, PyDict>)> {
     let world = settings(center, radii, stages, reach, tolerance);
     let chosen = chosen.as_ref().map(|chosen| chosen.as_slice()).transpose()?;
-    // −1, for no object, is the last place.
+    // Object −1, for no object, uses the last entry.
     let is_chosen = |object: i32| {
         chosen.is_none_or(|chosen| chosen.get(object as usize).or(chosen.last()).copied().unwrap_or(false))
     };
@@ -56,7 +57,7 @@ pub(crate) fn tessellate_scene<'py>(
     Ok((Scene(split), named))
 }
 
-/// New vertices with the faces on which they lie and their weights there; all faces, and the source face of each.
+/// New vertices with their source faces and barycentric weights; all faces, and the source face of each.
 #[pyfunction]
 #[pyo3(signature = (vertices, faces, *, center, radii, stages, reach, tolerance, report=None))]
 #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]

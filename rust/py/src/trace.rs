@@ -27,7 +27,7 @@ fn rows<'a>(points: &'a Points<'_>) -> PyResult<trace::Points<'a>> {
 type Hits<'py> =
     (Bound<'py, PyArray1<f32>>, Bound<'py, PyArray1<i64>>, Bound<'py, PyArray1<i32>>, Bound<'py, PyArray2<f32>>);
 
-/// Distance, triangle, object and weights of the nearest hits.
+/// Distance, triangle, object and barycentric weights of the nearest hits.
 #[pyfunction]
 #[pyo3(signature = (scene, origins, directions, t_max, report=None))]
 pub(crate) fn cast_rays<'py>(
@@ -46,7 +46,7 @@ pub(crate) fn cast_rays<'py>(
 
 type Near<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<i64>>, Bound<'py, PyArray2<f64>>);
 
-/// Distance, triangle and weights of the nearest points of the surface.
+/// Distance, triangle and barycentric weights of the nearest points of the surface.
 #[pyfunction]
 #[pyo3(signature = (scene, points, *, facing=None, report=None))]
 pub(crate) fn nearest_points<'py>(

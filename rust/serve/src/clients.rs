@@ -1,4 +1,4 @@
-//! Clients by their addresses, and places for their connections.
+//! Counts of connections per client address, and limits on them.
 
 use std::collections::HashMap;
 use std::net::{IpAddr, Ipv6Addr};
@@ -6,21 +6,21 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use tokio::sync::{AcquireError, OwnedSemaphorePermit, Semaphore};
 
-/// Connections by the addresses of clients, or all else that clients have so many of.
+/// Number of connections, or of other resources, by client address.
 #[derive(Debug, Default)]
 pub struct Clients(Mutex<HashMap<IpAddr, usize>>);
 
-/// A connection of a client.
+/// A counted connection of a client; uncounted on drop.
 #[derive(Debug)]
 pub struct Entered {
     clients: Arc<Clients>,
     client: IpAddr,
 }
 
-/// Bits of an IPv6 address that tell clients apart: who has one address of a network has all others of it.
+/// Prefix length that identifies an IPv6 client: whoever has one address of a network has all of its addresses.
 const NETWORK: u32 = 64;
 
-/// The address by which a client is counted.
+/// Address under which a client is counted.
 pub fn counted(address: IpAddr) -> IpAddr {
     match address.to_canonical() {
         IpAddr::V6(own) if !own.is_loopback() => Ipv6Addr::from_bits(own.to_bits() >> NETWORK << NETWORK).into(),
@@ -29,12 +29,12 @@ pub fn counted(address: IpAddr) -> IpAddr {
 }
 
 impl Clients {
-    /// Count a connection of a client; none if it has as many as it may.
+    /// Counts a connection of a client; none if the client has reached its limit.
     pub fn enter(clients: &Arc<Self>, client: IpAddr, most: usize) -> Option<Entered> {
         Self::enter_among(clients, client, most, usize::MAX)
     }
 
-    /// The same; none also if all clients have as many as they may.
+    /// Like `enter`, with a limit for all clients together.
     pub fn enter_among(clients: &Arc<Self>, client: IpAddr, most: usize, all: usize) -> Option<Entered> {
         let mut counts = clients.0.lock().unwrap_or_else(PoisonError::into_inner);
         if counts.values().sum::<usize>() >= all {
@@ -61,7 +61,7 @@ impl Drop for Entered {
     }
 }
 
-/// Places among the connections, of all clients and of each.
+/// Limits on the number of connections, in total and per client.
 #[derive(Clone)]
 pub struct Gate {
     open: Arc<Semaphore>,
@@ -70,32 +70,32 @@ pub struct Gate {
     per_client: usize,
 }
 
-/// A connection's place among the connections.
+/// A connection's share of both limits.
 pub type Entry = (Entered, OwnedSemaphorePermit);
 
 impl Gate {
-    /// Places for all clients and for each, all of them free.
+    /// Creates a gate for `all` connections, `per_client` of them for each client.
     pub fn new(all: usize, per_client: usize) -> Self {
         Gate { open: Arc::new(Semaphore::new(all)), all, clients: Arc::default(), per_client }
     }
 
-    /// Wait for a place.
+    /// Waits for a free connection slot.
     pub async fn wait(&self) -> Result<OwnedSemaphorePermit, AcquireError> {
         Arc::clone(&self.open).acquire_owned().await
     }
 
-    /// Wait until nobody has a place.
+    /// Waits until all connections have ended.
     pub async fn empty(&self) {
         let _all = self.open.acquire_many(u32::try_from(self.all).unwrap_or(u32::MAX)).await;
     }
 
-    /// A place for a client's connection, if there is one now.
+    /// Takes a slot for a client's connection, if one is free.
     pub fn enter(&self, client: IpAddr) -> Option<Entry> {
         let place = Arc::clone(&self.open).try_acquire_owned().ok()?;
         self.enter_at(client, place)
     }
 
-    /// The same for a place that was waited for.
+    /// Like `enter`, with a slot from `wait`.
     pub fn enter_at(&self, client: IpAddr, place: OwnedSemaphorePermit) -> Option<Entry> {
         Some((Clients::enter(&self.clients, counted(client), self.per_client)?, place))
     }

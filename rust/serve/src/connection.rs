@@ -1,4 +1,4 @@
-//! One connection: encrypted or not, HTTP/1.1 or 2, within its limits.
+//! One connection: plain or encrypted, HTTP/1.1 or HTTP/2, within its limits.
 
 use std::convert::Infallible;
 use std::io;
@@ -28,34 +28,34 @@ use crate::rooms::{self, Entering, Session};
 use crate::router::Router;
 use crate::{record, respond};
 
-/// First byte of a connection that is encrypted: the handshake's record.
+/// First byte of an encrypted connection: type of the TLS handshake record.
 const HANDSHAKE: u8 = 0x16;
-/// Name of HTTP/2 in a handshake.
+/// ALPN name of HTTP/2.
 const H2: &[u8] = b"h2";
-/// Answers at the same time on one connection of HTTP/2; browsers ask for as many.
+/// Concurrent responses on an HTTP/2 connection; browsers request as many.
 const STREAMS: u32 = 100;
-/// Bytes of an answer that wait for a client of HTTP/2, in the connection's own memory.
+/// Send buffer of an HTTP/2 stream, bytes.
 const WAITING: usize = 1 << 16;
-/// Bytes that an answer gives to it at once.
+/// Bytes that a response passes to the send buffer at once.
 const PIECE: usize = 1 << 14;
-/// Bytes of poses and other frames that the system keeps for a user beside those that are on their way.
+/// Unsent bytes of a user's frames that the kernel buffers (TCP_NOTSENT_LOWAT).
 #[cfg(target_os = "linux")]
 const UNSENT: u32 = 1 << 12;
 
-/// Changes when the server ends.
+/// Signals the server's shutdown.
 pub type Ends = watch::Receiver<()>;
 
-/// All connections share this.
+/// State shared by all connections.
 pub struct Shared {
     pub router: Arc<Router>,
     pub limits: Limits,
     pub tls: Option<TlsAcceptor>,
 }
 
-/// Serve a connection until it ends; the reason if the server ended it.
+/// Serves a connection until it ends; an error is the reason why the server ended it.
 pub async fn serve(shared: &Shared, stream: TcpStream, client: IpAddr, ends: Ends) -> Result<(), &'static str> {
     let limits = shared.limits;
-    // Without it the end of a short answer waits for the client's acknowledgement.
+    // Without TCP_NODELAY the end of a short response waits for the client's acknowledgement.
     let _ = stream.set_nodelay(true);
     let Some(tls) = &shared.tls else { return http1(shared, limited(stream, limits), client, ends).await };
     let mut first = [0; 1];
@@ -80,7 +80,7 @@ pub async fn serve(shared: &Shared, stream: TcpStream, client: IpAddr, ends: End
     }
 }
 
-/// A connection until it ends; it takes no more requests once the server ends.
+/// Runs a connection; calls `finish` at the server's shutdown, so that it accepts no more requests.
 pub async fn watched<C: Future>(connection: C, mut ends: Ends, finish: impl FnOnce(Pin<&mut C>)) -> C::Output {
     let mut connection = pin!(connection);
     tokio::select! {
@@ -95,7 +95,7 @@ type Limited = Pin<Box<TimeoutStream<TcpStream>>>;
 
 /// A stream over TCP.
 trait OverTcp: AsyncRead + AsyncWrite + Unpin + Send + 'static {
-    /// The stream that it is over.
+    /// Underlying TCP stream.
     fn tcp(&self) -> &TcpStream;
 }
 
@@ -111,7 +111,7 @@ impl OverTcp for TlsStream<Limited> {
     }
 }
 
-/// A stream whose client must take bytes from time to time. It need not send any while it waits for an answer.
+/// Adds a write timeout to a stream. Reads have none, because a client need not send anything while it waits.
 fn limited(stream: TcpStream, limits: Limits) -> Limited {
     let mut stream = TimeoutStream::new(stream);
     stream.set_write_timeout(Some(limits.silence));
@@ -133,7 +133,7 @@ async fn http1<S: OverTcp>(shared: &Shared, stream: S, client: IpAddr, ends: End
             let upgrade = hyper::upgrade::on(&mut request);
             let mut answer = record::answer(router, flow, usize::MAX, client, request).await;
             if let Some(entering) = answer.extensions_mut().remove::<Entering>() {
-                // A connection becomes another one once.
+                // A connection is upgraded at most once.
                 let _ = enters.set((upgrade, entering));
             }
             Ok::<_, Infallible>(answer)
@@ -148,18 +148,18 @@ async fn http1<S: OverTcp>(shared: &Shared, stream: S, client: IpAddr, ends: End
     ended(client, result)
 }
 
-/// Serve a user of a room as long as its connection, which has become a WebSocket, lasts.
+/// Serves a user of a room over a connection upgraded to a WebSocket.
 async fn enter<S: OverTcp>(session: Session, upgrade: OnUpgrade, client: IpAddr, ends: Ends) {
     let Ok(upgraded) = upgrade.await else { return };
-    // It is the stream that the connection was made of.
+    // The type is that of the original stream.
     let Ok(parts) = upgraded.downcast::<TokioIo<S>>() else { return };
     let stream = parts.io.into_inner();
-    // Frames wait where newer poses overwrite older ones, rather than in the system's memory.
+    // A small kernel buffer lets frames wait in the outbox, where newer poses replace older ones.
     #[cfg(target_os = "linux")]
     let _ = socket2::SockRef::from(stream.tcp()).set_tcp_notsent_lowat(UNSENT);
     let outbox = Arc::clone(&session.outbox);
     let served = rooms::serve(session, stream, parts.read_buf);
-    // Rooms tell those who are in them; a user who has not said hello is in none.
+    // The room notifies its users; the outbox reaches also those who have not sent hello.
     let reason = watched(served, ends, |_| outbox.end(rooms::ending())).await;
     tracing::debug!(%client, reason = reason.name(), "a user's connection has ended");
 }
@@ -184,13 +184,13 @@ where
         .keep_alive_timeout(limits.silence)
         .serve_connection(TokioIo::new(stream), answer);
     let mut connection = pin!(watched(connection, ends, http2::Connection::graceful_shutdown));
-    // Clients that answer pings but ask for nothing, or take nothing, keep no place.
+    // Disconnects clients that answer pings but request nothing or read nothing.
     let pause = (limits.headers.min(limits.silence) / 4).max(Duration::from_millis(50));
     loop {
         match timeout(pause, &mut connection).await {
             Ok(result) => return ended(client, result),
             Err(_) => {
-                // The last bytes of an answer may still wait in the connection's own memory.
+                // The last bytes of a response may still be in the connection's send buffer.
                 if let Some(reason) = shown.end(limits.headers + limits.silence, limits.silence) {
                     return Err(reason);
                 }
@@ -199,7 +199,7 @@ where
     }
 }
 
-/// Lead clients that do not encrypt to the encrypted address.
+/// Redirects unencrypted clients to HTTPS.
 async fn to_https(shared: &Shared, stream: Limited, ends: Ends) -> Result<(), &'static str> {
     let router = Arc::clone(&shared.router);
     let answer = service_fn(move |request: Request<Incoming>| {
@@ -229,7 +229,7 @@ fn moved<B>(router: &Router, request: &Request<B>) -> Response<Body> {
     }
 }
 
-/// Clients may break off; what they did not do in time is the reason.
+/// Disconnected clients are no error; timeouts and malformed requests are returned as reasons.
 fn ended(client: IpAddr, result: hyper::Result<()>) -> Result<(), &'static str> {
     let Err(error) = result else { return Ok(()) };
     tracing::debug!(%client, %error, "a connection broke off");

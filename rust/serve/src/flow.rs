@@ -1,27 +1,27 @@
-//! Whether a connection of HTTP/2 still moves: its socket may be free while every answer waits for the client.
+//! Progress of an HTTP/2 connection: its socket may be idle while every response waits for the client.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// The answers of one connection.
+/// Responses in progress on one connection.
 pub struct Flow(Mutex<State>);
 
 struct State {
-    /// Since when the client has taken nothing of each answer that has bytes for it; none while bytes are being made.
+    /// For each response, the time since which its bytes wait for the client; none while bytes are being made.
     answers: HashMap<u64, Option<Instant>>,
     begun: u64,
-    /// When the last answer ended.
+    /// End of the last response.
     ended: Instant,
 }
 
 impl Flow {
-    /// Of a connection that begins now.
+    /// Creates the flow of a new connection.
     pub fn new() -> Arc<Self> {
         Arc::new(Flow(Mutex::new(State { answers: HashMap::new(), begun: 0, ended: Instant::now() })))
     }
 
-    /// An answer begins; it is over when what is returned is dropped.
+    /// Registers a response, which ends when the returned value is dropped.
     pub fn begin(self: &Arc<Self>) -> Answer {
         let mut state = self.state();
         state.begun += 1;
@@ -31,7 +31,7 @@ impl Flow {
         Answer { flow: Arc::clone(self), number }
     }
 
-    /// Why the connection should end, if it should: nothing was asked for so long, or nothing taken.
+    /// Reason to end the connection: no request for `idle`, or no bytes read for `silence`.
     pub fn end(&self, idle: Duration, silence: Duration) -> Option<&'static str> {
         let state = self.state();
         if state.answers.is_empty() {
@@ -46,19 +46,19 @@ impl Flow {
     }
 }
 
-/// An answer on its way.
+/// A response in progress.
 pub struct Answer {
     flow: Arc<Flow>,
     number: u64,
 }
 
 impl Answer {
-    /// There are bytes that the client must take.
+    /// Records that bytes are waiting for the client.
     pub fn given(&self) {
         self.flow.state().answers.insert(self.number, Some(Instant::now()));
     }
 
-    /// The client has taken them.
+    /// Records that the client has read them.
     pub fn asked(&self) {
         self.flow.state().answers.insert(self.number, None);
     }

@@ -1,6 +1,6 @@
 //! Serves scenes to thin clients: files of bundles, and regions on demand.
 //!
-//! Nothing here knows Python; a binding gives what makes regions.
+//! Independent of Python; a binding provides the maker of regions.
 
 mod clients;
 mod flow;

@@ -1,27 +1,27 @@
-//! Limits of connections.
+//! Limits on connections.
 
 use std::time::Duration;
 
 /// Bytes of a user's frames that are read at once.
 pub const READ: usize = 1 << 12;
-/// Messages, and pieces of a stream, that are read in a row; then other connections have their turn.
+/// Consecutive messages, or pieces of a stream, before other connections get their turn.
 pub const ROW: usize = 16;
 
-/// How long and how many connections are kept.
+/// Limits on the duration and number of connections.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
-    /// Connections at the same time; others wait until one ends.
+    /// Greatest number of connections; further ones wait until one ends.
     pub connections: usize,
-    /// Connections of one client at the same time; more are closed at once. Programs on this machine, such as a proxy,
-    /// may have all.
+    /// Greatest number of connections per client; further ones are closed at once. Local programs, such as a proxy, are
+    /// exempt.
     pub per_client: usize,
-    /// Time for a handshake, for the headers of a request, and between two requests.
+    /// Timeout for a handshake, for the headers of a request, and between two requests.
     pub headers: Duration,
-    /// Time in which a client takes no byte of an answer.
+    /// Timeout for a client that reads nothing of a response.
     pub silence: Duration,
-    /// Bytes of a request's headers.
+    /// Greatest size of a request's headers, bytes.
     pub header_bytes: usize,
-    /// Time that answers get to end when the server does.
+    /// Time for open responses to finish at shutdown.
     pub grace: Duration,
 }
 

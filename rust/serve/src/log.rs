@@ -1,10 +1,10 @@
-//! The log, on standard error: lines for people, or one JSON object a line.
+//! Log on standard error: text lines, or one JSON object per line.
 
 use std::io;
 
 pub use tracing_subscriber::filter::LevelFilter;
 
-/// Write events of at least a level from now on, and each answer at the level of information. False if a log is written
+/// Starts logging events of at least a level; responses are logged at level info. False if logging was started
 /// already.
 pub fn begin(level: LevelFilter, as_json: bool) -> bool {
     let log = tracing_subscriber::fmt().with_max_level(level).with_writer(io::stderr);

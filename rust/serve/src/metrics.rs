@@ -1,4 +1,4 @@
-//! Counts of what the server does, for Prometheus.
+//! Metrics of the server, for Prometheus.
 
 use std::fmt;
 use std::sync::Arc;
@@ -17,16 +17,16 @@ use crate::demand::Demand;
 use crate::rooms::Rooms;
 use crate::site::Sites;
 
-/// Media type of the counts as text.
+/// Media type of the metrics as text.
 pub const MEDIA: &str = "application/openmetrics-text; version=1.0.0; charset=utf-8";
 
-/// Counts since the server started.
+/// Metrics since the server started.
 pub struct Metrics {
     registry: Registry,
     answers: Family<Answered, Counter>,
     seconds: Histogram,
     sent: Counter,
-    /// Connections that are open.
+    /// Number of open connections.
     pub connections: Gauge,
     lost: Family<Lost, Counter>,
     expiry: Gauge,
@@ -54,11 +54,11 @@ struct Ended {
 }
 
 impl Metrics {
-    /// Counts of a server with these sites and rooms.
+    /// Creates the metrics of a server with sites and rooms.
     pub fn new(sites: &Sites, rooms: Option<&Rooms>) -> Self {
         let mut registry = Registry::with_prefix("nearfar");
         let (answers, lost) = (Family::<Answered, Counter>::default(), Family::<Lost, Counter>::default());
-        // From a millisecond to a minute and a half, by factors of two.
+        // 17 buckets from 1 ms to 65 s, by factors of two.
         let seconds = Histogram::new(exponential_buckets(0.001, 2.0, 17));
         let (sent, connections, expiry) = (Counter::default(), Gauge::default(), Gauge::default());
         registry.register("answers", "Answers that ended, by their code", answers.clone());
@@ -85,33 +85,33 @@ impl Metrics {
         Metrics { registry, answers, seconds, sent, connections, lost, expiry }
     }
 
-    /// An answer has ended.
+    /// Counts a finished response.
     pub fn answered(&self, code: u16, took: Duration, sent: u64) {
         self.answers.get_or_create(&Answered { code }).inc();
         self.seconds.observe(took.as_secs_f64());
         self.sent.inc_by(sent);
     }
 
-    /// The server has ended a connection.
+    /// Counts a connection that the server ended.
     pub fn lost(&self, reason: &'static str) {
         self.lost.get_or_create(&Lost { reason }).inc();
     }
 
-    /// A certificate is used that ends then.
+    /// Sets the expiry time of the certificate.
     pub fn expires(&self, unix_seconds: i64) {
         self.expiry.set(unix_seconds);
     }
 
-    /// The counts as text.
+    /// Metrics as text.
     pub fn text(&self) -> String {
         let mut text = String::new();
-        // Only writing into memory could fail.
+        // Writing to memory cannot fail.
         let _ = text::encode(&mut text, &self.registry);
         text
     }
 }
 
-/// Makers of regions on demand, by the names of sites.
+/// Makers of regions on demand, by site name.
 struct Demands(Vec<(String, Arc<Demand>)>);
 
 impl fmt::Debug for Demands {

@@ -1,4 +1,4 @@
-//! Where pages connect for datagrams, and the certificate by which they know the server there.
+//! Port for WebTransport connections, and the certificate that pages pin there.
 
 use std::sync::Arc;
 
@@ -7,11 +7,11 @@ use time::OffsetDateTime;
 use crate::pinned::Pinned;
 use crate::rooms::Datagrams;
 
-/// Where sessions are taken, as pages are told.
+/// Offer of WebTransport sessions to pages.
 pub struct Offer {
-    /// Port of UDP.
+    /// UDP port.
     pub port: u16,
-    /// The certificate that no authority has signed; none if one has signed the server's.
+    /// Self-signed certificate that pages pin; none if an authority has signed the server's certificate.
     pub pinned: Option<Arc<Pinned>>,
 }
 
@@ -21,7 +21,7 @@ impl Offer {
         Datagrams { port: self.port, hashes: self.pinned.iter().map(|pinned| pinned.hash()).collect() }
     }
 
-    /// Make the next certificate if it is time.
+    /// Replaces the certificate if it is due.
     pub fn refresh(&self) -> Result<(), String> {
         self.pinned.as_ref().map_or(Ok(()), |pinned| pinned.refresh(OffsetDateTime::now_utc()))
     }

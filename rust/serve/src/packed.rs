@@ -1,4 +1,4 @@
-//! Compressed copies of documents, made at the first request and kept in memory up to a number of bytes.
+//! Compressed copies of documents, made at the first request and cached in memory with a limit in bytes.
 
 use std::collections::HashMap;
 use std::io::{self, Write};
@@ -9,22 +9,22 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use tokio::sync::{OnceCell, Semaphore};
 
-/// Documents of more bytes are sent as they are: a copy would take long to make.
+/// Larger documents, in bytes, are sent uncompressed: compression would take too long.
 pub const MOST: u64 = 1 << 26;
-/// Documents of fewer bytes are sent as they are: they fit into one packet.
+/// Smaller documents, in bytes, are sent uncompressed: they fit into one packet.
 pub const LEAST: u64 = 1 << 10;
-/// Share of a document's bytes that its copy may have; a larger one is not worth unpacking.
+/// Greatest ratio of compressed to original size for which the copy is used.
 const WORTH: f64 = 0.95;
-/// Copies that are made at the same time.
+/// Greatest number of concurrent compressions.
 const AT_ONCE: usize = 2;
 
-/// Bytes of memory that a tag takes besides its copy, roughly.
+/// Approximate memory of a cache entry in addition to its copy, bytes.
 const ENTRY: u64 = 200;
 
-/// A copy, or that it is not worth having.
+/// A compressed copy; none if compression saves too little.
 type Copy = Option<Bytes>;
 
-/// Copies by the tags of their documents.
+/// Cache of compressed copies, by the tags of their documents.
 pub struct Packed {
     budget: u64,
     state: Mutex<State>,
@@ -34,7 +34,7 @@ pub struct Packed {
 #[derive(Default)]
 struct State {
     copies: HashMap<String, Entry>,
-    /// Bytes of all entries.
+    /// Total size of all entries, bytes.
     held: u64,
     uses: u64,
 }
@@ -42,19 +42,19 @@ struct State {
 #[derive(Default)]
 struct Entry {
     cell: Arc<OnceCell<Copy>>,
-    /// Number of its last use.
+    /// Number of the last use.
     used: u64,
-    /// Bytes that it takes; 0 until its copy is made.
+    /// Size of the entry in bytes; 0 until its copy is made.
     bytes: u64,
 }
 
 impl Packed {
-    /// Keep so many bytes of copies.
+    /// Creates a cache with a limit in bytes.
     pub fn new(budget: u64) -> Self {
         Packed { budget, state: Mutex::default(), at_once: Semaphore::new(AT_ONCE) }
     }
 
-    /// The copy of a document, which `read` gives if there is none yet. None if it is not worth having.
+    /// Compressed copy of a document; calls `read` for its content if there is none yet. None if it saves too little.
     pub async fn get(&self, tag: &str, read: impl Future<Output = io::Result<Bytes>>) -> io::Result<Copy> {
         let cell = self.state().cell(tag);
         let copy = cell.get_or_try_init(|| async {
@@ -84,7 +84,7 @@ impl State {
         Arc::clone(&entry.cell)
     }
 
-    /// Count a copy that was made, and make room for it.
+    /// Adds a finished copy to the total size, and evicts others if necessary.
     fn hold(&mut self, budget: u64, tag: &str, copy: &Copy) {
         let Some(entry) = self.copies.get_mut(tag).filter(|entry| entry.bytes == 0) else { return };
         entry.bytes = ENTRY + copy.as_ref().map_or(0, |copy| copy.len() as u64);
@@ -96,7 +96,7 @@ impl State {
         self.held -= self.copies.remove(tag).map_or(0, |entry| entry.bytes);
     }
 
-    /// Forget what was not used for longest, but one document, until the rest fits the budget.
+    /// Evicts the least recently used documents, except `but`, until the rest fits the budget.
     fn trim(&mut self, budget: u64, but: &str) {
         while self.held > budget {
             let others = self.copies.iter().filter(|(tag, entry)| tag.as_str() != but && entry.bytes > 0);
@@ -136,7 +136,7 @@ mod tests {
         }
         let held: Vec<_> = packed.state().copies.keys().cloned().collect();
         assert!(held.contains(&"e".to_owned()) && !held.contains(&"a".to_owned()), "{held:?}");
-        // A file that is not worth having takes room, too.
+        // An entry without a copy takes memory, too.
         for tag in ["short", "shorter", "shortest"] {
             assert_eq!(get(&packed, tag, b"unlike").await, None);
         }

@@ -1,5 +1,5 @@
-//! A certificate that pages know by its hash: browsers take one that lasts at most 14 days, so that the next one is made
-//! before it ends.
+//! Self-signed certificate that pages pin by its hash. Browsers accept such certificates for at most 14 days, so it is
+//! replaced before it expires.
 
 use std::sync::{Arc, PoisonError, RwLock};
 
@@ -11,12 +11,12 @@ use rustls::sign::CertifiedKey;
 use sha2::{Digest, Sha256};
 use time::{Duration, OffsetDateTime};
 
-/// Days for which it is valid, the first one before it was made: clocks of other machines may be slow.
+/// Validity in days, starting one day in the past: other machines' clocks may be slow.
 const DAYS: i64 = 13;
-/// Days after which the next one is made. A page that has asked for the hash before can use it no longer than this.
+/// Days until the next certificate; a page's hash stays usable for at most this long.
 const USED: i64 = 6;
 
-/// The certificate that is used now.
+/// Current certificate.
 #[derive(Debug)]
 pub struct Pinned(RwLock<Made>);
 
@@ -28,7 +28,7 @@ struct Made {
 }
 
 impl Pinned {
-    /// Make one.
+    /// Creates the first certificate.
     pub fn new(now: OffsetDateTime) -> Result<Self, String> {
         Ok(Pinned(RwLock::new(make(now)?)))
     }
@@ -38,10 +38,10 @@ impl Pinned {
         self.0.read().unwrap_or_else(PoisonError::into_inner).hash.clone()
     }
 
-    /// Make the next one if it is time.
+    /// Replaces the certificate if it is due.
     pub fn refresh(&self, now: OffsetDateTime) -> Result<(), String> {
         let until = self.0.read().unwrap_or_else(PoisonError::into_inner).until;
-        // After a clock was put back by more than a day, the certificate would not be valid yet.
+        // If the clock is set back by more than a day, the certificate would not be valid yet.
         if (until - Duration::days(USED + 1)..until).contains(&now) {
             return Ok(());
         }
@@ -59,11 +59,11 @@ impl ResolvesServerCert for Pinned {
 
 fn make(now: OffsetDateTime) -> Result<Made, String> {
     let wrong = |error: rcgen::Error| format!("a certificate for datagrams cannot be made: {error}");
-    // Browsers compare the hash alone, not the name.
+    // Browsers compare only the hash, not the name.
     let mut asked = CertificateParams::new(vec!["localhost".to_owned()]).map_err(wrong)?;
     (asked.not_before, asked.not_after) = (now - Duration::DAY, now + Duration::days(DAYS - 1));
     asked.distinguished_name.push(DnType::CommonName, "nearfar");
-    // On the curve P-256, as browsers want it.
+    // P-256, which browsers require.
     let pair = KeyPair::generate().map_err(wrong)?;
     let signed = asked.self_signed(&pair).map_err(wrong)?;
     let hash = Sha256::digest(signed.der()).iter().map(|byte| format!("{byte:02x}")).collect();

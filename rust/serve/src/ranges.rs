@@ -1,24 +1,24 @@
-//! The part of a file that a request asks for (RFC 9110, section 14).
+//! Byte range that a request asks for (RFC 9110, section 14).
 
 use std::ops::Range;
 
-/// Bytes of a file that a `Range` header asks for.
+/// Meaning of a `Range` header for a file.
 #[derive(Debug, PartialEq)]
 pub enum Wanted {
-    /// All of it: there is no such header, or one that may be ignored, such as one with several ranges.
+    /// The whole file: no such header, or one that may be ignored, such as one with several ranges.
     Whole,
-    /// Bytes.
+    /// A byte range.
     Part(Range<u64>),
-    /// No byte of the range is there.
+    /// The range lies beyond the file's end.
     Nothing,
 }
 
-/// Read a `Range` header for a file of so many bytes.
+/// Parses a `Range` header for a file of `bytes` bytes.
 pub fn wanted(header: Option<&str>, bytes: u64) -> Wanted {
     let Some(text) = header.and_then(|text| text.trim().strip_prefix("bytes=")) else { return Wanted::Whole };
     let Some((first, last)) = text.trim().split_once('-') else { return Wanted::Whole };
     match (number(first), number(last)) {
-        // The last so many bytes.
+        // Suffix range: the last `count` bytes.
         (Number::Missing, Number::Is(count)) if count > 0 && bytes > 0 => {
             Wanted::Part(bytes.saturating_sub(count)..bytes)
         }
@@ -40,7 +40,7 @@ enum Number {
 fn number(text: &str) -> Number {
     match text {
         "" => Number::Missing,
-        // Numbers beyond 64 bits lie behind every file.
+        // Numbers beyond 64 bits lie beyond the end of every file.
         _ if text.bytes().all(|byte| byte.is_ascii_digit()) => Number::Is(text.parse().unwrap_or(u64::MAX)),
         _ => Number::Wrong,
     }

@@ -1,4 +1,4 @@
-//! Counts and logs each answer when it has ended.
+//! Metrics and log entry for each finished response.
 
 use std::net::IpAddr;
 use std::pin::Pin;
@@ -14,11 +14,11 @@ use http_body::{Body as HttpBody, Frame, SizeHint};
 use crate::flow::{Answer, Flow};
 use crate::router::Router;
 
-/// Characters of a path that the log tells.
+/// Greatest number of a path's characters in the log.
 const PATH: usize = 400;
 
-/// Answer a request of a connection; the answer is recorded when its last byte is taken, or when it breaks off. Its bytes
-/// come in pieces of at most so many.
+/// Responds to a request; the response is recorded when its last byte is read, or when it is aborted. The body is
+/// sent in pieces of at most `piece` bytes.
 pub async fn answer<B>(
     router: Arc<Router>,
     flow: Arc<Flow>,
@@ -40,10 +40,10 @@ pub async fn answer<B>(
     })
 }
 
-/// The body of an answer that is recorded.
+/// Response body that records its end.
 pub struct Recorded {
     body: Body,
-    /// Bytes of the body that were not asked for yet.
+    /// Bytes of the body that are not sent yet.
     rest: Bytes,
     piece: usize,
     exchange: Exchange,
@@ -64,7 +64,7 @@ impl HttpBody for Recorded {
             match ready!(Pin::new(&mut this.body).poll_frame(context)) {
                 Some(Ok(frame)) => match frame.into_data() {
                     Ok(data) => this.rest = data,
-                    // Answers have no trailers.
+                    // Responses have no trailers.
                     Err(other) => return Poll::Ready(Some(Ok(other))),
                 },
                 Some(Err(error)) => return Poll::Ready(Some(Err(error))),
@@ -96,7 +96,7 @@ impl HttpBody for Recorded {
     }
 }
 
-/// A request and what became of it.
+/// A request and its outcome.
 struct Exchange {
     router: Arc<Router>,
     client: IpAddr,

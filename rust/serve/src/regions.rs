@@ -1,4 +1,4 @@
-//! Regions on demand: parts as they are ready, complete manifests, and files.
+//! HTTP handlers for regions on demand: parts as they become ready, complete manifests, and files.
 
 use std::convert::Infallible;
 use std::net::IpAddr;
@@ -14,7 +14,7 @@ use crate::demand::{Answer, Demand, Event, Kept, Outcome, Place, Refusal, Ticket
 use crate::respond::{self, Asked};
 use crate::site::{Content, Document};
 
-/// Media types by the ends of names.
+/// Media types by file name suffix.
 const MEDIA: [(&str, &str); 5] = [
     ("json", "application/json"),
     ("glb", "model/gltf-binary"),
@@ -23,8 +23,8 @@ const MEDIA: [(&str, &str); 5] = [
     ("range", "application/octet-stream"),
 ];
 
-/// Answer a request for what lies below a site with regions on demand: `at/PLACE/parts`, `at/PLACE/manifest.json`,
-/// `files/NAME`, and the latter below a place too, so that a place is a bundle. None for other names.
+/// Handles requests below a site with regions on demand: `at/PLACE/parts`, `at/PLACE/manifest.json`, `files/NAME`,
+/// and `at/PLACE/files/NAME`, so that a place is a bundle. None for other names.
 pub async fn answer(demand: &Arc<Demand>, name: &str, asked: &Asked<'_>) -> Option<Response<Body>> {
     if name.starts_with("files/") {
         return Some(file(demand, name, asked).await);
@@ -42,7 +42,7 @@ pub async fn answer(demand: &Arc<Demand>, name: &str, asked: &Asked<'_>) -> Opti
     }
 }
 
-/// Lines of JSON that tell of parts as they are ready; the last one tells how it ended.
+/// Streams JSON lines that announce parts as they become ready; the last line announces the outcome.
 async fn parts(demand: &Arc<Demand>, client: IpAddr, place: Place) -> Response<Body> {
     let lines = match ask(demand, client, place).await {
         Err(refusal) => return refused(refusal),
@@ -53,20 +53,20 @@ async fn parts(demand: &Arc<Demand>, client: IpAddr, place: Place) -> Response<B
     respond::finished(head.header(header::CACHE_CONTROL, "no-store").body(lines))
 }
 
-/// Ask for a region in a thread that may wait for the disk.
+/// Requests a region in a blocking thread, because it may wait for the disk.
 async fn ask(demand: &Arc<Demand>, client: IpAddr, place: Place) -> Result<Answer, Refusal> {
     let demand = Arc::clone(demand);
     let asked = tokio::task::spawn_blocking(move || demand.ask(counted(client), place));
     asked.await.unwrap_or(Err(Refusal::Closing))
 }
 
-/// Look for a file of regions in a thread that may wait for the disk.
+/// Looks up a region's file in a blocking thread, because it may wait for the disk.
 async fn look(demand: &Arc<Demand>, find: impl FnOnce(&Demand) -> Option<Kept> + Send + 'static) -> Option<Kept> {
     let demand = Arc::clone(demand);
     tokio::task::spawn_blocking(move || find(&demand)).await.ok()?
 }
 
-/// The manifest of a region that is complete, as one line.
+/// Manifest of a complete region, as one JSON line.
 fn whole(region: Whole) -> Vec<u8> {
     let manifest = match region {
         Whole::InMemory(region) => region.file("manifest.json").unwrap_or_default(),
@@ -88,7 +88,7 @@ async fn next_lines(ticket: Option<Ticket>) -> Option<(Result<Bytes, Infallible>
     })
 }
 
-/// A document of a complete region, which is waited for.
+/// Document of a complete region; waits for the region.
 async fn document(demand: &Arc<Demand>, place: Place, name: &str, asked: &Asked<'_>) -> Response<Body> {
     let region = match ask(demand, asked.client, place).await {
         Err(refusal) => return refused(refusal),

@@ -1,4 +1,4 @@
-//! Answers with documents: whole, in part, or that the client has them already.
+//! Responses with documents: in full, in part, or "not modified".
 
 use std::io;
 use std::net::IpAddr;
@@ -15,22 +15,22 @@ use crate::packed::Packed;
 use crate::ranges::{Wanted, wanted};
 use crate::site::{Content, Document};
 
-/// For documents that are named by their content.
+/// Cache-Control of documents that are named by their content.
 const FOREVER: &str = "public, max-age=31536000, immutable";
 
 /// A client's request for a document.
 pub struct Asked<'a> {
-    /// The client's address.
+    /// Address of the client.
     pub client: IpAddr,
     /// GET or HEAD.
     pub method: &'a Method,
     /// Headers of the request.
     pub headers: &'a HeaderMap,
-    /// Compressed copies of documents.
+    /// Cache of compressed documents.
     pub packed: &'a Packed,
 }
 
-/// Answer a request with a document.
+/// Responds with a document.
 pub async fn document(asked: &Asked<'_>, document: &Document) -> Response<Body> {
     match answer(asked, document).await {
         Ok(answer) => answer,
@@ -46,7 +46,7 @@ async fn answer(asked: &Asked<'_>, document: &Document) -> io::Result<Response<B
     if let Some(tag) = [&document.tag, &copy_tag].into_iter().find(|tag| knows(asked.headers, tag)) {
         return Ok(finished(head(document, tag).status(StatusCode::NOT_MODIFIED).body(Body::empty())));
     }
-    // Parts are those of the content itself.
+    // Ranges refer to the uncompressed content.
     let may_pack = takes_gzip(asked.headers) && !asked.headers.contains_key(header::RANGE);
     if may_pack && document.is_worth_packing() {
         let read = async {
@@ -64,7 +64,7 @@ async fn answer(asked: &Asked<'_>, document: &Document) -> io::Result<Response<B
     whole_or_part(asked, document).await
 }
 
-/// The head of an answer with a version of a document.
+/// Headers of a response with a version of a document.
 fn head(document: &Document, tag: &str) -> Builder {
     let head = Response::builder()
         .header(header::ETAG, tag)
@@ -75,7 +75,7 @@ fn head(document: &Document, tag: &str) -> Builder {
 
 async fn whole_or_part(asked: &Asked<'_>, document: &Document) -> io::Result<Response<Body>> {
     let (bytes, opened) = open(&document.content).await?;
-    // One strong tag, unlike If-None-Match.
+    // If-Range has one strong tag, unlike If-None-Match.
     let is_same = asked.headers.get(header::IF_RANGE).is_none_or(|value| value.as_bytes() == document.tag.as_bytes());
     let range = asked.headers.get(header::RANGE).and_then(|value| value.to_str().ok()).filter(|_| is_same);
     let head = head(document, &document.tag).header(header::CONTENT_TYPE, &document.media);
@@ -99,14 +99,14 @@ async fn whole_or_part(asked: &Asked<'_>, document: &Document) -> io::Result<Res
     Ok(finished(head.body(if is_head { Body::empty() } else { opened.read(part).await? })))
 }
 
-/// An answer that tells why there is no document.
+/// Error response with a status and a reason.
 pub fn refusal(status: StatusCode, reason: &str) -> Response<Body> {
     let text = format!("{status}: {reason}\n");
     let head = Response::builder().status(status).header(header::CACHE_CONTROL, "no-store");
     finished(head.header(header::CONTENT_TYPE, "text/plain; charset=utf-8").body(Body::from(text)))
 }
 
-/// An answer whose headers are known to be valid.
+/// Response whose headers are known to be valid.
 pub fn finished(answer: Result<Response<Body>, axum::http::Error>) -> Response<Body> {
     answer.unwrap_or_else(|_| {
         let mut failed = Response::new(Body::empty());
@@ -115,14 +115,14 @@ pub fn finished(answer: Result<Response<Body>, axum::http::Error>) -> Response<B
     })
 }
 
-/// Whether `If-None-Match` names a tag, or any.
+/// Whether `If-None-Match` contains a tag or `*`.
 fn knows(asked: &HeaderMap, tag: &str) -> bool {
     let values = asked.get_all(header::IF_NONE_MATCH);
     let mut listed = values.iter().filter_map(|value| value.to_str().ok()).flat_map(|text| text.split(','));
     listed.any(|each| matches!(each.trim(), "*") || each.trim().trim_start_matches("W/") == tag)
 }
 
-/// Whether a client unpacks gzip.
+/// Whether `Accept-Encoding` contains gzip.
 fn takes_gzip(asked: &HeaderMap) -> bool {
     let values = asked.get_all(header::ACCEPT_ENCODING);
     let mut listed = values.iter().filter_map(|value| value.to_str().ok()).flat_map(|text| text.split(','));
@@ -133,7 +133,7 @@ fn takes_gzip(asked: &HeaderMap) -> bool {
     })
 }
 
-/// Content that can be read.
+/// Content that is ready to be read.
 enum Opened {
     Bytes(Bytes),
     File(file::Opened),

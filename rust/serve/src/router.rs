@@ -1,4 +1,4 @@
-//! From a request to its answer.
+//! Routes requests to handlers.
 
 use std::borrow::Cow;
 use std::collections::HashSet;
@@ -20,43 +20,43 @@ use crate::rooms::{about, upgrade};
 use crate::site::{Document, Sites, find};
 use crate::{regions, respond};
 
-/// Bytes of compressed copies of documents that are kept.
+/// Cache size of compressed documents, bytes.
 const PACKED: u64 = 128 << 20;
-/// Part of the connections that rooms do not take.
+/// Divisor of the connections: share that is reserved for files.
 const FILES: usize = 4;
-/// Time for which browsers keep an answer to what they ask before a request of another site, seconds.
+/// Time for which browsers cache a preflight response, seconds.
 const PREFLIGHT: &str = "86400";
 
-/// How requests are answered.
+/// Content and rules of the server.
 pub struct Answering {
-    /// Sites by the first part of their paths.
+    /// Sites by the first segment of their paths.
     pub sites: Sites,
-    /// Names by which the server may be called; none for any. Another name is another site's that points here.
+    /// Accepted host names; none for any. Another name may be a foreign domain that resolves to this server.
     pub hosts: Option<HashSet<String>>,
-    /// Headers of all answers.
+    /// Headers of all responses.
     pub headers: Vec<(HeaderName, HeaderValue)>,
-    /// Whose pages may read answers: an origin, or `*`; none for the server's own.
+    /// Origin whose pages may read responses, or `*`; none for the server's own pages only.
     pub origin: Option<HeaderValue>,
-    /// Rooms, at `rooms/NAME`; `rooms` tells of them.
+    /// Rooms at `rooms/NAME`; `rooms` describes their capabilities.
     pub rooms: Option<Arc<Rooms>>,
 }
 
-/// State that all requests share.
+/// State shared by all requests.
 pub struct Router {
     answering: Answering,
     packed: Packed,
-    /// Sockets of rooms at the same time.
+    /// Greatest number of room connections.
     sockets: usize,
-    /// Names that the server's certificate lists.
+    /// Names listed in the server's certificate.
     certified: Vec<String>,
-    /// Where datagrams are taken.
+    /// WebTransport offer for pages.
     offer: Option<Offer>,
-    /// Counts of what was answered.
+    /// Metrics of the responses.
     pub metrics: Metrics,
 }
 
 impl Router {
-    /// Answer requests so.
+    /// Creates a router.
     pub fn new(answering: Answering) -> Self {
         let metrics = Metrics::new(&answering.sites, answering.rooms.as_deref());
         Router {
@@ -69,23 +69,22 @@ impl Router {
         }
     }
 
-    /// Leave some of so many connections to those who ask for files, know the names of a certificate, and tell pages
-    /// where datagrams are taken.
+    /// Reserves some of `connections` for files, and sets the names of the certificate and the WebTransport offer.
     pub(crate) fn within(self, connections: usize, certified: Vec<String>, offer: Option<Offer>) -> Self {
         Router { sockets: connections - connections / FILES, certified, offer, ..self }
     }
 
-    /// The sites.
+    /// Sites of the server.
     pub fn sites(&self) -> &Sites {
         &self.answering.sites
     }
 
-    /// The rooms.
+    /// Rooms of the server.
     pub fn rooms(&self) -> Option<&Arc<Rooms>> {
         self.answering.rooms.as_ref()
     }
 
-    /// Answer a client's request.
+    /// Responds to a client's request.
     pub async fn answer<B>(self: Arc<Self>, client: IpAddr, request: Request<B>) -> Response<Body> {
         let mut answer = self.found(client, &request).await;
         let is_head = request.method() == Method::HEAD;
@@ -120,7 +119,7 @@ impl Router {
             "healthz" => return respond::refusal(StatusCode::OK, "the server runs"),
             "metrics" => {
                 let text = self.metrics.text();
-                // Each text is another one: copies would be of no use.
+                // The text changes every time, so a cached compressed copy would be useless.
                 let document = Document { is_compressible: false, ..Document::changing(text.into(), metrics::MEDIA) };
                 return respond::document(&asked, &document).await;
             }
@@ -151,7 +150,7 @@ impl Router {
         }
     }
 
-    /// Where a client's request for a session of WebTransport leads, or the status by which it is refused.
+    /// Room that a WebTransport request enters, or the status of the refusal.
     pub(crate) fn entering<B>(&self, client: IpAddr, request: &Request<B>) -> Result<Entering, StatusCode> {
         if !self.is_called_by_its_name(request) {
             return Err(StatusCode::FORBIDDEN);
@@ -161,17 +160,17 @@ impl Router {
         upgrade::session(room, self.door(rooms, request), || rooms.place(client, self.sockets), request)
     }
 
-    /// Where datagrams are taken now, if anywhere.
+    /// Current WebTransport settings for pages; none if it is off.
     pub(crate) fn datagrams(&self) -> Option<Datagrams> {
         self.offer.as_ref().map(Offer::description)
     }
 
-    /// Make the next certificate for datagrams if it is time.
+    /// Replaces the certificate for WebTransport if it is due.
     pub(crate) fn renew_offer(&self) -> Result<(), String> {
         self.offer.as_ref().map_or(Ok(()), Offer::refresh)
     }
 
-    /// The rules by which a request for rooms is let in.
+    /// Access rules for a request for rooms.
     fn door<'a, B>(&'a self, rooms: &Rooms, request: &'a Request<B>) -> Door<'a> {
         Door {
             host: self.host(request),
@@ -181,42 +180,42 @@ impl Router {
         }
     }
 
-    /// The name by which a request calls the server, with its port.
+    /// Host of a request, with its port.
     pub fn host<'a, B>(&self, request: &'a Request<B>) -> Option<&'a str> {
         let named = request.headers().get(header::HOST).and_then(|value| value.to_str().ok());
         named.or_else(|| request.uri().authority().map(|found| found.as_str()))
     }
 
-    /// Whether a request calls the server by a name that is its own.
+    /// Whether the request's host is one of the accepted names.
     pub fn is_called_by_its_name<B>(&self, request: &Request<B>) -> bool {
         self.answering.hosts.as_ref().is_none_or(|hosts| hosts.contains(&self.name(request)))
     }
 
-    /// Whether a request calls the server by a name that its certificate lists.
+    /// Whether the request's host is listed in the certificate.
     fn is_certified<B>(&self, request: &Request<B>) -> bool {
         let name = self.name(request);
         self.certified.iter().any(|listed| listed.eq_ignore_ascii_case(&name))
     }
 
-    /// The name by which a request calls the server, without its port, in lower case.
+    /// Host of a request without its port, in lower case.
     fn name<B>(&self, request: &Request<B>) -> String {
         without_port(self.host(request).unwrap_or_default()).to_ascii_lowercase()
     }
 }
 
-/// The name of a host without its port.
+/// Host name without its port.
 pub(crate) fn without_port(named: &str) -> &str {
     let is_port = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
     named.rsplit_once(':').filter(|(_, port)| is_port(port)).map_or(named, |(name, _)| name)
 }
 
-/// The path of a request without its leading slash, decoded once: a name that still has percent signs is that of a file
-/// with percent signs. None for a target such as `*`, which is no path.
+/// Path of a request without its leading slash, percent-decoded once: remaining percent signs belong to the file's
+/// name. None for targets that are not paths, such as `*`.
 fn path_of<B>(request: &Request<B>) -> Option<Cow<'_, str>> {
     percent_decode_str(request.uri().path().strip_prefix('/')?).decode_utf8().ok()
 }
 
-/// Lead from a site's name to its root, below which the page's relative addresses lie.
+/// Redirects a site's name to its root with a trailing slash, to which the page's relative addresses refer.
 fn moved_below(path: &str) -> Response<Body> {
     let mut answer = respond::refusal(StatusCode::PERMANENT_REDIRECT, "the site's address ends with a slash");
     if let Ok(root) = format!("{path}/").parse() {
@@ -225,7 +224,7 @@ fn moved_below(path: &str) -> Response<Body> {
     answer
 }
 
-/// Methods and headers that a page of another site may use.
+/// Methods and headers allowed for pages of other sites.
 fn preflight() -> Response<Body> {
     let head = Response::builder().status(StatusCode::NO_CONTENT);
     let head = head.header(header::ACCESS_CONTROL_ALLOW_METHODS, "GET, HEAD");

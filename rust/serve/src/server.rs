@@ -1,4 +1,4 @@
-//! Listens, and keeps connections within their limits until the server ends.
+//! Listens, and limits the connections until shutdown.
 
 use std::io;
 use std::net::SocketAddr;
@@ -20,24 +20,24 @@ use crate::rooms::{self, Datagrams};
 use crate::router::Router;
 use crate::tls::Current;
 
-/// Pause after a connection could not be accepted, because the process has too many files open.
+/// Pause after a connection could not be accepted, for example because the process has too many open files.
 const PAUSE: Duration = Duration::from_millis(100);
-/// Time between two looks at the files of a certificate.
+/// Interval at which a certificate's files are checked.
 const LOOK: Duration = Duration::from_secs(60);
 
-/// Where and how a server listens.
+/// Settings of a server.
 pub struct Settings {
-    /// Address and port; 0 for any that is free.
+    /// Address and port; port 0 for any free one.
     pub address: SocketAddr,
-    /// Limits of connections.
+    /// Limits on connections.
     pub limits: Limits,
-    /// Files of a certificate and its key, in PEM; none for connections that are not encrypted.
+    /// PEM files of a certificate and its key; none for unencrypted connections.
     pub certificate: Option<(PathBuf, PathBuf)>,
-    /// Sites, and the names by which they may be asked for.
+    /// Router with the sites and the accepted host names.
     pub router: Router,
 }
 
-/// A server that runs in threads of its own.
+/// A server that runs in its own threads.
 pub struct Server {
     address: SocketAddr,
     router: Arc<Router>,
@@ -45,7 +45,7 @@ pub struct Server {
 }
 
 impl Server {
-    /// Listen and answer from now on.
+    /// Starts listening.
     pub fn start(settings: Settings) -> io::Result<Self> {
         let Settings { address, limits, certificate, router } = settings;
         let invalid = |reason: String| io::Error::new(io::ErrorKind::InvalidInput, reason);
@@ -69,26 +69,26 @@ impl Server {
         let thread = std::thread::Builder::new().name("nearfar serve".into()).spawn(move || {
             runtime.spawn(renew(current, Arc::clone(&shared.router)));
             runtime.block_on(listen(listener, quic.map(Arc::new), shared, ended));
-            // Reads of files that hang are left alone.
+            // Blocked file reads are abandoned.
             runtime.shutdown_timeout(limits.grace);
         })?;
         Ok(Server { address, router, end: Mutex::new(Some((end, thread))) })
     }
 
-    /// The address that it listens at.
+    /// Address of the server.
     pub fn address(&self) -> SocketAddr {
         self.address
     }
 
-    /// Where it takes users of rooms by WebTransport, and the hashes of its certificate; none if it takes none.
+    /// WebTransport settings for pages; none if it is off.
     pub fn datagrams(&self) -> Option<Datagrams> {
         self.router.datagrams()
     }
 
-    /// Accept no more requests, let answers end within the grace, and stop.
+    /// Accepts no more requests, lets responses finish within the grace period, and stops.
     pub fn close(&self) {
         let ended = self.end.lock().unwrap_or_else(PoisonError::into_inner).take();
-        // Who waits for a region is told first, so that those answers end.
+        // Regions are closed first, so that responses that wait for them finish.
         for demand in self.router.sites().values().filter_map(|site| site.demand.as_ref()) {
             demand.close();
         }
@@ -158,14 +158,14 @@ async fn listen(
     let _ = tokio::time::timeout(limits.grace, finished).await;
 }
 
-/// Wait for a place among the connections, then for one.
+/// Waits for a free connection slot, then accepts a connection.
 async fn next(listener: &TcpListener, gate: &Gate) -> io::Result<(TcpStream, SocketAddr, OwnedSemaphorePermit)> {
     let place = gate.wait().await.map_err(io::Error::other)?;
     let (stream, address) = listener.accept().await?;
     Ok((stream, address, place))
 }
 
-/// Listen for datagrams; without them rooms work by WebSocket alone.
+/// Starts the WebTransport listener; on failure rooms work by WebSocket only.
 fn datagrams(
     address: SocketAddr,
     limits: rooms::Limits,
@@ -175,7 +175,7 @@ fn datagrams(
     bound.inspect_err(|error| tracing::warn!(%error, "rooms have no datagrams")).ok()
 }
 
-/// Take up a certificate's new files, tell when it ends, and make the next one of those that are made here.
+/// Periodically reloads changed certificate files, updates the expiry metric, and replaces the self-signed certificate.
 async fn renew(current: Option<Arc<Current>>, router: Arc<Router>) {
     loop {
         if let Some(current) = &current {

@@ -1,4 +1,4 @@
-//! Documents that are served, in a table by name, so that no request becomes a path.
+//! Served documents in a table by name, so that no request is ever turned into a file path.
 
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -12,43 +12,43 @@ use sha2::{Digest, Sha256};
 use crate::demand::Demand;
 use crate::packed;
 
-/// Ends of names of files whose content is compressed; that of files without an end, the shards of Zarr, is, too.
+/// Suffixes of files whose content is compressed; files without a suffix (shards of Zarr) are compressed, too.
 const COMPRESSED: [&str; 2] = [".webp", ".range"];
-/// Hexadecimal digits of a hash in a tag.
+/// Number of hexadecimal digits of a hash in a tag.
 const DIGITS: usize = 32;
 
-/// Reads a document that lies neither in memory nor on this machine's disk.
+/// Reads a document that is neither in memory nor on a local disk.
 pub type Read = dyn Fn() -> io::Result<Bytes> + Send + Sync;
 
-/// Where a document's content is.
+/// Location of a document's content.
 #[derive(Clone)]
 pub enum Content {
     /// In memory.
     Bytes(Bytes),
-    /// In a file, which has so many bytes.
+    /// Path and size of a file.
     File(PathBuf, u64),
-    /// Elsewhere.
+    /// Elsewhere, for example on a remote store.
     Elsewhere(Arc<Read>),
 }
 
-/// A document that is served.
+/// A served document.
 #[derive(Clone)]
 pub struct Document {
-    /// Where its content is.
+    /// Location of the content.
     pub content: Content,
     /// Media type.
     pub media: String,
-    /// Its name is that of its content: clients may keep it for ever.
+    /// Whether the name identifies the content, so that clients may cache it for ever.
     pub is_immutable: bool,
-    /// Its content is not compressed yet.
+    /// Whether the content is uncompressed.
     pub is_compressible: bool,
-    /// Tells versions of it apart.
+    /// Entity tag, which identifies the version.
     pub tag: String,
 }
 
 impl Document {
-    /// A document whose name is that of its content. All of the name is its tag: leaves of a tree have files of one name
-    /// in different folders.
+    /// Creates a document whose name identifies its content. The tag is the full path, because leaves of a tree have
+    /// files of the same name in different folders.
     pub fn named(name: &str, content: Content, media: &str) -> Self {
         let last = name.rsplit('/').next().unwrap_or(name);
         let tag = format!("\"{name}\"");
@@ -56,7 +56,7 @@ impl Document {
         Document { content, media: media.to_owned(), is_immutable: true, is_compressible, tag }
     }
 
-    /// A document that may change.
+    /// Creates a document that may change.
     pub fn changing(data: Bytes, media: &str) -> Self {
         let mut tag = String::from("\"");
         for byte in &Sha256::digest(&data)[..DIGITS / 2] {
@@ -72,19 +72,19 @@ impl Document {
         }
     }
 
-    /// Whether a compressed copy may be worth making.
+    /// Whether a compressed copy may be worthwhile.
     pub fn is_worth_packing(&self) -> bool {
         let bytes = match &self.content {
             Content::Bytes(data) => data.len() as u64,
             Content::File(_, bytes) => *bytes,
-            // Not known until it is read.
+            // The size is unknown before reading.
             Content::Elsewhere(_) => packed::LEAST,
         };
         self.is_compressible && (packed::LEAST..=packed::MOST).contains(&bytes)
     }
 }
 
-/// One bundle or scene, with the page that shows it.
+/// One bundle or scene, with its page.
 #[derive(Clone, Default)]
 pub struct Site {
     /// Documents by their path below the site.
@@ -93,10 +93,10 @@ pub struct Site {
     pub demand: Option<Arc<Demand>>,
 }
 
-/// Sites by the first part of their paths; the one with the empty name has all other paths.
+/// Sites by the first segment of their paths; the site with the empty name serves all other paths.
 pub type Sites = HashMap<String, Site>;
 
-/// The site of a path without its leading slash, and the rest of the path.
+/// Site of a path without its leading slash, and the rest of the path.
 pub fn find<'a, 'b>(sites: &'a Sites, path: &'b str) -> Option<(&'a Site, &'b str)> {
     let below = path.split_once('/').and_then(|(name, rest)| Some((sites.get(name)?, rest)));
     below.filter(|_| !path.starts_with('/')).or_else(|| Some((sites.get("")?, path)))
@@ -132,7 +132,7 @@ mod tests {
         let [one, other] =
             ["0/7.glb", "1/7.glb"].map(|name| Document::named(name, named.content.clone(), "model/gltf-binary"));
         assert_ne!(one.tag, other.tag);
-        // Copies that are packed are kept by their tags, which shards share.
+        // Compressed copies are cached by tag, which all versions of a shard's path share.
         let shard = Document::named("0/py/depth/c/0/0/0/0/0/0", named.content, "application/octet-stream");
         assert!(!shard.is_compressible);
     }

@@ -1,4 +1,4 @@
-//! Certificates: read from files, made for this machine, and read again when their files change.
+//! Certificates: read from files, generated for this machine, and reloaded when their files change.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -16,25 +16,25 @@ use sha2::{Digest, Sha256};
 use time::{Duration, OffsetDateTime};
 use x509_parser::prelude::{FromDer, GeneralName, X509Certificate};
 
-/// Days for which a certificate is made: browsers distrust those that last longer than thirteen months.
+/// Validity of a generated certificate in days: browsers distrust longer ones than thirteen months.
 const DAYS: i64 = 397;
 
-/// A certificate with its key, which can be used now.
+/// A valid certificate with its key.
 #[derive(Debug)]
 pub struct Identity {
     key: Arc<CertifiedKey>,
-    /// SHA-256 of the certificate, as browsers show it.
+    /// SHA-256 of the certificate, formatted as in browsers.
     pub fingerprint: String,
-    /// When it ends, in seconds since 1970.
+    /// Expiry time in seconds since 1970.
     pub ends: i64,
-    /// Names and addresses that it is for.
+    /// Host names and addresses in the certificate.
     pub names: Vec<String>,
-    /// No authority has signed it.
+    /// Whether it is self-signed.
     pub is_self_signed: bool,
 }
 
 impl Identity {
-    /// Read a chain of certificates and its key, both in PEM.
+    /// Reads a certificate chain and its key, both in PEM.
     pub fn read(certificate: &Path, key: &Path) -> Result<Self, String> {
         let of = |path: &Path, what: &str, got: &str| format!("{}: expected {what} in PEM, got {got}", path.display());
         let unread = |path: &Path, what: &str, error: pem::Error| match error {
@@ -66,7 +66,7 @@ impl Identity {
     }
 }
 
-/// The names and addresses that a certificate is for.
+/// Host names and addresses in a certificate.
 fn names_of(certificate: &X509Certificate<'_>) -> Vec<String> {
     let Ok(Some(listed)) = certificate.subject_alternative_name() else { return Vec::new() };
     let named = listed.value.general_names.iter().filter_map(|name| match name {
@@ -88,7 +88,7 @@ fn fingerprint(der: &[u8]) -> String {
     text
 }
 
-/// A certificate for names and addresses that signs itself, and its key, both in PEM.
+/// Generates a self-signed certificate for host names and addresses, and its key, both in PEM.
 pub fn self_signed(names: Vec<String>) -> Result<(String, String), String> {
     let wrong = |error: rcgen::Error| format!("names: expected names of hosts or addresses: {error}");
     let mut asked = CertificateParams::new(names).map_err(wrong)?;
@@ -102,7 +102,7 @@ pub fn self_signed(names: Vec<String>) -> Result<(String, String), String> {
     Ok((signed.pem(), key.serialize_pem()))
 }
 
-/// The certificate that a server uses; it is read again when its files have changed.
+/// The server's current certificate, reloaded when its files change.
 #[derive(Debug)]
 pub struct Current {
     certificate: PathBuf,
@@ -111,19 +111,19 @@ pub struct Current {
 }
 
 impl Current {
-    /// Read a certificate and its key.
+    /// Reads a certificate and its key.
     pub fn read(certificate: PathBuf, key: PathBuf) -> Result<Arc<Self>, String> {
         let changed = changed(&certificate, &key);
         let identity = Arc::new(Identity::read(&certificate, &key)?);
         Ok(Arc::new(Current { certificate, key, read: RwLock::new((identity, changed)) }))
     }
 
-    /// The certificate that is used.
+    /// Current certificate.
     pub fn identity(&self) -> Arc<Identity> {
         Arc::clone(&self.read.read().unwrap_or_else(PoisonError::into_inner).0)
     }
 
-    /// Read the files again if they have changed; the certificate stays if the new one cannot be used.
+    /// Reloads the files if they have changed; on errors the current certificate stays in use.
     pub fn refresh(&self) -> Result<(), String> {
         let found = changed(&self.certificate, &self.key);
         if self.read.read().unwrap_or_else(PoisonError::into_inner).1 == found {
@@ -134,7 +134,7 @@ impl Current {
         Ok(())
     }
 
-    /// How connections are encrypted.
+    /// TLS settings of connections.
     pub fn config(self: &Arc<Self>) -> Result<Arc<ServerConfig>, String> {
         let builder = ServerConfig::builder_with_provider(Arc::new(ring::default_provider()));
         let builder = builder.with_protocol_versions(&[&version::TLS13, &version::TLS12]);
@@ -151,7 +151,7 @@ impl ResolvesServerCert for Current {
     }
 }
 
-/// When the later one of two files changed.
+/// Later modification time of the two files.
 fn changed(certificate: &Path, key: &Path) -> Option<SystemTime> {
     let at = |path: &Path| std::fs::metadata(path).and_then(|found| found.modified()).ok();
     at(certificate).max(at(key))

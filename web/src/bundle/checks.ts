@@ -1,4 +1,4 @@
-/** Checks of parsed JSON: each returns the value, or throws a sentence that names its place. */
+/** Checks of parsed JSON: each returns the value, or throws an error that names its place. */
 import { BundleError } from './error';
 
 export type Fields = Readonly<Record<string, unknown>>;
@@ -52,14 +52,14 @@ export function optional<T>(place: string, value: unknown, entry: (place: string
   return value === null || value === undefined ? null : entry(place, value);
 }
 
-/** A SHA-256 in hexadecimal digits. */
+/** SHA-256 in hexadecimal digits. */
 export function hash(place: string, value: unknown): string {
   const found = text(place, value);
   if (!/^[0-9a-f]{64}$/.test(found)) throw wrong(place, 'a SHA-256', value);
   return found;
 }
 
-/** The name of a file of the bundle: nothing that leads out of its folder. */
+/** Name of a file of the bundle; rejects paths that leave its folder. */
 export function fileName(place: string, value: unknown): string {
   const name = text(place, value);
   if (!/^files\/[0-9a-f]{16}\.[a-z]+$/.test(name)) throw wrong(place, 'the name of a file of the bundle', value);

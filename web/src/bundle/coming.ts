@@ -1,16 +1,16 @@
-/** A region whose parts may come one after the other, in the order of its rings. */
+/** A region whose parts may arrive over time, in the order of its rings. */
 import type { Manifest, RegionEntry, RingEntry } from './manifest';
 
 export interface Coming {
-  /** Of the bundle that the region belongs to; files are listed from the time on when they can be fetched. */
+  /** Manifest of the region's bundle; lists files once they can be fetched. */
   readonly manifest: Manifest;
-  /** Rings that have not come have neither geometry nor map. */
+  /** Rings that have not arrived have neither geometry nor map. */
   readonly entry: RegionEntry;
-  /** A ring whose files can be fetched, as soon as they can. */
+  /** Resolves a ring once its files can be fetched. */
   ring(number: number): RingEntry | Promise<RingEntry>;
 }
 
-/** A region of a bundle, of which everything is there. */
+/** A region of a bundle that is complete. */
 export function thereOf(manifest: Manifest, number: number): Coming {
   const entry = manifest.regions[number];
   if (!entry) throw new Error(`there is no region ${number}`);

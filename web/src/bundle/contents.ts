@@ -1,4 +1,4 @@
-/** Files that parts of a bundle need. */
+/** File names of parts of a bundle. */
 import type { GroupEntry, Manifest, MapEntry, RegionEntry, RingEntry } from './manifest';
 
 export function filesOfGeometry({ geometry, parts }: Pick<GroupEntry, 'geometry' | 'parts'>): string[] {
@@ -13,7 +13,7 @@ export function filesOfRing(ring: RingEntry): string[] {
   return [...filesOfGeometry(ring), ...filesOfMap(ring.map), ...(ring.sharper?.maps ?? []).flatMap(filesOfMap)];
 }
 
-/** All files of a region, each once; those of what moves are among them. */
+/** All files of a region, each once, including those of dynamic objects. */
 export function filesOfRegion({ dynamic }: Manifest, { rings }: RegionEntry): Set<string> {
   const moving = dynamic ? filesOfGeometry(dynamic) : [];
   return new Set([...moving, ...rings.flatMap(filesOfRing)]);

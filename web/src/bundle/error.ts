@@ -1,10 +1,10 @@
 /**
- * Why nothing can be shown: the bundle, a newer one, the network, what the address asks for, the browser's graphics, a
- * scene that the server cannot load, a place whose region it cannot make.
+ * Cause of an error: damaged bundle, newer bundle, network, address parameters, WebGL, a scene that the server cannot
+ * load, a place whose region it cannot make.
  */
 export type Kind = 'damaged' | 'newer' | 'network' | 'address' | 'webgl' | 'scene' | 'place' | 'other';
 
-/** An error that says in a sentence why something cannot be shown. */
+/** An error whose message explains why something cannot be shown. */
 export class BundleError extends Error {
   override readonly name = 'BundleError';
 
@@ -16,7 +16,7 @@ export class BundleError extends Error {
   }
 }
 
-/** The file that a sentence on damage begins with; null if it is about something else. */
+/** Name of the file at the beginning of a message about damage; null for other messages. */
 export function damagedFile({ message }: Error): string | null {
   return /^(files\/[\w.]+):/.exec(message)?.[1] ?? null;
 }

@@ -1,4 +1,4 @@
-/** Reads a manifest: everything that the page uses is checked, so that damage is a sentence and nothing else. */
+/** Parses a manifest and checks everything that the page uses, so that damage only causes an error message. */
 import { choice, type Fields, fileName, hash, integer, list, number, object, optional, text } from './checks';
 import { filesOfGeometry, filesOfMap, filesOfRing } from './contents';
 import { BundleError } from './error';
@@ -21,21 +21,21 @@ const MOST_FACE = 4096;
 /** Greatest width and height of a WebP picture. */
 const MOST_PIXELS = 16383;
 const [FACES, MOST_REGIONS, MOST_RINGS] = [6, 1000, 1000] as const;
-/** Greatest size of a file, bytes: browsers hold no larger array. */
+/** Greatest size of a file in bytes, limited by browsers' arrays. */
 const MOST_BYTES = 2 ** 31 - 1;
-/** The code of the greatest range, and the greatest exponent of a range that is finite. */
+/** Code of the greatest range, and greatest exponent of a finite range. */
 const [LAST_CODE, MOST_EXPONENT] = [65534, 600] as const;
-/** Greatest coordinate, metres, and greatest radius. */
+/** Greatest coordinate, and greatest radius, metres. */
 const FARTHEST = 1e12;
 
-/** Reads the entry of a ring; the number of tiles of a map bounds those that it changes. */
+/** Parses the entry of a ring; `tiles` is the number of tiles of a map. */
 type ReadRing = (place: string, value: unknown, order: number, tiles: number) => RingEntry;
 
 export function parseManifest(source: string): Manifest {
   return readManifest(parseJson('manifest.json', source));
 }
 
-/** The parsed parts of a document. */
+/** Parses a JSON document. */
 export function parseJson(name: string, source: string): unknown {
   try {
     return JSON.parse(source) as unknown;
@@ -44,7 +44,7 @@ export function parseJson(name: string, source: string): unknown {
   }
 }
 
-/** Read a manifest; `readRing` reads the rings, which an outline of a region does not have yet. */
+/** Reads a manifest; `readRing` reads its rings, which are incomplete in the outline of a region. */
 export function readManifest(parsed: unknown, readRing: ReadRing = ring): Manifest {
   const all = object('manifest', parsed);
   if (all['format'] !== FORMAT) throw new BundleError(`manifest.json: expected the format ${FORMAT}, got another one`);
@@ -89,14 +89,14 @@ export function readManifest(parsed: unknown, readRing: ReadRing = ring): Manife
   return manifest;
 }
 
-/** The files that a document lists. */
+/** Files that a document lists. */
 export function readFiles(files: Fields): Record<string, Described> {
   return Object.fromEntries(
     Object.entries(files).map(([name, value]) => [fileName('files', name), described(name, value)]),
   );
 }
 
-/** The number of tiles of a map. */
+/** Number of tiles of a map. */
 export function tilesOf({ face_size: face, tile }: MapLayout): number {
   return FACES * (face / tile) ** 2;
 }
@@ -109,7 +109,7 @@ function described(place: string, value: unknown): Described {
   };
 }
 
-/** Every file that rings, maps and dynamic objects name has a size and a hash. */
+/** Checks that all files of rings, maps and dynamic objects have a size and a hash. */
 function checkListed({ regions, dynamic, files }: Manifest): void {
   const names = [
     ...regions.flatMap(({ rings }) => rings.flatMap(filesOfRing)),
@@ -164,7 +164,7 @@ function region(
   };
 }
 
-/** Where triangles are near or far, not objects, the one ring ends at its radius in every pixel. */
+/** With cut triangles instead of whole objects, the only ring ends at its radius in every pixel. */
 function cutBy(unit: 'object' | 'triangle', place: string, entry: RegionEntry): RegionEntry {
   if (unit === 'object') return entry;
   if (entry.rings.length !== 2) throw new BundleError(`manifest.json: ${place}.rings: expected two with unit triangle`);
@@ -180,7 +180,7 @@ export function ring(place: string, value: unknown, order: number, tiles: number
   };
 }
 
-/** A ring of which nothing is made yet. */
+/** A ring without files yet. */
 export function outlinedRing(place: string, value: unknown): RingEntry {
   const { objects, triangles } = group(place, value);
   const radius = number(`${place}.radius`, object(place, value)['radius'], 0, FARTHEST);

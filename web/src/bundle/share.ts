@@ -1,4 +1,4 @@
-/** One request for all who ask for the same thing at the same time. */
+/** Shares one request between all who ask for the same thing at the same time. */
 
 type Told = (bytes: number) => void;
 type Ask = (name: string, signal: AbortSignal, told: Told) => Promise<ArrayBuffer>;
@@ -7,13 +7,13 @@ interface Request {
   readonly result: Promise<ArrayBuffer>;
   readonly stop: AbortController;
   readonly askers: Set<Told>;
-  /** Bytes that came until now. */
+  /** Bytes received so far. */
   size: number;
 }
 
 /**
- * Share the requests of a function. Each asker gets bytes of its own and is told of all bytes that came; a request is
- * stopped when nobody waits for it any more.
+ * Shares the requests of a function. Each asker gets its own copy of the data and all progress; a request is aborted
+ * when its last asker leaves.
  */
 export function createShared(ask: Ask): Ask {
   const open = new Map<string, Request>();
@@ -44,14 +44,14 @@ export function createShared(ask: Ask): Ask {
     signal.throwIfAborted();
     const request = open.get(name) ?? begin(name);
     const isFirst = request.askers.size === 0;
-    // A function that several askers pass is one asker each.
+    // Wrapped, so that a function passed by several askers counts once for each.
     const own: Told = (bytes) => told(bytes);
     request.askers.add(own);
     if (request.size > 0) own(request.size);
     const leave = (): void => {
       request.askers.delete(own);
       if (request.askers.size > 0) return;
-      // Who asks from now on gets a new request.
+      // Later askers get a new request.
       if (open.get(name) === request) open.delete(name);
       request.stop.abort(signal.reason);
     };
@@ -61,7 +61,7 @@ export function createShared(ask: Ask): Ask {
         failed(signal.reason as Error);
       };
       signal.addEventListener('abort', stopped, { once: true });
-      // Copied before the first asker can give its bytes away.
+      // Copied before the first asker can transfer its buffer.
       const copied = (data: ArrayBuffer): void => done(isFirst ? data : data.slice(0));
       request.result.then(copied, failed).finally(() => signal.removeEventListener('abort', stopped));
     });

@@ -1,4 +1,4 @@
-/** Runs a number of jobs at once, and the others in the order in which they come. */
+/** Runs a limited number of jobs at once, and queues the others in order. */
 
 export type Slots = <T>(signal: AbortSignal, job: () => Promise<T>) => Promise<T>;
 

@@ -1,4 +1,4 @@
-/** Fetches the files of a bundle: one request for each, again if a transfer stalls or breaks off. */
+/** Fetches the files of a bundle, one request per file, with retries after stalled or broken transfers. */
 import { BundleError } from './error';
 import type { Described, Manifest } from './manifest';
 import { parseManifest } from './parse';
@@ -6,38 +6,38 @@ import { createShared } from './share';
 import { createSlots } from './slots';
 import { type Network, NETWORK, transfer } from './transfer';
 
-/** Seconds before each new trial of a transfer. */
+/** Pauses before each retry of a transfer, seconds. */
 const PAUSES = [0.5, 1, 2, 4] as const;
-/** Files that are fetched at the same time. */
+/** Greatest number of concurrent transfers. */
 const AT_ONCE = 6;
-/** The document by which a page begins. */
+/** Name of the document that a page loads first. */
 const DOCUMENT = 'manifest.json';
-/** Greatest size of a manifest, bytes: a thousand regions take a fifth of it. */
+/** Greatest size of a manifest, bytes; a thousand regions take a fifth of it. */
 export const MOST_MANIFEST = 64 * 2 ** 20;
 
-/** Is told how many bytes came; of a broken transfer, which begins anew, how many of them count no longer (below 0). */
+/** Receives the number of new bytes; negative when a transfer breaks and its bytes no longer count. */
 export type Received = (bytes: number) => void;
 
-/** Fetches files of a bundle, checked for their size. */
+/** Fetches files of a bundle and checks their size. */
 export type Fetch = (name: string, signal: AbortSignal, received?: Received) => Promise<ArrayBuffer>;
 
-/** Asks the server for a file. */
+/** Fetches a file from the server. */
 export type Serve = (name: string, signal: AbortSignal, received: Received) => Promise<ArrayBuffer>;
 
-/** Comes by a file, from elsewhere or from the server. */
+/** Fetches a file from elsewhere, or from the server by `serve`. */
 export type Way = (...request: [...Parameters<Serve>, serve: Serve]) => Promise<ArrayBuffer>;
 
 export interface Files {
   /**
-   * The content of a file, as long as the manifest says. One request serves all who ask for a file at the same time;
-   * each gets bytes of its own. Files come in the order in which they are asked for, some at the same time.
+   * Content of a file, with the listed size. One request serves all who ask for a file at the same time; each gets its
+   * own copy. Files are fetched in the order of the requests, several at a time.
    */
   readonly fetch: Fetch;
-  /** A file was damaged: the next time it is not taken from the browser's cache. */
+  /** Reports a damaged file, so that the next fetch bypasses the browser's cache. */
   readonly distrust: (name: string) => void;
-  /** A file as the manifest lists it; undefined of one that it does not list. */
+  /** Manifest entry of a file; undefined for unlisted files. */
   readonly described: (name: string) => Described | undefined;
-  /** Come by files another way from now on; null for that of the server alone. */
+  /** Sets another way to fetch files; null for the server only. */
   readonly goBy: (way: Way | null) => void;
 }
 
@@ -45,7 +45,7 @@ export interface Source extends Pick<Files, 'fetch' | 'distrust'> {
   readonly manifest: Manifest;
 }
 
-/** The document by which a page begins, from below a base URL. */
+/** Fetches the document that a page loads first, from a base URL. */
 export async function readDocument(
   base: URL,
   received: Received,
@@ -59,7 +59,7 @@ export async function readDocument(
   return new TextDecoder().decode(content);
 }
 
-/** Files below a base URL, which a manifest lists; `received` is told of the bytes of all. */
+/** Fetches files below a base URL that a manifest lists; `received` gets the bytes of all files. */
 export function createFiles(
   base: URL,
   described: Files['described'],
@@ -96,7 +96,7 @@ export function createFiles(
   };
 }
 
-/** Open a bundle whose manifest lies below a base URL; `received` is told of the bytes of all files. */
+/** Opens a bundle from a base URL of its manifest; `received` gets the bytes of all files. */
 export async function openSource(
   base: URL,
   received: Received,
@@ -118,7 +118,7 @@ export async function withTrials<T>(
     try {
       return await trial(number > 0);
     } catch (error) {
-      // A server's definite answer does not change by asking again.
+      // A definite response of the server does not change on retry.
       if (signal.aborted || error instanceof BundleError) throw error;
       const pause = PAUSES[number];
       const reason = error instanceof Error ? error.message : String(error);

@@ -1,14 +1,14 @@
-/** One transfer of a file. It is given up when the server sends nothing for a while. */
+/** A single transfer of a file, aborted when the server sends nothing for a while. */
 import { BundleError } from './error';
 
-/** Seconds without a byte after which a transfer is given up; up to twice as long may pass. */
+/** Seconds without a byte before a transfer is aborted; up to twice as long may pass. */
 const STALLED = 10;
-/** Answers after which it is of use to ask again, besides those from 500 on: too slow, too early, too many. */
+/** Status codes below 500 that make a retry worthwhile: timeout, too early, too many requests. */
 const LATER = new Set([408, 425, 429]);
 
-/** Waiting and fetching, so that tests need not wait. */
+/** Timer and fetch function, replaceable by tests. */
 export interface Network {
-  /** `again` is true after a transfer that failed: a copy in the browser's cache is not trusted then. */
+  /** `again` is true after a failed transfer: the browser's cached copy is not trusted. */
   readonly fetch: (url: URL, signal: AbortSignal, again: boolean) => Promise<Response>;
   /** Rejects with the signal's reason when it is aborted. */
   readonly wait: (seconds: number, signal: AbortSignal) => Promise<void>;
@@ -34,13 +34,13 @@ export const NETWORK: Network = {
 
 export interface Limits {
   readonly name: string;
-  /** Size, bytes; null where it is not known. */
+  /** Size, bytes; null if unknown. */
   readonly bytes: number | null;
   /** Greatest size, bytes. */
   readonly most: number;
 }
 
-/** Fetch a file once: BundleError where asking again is of no use, any other error where it may be. */
+/** Fetches a file once: throws BundleError if a retry is useless, any other error if it may help. */
 export async function transfer(
   url: URL,
   limits: Limits,
@@ -59,7 +59,7 @@ export async function transfer(
     }
     stop.abort(new Error(`the server sends nothing for ${STALLED} s`));
   };
-  // It ends when the transfer does.
+  // Ends together with the transfer.
   watch().catch(() => undefined);
   let size = 0;
   try {
@@ -75,7 +75,7 @@ export async function transfer(
       received(value.length);
       if (size > limits.most) throw wrongSize(limits, 'more');
     }
-    // Servers that break off without a length look as if they were ready.
+    // A broken transfer without a length looks complete.
     if (limits.bytes !== null && size < limits.bytes) throw new Error(`expected ${limits.bytes} bytes, got ${size}`);
     return await new Blob(parts).arrayBuffer();
   } catch (error) {

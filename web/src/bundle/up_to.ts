@@ -1,8 +1,8 @@
-/** A bundle without its outer rings, as `?rings=` in the address asks for it. */
+/** Bundle without its outer rings, for the address parameter `?rings=`. */
 import { BundleError } from './error';
 import type { Manifest } from './manifest';
 
-/** The bundle up to a ring, whose number comes as text; all of it where there is none. */
+/** Bundle up to a ring, whose number is given as text; the whole bundle for null. */
 export function upTo(last: string | null, manifest: Manifest): Manifest {
   if (last === null) return manifest;
   if (!/^\d{1,4}$/.test(last)) throw new BundleError(`rings: expected the number of a ring, got ${last}`, 'address');

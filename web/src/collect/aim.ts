@@ -1,4 +1,4 @@
-/** The point beside or on a sphere at which a part of the picture points: a hand beside the eyes points at it, too. */
+/** Target point beside or on a sphere for a picture position, so that a hand beside the eyes points there, too. */
 import { directionTo } from '../control/places';
 import type { Pose } from '../control/pose';
 import { minus, moved, type Vector } from '../control/vector';
@@ -6,10 +6,10 @@ import type { Place } from '../rooms/hold';
 import { shownAt } from '../rooms/unmorph';
 import type { Viewer } from '../show/viewer';
 
-/** Tangent of the angle between the direction and the sphere's middle up to which the sphere is meant. */
+/** Greatest tangent of the angle between the direction and the sphere's centre at which the sphere is meant. */
 const MEANT = 0.5;
 
-/** The point at the sphere's distance; null for directions that lead elsewhere. */
+/** Point at the sphere's distance; null for directions that miss it. */
 export function pointBeside(
   viewer: Viewer,
   nearShare: number,

@@ -1,4 +1,4 @@
-/** The drawing of a sphere: its colour tells how many aim at it, a ring around it for how long all have. */
+/** Drawing of a sphere: its colour shows how many users aim at it, a ring around it for how long all have. */
 import { BufferAttribute, BufferGeometry, Color, Matrix4, SphereGeometry, Vector3, Vector4 } from 'three';
 import type { Point } from '../bundle/manifest';
 import { minus, type Vector } from '../control/vector';
@@ -7,15 +7,17 @@ import type { Shared } from '../show/materials';
 import { type Drawn, drawn } from '../rooms/drawn';
 import { RING_VERTEX } from './shaders';
 
-/** Nobody aims, some do, all do; and the part of the ring that is left. */
+/** Colours for no aiming user, some, all, and for the remaining part of the ring. */
 const [NOBODY, SOME, ALL, REST] = ['#e6ebf2', '#ffb52e', '#35d07f', '#3a434e'].map((name) => new Color(name));
 const PIECES = 96;
 
 export interface Ball {
   readonly meshes: readonly Drawn[];
-  /** Where it is in the world, how large, the share of users who aim at it, and of the time for which all must. */
+  /**
+   * Sets the world position, the radius, the share of users who aim at it, and the elapsed share of the holding time.
+   */
   show(at: Vector | null, radius: number, share: number, held: number): void;
-  /** Put it for pictures whose centre is at the origin. */
+  /** Places it for pictures whose centre is at the origin. */
   place(center: Point): void;
 }
 
@@ -65,7 +67,7 @@ function set({ material }: Drawn, name: string, value: unknown): void {
   if (uniform) uniform.value = value;
 }
 
-/** A turn in pieces: share of it, and 0 inside, 1 outside. */
+/** Strip of a full turn: x is the share of the turn; y is 0 inside, 1 outside. */
 function turn(): BufferGeometry {
   const [places, corners]: [number[], number[]] = [[], []];
   for (let piece = 0; piece <= PIECES; piece++) {

@@ -1,4 +1,4 @@
-/** nearfar's random numbers (docs/base.md): a function of seed, cell and index, the same in all languages. */
+/** nearfar's random numbers (docs/base.md): a function of seed, cell and index, identical in all languages. */
 
 const GOLDEN = 0x9e3779b97f4a7c15n;
 const word = (value: bigint): bigint => BigInt.asUintN(64, value);
@@ -10,7 +10,7 @@ function mixed(value: bigint): bigint {
   return z ^ (z >> 31n);
 }
 
-/** A number in [0, 1). */
+/** Number in [0, 1). */
 export function uniform(seed: number, cell: number, index: number): number {
   let state = mixed(word(BigInt(seed) + GOLDEN));
   for (const each of [cell, index]) state = mixed(word((state ^ BigInt(each)) + GOLDEN));

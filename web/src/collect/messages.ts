@@ -1,24 +1,24 @@
-/** Messages of the sphere collection as bytes that users say in a room: the tables of docs/collect.md. */
+/** Binary messages of the sphere collection, sent as payloads of a room: the tables of docs/collect.md. */
 import type { Vector } from '../control/vector';
 import { FrameError, Reader, Writer } from '../rooms/bytes';
 
-/** First byte of all messages of the task, and their version. */
+/** First byte of all messages of the task, and their format version. */
 const [MARK, VERSION] = [0xc5, 1] as const;
-/** Greatest coordinate, speed, radius and time: metres and seconds. */
+/** Greatest coordinate, speed, radius and time, in metres and seconds. */
 const [FARTHEST, FASTEST, LARGEST] = [1e6, 100, 1000] as const;
 export const LONGEST = 86400;
-/** Most users of a group who have seats. */
+/** Greatest number of seated users in a group. */
 export const MOST_USERS = 64;
-/** Greatest number of spheres and misses that messages can hold. */
+/** Greatest number of spheres and of misses that messages can hold. */
 export const MOST_COUNTED = 0xffff;
 
-/** Levels and reasons in the order of their numbers; `told` for all other reasons. */
+/** Levels and reasons in the order of their codes; `told` for all reasons without an event. */
 export const LEVELS = ['easy', 'intermediate', 'hard'] as const;
 export type Level = (typeof LEVELS)[number];
 const EVENTS = ['told', 'selected', 'lost'] as const;
 export type Event = (typeof EVENTS)[number];
 
-/** The run and the trial that a message belongs to; a group's next run has a greater number. */
+/** Run and trial that a message belongs to; a group's next run has a greater number. */
 export interface Stage {
   readonly run: number;
   readonly trial: number;
@@ -26,7 +26,7 @@ export interface Stage {
 
 export interface Seat {
   readonly user: number;
-  /** Of the eyes, metres from the scene's origin. */
+  /** Position of the eyes, metres from the scene's origin. */
   readonly position: Vector;
 }
 
@@ -46,14 +46,14 @@ export interface Rules {
   readonly users: number;
   readonly seed: number;
   readonly duration: number;
-  /** Seconds for which all must aim; from a sphere to the next one; between trials. */
+  /** Seconds for which all must aim; between a collected sphere and the next one; between trials. */
   readonly hold: number;
   readonly pause: number;
   readonly rest: number;
   readonly radius: number;
-  /** By level, metres a second. */
+  /** Speeds by level, metres per second. */
   readonly speeds: Vector;
-  /** Of spheres' middles, and of seats. */
+  /** Boxes of sphere centres and of seats. */
   readonly box: Box;
   readonly area: Box;
 }
@@ -61,7 +61,7 @@ export interface Rules {
 export interface Trial extends Stage, Rules {
   readonly kind: 'trial';
   readonly over: boolean;
-  /** Seconds since its begin. */
+  /** Seconds since its start. */
   readonly elapsed: number;
   readonly tallies: Tallies;
   readonly seats: readonly Seat[];
@@ -71,7 +71,7 @@ export interface Sphere extends Stage {
   readonly kind: 'sphere';
   readonly number: number;
   readonly level: Level;
-  /** Seconds since it appeared, at its position. */
+  /** Seconds since it appeared at its position. */
   readonly age: number;
   readonly position: Vector;
   readonly velocity: Vector;
@@ -83,7 +83,7 @@ export interface Aims extends Stage {
   readonly event: Event;
   readonly user: number;
   readonly misses: number;
-  /** Seconds for which all have aimed; null while not all do. */
+  /** Seconds for which all required users have aimed; null while some do not. */
   readonly held: number | null;
   readonly users: readonly number[];
 }
@@ -107,7 +107,7 @@ export type Message = Trial | Sphere | Aims | Collected | Score;
 
 const KINDS = { trial: 1, sphere: 2, aims: 3, collected: 4, score: 5 } as const;
 
-/** Who hears a message: scores are for the whole room. */
+/** Recipients of a message: the room for scores, else the group. */
 export function audienceOf({ kind }: Message): 'group' | 'room' {
   return kind === 'score' ? 'room' : 'group';
 }
@@ -164,7 +164,7 @@ function writePlay(out: Writer, message: Sphere | Aims | Collected): void {
   }
 }
 
-/** The message in bytes that were said; null for what is not of the task, a `FrameError` for a damaged message. */
+/** Decodes a payload; null if it is not a message of the task, throws `FrameError` for a damaged message. */
 export function read(bytes: Uint8Array): Message | null {
   if (bytes[0] !== MARK) return null;
   const body = new Reader(bytes.subarray(1));
@@ -249,7 +249,7 @@ function readWithin(body: Reader, low: number, high: number): number {
 }
 
 function within(value: number, low: number, high: number): number {
-  // Not-a-number is in no range.
+  // NaN fails the comparison.
   if (!(value >= low && value <= high)) throw new FrameError('a number is out of its range');
   return value;
 }

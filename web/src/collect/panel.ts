@@ -1,31 +1,31 @@
-/** The card of the task: what was collected, the time that is left, and the figures of a trial at its end. */
+/** Card of the task: results so far, remaining time, and the figures of a trial at its end. */
 import { make, write } from '../ui/dom';
 import { milliseconds } from '../ui/format';
 import { LEVELS, type Tallies } from './messages';
 
-/** Figures of a trial that runs or is over. */
+/** Content of the card. */
 export interface Told {
-  /** A sentence about what the user can or must do. */
+  /** Instruction for the user. */
   readonly words: string;
   readonly canStart: boolean;
   /** Null before the first trial. */
   readonly trial: TrialTold | null;
-  /** Scores of other groups, in words. */
+  /** Scores of other groups, as text. */
   readonly others: string;
 }
 
 export interface TrialTold {
-  /** Such as `Trial 1 of 3`. */
+  /** Title, such as `Trial 1 of 3`. */
   readonly title: string;
   readonly left: number;
-  /** Of the sphere; empty without one. */
+  /** Level of the sphere; empty without a sphere. */
   readonly level: string;
   readonly aiming: string;
   readonly spheres: number;
   readonly misses: number;
   readonly over: boolean;
   readonly tallies: Tallies;
-  /** Frames a second, and seconds of the round trip; null for none that is known. */
+  /** Frames per second, and round-trip time in seconds; null if unknown. */
   readonly frames: number | null;
   readonly roundTrip: number | null;
 }
@@ -34,7 +34,7 @@ export interface CollectPanel {
   update(told: Told): void;
 }
 
-/** Build the card above the buttons of the page; `start` begins a run. */
+/** Builds the card above the page's buttons; `start` begins a run. */
 export function createPanel(root: HTMLElement, start: () => void): CollectPanel {
   const words = make('p', { class: 'collect-words', role: 'status' });
   const title = make('h2', {}, 'Sphere collection');
@@ -100,7 +100,7 @@ export function createPanel(root: HTMLElement, start: () => void): CollectPanel 
   };
 }
 
-/** `2:05`; seconds that have begun count. */
+/** Formats a time as `2:05`, rounded up to whole seconds. */
 function clock(seconds: number): string {
   const whole = Math.max(Math.ceil(seconds), 0);
   return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, '0')}`;

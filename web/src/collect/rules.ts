@@ -1,14 +1,14 @@
-/** The rules of a trial: the published ones, or those that the address of the page asks for. */
+/** Rules of a trial: the published ones, changed by the page's address parameters. */
 import type { Vector } from '../control/vector';
 import { type Box, LONGEST, MOST_USERS, type Rules } from './messages';
 
 /** Sizes of the seats along and across the view, and of the box across, up and along it, metres. */
 const [SEATS, BOX] = [[5, 2], [8, 4, 4]] as const;
-/** From the middle of the seats ahead and up to the middle of the box, metres. */
+/** Offset ahead and up from the centre of the seats to the centre of the box, metres. */
 const [DISTANCE, RISE] = [8, 0.5] as const;
 const SPEEDS = [0, 0.5, 1.5] as const;
 
-/** Numbers that the address may ask for: the published or chosen value, the least and the greatest. */
+/** Parameters of the address: default value, least and greatest value. */
 const ASKED = {
   users: [4, 1, MOST_USERS],
   trials: [3, 1, 255],
@@ -23,7 +23,7 @@ const WHOLE: readonly string[] = ['users', 'trials', 'seed'];
 
 export type Asked = Readonly<Record<keyof typeof ASKED, number>>;
 
-/** The rules that `?users=…&hold=…` ask for; a sentence for numbers that there cannot be. */
+/** Rules from `?users=…&hold=…`; an error message for invalid numbers. */
 export function readRules(query: URLSearchParams): Asked | string {
   const found: Record<string, number> = {};
   for (const [name, [usual, least, most]] of Object.entries(ASKED)) {
@@ -38,7 +38,7 @@ export function readRules(query: URLSearchParams): Asked | string {
   return found as Asked;
 }
 
-/** Seats about a place at the height of the eyes, and spheres ahead of it, by quarters of a turn to the left. */
+/** Rules with seats about a place at eye height and spheres ahead of it, aligned to quarter turns. */
 export function rulesAt(asked: Asked, [x, y, z]: Vector, yaw: number): Rules {
   const quarter = Math.round(yaw / (Math.PI / 2));
   const isAcross = quarter % 2 !== 0;

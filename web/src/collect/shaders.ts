@@ -1,4 +1,4 @@
-/** Vertex shader of the ring around a sphere. Fragments are those of near geometry. */
+/** Vertex shader of the ring around a sphere. It uses the fragment shader of near geometry. */
 import { HEAD } from '../rooms/shaders';
 
 export const RING_VERTEX = /* glsl */ `

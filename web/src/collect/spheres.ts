@@ -1,4 +1,4 @@
-/** Where spheres appear, how they move, who aims at them, and where users have their seats. */
+/** Positions and motion of spheres, aiming tests, and seats of users. */
 import type { Vector } from '../control/vector';
 import { minus } from '../control/vector';
 import { uniform } from './draws';
@@ -10,20 +10,20 @@ export interface Ray {
   readonly direction: Vector;
 }
 
-/** Levels in turn: easy, hard, intermediate. */
+/** Sequence of levels: easy, hard, intermediate. */
 const TURNS = [0, 2, 1] as const;
-/** Metres that seats are apart, unless so many draws have not found such places. */
+/** Least distance between seats in metres, and the number of attempts to place them so. */
 const [APART, TRIES] = [0.7, 32] as const;
-/** Draws of a sphere, and number of the first draw of seats. */
+/** Random numbers reserved per sphere, and index of the first one for seats. */
 const [DRAWS, SEATS] = [8, 2 ** 32] as const;
 
-/** The sphere of a number of a trial. */
+/** A trial's sphere by number. */
 export function sphereOf(rules: Rules, stage: Stage, group: number, number: number): Sphere {
   const draw = drawsOf(rules, stage, group, DRAWS * number);
   const [least, most] = rules.box;
   const place = (axis: 0 | 1 | 2): number => least[axis] + draw(axis) * (most[axis] - least[axis]);
   const level = TURNS[number % TURNS.length] ?? 0;
-  // Directions that are uniform on the sphere have uniform heights (Archimedes).
+  // Uniform directions have uniformly distributed heights (Archimedes).
   const [up, turn, speed] = [2 * draw(3) - 1, 2 * Math.PI * draw(4), rules.speeds[level]];
   const across = speed * Math.sqrt(1 - up * up);
   return {
@@ -38,7 +38,7 @@ export function sphereOf(rules: Rules, stage: Stage, group: number, number: numb
   };
 }
 
-/** Seats of users at random. */
+/** Random seats of users. */
 export function seatsOf(rules: Rules, stage: Stage, group: number, users: readonly number[]): Seat[] {
   const [least, most] = rules.area;
   let seats: Seat[] = [];
@@ -56,13 +56,13 @@ export function seatsOf(rules: Rules, stage: Stage, group: number, users: readon
   return seats;
 }
 
-/** Where the middle of a sphere is some seconds after it appeared. */
+/** Position of a sphere's centre some seconds after it appeared. */
 export function placeOf({ position, velocity }: Sphere, [least, most]: Box, age: number): Vector {
   const at = (axis: 0 | 1 | 2): number => folded(position[axis] + age * velocity[axis], least[axis], most[axis]);
   return [at(0), at(1), at(2)];
 }
 
-/** A coordinate that turns back at both ends of a range. */
+/** Coordinate reflected at both ends of a range. */
 export function folded(at: number, low: number, high: number): number {
   const length = high - low;
   if (length <= 0) return low;
@@ -70,7 +70,7 @@ export function folded(at: number, low: number, high: number): number {
   return low + (turned <= length ? turned : 2 * length - turned);
 }
 
-/** Whether a ray of any length meets a sphere. */
+/** Whether a ray of any length hits a sphere. */
 export function isAimed({ begin, direction: [dx, dy, dz] }: Ray, center: Vector, radius: number): boolean {
   const [x, y, z] = minus(center, begin);
   const [along, square] = [x * dx + y * dy + z * dz, x * x + y * y + z * z];

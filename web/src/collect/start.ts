@@ -1,4 +1,4 @@
-/** The sphere collection in the page. A script of its own, for those who play it. */
+/** Sphere collection in the page, loaded as a separate script only by its users. */
 import type { Point } from '../bundle/manifest';
 import type { Pose } from '../control/pose';
 import { minus, type Vector } from '../control/vector';
@@ -19,19 +19,19 @@ import { type Asked, readRules, rulesAt } from './rules';
 import type { Ray } from './spheres';
 import { Task } from './task';
 
-/** Seconds between two updates of the card. */
+/** Interval of the card's updates, seconds. */
 const CARD_EVERY = 0.1;
-/** Most other groups whose scores the card shows. */
+/** Greatest number of other groups whose scores the card shows. */
 const MOST_GROUPS = 8;
-/** Least seconds between two seats that the user is put at, and metres that a seat may lie outside of the rectangle. */
+/** Least seconds between two moves to a seat, and metres that a seat may lie outside of the rectangle. */
 const [SEAT_EVERY, ASIDE] = [3, 2] as const;
 
 export interface Collecting extends Activity {
-  /** The state of the task; null before the user is in the room. */
+  /** State of the task; null before the user is in the room. */
   readonly task: Task | null;
 }
 
-/** Let the users of a room collect spheres, by the rules of the page's address. */
+/** Starts the sphere collection for a room's users, with rules from the page's address. */
 export function begin(room: Room, host: Host): Collecting | null {
   document.head.append(make('link', { rel: 'stylesheet', href: new URL('collect.css', import.meta.url).href }));
   const asked = readRules(new URLSearchParams(location.search));
@@ -62,7 +62,7 @@ function collect(room: Room, host: Host, asked: Asked): Collecting {
     follow(task, now);
   }
 
-  /** Whoever conducts may start where no trial runs or is to come. */
+  /** Whether the user may start a run: as conductor, with enough users, while no trial runs or is pending. */
   function canStart(of: Task): boolean {
     const isEnough = of.present.size >= Math.min(asked.users, 2);
     return of.user === of.conductor && isEnough && (of.trial === null || of.isOver);
@@ -78,7 +78,7 @@ function collect(room: Room, host: Host, asked: Asked): Collecting {
     follow(task, now);
   }
 
-  /** Take the seat of a trial that has begun. */
+  /** Moves the user to its seat when a trial has begun. */
   function follow(of: Task, now: number): void {
     const { trial, seat } = of;
     const stage = trial ? `${trial.run} ${trial.trial}` : '';
@@ -99,7 +99,7 @@ function collect(room: Room, host: Host, asked: Asked): Collecting {
       const message = read(payload);
       if (message) task.hear(message, now, user, group);
     } catch (error) {
-      // Whoever says what is none cannot stop the others.
+      // Malformed messages are ignored.
       if (!(error instanceof FrameError)) throw error;
     }
     follow(task, now);
@@ -108,7 +108,7 @@ function collect(room: Room, host: Host, asked: Asked): Collecting {
   function enter(user: number): void {
     groups.clear();
     rays.clear();
-    // Who comes back goes on from what it heard; with another number it is somebody else.
+    // A returning user continues from its state; another number means another user.
     if (task?.user === user) task.alone();
     else task = new Task(user, room.address.group);
   }
@@ -160,7 +160,7 @@ function collect(room: Room, host: Host, asked: Asked): Collecting {
         task?.forgetScores((group) => group === room.address.group || [...groups.values()].includes(group));
       } else if (frame.kind === 'pose') {
         see(rays, frame.user, frame.pose);
-        // Frames do not come to a hidden page, but poses do.
+        // A hidden page gets poses, but no animation frames.
         conduct(now);
       } else if (frame.kind === 'say') listen(frame.user, frame.payload, now);
     },
@@ -190,14 +190,14 @@ function collect(room: Room, host: Host, asked: Asked): Collecting {
   return collecting;
 }
 
-/** Keep the pointer of a user, if it points. */
+/** Stores the ray of a user's pointer, if there is one. */
 function see(rays: Map<number, Ray>, user: number, body: Body): void {
   const from = body.pointer && body[body.pointer.begin];
   if (!from) {
     rays.delete(user);
     return;
   }
-  // Frames hold quaternions whose length is 1 to a tenth.
+  // Quaternions in frames may deviate from length 1 by a tenth.
   const [x, y, z] = rotated(from.rotation, [0, 0, -1]);
   const size = Math.hypot(x, y, z) || 1;
   rays.set(user, { begin: from.position, direction: [x / size, y / size, z / size] });
@@ -207,7 +207,7 @@ function middleOf({ box: [least, most] }: Trial): Vector {
   return [(least[0] + most[0]) / 2, (least[1] + most[1]) / 2, (least[2] + most[2]) / 2];
 }
 
-/** Whether a place is in a box, or some metres beside it. */
+/** Whether a place is in a box or at most `ASIDE` metres outside. */
 function isAbout([least, most]: Box, place: Vector): boolean {
   return place.every((at, axis) => at >= (least[axis] ?? at) - ASIDE && at <= (most[axis] ?? at) + ASIDE);
 }
@@ -235,7 +235,7 @@ function trialTold(task: Task, trial: Trial, now: number, frames: number | null,
 }
 
 interface Frames {
-  /** Frames a second since the restart; null before the second one. */
+  /** Frames per second since the restart; null before the second one. */
   readonly rate: number | null;
   restart(now: number): void;
   count(now: number): void;

@@ -1,4 +1,4 @@
-/** The state of the task as a user has heard it, and what its conductor says next. It knows neither room nor clock. */
+/** State of the task as one user knows it, and the messages of its conductor. Independent of room and clock. */
 import type { Vector } from '../control/vector';
 import { createBucket } from '../peers/bucket';
 import {
@@ -19,34 +19,34 @@ import {
 } from './messages';
 import { isAimed, placeOf, type Ray, seatsOf, sphereOf } from './spheres';
 
-/** Least seconds from a collected sphere to the next one, so that no rules let a conductor speak without end. */
+/** Least seconds from a collected sphere to the next sphere; bounds the conductor's message rate for any rules. */
 const LEAST_PAUSE = 0.05;
-/** Least seconds between two judgements, less than those between two poses: each pose may ask for one. */
+/** Least seconds between two judgements, less than between two poses: each pose may ask for one. */
 const LEAST_JUDGED = 1 / 80;
-/** Bytes of `aims` a second, half of those that a room lets a user say, and bytes that may be said at once. */
+/** Rate of `aims` in bytes per second, half of the room's limit, and burst size in bytes. */
 const [AIMS_RATE, AIMS_AT_ONCE] = [1 << 14, 1 << 13] as const;
-/** Bytes of `aims` that names nobody, no fewer than a room counts for it, and of each user in it. */
+/** Bytes of `aims` without users, at least the room's minimum charge, and additional bytes per user. */
 const [AIMS_BYTES, USER_BYTES] = [64, 2] as const;
-/** Seconds after an entry in which anybody is believed: the user does not know yet who conducts. */
+/** Seconds after entering in which every sender is accepted, because the conductor is not known yet. */
 const ENTERING = 5;
 
-/** The last pointers of users by their numbers; users who point nowhere are missing. */
+/** Last pointers of users by number; users without a pointer are missing. */
 export type Rays = ReadonlyMap<number, Ray>;
 
 const NOTHING: Tallies = [0, 1, 2].map(() => ({ spheres: 0, misses: 0, seconds: 0 })) as unknown as Tallies;
 
-/** A group's task. Times are seconds on the clock of whoever calls; a message counts as said when it is heard. */
+/** A group's task. Times are seconds on the caller's clock; a message's time is that of its arrival. */
 export class Task {
-  /** Users of the group who are there. */
+  /** Users of the group who are connected. */
   readonly present = new Set<number>();
-  /** The last scores by group. */
+  /** Last scores by group. */
   readonly scores = new Map<number, Score>();
   trial: Trial | null = null;
   sphere: Sphere | null = null;
   /** Users who aim at the sphere, in ascending order, and its misses. */
   aims: readonly number[] = [];
   misses = 0;
-  /** When the last of all users who are needed began to aim; null while not all do. */
+  /** Time at which the last required user began to aim; null while some do not. */
   heldSince: number | null = null;
   private began = 0;
   private appeared = 0;
@@ -54,9 +54,9 @@ export class Task {
   private isToTell = false;
   private judgedAt = -Infinity;
   private readonly spoken = createBucket(AIMS_RATE, AIMS_AT_ONCE, () => this.judgedAt);
-  /** Who conducted before the last user joined: its last words may come after that. */
+  /** Conductor before the last user joined; its last messages may arrive after that. */
   private former: number | null = null;
-  /** Until when anybody is believed; null until the first moment after the entry. */
+  /** Time until which every sender is accepted; null until the first call after entering. */
   private enteredUntil: number | null = null;
 
   constructor(
@@ -66,13 +66,13 @@ export class Task {
     this.present.add(user);
   }
 
-  /** The user who makes and judges spheres: the lowest number of those who play and are there, or of all. */
+  /** The user who creates and judges spheres: the lowest number of the seated users who are present, or of all. */
   get conductor(): number {
     const playing = this.seated();
     return Math.min(...(playing.length > 0 ? playing : this.present));
   }
 
-  /** Users who must aim at once: as many as the trial asks, or all who play and are there, but two of several. */
+  /** Number of users who must aim at once: the trial's number, or all present seated users, but at least 2. */
   get needed(): number {
     return this.trial ? Math.min(this.trial.users, Math.max(this.seated().length, 2)) : 0;
   }
@@ -82,32 +82,32 @@ export class Task {
     return this.trial !== null && this.trial.over && this.trial.trial === this.trial.trials;
   }
 
-  /** Where the user's eyes belong. */
+  /** Position of the user's eyes in its seat. */
   get seat(): Vector | null {
     return this.trial?.seats.find(({ user }) => user === this.user)?.position ?? null;
   }
 
-  /** Spheres that were collected in the trial, which is the number of the next one. */
+  /** Number of spheres collected in the trial, which is the number of the next sphere. */
   get count(): number {
     return this.trial ? countOf(this.trial) : 0;
   }
 
-  /** Misses of the spheres that were collected in the trial. */
+  /** Misses of the trial's collected spheres. */
   get missed(): number {
     return Math.min(this.trial?.tallies.reduce((sum, { misses }) => sum + misses, 0) ?? 0, MOST_COUNTED);
   }
 
-  /** Seconds of the trial that have passed. */
+  /** Elapsed seconds of the trial. */
   elapsed(now: number): number {
     return now - this.began;
   }
 
-  /** Where the middle of the sphere is; null without one. */
+  /** Position of the sphere's centre; null without a sphere. */
   place(now: number): Vector | null {
     return this.trial && this.sphere && placeOf(this.sphere, this.trial.box, now - this.appeared);
   }
 
-  /** A user of the group is there, who may have heard nothing. */
+  /** Records that a user of the group has joined, who must be told the state. */
   joined(user: number): void {
     const before = this.conductor;
     if (this.trial && before === this.user) this.isToTell = true;
@@ -115,13 +115,13 @@ export class Task {
     if (this.conductor !== before) this.former = before;
   }
 
-  /** A user of the group is gone. */
+  /** Records that a user of the group has left. */
   left(user: number): void {
     if (user !== this.user) this.present.delete(user);
     if (user === this.former) this.former = null;
   }
 
-  /** The connection is gone; who is there is told anew, and the task goes on from what was heard. */
+  /** Handles a broken connection: users are announced again later, and the task continues from its state. */
   alone(): void {
     this.present.clear();
     this.present.add(this.user);
@@ -129,18 +129,18 @@ export class Task {
     [this.former, this.enteredUntil] = [null, null];
   }
 
-  /** Forget the scores of groups of which nobody is there. */
+  /** Discards the scores of groups without users. */
   forgetScores(isThere: (group: number) => boolean): void {
     for (const group of [...this.scores.keys()]) if (!isThere(group)) this.scores.delete(group);
   }
 
-  /** Begin the first trial of a run for all who are there; what the conductor says then. */
+  /** Begins the first trial of a run for all users who are present; returns the conductor's messages. */
   start(rules: Rules, now: number): Message[] {
     const run = this.trial ? (this.trial.run + 1) % (MOST_COUNTED + 1) : 1;
     return this.said(this.begun(rules, { run, trial: 1 }), now);
   }
 
-  /** Messages of the user as conductor, which it has heard itself then; none from all others. */
+  /** Messages of the user as conductor, already applied to its own state; none if another user conducts. */
   conduct(now: number, rays: Rays): Message[] {
     this.enteredUntil ??= now + ENTERING;
     const said = this.isToTell ? this.told(now) : [];
@@ -151,21 +151,21 @@ export class Task {
       const message = this.decide(now, isDue ? rays : null);
       if (!message || (message.kind === 'aims' && !this.maySay(message))) break;
       const heard = this.said(message, now);
-      // A message that changes nothing would be decided on again and again.
+      // A message without effect would be chosen again for ever.
       if (heard.length === 0) break;
       said.push(...heard);
     }
     return said;
   }
 
-  /** The server closes the connection of who says too much. A change that waits is judged anew when it may be said. */
+  /** Whether the rate limit allows the message: the server disconnects users who exceed it. */
   private maySay({ users }: Aims): boolean {
     return this.spoken.take(AIMS_BYTES + USER_BYTES * users.length);
   }
 
   /**
-   * Follow what a user of a group said, and tell whether it changed anything. Messages of an earlier run, trial or
-   * sphere do nothing, nor do those about a trial from whoever does not conduct it.
+   * Applies a message of a user; returns whether it had an effect. Messages about an earlier run, trial or sphere are
+   * ignored, as are messages about a trial from other users than its conductor.
    */
   hear(message: Message, now: number, sender = this.user, group = this.group): boolean {
     if (message.kind === 'score') {
@@ -183,7 +183,7 @@ export class Task {
     return this.hearPlay(message, this.trial, now);
   }
 
-  /** Where nobody who plays is there, anybody may begin. Two who begin at once follow the lower number. */
+  /** Without seated users anybody may begin. Of two who begin at the same time, the lower number wins. */
   private believes(sender: number, now: number): boolean {
     if (sender === this.user || this.enteredUntil === null || now < this.enteredUntil) return true;
     return this.seated().length === 0 || sender <= this.conductor || sender === this.former;
@@ -191,7 +191,7 @@ export class Task {
 
   private hearTrial(trial: Trial, now: number): void {
     const isOther = !this.trial || !isSameStage(trial, this.trial) || trial.over;
-    // Who returns in a pause may know a sphere that was collected meanwhile.
+    // A user who returns during a pause may know a sphere that was collected meanwhile.
     const isCollected = this.sphere !== null && this.sphere.number < countOf(trial);
     if (isOther || isCollected) {
       this.sphere = null;
@@ -205,7 +205,7 @@ export class Task {
   private hearPlay(message: Sphere | Aims | Collected, trial: Trial, now: number): boolean {
     const known = this.sphere?.number ?? -1;
     if (message.kind === 'sphere') {
-      // `collected` must be able to follow it.
+      // The count must leave room for the sphere's collection.
       if (message.number === known || message.number !== this.count || message.number >= MOST_COUNTED) return false;
       this.sphere = message;
       this.appeared = now - message.age;
@@ -247,7 +247,7 @@ export class Task {
     return this.trial?.seats.map(({ user }) => user).filter((user) => this.present.has(user)) ?? [];
   }
 
-  /** A message, heard by the user itself, and the score that follows from it; nothing if it changes nothing. */
+  /** Applies an own message; returns it with the resulting score, or nothing if it has no effect. */
   private said(message: Message, now: number): Message[] {
     if (!this.hear(message, now)) return [];
     if (!this.trial || (message.kind !== 'trial' && message.kind !== 'collected')) return [message];
@@ -257,7 +257,7 @@ export class Task {
     return [message, score];
   }
 
-  /** All that somebody must hear who has just come. */
+  /** Messages that a new user needs. */
   private told(now: number): Message[] {
     if (!this.trial) return [];
     const told: Message[] = [{ ...this.trial, elapsed: Math.min(this.elapsed(now), LONGEST) }];
@@ -274,7 +274,7 @@ export class Task {
     return { ...rules, ...stage, kind: 'trial', over: false, elapsed: 0, tallies: NOTHING, seats };
   }
 
-  /** The next message that the state asks for; null if there is none now. Nobody is judged without rays. */
+  /** Next message that the state requires, or null. Without rays nobody is judged. */
   private decide(now: number, rays: Rays | null): Message | null {
     const { trial, sphere } = this;
     if (!trial) return null;
@@ -297,7 +297,7 @@ export class Task {
     const lost = this.aims.find((user) => !found.includes(user));
     if (lost !== undefined) {
       const users = this.aims.filter((user) => user !== lost);
-      // Who is gone has lost nothing.
+      // A user who has left is no miss.
       return this.aiming(sphere, this.present.has(lost) ? 'lost' : 'told', lost, users, now);
     }
     const [selected] = found.filter((user) => !this.aims.includes(user)).sort((a, b) => a - b);
@@ -331,9 +331,9 @@ function countOf({ tallies }: Trial): number {
   return tallies.reduce((sum, { spheres }) => sum + spheres, 0);
 }
 
-/** Whether a message of a trial tells less than another one. */
+/** Whether a message about a trial is older than another one. */
 function isEarlier(a: Trial, b: Trial): boolean {
-  // Numbers of runs count in a circle, so that no number is the last one.
+  // Run numbers are cyclic.
   const ahead = (a.run - b.run) & MOST_COUNTED;
   if (ahead !== 0) return ahead > MOST_COUNTED / 2;
   const age = (trial: Trial): number[] => [trial.trial, Number(trial.over), countOf(trial)];

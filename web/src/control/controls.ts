@@ -1,4 +1,4 @@
-/** How the user moves: walking or going around a point, with keys, mouse, touch and gamepads. */
+/** User movement: walking or orbiting a point, by keyboard, mouse, touch and gamepads. */
 import { type Drive, together } from './drive';
 import { type Pad, readPads } from './gamepad';
 import { createKeys } from './keys';
@@ -11,42 +11,44 @@ import { createWalk } from './walk';
 
 export type { Mode, Thumb };
 
-/** Longest time that one update stands for, seconds: a tab that was hidden goes on where it was. */
+/** Longest time per update, seconds: a page that was hidden continues where it was. */
 const LONGEST = 0.5;
 
 export interface ControlSettings {
-  /** Where the user begins; its height is the eye height. */
+  /** Start pose; its height is the eye height. */
   readonly start: Pose;
-  /** The pose is another one than after the update before. */
+  /** Called when the pose has changed since the last update. */
   readonly onChange?: (pose: Pose) => void;
-  /** The left thumb walks: where it is, or null when it is gone. */
+  /** Position of the left thumb, which walks; null when it is lifted. */
   readonly onThumb?: (thumb: Thumb | null) => void;
-  /** Two taps or clicks ask for a place, in parts of the picture's width and height from its upper left. */
+  /** A double tap or double click asks for a place, as shares of the picture's width and height from its upper left. */
   readonly onGo?: (x: number, y: number) => void;
-  /** The target that hears keys: the window by default; in a notebook the element, so that the notebook keeps its own keys. */
+  /**
+   * Event target for keys: by default the window; in a notebook the element, so that the notebook keeps its own keys.
+   */
   readonly keys?: EventTarget;
-  /** Gamepads, by default those of the browser. */
+  /** Gamepads; by default those of the browser. */
   readonly pads?: () => readonly (Pad | null)[];
-  /** Start and stop at once instead of gliding; by default as the system asks for reduced motion. */
+  /** Whether movement starts and stops abruptly; by default the system's setting for reduced motion. */
   readonly isSudden?: () => boolean;
 }
 
 export interface Controls {
-  /** The pose after some seconds more. Call it once a frame. */
+  /** Pose after further seconds. Called once per frame. */
   update(seconds: number): Pose;
   readonly mode: Mode;
-  /** Walk, or go around a point; the pose stays. */
+  /** Switches between walking and orbiting; the pose stays. */
   setMode(mode: Mode): void;
-  /** Stand somewhere else at once. */
+  /** Moves the user at once. */
   setPose(pose: Pose): void;
-  /** A walker looks around with the mouse without a button, until Escape. */
+  /** Locks the mouse pointer, so that a walker looks around without a button, until Escape. */
   lookAround(): void;
-  /** Stay within bounds; null lifts them. */
+  /** Keeps the user within bounds; null removes them. */
   setBounds(bounds: Bounds | null): void;
   dispose(): void;
 }
 
-/** Let an element, which should be focusable, steer a pose. */
+/** Controls a pose by input on an element, which should be focusable. */
 export function createControls(element: HTMLElement, settings: ControlSettings): Controls {
   const { start, onChange, onThumb, onGo, pads = browserPads, isSudden = reducedMotion() } = settings;
   let mode: Mode = 'walk';
@@ -70,7 +72,7 @@ export function createControls(element: HTMLElement, settings: ControlSettings):
   return {
     update(seconds) {
       const wishes: Drive = together(keys.drive, pointers.drive, readPads(pads()));
-      // NaN fails every comparison, so that it counts as no time.
+      // NaN fails every comparison and counts as zero.
       const spent = seconds > 0 ? Math.min(seconds, LONGEST) : 0;
       if (mode === 'walk') walk.update(spent, wishes);
       else orbit.update(spent, wishes);
@@ -106,7 +108,7 @@ export function createControls(element: HTMLElement, settings: ControlSettings):
 }
 
 function browserPads(): readonly (Pad | null)[] {
-  // Pages without https or with a policy against gamepads have none.
+  // Pages without https, or with a policy against gamepads, throw here.
   try {
     return navigator.getGamepads?.() ?? [];
   } catch {

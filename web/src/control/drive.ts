@@ -1,4 +1,4 @@
-/** Present requests of keys, thumbs and sticks, as parts of full speed from −1 to 1. */
+/** Current movement commands of keys, thumbs and sticks, as shares of full speed from −1 to 1. */
 export interface Drive {
   /** Steps to the right and ahead. */
   readonly right: number;
@@ -6,13 +6,13 @@ export interface Drive {
   /** Turns to the left and up. */
   readonly turn: number;
   readonly look: number;
-  /** Run. */
+  /** Whether to run. */
   readonly isHasty: boolean;
 }
 
 export const REST: Drive = { right: 0, ahead: 0, turn: 0, look: 0, isHasty: false };
 
-/** All of several wishes; together they are no faster than one. */
+/** Sum of commands, limited to full speed. */
 export function together(...wishes: readonly Drive[]): Drive {
   const sum = (part: (wish: Drive) => number): number => wishes.reduce((total, wish) => total + part(wish), 0);
   const [right, ahead] = within(sum((wish) => wish.right), sum((wish) => wish.ahead));
@@ -20,13 +20,13 @@ export function together(...wishes: readonly Drive[]): Drive {
   return { right, ahead, turn, look, isHasty: wishes.some((wish) => wish.isHasty) };
 }
 
-/** The same direction, with a length of 1 at most. */
+/** Vector limited to length 1. */
 export function within(x: number, y: number): readonly [number, number] {
   const length = Math.max(Math.hypot(x, y), 1);
   return [x / length, y / length];
 }
 
-/** A stick's position without the part around the middle where it rests; from there it begins at 0. */
+/** Stick position with a dead zone around the centre; outside it starts at 0. */
 export function beyondRest(x: number, y: number, rest: number): readonly [number, number] {
   const length = Math.hypot(x, y);
   if (!(length > rest)) return [0, 0];

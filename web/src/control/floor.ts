@@ -1,73 +1,73 @@
-/** The user's floor in the world, and the head above it; plain arithmetic without a headset. */
+/** Floor of the user in the world, and the head above it; independent of a headset. */
 import { type Bounds, within } from './limit';
 import type { Pose } from './pose';
 import { type Vector, wrapped } from './vector';
 
-/** Where the origin of the headset's space lies in the world, metres, and how it is turned about the vertical axis. */
+/** Origin of the headset's space in the world, metres, and its rotation about the vertical axis. */
 export interface Floor {
   readonly position: Vector;
   readonly yaw: number;
 }
 
-/** The head in the headset's space: metres from a point of the floor, and where it looks, radians. */
+/** Head in the headset's space: metres from a point of the floor, and its direction, radians. */
 export type Head = Pose;
 
-/** Metres from the floor to the eyes of somebody for whom a pose of the page stands. */
+/** Eye height above the floor that a pose of the page assumes, metres. */
 export const EYE_HEIGHT = 1.7;
-/** Metres from the middle of the head to an eye, at most. */
+/** Greatest distance between the head's centre and an eye, metres. */
 export const EYE_APART = 0.04;
 
-/** The point of the world at a point of the headset's space. */
+/** Converts a point from the headset's space to the world. */
 export function worldOf({ position, yaw }: Floor, [x, y, z]: Vector): Vector {
   const [cos, sin] = [Math.cos(yaw), Math.sin(yaw)];
   return [position[0] + cos * x + sin * z, position[1] + y, position[2] - sin * x + cos * z];
 }
 
-/** The point of the headset's space at a point of the world. */
+/** Converts a point from the world to the headset's space. */
 export function localOf({ position, yaw }: Floor, [x, y, z]: Vector): Vector {
   return worldOf({ position: [0, 0, 0], yaw: -yaw }, [x - position[0], y - position[1], z - position[2]]);
 }
 
-/** The head's pose in the world. */
+/** Pose of the head in the world. */
 export function inWorld(floor: Floor, head: Head): Pose {
   return { position: worldOf(floor, head.position), yaw: wrapped(floor.yaw + head.yaw), pitch: head.pitch };
 }
 
-/** The floor on which the head is above a point of the ground and looks along a yaw. */
+/** Floor for which the head is above a point of the ground and looks along a yaw. */
 export function floorUnder(ground: Vector, yaw: number, head: Head): Floor {
   const turned = { position: [0, 0, 0], yaw: wrapped(yaw - head.yaw) } as const;
   const [x, , z] = worldOf(turned, head.position);
   return { position: [ground[0] - x, ground[1], ground[2] - z], yaw: turned.yaw };
 }
 
-/** The floor after a turn to the left around the head, which stays where it is. */
+/** Floor after a turn to the left around the head, which stays in place. */
 export function turned(floor: Floor, head: Head, angle: number): Floor {
   const { position, yaw } = inWorld(floor, head);
   return floorUnder([position[0], floor.position[1], position[2]], yaw + angle, head);
 }
 
-/** The floor with the head above another point of the world; the height of the floor stays. */
+/** Floor for which the head is above another point of the world; the floor's height stays. */
 export function moved(floor: Floor, head: Head, [x, , z]: Vector): Floor {
   const [headX, , headZ] = worldOf(floor, head.position);
   const [floorX, floorY, floorZ] = floor.position;
   return { ...floor, position: [floorX + x - headX, floorY, floorZ + z - headZ] };
 }
 
-/** The point, or one near it that lies within all of the walls. */
+/** Point moved into all walls, approximately. */
 export function inside(point: Vector, bounds: Bounds | null): Vector {
   const walls = bounds?.shown ?? [];
-  // Where two walls cross, the way to one of them may lead out of the other.
+  // Moving into one wall may leave another one, so each is applied twice.
   return [...walls, ...walls].reduce((place: Vector, wall) => within(place, wall), point);
 }
 
-/** The bounds of the middle of a head, so that its eyes stay within others. */
+/** Bounds for the head's centre such that its eyes stay within the given bounds. */
 export function headBounds(bounds: Bounds | null): Bounds | null {
   const inner = (limits: Bounds['open']): Bounds['open'] =>
     limits.map((limit) => ({ ...limit, metres: Math.max(limit.metres - EYE_APART, 0) }));
   return bounds && { open: inner(bounds.open), shown: inner(bounds.shown) };
 }
 
-/** A pose from a matrix of a headset (columns); a head that looks straight up or down has the yaw of its forehead. */
+/** Pose from a headset's column-major matrix; for a head that looks straight up or down, the yaw of its forehead. */
 export function headOf(matrix: ArrayLike<number>): Head {
   const at = (index: number): number => matrix[index] ?? 0;
   const [x, y, z]: Vector = [-at(8), -at(9), -at(10)];
@@ -80,5 +80,5 @@ export function headOf(matrix: ArrayLike<number>): Head {
   };
 }
 
-/** Cosine of the pitch below which the horizontal part of a direction has too few digits. */
+/** Cosine of the pitch below which a direction's horizontal part is too imprecise. */
 const STEEP = 0.05;

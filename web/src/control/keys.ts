@@ -1,7 +1,7 @@
-/** Keys that are held to move. */
+/** Keys that move the user while held. */
 import { type Drive, within } from './drive';
 
-/** Steps to the right and ahead, turns to the left and up, by the place of a key on the keyboard. */
+/** Steps to the right and ahead, turns to the left and up, by physical key code. */
 const AXES: Readonly<Record<string, readonly [number, number, number, number]>> = {
   KeyW: [0, 1, 0, 0],
   KeyS: [0, -1, 0, 0],
@@ -15,12 +15,12 @@ const AXES: Readonly<Record<string, readonly [number, number, number, number]>> 
   PageDown: [0, 0, 0, -1],
 };
 
-/** Whether a key moves the user, by its place on the keyboard. */
+/** Whether a key moves the user, by its physical code. */
 export function isMoving(code: string): boolean {
   return Object.hasOwn(AXES, code);
 }
 
-/** Whether a key is meant for something else: a shortcut of the browser, or a field that is typed into. */
+/** Whether a key event has another purpose: a browser shortcut, or typing into a field. */
 export function isElsewhere(event: KeyboardEvent): boolean {
   if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return true;
   const { target } = event;
@@ -34,7 +34,7 @@ export interface Keys {
   dispose(): void;
 }
 
-/** Listen to keys of a window or an element. */
+/** Listens to keys of a window or an element. */
 export function createKeys(source: EventTarget): Keys {
   const held = new Set<string>();
   const stop = new AbortController();
@@ -47,16 +47,16 @@ export function createKeys(source: EventTarget): Keys {
     isHasty = pressed.shiftKey;
     if (!isMoving(pressed.code) || isElsewhere(pressed)) return;
     held.add(pressed.code);
-    // Arrows scroll, else.
+    // Otherwise arrow keys scroll.
     pressed.preventDefault();
   });
   listen('keyup', (event) => {
     isHasty = (event as KeyboardEvent).shiftKey;
     held.delete((event as KeyboardEvent).code);
-    // macOS tells of no key that is let go while Command is held.
+    // macOS sends no keyup events while Command is held.
     if ((event as KeyboardEvent).key === 'Meta') held.clear();
   });
-  // A key that is let go elsewhere is not heard.
+  // A key released elsewhere sends no event.
   listen('blur', () => {
     held.clear();
     isHasty = false;

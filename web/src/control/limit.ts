@@ -1,4 +1,4 @@
-/** Keeps a user within radii about centres' vertical axes, because pictures fold beyond. */
+/** Keeps a user within radii about centres' vertical axes, because pictures fold beyond them. */
 import type { Vector } from './vector';
 
 export interface Limit {
@@ -7,22 +7,24 @@ export interface Limit {
   readonly metres: number;
 }
 
-/** Where a user may be. */
+/** Bounds of the user's position. */
 export interface Bounds {
-  /** Within one of these: regions that are shown or can be shown at once. Steps slow down towards the edge of all. */
+  /**
+   * At least one of these must contain the user: regions that can be shown at once. Steps slow down towards their edge.
+   */
   readonly open: readonly Limit[];
-  /** And within all of these, the regions that are shown now: a wall, for the moment that another one takes over. */
+  /** All of these must contain the user: the regions shown now, a hard wall until another region takes over. */
   readonly shown: readonly Limit[];
 }
 
-/** Part of the radius at whose end steps outwards begin to shrink. */
+/** Share of the radius from which outward steps shrink. */
 export const FREE = 0.8;
-/** How fast a user who is beyond the limit is led back: the excess shrinks by e in a third of a second. */
+/** Rate per second at which a user beyond the limit is led back: the excess falls by e in a third of a second. */
 const RETURN = 3;
 
 /**
- * Where a step ends that wants to lead from one place to another. Beyond the free part a step outwards counts less and
- * less: dr/ds = (m − r) / (m − free), so that r tends to m. The closed form makes one long step equal many short ones.
+ * End of a step from one place to another. Beyond the free part an outward step counts less and less: dr/ds = (m − r) /
+ * (m − free), so that r tends to m. The closed form makes one long step equal many short ones.
  */
 export function confine(from: Vector, to: Vector, bounds: Bounds | null): Vector {
   const soft = bounds && roomiest(to, bounds.open);
@@ -35,7 +37,7 @@ export function confine(from: Vector, to: Vector, bounds: Bounds | null): Vector
   return place;
 }
 
-/** The part of a straight step, from 0 to 1, after which it is as far out as `confine` allows. */
+/** Share of a straight step, 0 to 1, after which it is as far out as `confine` allows. */
 export function allowedShare(from: Vector, to: Vector, bounds: Bounds | null): number {
   const soft = bounds && roomiest(to, bounds.open);
   const share = soft ? shareOf(from, to, distance(slowed(from, to, soft), soft), soft) : 1;
@@ -43,7 +45,7 @@ export function allowedShare(from: Vector, to: Vector, bounds: Bounds | null): n
   return Math.min(share, ...walls);
 }
 
-/** Lead a user who is beyond the limits back to them, without a jump. */
+/** Leads a user who is beyond the limits back smoothly. */
 export function settle(position: Vector, bounds: Bounds | null, seconds: number): Vector {
   const soft = bounds && roomiest(position, bounds.open);
   let place = position;
@@ -60,13 +62,13 @@ export function distance([x, , z]: Vector, { center }: Limit): number {
   return Math.hypot(x - center[0], z - center[2]);
 }
 
-/** The same place, or if it is farther than some metres from the centre, the one there that is nearest to it. */
+/** The place, moved towards the centre's axis if it is beyond the limit. */
 export function within(place: Vector, limit: Limit): Vector {
   const far = distance(place, limit);
   return far <= limit.metres ? place : atDistance(place, limit.metres, far, limit);
 }
 
-/** The limit whose edge is the farthest, seen from within. */
+/** The limit whose edge is farthest from an inside position. */
 function roomiest(place: Vector, limits: readonly Limit[]): Limit | null {
   const room = (limit: Limit): number => limit.metres - distance(place, limit);
   return limits.reduce<Limit | null>((best, each) => (best && room(best) >= room(each) ? best : each), null);
@@ -82,7 +84,7 @@ function slowed(from: Vector, to: Vector, limit: Limit): Vector {
   return atDistance(to, end, after, limit);
 }
 
-/** The part of a step after which it is so far out, in an estimate that is never too long. */
+/** Conservative estimate of the share of a step after which it reaches a distance. */
 function shareOf(from: Vector, to: Vector, end: number, limit: Limit): number {
   const [before, after] = [distance(from, limit), distance(to, limit)];
   if (after <= before || after <= end) return 1;

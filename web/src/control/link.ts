@@ -1,14 +1,14 @@
-/** A pose in the fragment of an address, so that a link shows the same view: `#p=x,y,z&yaw=…&pitch=…`. */
+/** Pose in the fragment of an address, so that a link shows the same view: `#p=x,y,z&yaw=…&pitch=…`. */
 import type { Pose } from './pose';
 import { bounded, STEEPEST, wrapped } from './vector';
 
-/** Longer fragments are not ours. */
+/** Greatest length of a fragment. */
 const LONGEST = 512;
-/** Metres from the origin beyond which no scene reaches: twice the size of the Earth. */
+/** Greatest coordinate, metres: beyond twice the size of the Earth there is no scene. */
 const FARTHEST = 3e7;
 const NUMBER = /^[+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d{1,3})?$/i;
 
-/** The pose that a fragment names (with `#` or without), or null if it names none. Nothing in it can raise. */
+/** Pose in a fragment (with or without `#`), or null. Never throws. */
 export function readLink(fragment: string): Pose | null {
   if (fragment.length > LONGEST) return null;
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
@@ -19,7 +19,7 @@ export function readLink(fragment: string): Pose | null {
   return { position: [x, y, z], yaw: wrapped(yaw), pitch: bounded(pitch, -STEEPEST, STEEPEST) };
 }
 
-/** The fragment of a pose, to a millimetre and 10⁻⁴ radians. */
+/** Fragment of a pose, precise to a millimetre and 10⁻⁴ radians. */
 export function writeLink({ position, yaw, pitch }: Pose): string {
   const place = position.map((value) => rounded(value, 3)).join(',');
   return `#p=${place}&yaw=${rounded(wrapped(yaw), 4)}&pitch=${rounded(pitch, 4)}`;
@@ -34,7 +34,7 @@ function isPlace(value: number | null | undefined): value is number {
   return value !== null && value !== undefined && Math.abs(value) <= FARTHEST;
 }
 
-/** As few digits as say it. */
+/** Formats a number without trailing zeros. */
 function rounded(value: number, digits: number): string {
   return String(Number(value.toFixed(digits)));
 }

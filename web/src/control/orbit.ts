@@ -1,25 +1,25 @@
-/** Going around a point that stays in the middle of the picture; plain arithmetic without a browser. */
+/** Orbiting a point in the middle of the picture; independent of a browser. */
 import type { Drive } from './drive';
 import { allowedShare, type Bounds, confine, settle } from './limit';
 import type { Pose } from './pose';
 import { ahead, bounded, moved, rightOf, STEEPEST, upOf, type Vector } from './vector';
 
-/** Least and greatest distance from the point, metres; what a pose that names no point has. */
+/** Least and greatest distance from the point, and the default distance, metres. */
 const [NEAREST, FARTHEST, USUAL] = [0.3, 2000, 4] as const;
-/** Radians a second, the factor of the distance in a second as a power of e, and distances a second, at full speed. */
+/** Full speed: radians per second, zoom exponent per second, and pan distances per second. */
 const [TURN, ZOOM, PAN] = [1.4, 1.2, 0.8] as const;
 
 export interface Orbit {
   readonly pose: Pose;
-  /** Go on by some seconds: sideways and turning go around, ahead goes nearer; hasty steps move the point instead. */
+  /** Advances by some seconds: sideways and turning orbit, ahead zooms in; with haste, steps move the point instead. */
   update(seconds: number, drive: Drive): void;
-  /** Go around, radians by which the view turns to the left and up. */
+  /** Orbits by radians by which the view turns to the left and up. */
   rotate(left: number, up: number): void;
-  /** Multiply the distance. */
+  /** Multiplies the distance. */
   zoom(factor: number): void;
-  /** Move eye and point, in parts of their distance, to the right and up in the picture. */
+  /** Moves eye and point, as shares of their distance, to the right and up in the picture. */
   pan(right: number, up: number): void;
-  /** Begin at a pose; the point lies ahead of it. */
+  /** Starts at a pose; the point lies ahead of it. */
   setPose(pose: Pose): void;
 }
 
@@ -29,7 +29,7 @@ export function createOrbit(start: Pose, bounds: () => Bounds | null): Orbit {
 
   const target = (): Vector => moved(view.position, ahead(view), away);
 
-  /** Put the eye somewhere, and let it look at a point. */
+  /** Places the eye and lets it look at a point. */
   function put(eye: Vector, point: Vector): void {
     const [x, y, z] = moved(point, eye, -1);
     const level = Math.hypot(x, z);
@@ -85,7 +85,7 @@ export function createOrbit(start: Pose, bounds: () => Bounds | null): Orbit {
   };
 }
 
-/** The angle equal to `angle` up to whole turns that is nearest to another, so that views turn the short way. */
+/** Angle equivalent to `angle` that is nearest to another angle, so that views turn the short way. */
 function nearest(angle: number, other: number): number {
   return angle + 2 * Math.PI * Math.round((other - angle) / (2 * Math.PI));
 }

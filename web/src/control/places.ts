@@ -1,17 +1,17 @@
-/** Where a user is put who wants to go to what the picture shows. */
+/** Destination of a user who wants to go to something in the picture. */
 import type { Pose } from './pose';
 import { ahead, moved, rightOf, upOf, type Vector } from './vector';
 
-/** Metres from the eye down to the ground, and above the ground up to which something is stood on. */
+/** Eye height above the ground, and greatest height above the ground of a surface to stand on, metres. */
 const [EYE_HEIGHT, STEP] = [1.7, 0.5] as const;
-/** Metres that the user stays away from what cannot be stood on. */
+/** Distance that the user keeps from other surfaces, metres. */
 const BEFORE = 1;
-/** Metres to go towards something far. */
+/** Step towards distant surfaces, metres. */
 const LEAP = 15;
 
 /**
- * The unit vector along which a pose sees a part of the picture, x and y from the upper left; `height` is the tangent
- * of half the vertical field of view, `ratio` that of width to height.
+ * Unit vector along which a pose sees a position in the picture, x and y from the upper left; `height` is the tangent
+ * of half the vertical field of view, `ratio` is width divided by height.
  */
 export function directionTo(pose: Pose, [x, y]: readonly [number, number], height: number, ratio: number): Vector {
   const across = moved(ahead(pose), rightOf(pose.yaw), (2 * x - 1) * height * ratio);
@@ -20,7 +20,7 @@ export function directionTo(pose: Pose, [x, y]: readonly [number, number], heigh
   return [dx / size, dy / size, dz / size];
 }
 
-/** The place, at the eye's own height, for a direction in which `hit` is seen, or nothing near. */
+/** Place at the eye's own height for a direction; `hit` is the surface point seen there, or null. */
 export function placeFor(eye: Vector, direction: Vector, hit: Vector | null): Vector {
   const ground = eye[1] - EYE_HEIGHT;
   if (hit && hit[1] <= ground + STEP) return [hit[0], eye[1], hit[2]];

@@ -2,20 +2,20 @@
 import { beyondRest, type Drive, REST } from './drive';
 import { createTaps } from './taps';
 
-/** Radians by which dragging over the height of the picture turns a walker's head, and a view around its point. */
+/** Radians per picture height of dragging: for a walker's head, and for orbiting. */
 const [LOOK, AROUND] = [1.6, Math.PI] as const;
-/** Parts of the distance by which dragging over the height of the picture moves an orbit's point. */
+/** Pan per picture height of dragging, as a multiple of the orbit's distance. */
 const PAN = 1.5;
-/** Power of e by which a pixel of the wheel changes the distance; pixels of a line and of a page. */
+/** Zoom exponent per wheel pixel; pixels per line and per page. */
 const WHEEL = 0.0015;
 const WHEEL_PIXELS = [1, 16, 400] as const;
-/** Pixels from where the left thumb was set down to full speed, and the part of them that counts as at rest. */
+/** Distance in pixels from the left thumb's start to full speed, and the dead zone as a share of it. */
 export const THUMB_REACH = 56;
 const THUMB_REST = 0.12;
 
 export type Mode = 'walk' | 'orbit';
 
-/** The left thumb: where it was set down, and where it is from there, pixels of the window. */
+/** Left thumb: start position, and offset from it, in window pixels. */
 export interface Thumb {
   readonly x: number;
   readonly y: number;
@@ -25,32 +25,32 @@ export interface Thumb {
 
 export interface PointerActions {
   readonly mode: () => Mode;
-  /** Turn a walker's head, or go around the point: radians to the left and up. */
+  /** Turns a walker's head, or orbits: radians to the left and up. */
   look(left: number, up: number): void;
   rotate(left: number, up: number): void;
   pan(right: number, up: number): void;
   zoom(factor: number): void;
-  /** The left thumb has moved, or is gone. */
+  /** The left thumb has moved, or is lifted. */
   thumb(thumb: Thumb | null): void;
-  /** Two taps or clicks ask for a place, in parts of the picture's width and height from its upper left. */
+  /** A double tap or double click asks for a place, as shares of the picture's width and height from its upper left. */
   go(x: number, y: number): void;
 }
 
 export interface Pointers {
-  /** Request of the left thumb. */
+  /** Movement command of the left thumb. */
   readonly drive: Drive;
-  /** Look around with the mouse without a button, until Escape. */
+  /** Locks the pointer to look around without a button, until Escape. */
   lock(): void;
-  /** Forget all fingers: the mode has changed. */
+  /** Discards all fingers, because the mode has changed. */
   release(): void;
   dispose(): void;
 }
 
-/** A finger or a mouse with a button down. */
+/** A finger, or a mouse with a button down. */
 interface Down {
   readonly x: number;
   readonly y: number;
-  /** `step`: the left thumb; `pan`: another button than the first. */
+  /** `step` for the left thumb; `pan` for other buttons than the first. */
   readonly task: 'turn' | 'step' | 'pan';
 }
 
@@ -73,7 +73,7 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
   }
 
   function down(event: PointerEvent): void {
-    // A locked pointer looks around by itself, and cannot be captured.
+    // A locked pointer looks around without buttons, and cannot be captured.
     if (isLocked()) return;
     isTouch = event.pointerType === 'touch';
     const isMouse = event.pointerType === 'mouse';
@@ -86,7 +86,7 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
     if (task === 'step') step({ x: event.clientX, y: event.clientY }, event);
   }
 
-  /** The first touch in the left half walks. */
+  /** Whether a touch walks: the first one in the left half. */
   function isThumb({ pointerType, clientX }: PointerEvent): boolean {
     if (actions.mode() !== 'walk' || pointerType !== 'touch') return false;
     if ([...downs.values()].some(({ task }) => task === 'step')) return false;
@@ -120,7 +120,7 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
     actions.thumb({ x, y, right: clientX - x, down: clientY - y });
   }
 
-  /** One of two fingers has moved: their middle pans, their distance zooms. */
+  /** One of two fingers has moved: their midpoint pans, their distance zooms. */
   function pinch(before: Down, after: Down, other: Down): void {
     const [was, is] = [before, after].map(({ x, y }) => Math.hypot(x - other.x, y - other.y));
     if (was && is) actions.zoom(was / is);
@@ -140,7 +140,7 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
   }
 
   function wheel(event: WheelEvent): void {
-    // With Ctrl it is the browser's own zoom; pinching on a touchpad reads the same, and is meant for the scene.
+    // With Ctrl, browsers report the wheel for their own zoom and for touchpad pinches; both zoom the scene here.
     if (actions.mode() !== 'orbit') return;
     event.preventDefault();
     actions.zoom(Math.exp(WHEEL * event.deltaY * (WHEEL_PIXELS[event.deltaMode] ?? 1) * (event.ctrlKey ? 6 : 1)));
@@ -148,7 +148,7 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
 
   function lock(): void {
     if (actions.mode() !== 'walk') return;
-    // Browsers refuse it in frames and shortly after Escape; dragging still works.
+    // Browsers refuse a lock in frames and shortly after Escape; dragging still works.
     Promise.resolve(element.requestPointerLock()).catch(() => undefined);
   }
 
@@ -157,7 +157,8 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
   element.addEventListener('pointermove', move, { signal });
   element.addEventListener('pointerup', up, { signal });
   element.addEventListener('pointercancel', up, { signal });
-  // At the speed that the system is set to; of two taps only some browsers tell, so these are told apart here.
+  // Browsers time double clicks by the system's setting; double taps are detected in `taps`, as few browsers report
+  // them.
   element.addEventListener('dblclick', (event) => isTouch || go(event), { signal });
   element.addEventListener('wheel', wheel, { signal, passive: false });
   element.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });

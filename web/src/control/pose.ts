@@ -1,4 +1,4 @@
-/** Where the user's head is and looks, in the world: metres, y up, radians. */
+/** Position and direction of the user's head in the world: metres, y up, radians. */
 export interface Pose {
   readonly position: readonly [number, number, number];
   /** Turn about the vertical axis; 0 looks along −z, positive to the left. */

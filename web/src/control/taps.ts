@@ -1,6 +1,6 @@
-/** Tells two taps of a finger at one place from dragging. */
+/** Distinguishes double taps from dragging. */
 
-/** Milliseconds of a tap, and from one to the next; pixels by which pointers move meanwhile. */
+/** Greatest milliseconds of a tap, and between two taps; greatest movement in pixels meanwhile. */
 const [LONGEST, PAUSE, STILL] = [300, 400, 16] as const;
 
 type Event = Pick<PointerEvent, 'pointerId' | 'clientX' | 'clientY' | 'timeStamp'>;
@@ -10,7 +10,7 @@ export interface Taps {
   up(event: Event): void;
 }
 
-/** `twice` is told of the place of the second tap. */
+/** `twice` receives the second tap. */
 export function createTaps(twice: (event: Event) => void): Taps {
   const downs = new Map<number, Event>();
   let last: Event | null = null;
@@ -19,7 +19,7 @@ export function createTaps(twice: (event: Event) => void): Taps {
 
   return {
     down(event) {
-      // Of two fingers at once neither taps.
+      // Two simultaneous fingers are no tap.
       if (downs.size > 0) last = null;
       downs.set(event.pointerId, event);
     },

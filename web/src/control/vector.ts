@@ -1,4 +1,4 @@
-/** Directions of a pose, and numbers within bounds. */
+/** Directions of a pose, and clamping of numbers. */
 import type { Pose } from './pose';
 
 export type Vector = readonly [number, number, number];
@@ -10,7 +10,7 @@ export function bounded(value: number, least: number, greatest: number): number 
   return Math.min(Math.max(value, least), greatest);
 }
 
-/** The same angle from −π to π. */
+/** Angle wrapped to [−π, π]. */
 export function wrapped(angle: number): number {
   return angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
 }
@@ -20,7 +20,7 @@ export function ahead({ yaw, pitch }: Pick<Pose, 'yaw' | 'pitch'>): Vector {
   return [-Math.sin(yaw) * Math.cos(pitch), Math.sin(pitch), -Math.cos(yaw) * Math.cos(pitch)];
 }
 
-/** Unit vector to the right, level. */
+/** Horizontal unit vector to the right. */
 export function rightOf(yaw: number): Vector {
   return [Math.cos(yaw), 0, -Math.sin(yaw)];
 }

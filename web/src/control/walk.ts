@@ -1,37 +1,37 @@
-/** Walking in first person at a constant eye height; plain arithmetic without a browser. */
+/** First-person walking at a constant eye height; independent of a browser. */
 import type { Drive } from './drive';
 import { type Bounds, confine, settle } from './limit';
 import type { Pose } from './pose';
 import { bounded, rightOf, STEEPEST, type Vector } from './vector';
 
-/** Metres a second, and how much faster people run. */
+/** Walking speed, metres per second, and factor for running. */
 const [SPEED, HASTE] = [1.6, 3] as const;
-/** Radians a second. */
+/** Turning speed, radians per second. */
 const TURN = 1.4;
-/** Seconds in which the speed comes to within 1/e of what is asked for, and the eye to its height. */
+/** Time constants in seconds (to 1/e) of the speed, and of the eye's return to its height. */
 const [START, RISE] = [0.09, 0.25] as const;
-/** Longest step of the arithmetic, seconds: turns are straight within it. */
+/** Longest integration step, seconds; within it the path is straight. */
 const STEP = 1 / 120;
 
 export interface Walk {
   readonly pose: Pose;
-  /** Go on by some seconds. */
+  /** Advances by some seconds. */
   update(seconds: number, drive: Drive): void;
-  /** Turn at once, radians to the left and up. */
+  /** Turns at once, radians to the left and up. */
   look(left: number, up: number): void;
-  /** Stand somewhere else; its height is the eye height from then on. */
+  /** Moves the user; the new height is the eye height from then on. */
   setPose(pose: Pose): void;
-  /** Go on from where the user's own body has moved the head, at its height; the speed stays. */
+  /** Continues from a pose to which the user's own body has moved the head, with its height; the speed stays. */
   follow(pose: Pose): void;
-  /** Take over where another mode has led; the eye goes back to its height in a moment. */
+  /** Takes over from another mode; the eye returns to its height in a moment. */
   resume(pose: Pose): void;
 }
 
-/** `isSudden`: speeds and heights change at once, for people whom gliding makes sick. */
+/** `isSudden` makes speeds and heights change at once, for users prone to motion sickness. */
 export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: () => boolean): Walk {
   let { position, yaw, pitch } = start;
   let height = position[1];
-  // Metres a second to the right and ahead.
+  // Metres per second to the right and ahead.
   let velocity: readonly [number, number] = [0, 0];
 
   function step(seconds: number, drive: Drive): void {
@@ -45,7 +45,7 @@ export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: (
     velocity = [rightSpeed, frontSpeed];
     const [x, , z] = rightOf(middle);
     const drop = isSudden() ? 0 : (position[1] - height) * Math.exp(-seconds / RISE);
-    // Ahead on the ground is (z, −x), where right is (x, z).
+    // Ahead on the ground is (z, −x) if right is (x, z).
     const wanted: Vector = [position[0] + x * right + z * front, height + drop, position[2] + z * right - x * front];
     position = settle(confine(position, wanted, bounds()), bounds(), seconds);
   }
@@ -80,8 +80,8 @@ export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: (
 }
 
 /**
- * Metres gone and speed reached when the speed v tends to a goal g by dv/dt = (g − v) / START. The closed form makes
- * one long step equal many short ones.
+ * Distance covered and speed reached when the speed v tends to a goal g by dv/dt = (g − v) / START. The closed form
+ * makes one long step equal many short ones.
  */
 function glide(speed: number, goal: number, seconds: number, isSudden: boolean): readonly [number, number] {
   if (isSudden) return [goal * seconds, goal];

@@ -2,13 +2,13 @@
 import { sha256 as hashOf } from '../hex';
 import type { FileData } from './messages';
 
-/** The content of a file, if it is the one that the manifest lists. */
+/** Content of a file, checked against the manifest's size and hash. */
 export async function contentOf(file: FileData): Promise<Uint8Array<ArrayBuffer>> {
   const { name, data, bytes, sha256 } = file;
   if (data.byteLength !== bytes) {
     throw new Error(`${name}: expected ${bytes} bytes, as the manifest lists it, got ${data.byteLength}`);
   }
-  // Browsers offer hashes on https and on this machine only; elsewhere the size must do.
+  // Browsers offer hashes only on https and localhost; elsewhere only the size is checked.
   const found = await hashOf(data);
   if (found !== null && found !== sha256) {
     throw new Error(`${name}: expected SHA-256 ${sha256.slice(0, 16)}…, got ${found.slice(0, 16)}…`);
@@ -16,12 +16,12 @@ export async function contentOf(file: FileData): Promise<Uint8Array<ArrayBuffer>
   return new Uint8Array(data);
 }
 
-/** The sentence of an error. */
+/** Message of an error. */
 export function reasonOf(error: unknown): string {
   return error instanceof Error ? error.message : String(error);
 }
 
-/** Decompress a zlib stream to at most so many bytes. */
+/** Decompresses a zlib stream to at most `most` bytes. */
 export async function inflated(name: string, data: Uint8Array<ArrayBuffer>, most: number): Promise<Uint8Array> {
   const parts: Uint8Array[] = [];
   let size = 0;

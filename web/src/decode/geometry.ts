@@ -1,4 +1,4 @@
-/** Decodes the geometry of a ring, or of dynamic objects, into pieces, each of which is drawn at once. */
+/** Decodes the geometry of a ring, or of dynamic objects, into pieces, each drawn by one call. */
 import type { Point } from '../bundle/manifest';
 import { contentOf, reasonOf } from './files';
 import { at, entries, type Glb, openGlb } from './glb';
@@ -11,23 +11,23 @@ import { createRule, NOTHING_GROWS, type Rule, TOLERANCE } from './split/rule';
 import { type Budget, splitArrays } from './split/triangles';
 import { type Arrays, FOLDER, pictureName, primitiveOf, sameOf } from './surfaces';
 
-/** Pieces of a file, at most: each is drawn for itself. */
+/** Greatest number of pieces of a file; each needs a draw call. */
 const MOST_PIECES = 2 ** 18;
-/** Triangles that splitting may add to a file: some tens of megabytes. */
+/** Greatest number of triangles that splitting may add to a file: some tens of megabytes. */
 const MOST_MADE = 2 ** 19;
 
-/** Files of the bundle by their URIs in others: buffers, and that of dynamic objects. */
+/** Files of the bundle by their URIs in other files: buffers, and the GLB of dynamic objects. */
 export type Buffers = Map<string, Uint8Array<ArrayBuffer>>;
 
-/** Contents of a file. */
+/** Content of a decoded file. */
 export interface Decoded {
   readonly pieces: readonly Piece[];
-  /** Pictures by URI, of those that the page does not have yet. */
+  /** New pictures by URI, which the page does not have yet. */
   readonly images: Readonly<Record<string, ImageBitmap>>;
   readonly triangles: Triangles;
 }
 
-/** Decode a file; `kept` has the buffers of earlier requests and gets those of this one. */
+/** Decodes a file; `kept` has the buffers of earlier requests and receives those of this one. */
 export async function decodeGeometry(request: GeometryRequest, kept: Buffers): Promise<Decoded> {
   const parts = await partsOf(request.parts, kept);
   const { name } = request.glb;
@@ -46,7 +46,7 @@ export async function decodeGeometry(request: GeometryRequest, kept: Buffers): P
   }
 }
 
-/** The content of the file itself; that of dynamic objects is kept, because every region asks for it. */
+/** Content of the file itself; that of dynamic objects is cached, because every region asks for it. */
 async function fileOf({ glb, isDynamic }: GeometryRequest, kept: Buffers): Promise<Uint8Array<ArrayBuffer>> {
   const name = glb.name.slice(FOLDER.length);
   if (glb.data === null) {
@@ -59,12 +59,14 @@ async function fileOf({ glb, isDynamic }: GeometryRequest, kept: Buffers): Promi
   return content;
 }
 
-/** Triangles of a mesh in all its placements. */
+/** Number of triangles of a mesh in all its placements. */
 function trianglesOf({ indices }: Pick<Piece, 'indices'>, { placements }: Pick<Piece, 'placements'>): number {
   return (indices.length / 3) * (placements ? placements.length / ROWS : 1);
 }
 
-/** The contents of parts by name. Whole buffers are kept even if another part is damaged, since they come only once. */
+/**
+ * Contents of parts by name. Valid buffers are cached even if another part is damaged, because they are sent only once.
+ */
 async function partsOf(parts: readonly FileData[], kept: Buffers): Promise<Map<string, Uint8Array<ArrayBuffer>>> {
   const found = new Map<string, Uint8Array<ArrayBuffer>>();
   const results = await Promise.allSettled(
@@ -100,13 +102,13 @@ async function imagesOf(
   return images;
 }
 
-/** Placements of a mesh: static nodes that show it are one group, dynamic ones stay apart. */
+/** Placements of a mesh: static nodes that show it form one group, dynamic ones stay separate. */
 interface Placed {
   readonly name: string;
   readonly rows: Float64Array[];
 }
 
-/** A primitive and where it is shown; without placements it lies in the frame of the nodes. */
+/** A primitive and its placements; without placements it lies in the frame of the nodes. */
 interface Surface {
   readonly arrays: Arrays;
   readonly same: string;
@@ -139,11 +141,11 @@ async function surfacesOf(glb: Glb, { glb: file, center, isDynamic }: GeometryRe
   return [surfaces, offset];
 }
 
-/** Pieces whose large triangles are split as finely as their number allows. */
+/** Pieces whose large triangles are split as finely as the budget allows. */
 function splitPieces(surfaces: readonly Surface[], offset: Point, { growth, isDynamic }: GeometryRequest): Piece[] {
   for (let tolerance = TOLERANCE; ; tolerance *= 2) {
     const budget = { left: MOST_MADE };
-    // Dynamic objects may be posed, which changes where they are large.
+    // Dynamic objects may be posed, which changes which triangles are large.
     const pieces = piecesOf(surfaces, offset, createRule(isDynamic ? NOTHING_GROWS : growth, tolerance), budget);
     if (budget.left >= 0) return pieces;
   }
@@ -159,7 +161,7 @@ function piecesOf(surfaces: readonly Surface[], offset: Point, rule: Rule, budge
         : [{ arrays: splitArrays(lying(), rule, budget), placements }];
       for (const part of parts) {
         for (const [number, piece] of chopped(part.arrays).entries()) {
-          // Split triangles, and positions without placements, are those of this region.
+          // Split triangles, and positions without placements, belong to this region only.
           const own = part.arrays === arrays ? `${same} ${number}` : null;
           if (part.placements?.length !== 0) pieces.push({ ...piece, name, same: own, placements: part.placements });
           if (pieces.length > MOST_PIECES) throw new Error(`expected at most ${MOST_PIECES} pieces of geometry`);
@@ -170,7 +172,7 @@ function piecesOf(surfaces: readonly Surface[], offset: Point, rule: Rule, budge
   return pieces;
 }
 
-/** From the centre to the frame of the nodes, metres. */
+/** Vector from the centre to the origin of the nodes' frame, metres. */
 function offsetOf(translation: readonly number[] | undefined, center: Point): Point {
   const [x, y, z] = translation ?? [0, 0, 0];
   const offset = [Number(x) - center[0], Number(y) - center[1], Number(z) - center[2]] as const;
@@ -178,7 +180,7 @@ function offsetOf(translation: readonly number[] | undefined, center: Point): Po
   return offset;
 }
 
-/** Sums are float64, and rounded once. */
+/** Sums are computed in float64 and rounded once. */
 function moved(positions: Float32Array, offset: Point): Float32Array {
   return positions.map((value, n) => value + (offset[n % 3] as number));
 }

@@ -1,7 +1,7 @@
-/** Reads the GLB files that nearfar writes: their documents, and the arrays that these describe. */
+/** Reads the GLB files that nearfar writes: their documents, and the arrays described there. */
 import { type Compression, decompressed, isCount } from './meshopt';
 
-/** Parts of a glTF 2.0 document, as far as nearfar writes them. Every number may be wrong in a damaged file. */
+/** Subset of a glTF 2.0 document that nearfar writes. Every number may be wrong in a damaged file. */
 export interface Document {
   readonly nodes?: readonly Node[];
   readonly meshes?: readonly { readonly primitives?: readonly Primitive[] }[];
@@ -66,7 +66,9 @@ interface View {
 const [MAGIC, VERSION] = [0x46546c67, 2];
 const [JSON_CHUNK, BIN_CHUNK] = [0x4e4f534a, 0x004e4942];
 const WIDTHS: Readonly<Record<string, number>> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
-/** Rows of an array, and bytes of all arrays of a file, at most: the largest rings have a fraction of them. */
+/**
+ * Greatest number of rows of an array, and of bytes of all arrays of a file; the largest rings have a fraction of them.
+ */
 const [MOST_ROWS, MOST_BYTES] = [2 ** 26, 2 ** 30] as const;
 
 const TYPES = {
@@ -81,13 +83,13 @@ export type Numbers = InstanceType<(typeof TYPES)[keyof typeof TYPES]>;
 
 export interface Glb {
   readonly document: Document;
-  /** An accessor's rows, without gaps between them; `width` is the number of columns that it must have. */
+  /** Rows of an accessor, tightly packed; `width` is the required number of columns. */
   read(accessor: number | undefined, width: number): Promise<Numbers>;
-  /** Where an accessor's content lies in which file, which is '' for this one. */
+  /** File and position of an accessor's content; the file is '' for the GLB itself. */
   placeOf(accessor: number): string;
 }
 
-/** Open a GLB. `parts` are the files that it refers to, by their URIs in it; its arrays take so many bytes at most. */
+/** Opens a GLB. `parts` are the files that it refers to, by their URIs; its arrays may take at most `most` bytes. */
 export function openGlb(
   bytes: Uint8Array<ArrayBuffer>,
   parts: ReadonlyMap<string, Uint8Array>,
@@ -97,7 +99,7 @@ export function openGlb(
   const decoded = new Map<number, Promise<Uint8Array>>();
   let spent = 0;
 
-  /** Many entries of a damaged document can describe the same bytes. */
+  /** Limits the total size, because many entries of a damaged document can describe the same bytes. */
   function spend(size: number): void {
     spent += size;
     if (spent > most) throw new Error(`the arrays take more than ${most} bytes`);
@@ -161,7 +163,7 @@ export function openGlb(
   };
 }
 
-/** The entry of a list; an error that says what is missing. */
+/** Entry of a list; throws an error that says what is missing. */
 export function at<T>(list: readonly T[] | undefined, number: number | undefined, what: string): T {
   if (number === undefined) throw new Error(`the ${what}'s number is missing`);
   const found = Array.isArray(list) && isCount(number) ? (list as readonly T[])[number] : undefined;
@@ -169,7 +171,7 @@ export function at<T>(list: readonly T[] | undefined, number: number | undefined
   return found;
 }
 
-/** The entries of a list that may be missing. */
+/** Entries of a list that may be missing. */
 export function entries<T>(list: readonly T[] | undefined, what: string): readonly T[] {
   const isList = list === undefined || (Array.isArray(list) && list.every((item) => typeof item === 'object' && item));
   if (!isList) throw new Error(`expected a list of ${what}, got something else`);

@@ -1,13 +1,13 @@
-/** Decodes WebP pictures, whose size is checked before the browser sets memory aside for it. */
+/** Decodes WebP pictures, after checking their size before the browser allocates memory. */
 import { contentOf } from './files';
 import type { Band, FileData } from './messages';
 
-/** Texels of a picture, at most: those of 8192². */
+/** Greatest number of texels of a picture: 8192². */
 const MOST_TEXELS = 2 ** 26;
 
-/** Bytes of a band of a picture, at most, unless a single row has more. */
+/** Greatest size of a band of a picture in bytes, unless a single row is larger. */
 const BAND_BYTES = 2 ** 18;
-/** A picture's own bytes, whatever profile it claims, and alpha apart from colour. */
+/** Keeps a picture's raw values: no colour profile, no premultiplied alpha. */
 const AS_IT_IS = { colorSpaceConversion: 'none', premultiplyAlpha: 'none', imageOrientation: 'none' } as const;
 
 /** A picture as the GPU takes it. */
@@ -23,7 +23,7 @@ export async function pictureOf(name: string, data: Uint8Array<ArrayBuffer>): Pr
   }
 }
 
-/** All rows of pictures by name, in bands; the pictures themselves are closed. */
+/** Splits pictures by name into bands of rows; closes the pictures. */
 export async function bandsOf(images: Readonly<Record<string, ImageBitmap>>): Promise<Band[]> {
   const bands: Band[] = [];
   for (const [name, image] of Object.entries(images)) {
@@ -38,7 +38,7 @@ export async function bandsOf(images: Readonly<Record<string, ImageBitmap>>): Pr
   return bands;
 }
 
-/** The pixels of an opaque picture of known size, RGBA from the top. */
+/** Pixels of an opaque picture of known size, RGBA from the top. */
 export async function pixelsOf(file: FileData, width: number, height: number): Promise<Uint8Array> {
   const data = await contentOf(file);
   const found = sizeOf(file.name, data);
@@ -56,21 +56,21 @@ export async function pixelsOf(file: FileData, width: number, height: number): P
   }
 }
 
-/** Width and height in the first chunk of a WebP file. */
+/** Width and height from the first chunk of a WebP file. */
 export function sizeOf(name: string, data: Uint8Array): [width: number, height: number] {
   const bytes = new DataView(data.buffer, data.byteOffset, data.byteLength);
   const textAt = (place: number): string => String.fromCharCode(...data.subarray(place, place + 4));
   if (data.length >= 30 && textAt(0) === 'RIFF' && textAt(8) === 'WEBP') {
     switch (textAt(12)) {
-      // Lossy: after three bytes of the frame and three of a mark, 14 bits each, below two bits of scaling.
+      // Lossy: after a frame tag and a start code of three bytes each, 14 bits each, with two bits of scaling above.
       case 'VP8 ':
         return [bytes.getUint16(26, true) & 0x3fff, bytes.getUint16(28, true) & 0x3fff];
-      // Lossless: after a byte of a mark, 14 bits each, less 1.
+      // Lossless: after a signature byte, 14 bits each, minus 1.
       case 'VP8L': {
         const bits = bytes.getUint32(21, true);
         return [1 + (bits & 0x3fff), 1 + ((bits >>> 14) & 0x3fff)];
       }
-      // Extended: after four bytes of flags, 24 bits each, less 1.
+      // Extended: after four bytes of flags, 24 bits each, minus 1.
       case 'VP8X':
         return [1 + (bytes.getUint32(24, true) & 0xffffff), 1 + (bytes.getUint32(26, true) >>> 8)];
     }

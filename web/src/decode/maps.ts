@@ -1,16 +1,16 @@
-/** The maps of a region: ring 0 whole, then what each ring changes. */
+/** Maps of a region: the whole map of ring 0, then the changes of each ring. */
 import { contentOf, inflated, reasonOf } from './files';
 import { pixelsOf } from './images';
 import type { FileData, FirstMapRequest, MapUpdate, NextMapRequest } from './messages';
 import { decodeRanges } from './ranges';
 
 const FACES = 6;
-/** Texels along a face, at most. */
+/** Greatest number of texels along a face. */
 const MOST_SIDE = 4096;
-/** Bytes of a file of ranges: nine lengths, and for each texel two flags, a pair of bits, a byte and a word at most. */
+/** Size limits of a range file: nine lengths, then per texel at most two flags, a pair of bits, a byte and a word. */
 const [HEAD, MOST_BYTES, PLANES] = [36, 4, 9] as const;
 
-/** Applies what rings change; keeps the last ring's map. */
+/** Applies the changes of rings; keeps the last ring's map. */
 export interface Maps {
   first(request: FirstMapRequest): Promise<MapUpdate>;
   next(request: NextMapRequest): Promise<MapUpdate>;
@@ -21,11 +21,11 @@ interface State {
   readonly tile: number;
   readonly across: number;
   readonly step: number;
-  /** sRGB codes, RGBA, of all faces. */
+  /** sRGB colours, RGBA, of all faces. */
   readonly color: Uint8Array<ArrayBuffer>;
   /** Codes of range of all faces; null before ring 1. */
   codes: Uint16Array<ArrayBuffer> | null;
-  /** Tiles that each ring from 1 on changes. */
+  /** Changed tiles of each ring from 1 on. */
   readonly changed: number[][];
 }
 
@@ -67,7 +67,7 @@ async function apply(state: State, { ring, tiles, color, range }: NextMapRequest
   if (!tiles.every(isTile)) throw new Error('map: expected tiles of the map, got others');
   const next = await (state.codes ? laterCodes(state, state.codes, tiles, range) : firstCodes(state, tiles, range));
   const sheet = await sheetOf(state, tiles.length, color);
-  // All of it is decoded, so that a damaged file leaves the map before as it was.
+  // Everything is decoded first, so that a damaged file leaves the previous map unchanged.
   if (sheet) putChanges(state, sheet, next.changed, tiles);
   state.codes = next.codes;
   state.changed.push([...tiles]);
@@ -81,11 +81,11 @@ function sheetOf({ tile, across }: State, count: number, color: FileData | null)
 
 interface Codes {
   readonly codes: Uint16Array<ArrayBuffer>;
-  /** Which texels change. */
+  /** Mask of changed texels. */
   readonly changed: Uint8Array;
 }
 
-/** The codes of ring 1: a file for each face. */
+/** Codes of ring 1, from one file per face. */
 async function firstCodes(state: State, tiles: readonly number[], range: readonly FileData[]): Promise<Codes> {
   const area = state.size * state.size;
   const perFace = (state.size / state.tile) ** 2;
@@ -103,7 +103,7 @@ async function firstCodes(state: State, tiles: readonly number[], range: readonl
   return { codes, changed };
 }
 
-/** The codes of a later ring: one file, unless nothing changes. */
+/** Codes of a later ring, from one file, unless nothing changes. */
 async function laterCodes(
   state: State,
   before: Uint16Array<ArrayBuffer>,
@@ -121,7 +121,7 @@ async function laterCodes(
   return { codes, changed: named(file, () => decodeRanges(raw, codes, before, tiles, state)) };
 }
 
-/** Errors of a function name a file. */
+/** Runs a function; its errors name a file. */
 function named<T>(file: FileData, work: () => T): T {
   try {
     return work();
@@ -130,7 +130,7 @@ function named<T>(file: FileData, work: () => T): T {
   }
 }
 
-/** Put texels that change, and their eight neighbours on the same face, from a picture of tiles into the map. */
+/** Copies changed texels, and their eight neighbours on the same face, from a tile sheet to the map. */
 function putChanges(state: State, sheet: Uint8Array, changed: Uint8Array, tiles: readonly number[]): void {
   const { size, tile, across } = state;
   const side = size / tile;
@@ -170,7 +170,7 @@ function wholeMap({ size, color, codes }: State): MapUpdate {
   };
 }
 
-/** The tiles that changed after a ring's map, up to another ring's. */
+/** Tiles that changed after a ring's map, up to another ring's. */
 function changedTiles(state: State, since: number, ring: number): MapUpdate {
   const { size, tile, color, codes } = state;
   if (!codes) throw new Error('map: a ring has no ranges');

@@ -1,7 +1,9 @@
-/** Decompression of arrays by meshoptimizer, whose decoder trusts what it is told: all of it is checked before. */
+/**
+ * Decompression of arrays by meshoptimizer, whose decoder does not validate its arguments, so they are checked here.
+ */
 import { MeshoptDecoder } from 'meshoptimizer/decoder';
 
-/** An array's description in `EXT_meshopt_compression`. Every number may be wrong in a damaged file. */
+/** Description of an array in `EXT_meshopt_compression`. Every number may be wrong in a damaged file. */
 export interface Compression {
   readonly buffer: number;
   readonly byteOffset?: number;
@@ -12,14 +14,14 @@ export interface Compression {
   readonly filter?: string;
 }
 
-/** Greatest size of an array that is decompressed, bytes: the largest ring of a bundle has a fraction of it. */
+/** Greatest size of a decompressed array in bytes; the largest ring of a bundle has a fraction of it. */
 const MOST_BYTES = 2 ** 28;
 /**
- * Bytes that a compressed one makes at most: version 0 of the codec of vertices spends at least two bits on 16 bytes of
- * a column, those of corners spend a byte on a triangle, or on a corner.
+ * Greatest number of bytes that a compressed byte decodes to: version 0 of the vertex codec spends at least two bits on
+ * 16 bytes of a column, the index codecs spend at least a byte on a triangle, or on an index.
  */
 const MOST_GROWTH = 64;
-/** Bytes that a short array may take in any case, because its last block may be filled up. */
+/** Allowed size of short arrays in any case, bytes, because their last block may be padded. */
 const LEAST_BYTES = 2 ** 16;
 const MOST_STRIDE = 256;
 

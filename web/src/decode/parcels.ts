@@ -1,12 +1,12 @@
-/** Geometry as parts, each of which the page reads from its message in a fraction of a frame. */
+/** Divides geometry into parts, each of which the page deserialises in a fraction of a frame. */
 import type { Band, Part, Piece } from './messages';
 
-/** Pieces and bands of a part, at most: reading one takes some 20 µs. */
+/** Greatest number of pieces and bands of a part; deserialising one takes about 20 µs. */
 const MOST_PIECES = 32;
-/** Bytes of a part, at most, unless a single piece has more: so many wait on the page. */
+/** Greatest size of a part in bytes, unless a single piece is larger; bounds the memory of waiting messages. */
 const MOST_BYTES = 2 ** 22;
 
-/** All bands and pieces in their order. */
+/** Packs all bands and pieces into parts, in order. */
 export function parcelled(bands: readonly Band[], pieces: readonly Piece[]): Part[] {
   const parts: { bands: Band[]; pieces: Piece[] }[] = [];
   let [count, bytes] = [0, 0];
@@ -26,7 +26,7 @@ export function parcelled(bands: readonly Band[], pieces: readonly Piece[]): Par
   for (const piece of pieces) {
     const { same, placements } = piece;
     const whole = same !== null && sent.has(same) ? emptied(piece) : piece;
-    // Parts of a mesh have the same placements; what is transferred with one of them is gone for others.
+    // Pieces of a mesh share placements; transferring them with one piece detaches them for the others.
     const own = placements && sent.has(placements) ? { ...whole, placements: placements.slice() } : whole;
     sent.add(same).add(placements);
     place(arraysOf(own).reduce((sum, array) => sum + array.byteLength, 0)).pieces.push(own);
@@ -34,7 +34,7 @@ export function parcelled(bands: readonly Band[], pieces: readonly Piece[]): Par
   return parts;
 }
 
-/** A piece of each kind of those that are drawn alike, without its arrays. */
+/** One piece of each kind of surface, without its arrays. */
 export function samplesOf(pieces: readonly Piece[]): Piece[] {
   const samples = new Map<string, Piece>();
   for (const piece of pieces) {
@@ -47,7 +47,7 @@ export function samplesOf(pieces: readonly Piece[]): Piece[] {
   return [...samples.values()];
 }
 
-/** Buffers that are transferred with a part. */
+/** Buffers to transfer with a part. */
 export function contentsOf({ bands, pieces }: Part): Transferable[] {
   const buffers = pieces.flatMap(arraysOf).map((array) => array.buffer as ArrayBuffer);
   return [...new Set(buffers), ...bands.map(({ rows }) => rows)];
@@ -57,7 +57,7 @@ function arraysOf({ positions, normals, uvs, colors, indices, placements }: Piec
   return [positions, normals, uvs, colors, indices, placements].filter((array) => array !== null);
 }
 
-/** A piece whose arrays an earlier one has. */
+/** Copy of a piece without arrays that an earlier piece has. */
 function emptied(piece: Piece): Piece {
   const { normals, uvs, colors } = piece;
   return {

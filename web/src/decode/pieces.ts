@@ -1,12 +1,12 @@
-/** Pieces of a bounded size. */
+/** Division of meshes into pieces of bounded size. */
 import type { Arrays } from './surfaces';
 
-/** Triangles of a piece, at most: about a megabyte. */
+/** Greatest number of triangles of a piece: about a megabyte. */
 const MOST_TRIANGLES = 32_768;
-/** Vertices that 16 bits number. */
+/** Number of vertices that 16-bit indices can address. */
 const SHORT = 65_536;
 
-/** The same triangles in parts of a bounded size, each with the vertices that it uses. */
+/** The same triangles in pieces of bounded size, each with the vertices that it uses. */
 export function chopped(whole: Arrays): Arrays[] {
   const corners = 3 * MOST_TRIANGLES;
   if (whole.indices.length === 0) return [];
@@ -18,7 +18,7 @@ export function chopped(whole: Arrays): Arrays[] {
   });
 }
 
-/** Triangles by their corners, with the vertices that they use. `renamed` has −1 for each vertex, before and after. */
+/** Triangles by their indices, with the vertices that they use. `renamed` has −1 for each vertex, before and after. */
 export function chosenRows(
   whole: Arrays,
   corners: Uint16Array | Uint32Array,

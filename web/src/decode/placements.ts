@@ -2,7 +2,7 @@
 import type { Point } from '../bundle/manifest';
 import type { Glb, Node } from './glb';
 
-/** Numbers of a placement. */
+/** Numbers per placement. */
 export const ROWS = 12;
 
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0] as const;
@@ -11,7 +11,7 @@ export function isIdentity(rows: Float64Array): boolean {
   return rows.length === ROWS && rows.every((value, n) => value === IDENTITY[n]);
 }
 
-/** Placements of a node in the frame of the root: that of its matrix, or those of its arrays. */
+/** Placements of a node in the root's frame: its matrix, or its instancing attributes. */
 export async function placementsOf(glb: Glb, node: Node): Promise<Float64Array> {
   const rows = node.extensions?.EXT_mesh_gpu_instancing ? await instancesOf(glb, node) : matrixOf(node);
   if (!rows.every(Number.isFinite)) throw new Error('expected placements of finite numbers');
@@ -21,7 +21,7 @@ export async function placementsOf(glb: Glb, node: Node): Promise<Float64Array> 
 function matrixOf({ matrix }: Node): Float64Array {
   if (matrix === undefined) return Float64Array.from(IDENTITY);
   if (!Array.isArray(matrix) || matrix.length !== 16) throw new Error('expected matrices of 16 numbers');
-  // The file has columns of four.
+  // glTF matrices are column-major.
   return Float64Array.from({ length: ROWS }, (_, n) => matrix[4 * (n % 4) + Math.floor(n / 4)] as number);
 }
 
@@ -45,7 +45,7 @@ async function instancesOf(glb: Glb, node: Node): Promise<Float64Array> {
   return placements;
 }
 
-/** Write the placement that scales, turns by a quaternion (x, y, z, w) and moves. */
+/** Writes the placement that scales, rotates by a quaternion (x, y, z, w) and translates. */
 function compose(
   placements: Float64Array,
   n: number,
@@ -56,7 +56,7 @@ function compose(
   const part = (rows: Float32Array | null, width: number, column: number, missing: number): number =>
     rows ? (rows[width * n + column] as number) : missing;
   const [qx, qy, qz, qw] = [part(turns, 4, 0, 0), part(turns, 4, 1, 0), part(turns, 4, 2, 0), part(turns, 4, 3, 1)];
-  // Of float32, so that their length is 1 but for rounding.
+  // Normalised, because float32 quaternions have length 1 only up to rounding.
   const size = Math.sqrt(qx * qx + qy * qy + qz * qz + qw * qw) || 1;
   const [x, y, z, w] = [qx / size, qy / size, qz / size, qw / size];
   const turn = [
@@ -72,7 +72,7 @@ function compose(
   }
 }
 
-/** All placements one after the other, moved by an offset in float64 before they are rounded. */
+/** Concatenates all placements, translated by an offset in float64 before they are rounded. */
 export function rounded(parts: readonly Float64Array[], offset: Point): Float32Array {
   const all = new Float32Array(parts.reduce((sum, part) => sum + part.length, 0));
   let place = 0;

@@ -1,11 +1,11 @@
-/** Reader of the nine planes of a file of ranges: docs/stream.md, "Files of ranges". */
+/** Reader of the nine byte planes of a range file: docs/stream.md, "Files of ranges". */
 
 export const NOTHING = 65535;
 
 const PLANES = 9;
 const [CHANGED, EMPTY, BITS, WORDS] = [0, 1, 2, 8] as const;
 
-/** How far a prediction is trusted: in which planes its residual begins. */
+/** Confidence of a prediction: planes in which its residual begins. */
 export const TRUST = {
   high: { pair: 3, byte: 6, isBit: true },
   some: { pair: 4, byte: 6, isBit: false },
@@ -15,12 +15,12 @@ export const TRUST = {
 export type Trust = (typeof TRUST)[keyof typeof TRUST];
 
 export interface Planes {
-  /** A flag whose prediction may be wrong. */
+  /** Flag, given its prediction. */
   changed(predicted: boolean): boolean;
   nothing(predicted: boolean): boolean;
-  /** A folded residual. */
+  /** Folded (zigzag) residual. */
   residual(trust: Trust): number;
-  /** Refuse bytes that were not read. */
+  /** Throws if bytes are left unread. */
   finish(): void;
 }
 
@@ -41,7 +41,7 @@ export function readPlanes(raw: Uint8Array): Planes {
     planes.push(raw.subarray(start, end));
   }
   if (end !== raw.length) throw damaged('more bytes');
-  // Bits, bytes or words of each plane that were read.
+  // Number of bits, bytes or words read from each plane.
   const read = new Uint32Array(PLANES);
 
   function bits(plane: number, count: number): number {

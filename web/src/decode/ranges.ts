@@ -1,8 +1,8 @@
-/** Decodes the ranges of a map: docs/stream.md, "Files of ranges". Codes are those of all decoders, bit for bit. */
+/** Decodes the ranges of a map: docs/stream.md, "Files of ranges". All decoders yield bit-identical codes. */
 import { damaged, NOTHING, type Planes, readPlanes, TRUST } from './planes';
 import { createScale, type Scale } from './scale';
 
-/** How a map is divided. */
+/** Division of a map. */
 export interface Layout {
   /** Texels along a face. */
   readonly size: number;
@@ -12,14 +12,18 @@ export interface Layout {
   readonly step: number;
 }
 
-/** Texels from which on a line predicts, and from which on it is trusted; texels that it remembers. */
+/**
+ * Least texels of a line that predicts, least texels of a line that is trusted; greatest texels that a line remembers.
+ */
 const [LEAST, LONG, MEMORY] = [3, 8, 128] as const;
-/** Codes by which a texel may differ from its line, the second texel from the first, and two calm neighbours. */
+/**
+ * Greatest differences in codes: of a texel from its line, of the second texel from the first, of two calm neighbours.
+ */
 const [FIT, FIRST_FIT, CALM] = [1, 64, 8] as const;
 
 /**
- * Decode the codes of some faces in place. Without `before` all texels are new; else those that change, and `codes`
- * holds a copy of `before`. Returns which texels change.
+ * Decodes the codes of faces in place. Without `before` all texels are new; otherwise only changed ones, and `codes`
+ * holds a copy of `before`. Returns the mask of changed texels.
  */
 export function decodeRanges(
   raw: Uint8Array,
@@ -52,7 +56,7 @@ interface Face {
   readonly changed: Uint8Array;
 }
 
-/** Lines of least squares along the columns, or along one row: the value at the last texel, its slope, and texels. */
+/** Least-squares lines along the columns, or along one row: value at the last texel, slope, and number of texels. */
 interface Lines {
   readonly value: Float64Array;
   readonly slope: Float64Array;
@@ -103,7 +107,7 @@ function decodeFace(
   }
 }
 
-/** Decode a texel if it is new, and add it to the lines through it. */
+/** Decodes a texel if it is new, and adds it to the lines through it. */
 function texel(
   face: Face,
   x: number,
@@ -170,7 +174,7 @@ function next(lines: Lines, at: number): number {
   return (lines.value[at] as number) + (lines.slope[at] as number);
 }
 
-/** Add the next texel to a line, or begin it anew; operations in the order that the format prescribes. */
+/** Adds the next texel to a line, or starts a new line; the format prescribes the order of operations. */
 function extend(lines: Lines, at: number, value: number, fits: boolean): void {
   if (!fits) {
     lines.value[at] = value;
@@ -199,7 +203,7 @@ function predictedChange({ before, changed }: Face, x: number, y: number, size: 
   return toLeft <= toAbove ? left : above;
 }
 
-/** The code that the neighbours predict; `last` where none shows anything. */
+/** Code predicted from the neighbours; `last` if none shows a surface. */
 function predicted(left: number, above: number, corner: number, right: number, last: number): number {
   if (left === NOTHING || above === NOTHING || corner === NOTHING) {
     return [left, above, corner, right].find((code) => code !== NOTHING) ?? last;
@@ -208,7 +212,7 @@ function predicted(left: number, above: number, corner: number, right: number, l
   return Math.max(Math.min(left, above), Math.min(Math.max(left, above), plane));
 }
 
-/** The median of left, above, and left + above − corner. */
+/** Median of left, above, and left + above − corner. */
 function median(left: boolean, above: boolean, corner: boolean): boolean {
   return corner ? left && above : left || above;
 }

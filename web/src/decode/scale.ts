@@ -1,13 +1,13 @@
-/** Powers of the ratio of two consecutive codes' ranges, with the same digits on every machine. */
+/** Powers of the ratio of two consecutive codes' ranges, bit-identical on every machine. */
 import { NOTHING } from './planes';
 
-/** Codes around a guess that are tried before all of them. */
+/** Codes around a guess that are tried before all others. */
 const NEARBY = 4;
 
 export interface Scale {
-  /** A value that is linear over the texels of a plane: the distance of the texel at depth 1 over its range. */
+  /** Inverse range, scaled to be linear over the texels of a plane: the texel's distance at depth 1 over its range. */
   nearness(code: number, distance: number): number;
-  /** The code of a nearness; the guess saves time only. */
+  /** Code of a nearness; the guess only saves time. */
   code(nearness: number, distance: number, guess: number): number;
 }
 
@@ -30,7 +30,7 @@ export function createScale(step: number): Scale {
       const isWithin =
         to < last && (from === 0 || (ends[from - 1] as number) <= range) && range < (ends[to] as number);
       if (!isWithin) [from, to] = [0, last];
-      // The number of ends that are not above the range.
+      // Binary search for the number of bounds up to the range.
       while (from < to) {
         const middle = (from + to) >> 1;
         if ((ends[middle] as number) <= range) from = middle + 1;
@@ -41,7 +41,7 @@ export function createScale(step: number): Scale {
   };
 }
 
-/** exp(x) of small x by its series: functions of mathematical libraries differ in the last digit. */
+/** exp(x) for small x by its series, because libraries differ in the last digit. */
 function exponential(x: number): number {
   let sum = 1;
   for (let n = 10; n >= 1; n--) sum = 1 + (x / n) * sum;

@@ -2,10 +2,10 @@
 import { at, type Glb, type MaterialEntry, type Numbers, type Primitive } from './glb';
 import type { Material, Piece } from './messages';
 
-/** Folder of the files of a bundle; files refer to each other within it. */
+/** Folder of the files of a bundle; URIs within files are relative to it. */
 export const FOLDER = 'files/';
 
-/** A piece without its place. */
+/** A piece without its placement. */
 export type Arrays = Omit<Piece, 'name' | 'placements' | 'same'>;
 
 export async function primitiveOf(glb: Glb, { attributes = {}, indices, material }: Primitive): Promise<Arrays> {
@@ -38,7 +38,7 @@ export async function primitiveOf(glb: Glb, { attributes = {}, indices, material
   };
 }
 
-/** Equal for primitives whose arrays are the same bytes of the same files; `name` is that of the GLB. */
+/** Key that is equal for primitives with the same bytes of the same files; `name` is that of the GLB. */
 export function sameOf(glb: Glb, { attributes = {}, indices }: Primitive, name: string): string {
   const places = Object.entries({ ...attributes, indices }).map(([attribute, accessor]) => {
     const place = accessor === undefined ? '' : glb.placeOf(accessor);
@@ -47,7 +47,7 @@ export function sameOf(glb: Glb, { attributes = {}, indices }: Primitive, name: 
   return places.sort().join(' ');
 }
 
-/** The greatest of numbers that are at least 0; −1 if there are none. */
+/** Maximum of non-negative numbers; −1 if there are none. */
 function greatest(rows: Uint16Array | Uint32Array): number {
   let most = -1;
   for (const row of rows) if (row > most) most = row;
@@ -61,7 +61,7 @@ function finite(rows: Numbers, what: string): Float32Array {
   return rows as Float32Array;
 }
 
-/** Normals are bytes or float32; the vectors get length 1. */
+/** Converts normals from bytes or float32 to unit vectors. */
 function unitVectors(rows: Numbers): Float32Array {
   if (!(rows instanceof Int8Array)) finite(rows, 'normals');
   const unit = new Float32Array(rows.length);
@@ -94,7 +94,7 @@ function materialOf(glb: Glb, entry: MaterialEntry): Material {
   };
 }
 
-/** The light that a material emits; null for none, as for all unlit ones. */
+/** Light that a material emits; null for none, and for all unlit materials. */
 function emissionOf({ emissiveFactor = [0, 0, 0], extensions }: MaterialEntry): Material['emission'] {
   const strength = extensions?.KHR_materials_emissive_strength?.emissiveStrength ?? 1;
   const [red, green, blue, ...more] = emissiveFactor;
@@ -110,7 +110,7 @@ function imageOf({ document }: Glb, texture: number): string {
   return pictureName(at(document.images, entry.extensions?.EXT_texture_webp?.source ?? entry.source, 'image'));
 }
 
-/** The name in the bundle of a picture. */
+/** Name of a picture in the bundle. */
 export function pictureName({ uri }: { readonly uri: string }): string {
   if (typeof uri !== 'string' || !/^[0-9a-f]{16}\.[a-z]+$/.test(uri)) {
     throw new Error('expected pictures that are files of the bundle');

@@ -1,4 +1,4 @@
-/** A worker that decodes geometry and maps, one request after the other. */
+/** Worker that decodes geometry and maps, one request after the other. */
 import { reasonOf } from './files';
 import { type Buffers, decodeGeometry } from './geometry';
 import { bandsOf } from './images';
@@ -7,15 +7,15 @@ import type { Answer, ForgetRequest, Geometry, GeometryRequest, Job, Kept, Part,
 import { contentsOf, parcelled, samplesOf } from './parcels';
 import { FOLDER } from './surfaces';
 
-/** By region. */
+/** Maps by region. */
 const maps = new Map<number, Maps>();
 const buffers: Buffers = new Map();
-/** Parts of geometry that the page has not asked for yet, by the number of their job. */
+/** Parts of geometry that the page has not requested yet, by the number of their job. */
 const parcels = new Map<number, Part[]>();
 let last = Promise.resolve();
 
 self.onmessage = ({ data: job }: MessageEvent<Job>): void => {
-  // Parts are there already, and need not wait for what is decoded meanwhile.
+  // Parts are ready and need not wait for running decodes.
   if (job.kind === 'part' || job.kind === 'drop') void answer(job);
   else last = last.then(() => answer(job));
 };

@@ -1,17 +1,17 @@
-/** Asks a server for something that it makes on demand: again when it is busy, or when it cannot be reached. */
+/** Requests something that a server makes on demand, with retries while it is busy or unreachable. */
 import { BundleError, type Kind } from '../bundle/error';
 import type { Network } from '../bundle/transfer';
 
-/** Seconds before each new trial when the server cannot be reached. */
+/** Pauses before each retry of an unreachable server, seconds. */
 const PAUSES = [0.5, 1, 2, 4] as const;
-/** Seconds after which a busy server is asked again, if it says nothing, and at most. */
+/** Default and greatest pause before a busy server is asked again, seconds. */
 const [LATER, LATEST] = [2, 60] as const;
-/** Answers of a server that is busy: this client waits for too much, or all clients do. */
+/** Status codes of a busy server: too many requests of this client, or of all clients. */
 const BUSY = [429, 503];
-/** Greatest length of a reason that is shown. */
+/** Greatest length of a displayed reason. */
 const MOST_REASON = 300;
 
-/** The answer of a server; BundleError of a kind if it refuses. `busy` is told of the seconds of each pause. */
+/** Response of a server; throws a BundleError of `kind` if it refuses. `busy` receives the seconds of each pause. */
 export async function ask(
   url: URL,
   kind: Kind,
@@ -43,7 +43,7 @@ function pauseOf({ headers }: Response): number {
   return Number.isFinite(told) ? Math.min(Math.max(told, 1), LATEST) : LATER;
 }
 
-/** The server's sentence, without the status before it. */
+/** Reason in an error response, without the status in front. */
 async function reasonOf(response: Response): Promise<string> {
   const text = (await response.text()).trim().slice(0, MOST_REASON);
   return text.replace(/^\d{3} [^:]*: /, '') || `the server answers ${response.status} ${response.statusText}`.trim();

@@ -1,8 +1,8 @@
-/** A value that comes later, or has come. */
+/** A value that arrives later, or has arrived. */
 
 export interface Awaited<T> {
   readonly promise: Promise<T>;
-  /** The value, once it is there. */
+  /** The value, once it has arrived. */
   readonly now: T | null;
   done(value: T): void;
   failed(reason: unknown): void;
@@ -14,7 +14,7 @@ export function createAwaited<T>(): Awaited<T> {
   const promise = new Promise<T>((resolve, reject) => {
     [done, failed] = [resolve, reject];
   });
-  // Nobody may wait for it.
+  // A rejection without listeners is no unhandled error.
   promise.catch(() => undefined);
   return {
     promise,

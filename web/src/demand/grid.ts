@@ -1,17 +1,17 @@
-/** Places on the grid to which a server moves what it is asked for: regions get their numbers as they are met. */
+/** Grid of places to which a server snaps requests; regions are numbered in the order of their discovery. */
 import { distance } from '../control/limit';
 import type { Vector } from '../control/vector';
 import type { Places, Spot } from '../show/places';
 
-/** Steps to which a server moves the height of a place, metres. */
+/** Step to which a server rounds the height of a place, metres. */
 const HEIGHT = 1 / 8;
-/** Another place is asked for when less than this part of the limit is left, and dropped when more than that is. */
+/** Remaining share of the limit below which the next place is requested, and above which it is dropped. */
 const [ASKED_SHARE, DROPPED_SHARE] = [0.5, 0.6] as const;
-/** The place that was asked for is kept while it is nearer than this part of the way to the centre that is shown. */
+/** A requested place is kept while its distance is below this share of the distance to the shown centre. */
 const KEPT_SHARE = 0.6;
 
 export interface Grid extends Places {
-  /** Something is known of a region. */
+  /** Records the place of a region. */
   know(region: number, spot: Spot): void;
 }
 
@@ -25,7 +25,7 @@ export function createGrid(spacing: number): Grid {
     const name = center.join();
     const found = numbers.get(name);
     if (found !== undefined) return found;
-    // Its margin is not known: those who ask for it are no farther than that.
+    // The margin is unknown; users who request the region are at most this far away.
     spots.push({ center, fold_margin: spacing });
     numbers.set(name, spots.length - 1);
     return spots.length - 1;
@@ -34,7 +34,7 @@ export function createGrid(spacing: number): Grid {
   return {
     of,
     nearest,
-    /** The place where the user is, if the picture that is shown ends soon; the one before, while it serves as well. */
+    /** Place of the user, if the shown region is about to end; the previous choice, while it is about as good. */
     ahead({ place, current, ahead, limit }) {
       const left = limit.metres - distance(place, limit);
       if (left > (ahead === null ? ASKED_SHARE : DROPPED_SHARE) * limit.metres) return null;
@@ -50,6 +50,6 @@ export function createGrid(spacing: number): Grid {
 }
 
 function snapped(value: number, step: number): number {
-  // Without a negative zero, which has another name.
+  // Adding 0 turns −0 into 0; −0 has another name.
   return step * Math.round(value / step) + 0;
 }

@@ -1,8 +1,8 @@
-/** Documents of JSON that come one after the other in an answer, a line each. */
+/** JSON documents in a streamed response, one per line. */
 import { parseJson } from '../bundle/parse';
 import { BundleError } from '../bundle/error';
 
-/** Yield each line's document as soon as the line is there; longer lines than `most` characters are refused. */
+/** Yields each line's document as soon as it is complete; rejects lines longer than `most` characters. */
 export async function* linesOf(name: string, response: Response, most: number): AsyncGenerator<unknown> {
   const reader = response.body?.getReader();
   if (!reader) return;

@@ -1,4 +1,4 @@
-/** The region of a place that a server makes on demand, from the lines by which it tells of the parts. */
+/** Region of a place that a server makes on demand, read from the streamed lines that announce its parts. */
 import { choice, type Fields, integer, object, text } from '../bundle/checks';
 import { type Coming, thereOf } from '../bundle/coming';
 import { BundleError } from '../bundle/error';
@@ -7,17 +7,17 @@ import { outlinedRing, readFiles, readManifest, ring as readRing, tilesOf } from
 import { upTo } from '../bundle/up_to';
 import { type Awaited, createAwaited } from './awaited';
 
-/** How far the server is with a place. */
+/** Progress of the server with a place. */
 export type Making =
-  /** Nothing is known; coarse maps come; all is there. */
+  /** Requested; coarse maps are arriving; complete. */
   | { readonly stage: 'asked' | 'coarse' | 'full' }
-  /** So many places are made before this one. */
+  /** Number of places that are made before this one. */
   | { readonly stage: 'waiting'; readonly before: number }
   /** The server is busy, and is asked again after some seconds. */
   | { readonly stage: 'busy'; readonly seconds: number };
 
 export interface Listener {
-  /** These files can be fetched from now on. */
+  /** Files that can be fetched from now on. */
   readonly listed: (files: Readonly<Record<string, Described>>) => void;
   readonly making: (making: Making) => void;
 }
@@ -34,8 +34,8 @@ interface Line {
 }
 
 /**
- * Read the lines of a place; resolves when its centre and its rings are known, and goes on reading then. `last` is the
- * last ring that is wanted, as text; null for all.
+ * Reads the lines of a place; resolves once its centre and rings are known, then continues reading. `last` is the last
+ * requested ring, as text; null for all.
  */
 export async function readPlace(lines: Lines, last: string | null, listener: Listener): Promise<Coming> {
   const { event, told } = await nextLine(lines, listener);
@@ -80,9 +80,9 @@ async function nextLine(lines: Lines, listener: Listener): Promise<Line> {
 
 interface Place {
   readonly coming: Coming;
-  /** Maps of full size begin. */
+  /** Full-size maps begin. */
   beginFull(outline: Manifest): void;
-  /** A ring of either stage is there. */
+  /** A ring of either stage is ready. */
   add(told: Fields): void;
   end(): void;
   fail(reason: unknown): void;
@@ -93,7 +93,7 @@ function createPlace(outline: Manifest, listener: Listener): Place {
   if (!entry) throw new Error('a manifest has regions');
   const files: Record<string, Described> = {};
   const count = entry.rings.length;
-  // The last ring once more, with maps of full size.
+  // The last ring is repeated, with full-size maps.
   const rings: RingEntry[] = [...entry.rings, { ...NOTHING, radius: entry.rings.at(-1)?.radius ?? 0 }];
   const region = { ...entry, rings, isCoarse: true };
   const coming: Manifest = { ...outline, files, regions: [region] };
@@ -131,7 +131,7 @@ function createPlace(outline: Manifest, listener: Listener): Place {
       const number = integer('parts.ring', told['ring'], 0);
       const layout = stage === COARSE ? outline.map : full?.map;
       if (!layout || (stage === FULL && number !== maps.length && number < count)) throw unexpected('ring');
-      // Rings beyond the last that is wanted.
+      // Rings beyond the last requested one.
       if (number >= count) return;
       const ring = readRing(`ring ${number}`, told['entry'], number, tilesOf(layout));
       list(readFiles(object('parts.files', told['files'])));

@@ -1,4 +1,4 @@
-/** The documents by which a page on a scene begins: a manifest, and one on the scene, which may still be loaded. */
+/** Documents that a scene's page loads first: a manifest, and a scene document, which may still be loading. */
 import { fileName, integer, number, object, optional, text } from '../bundle/checks';
 import { BundleError } from '../bundle/error';
 import type { Point } from '../bundle/manifest';
@@ -8,27 +8,27 @@ import { ask } from './ask';
 
 const [FORMAT, SCENE, VERSION] = ['nearfar.on_demand', 'nearfar.scene', 1] as const;
 
-/** The manifest of a site whose regions are made on demand. */
+/** Manifest of a site whose regions are made on demand. */
 export interface Site {
   readonly title: string;
   /** Spacing of the grid of places, metres. */
   readonly grid: number;
-  /** Name of the document on the scene. */
+  /** Name of the scene document. */
   readonly scene: string;
 }
 
 export interface SceneFacts {
   readonly triangles: number;
-  /** Where the page begins, if its address names no place. */
+  /** Start pose, if the page's address names none. */
   readonly start: { readonly position: Point; readonly yaw: number };
   readonly faceSize: number;
   readonly nearShare: number;
   readonly fade: number;
-  /** Nothing moves. */
+  /** Whether nothing moves. */
   readonly isStatic: boolean;
 }
 
-/** Whether a document is the manifest of such a site; others are those of bundles. */
+/** Whether a document is the manifest of such a site; otherwise it is that of a bundle. */
 export function isSite(document: unknown): boolean {
   return typeof document === 'object' && document !== null && (document as { format?: unknown }).format === FORMAT;
 }
@@ -43,7 +43,7 @@ export function readSite(document: unknown): Site {
   };
 }
 
-/** The document on a scene, which comes when the server has loaded it. */
+/** Fetches the scene document, which arrives when the server has loaded the scene. */
 export async function readScene(base: URL, { scene }: Site, signal: AbortSignal, network: Network): Promise<SceneFacts> {
   const answer = await ask(new URL(scene, base), 'scene', () => undefined, signal, network);
   const all = object('scene', parseJson('scene', await answer.text()));

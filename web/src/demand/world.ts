@@ -1,4 +1,4 @@
-/** A world whose regions a server makes on demand, for any place. */
+/** World whose regions a server makes on demand, for any place. */
 import type { Described } from '../bundle/manifest';
 import { createFiles, type Files, MOST_MANIFEST, type Received } from '../bundle/source';
 import type { Network } from '../bundle/transfer';
@@ -14,7 +14,7 @@ export interface DemandSettings {
   readonly base: URL;
   readonly site: Site;
   readonly scene: SceneFacts;
-  /** Last ring that is wanted, as text; null for all. */
+  /** Last requested ring, as text; null for all. */
   readonly last: string | null;
   readonly received: Received;
   readonly network: Network;
@@ -22,14 +22,14 @@ export interface DemandSettings {
 
 export interface DemandWorld extends World {
   readonly files: Files;
-  /** How far the server is with a region; null for one that is not open. */
+  /** Progress of the server with a region; null for regions that are not open. */
   makingOf(region: number): Making | null;
 }
 
 export function createDemandWorld({ base, site, scene, last, received, network }: DemandSettings): DemandWorld {
   const grid = createGrid(site.grid);
   const makings = new Map<number, Making>();
-  // Files are named by their content, so that those of different places are the same ones.
+  // Files are named by their content, so entries of different places agree.
   const listed = new Map<string, Described>();
   return {
     places: grid,

@@ -1,4 +1,4 @@
-/** The page that flies a tree of orthoviews. */
+/** Page for flying through a tree of orthoviews. */
 import { readLink, writeLink } from '../control/link';
 import type { Pose } from '../control/pose';
 import { createMeter } from '../show/meter';
@@ -15,22 +15,22 @@ import type { Layout } from './store/layout';
 
 /** Vertical field of view, radians. */
 const ANGLE = Math.PI / 3;
-/** Greatest number of the canvas's pixels for one of the page's: finer ones take more splats than phones draw. */
+/** Greatest ratio of canvas pixels to CSS pixels: finer canvases take more splats than phones draw. */
 const SHARPEST = 1.5;
 /** Seconds between two updates of the panel and of the address. */
 const [PANEL_EVERY, LINK_EVERY] = [0.25, 0.5] as const;
-/** Bytes of the GPU for views, by default: 512 MiB, on small screens a quarter. */
+/** Default GPU memory for views: 512 MiB, a quarter of it on small screens. */
 const BYTES = 1 << 29;
 
 declare global {
   interface Window {
-    /** For scripts and tests. */
+    /** Interface for scripts and tests. */
     orthoview?: {
       readonly facts: Facts;
       readonly pose: Pose;
       readonly received: number;
       setPose(pose: Pose): void;
-      /** Draw the last picture again; the milliseconds until it is there. */
+      /** Draws the last picture again; returns the milliseconds until the GPU has finished it. */
       time(): Promise<number>;
     };
   }
@@ -145,7 +145,7 @@ function main(): void {
     }
     const link = writeLink(pose);
     if (isOpen && sinceLink >= LINK_EVERY && link !== linked) {
-      // Browsers refuse more than some hundred changes of the address in half a minute.
+      // Browsers reject more than a few hundred changes of the address in half a minute.
       [sinceLink, linked] = [0, link];
       history.replaceState(null, '', link);
     }
@@ -157,7 +157,7 @@ function main(): void {
 const AGAIN = 'what has come stays, and the rest is asked for again';
 const LOST = 'The browser has taken the graphics away.';
 
-/** Failures after which there is nothing to show. */
+/** Titles and texts of failures after which nothing can be shown. */
 const FATAL: Readonly<Record<Failure['kind'], { readonly title: string; readonly text: string }>> = {
   gone: {
     title: 'There is no tree at this address',
@@ -180,7 +180,7 @@ function graphicsOf(name: string | null): Graphics | null {
   return name === 'webgl' || name === 'webgpu' ? name : null;
 }
 
-/** The same address as that of a folder. */
+/** Returns the address as that of a folder. */
 function folderOf(url: URL): URL {
   if (!url.pathname.endsWith('/')) url.pathname += '/';
   url.hash = '';

@@ -1,4 +1,4 @@
-/** The page's figures, and the buttons below the picture. */
+/** Panel of statistics, and the buttons below the picture. */
 import { icon, make, write } from '../ui/dom';
 import { bytes, count, metres, milliseconds, rate } from '../ui/format';
 import { ICONS } from '../ui/icons';
@@ -16,12 +16,12 @@ const NAMES = {
 
 export interface Figures {
   readonly facts: Facts;
-  /** Milliseconds that the last picture took. */
+  /** Duration of the last picture, milliseconds. */
   readonly frame: number;
   readonly received: number;
-  /** Bits a second; null while nothing comes. */
+  /** Received bits per second; null while nothing arrives. */
   readonly rate: number | null;
-  /** Above the ground, metres. */
+  /** Height above the ground, metres. */
   readonly height: number;
   readonly power: number;
 }
@@ -67,7 +67,7 @@ export function createPanel(root: HTMLElement, home: () => void): Panel {
     figures.hidden = !isShown;
     chip.hidden = isShown;
   }
-  // On a phone the picture comes first.
+  // On a phone the panel would cover the picture.
   show(window.innerWidth > 600);
 
   return {
@@ -87,7 +87,7 @@ export function createPanel(root: HTMLElement, home: () => void): Panel {
   };
 }
 
-/** Splats that reach into the picture, and how many of them others do not hide. */
+/** Splats within the picture, and how many of them are unoccluded. */
 function splatsOf({ splats, unhidden }: Facts): string {
   return unhidden === null ? count(splats) : `${count(splats)}, ${count(unhidden)} drawn`;
 }

@@ -1,13 +1,13 @@
-/** Whether the pages of a room exchange files: server and user must want it, and the browser must be able to. */
+/** Conditions for exchanging files between pages of a room: server, user and browser must allow it. */
 import type { About } from '../rooms/about';
 import type { Choice } from './choice';
 
-/** The parameter by which a user does not. */
+/** Query parameter by which a user declines. */
 const PARAMETER = 'peers';
-/** The reason of who has switched it off. */
+/** Reason if the user has switched it off. */
 export const UNWANTED = 'the user does not want it';
 
-/** The reason why this page takes no part, by its own address and browser; null for none. */
+/** Returns why this page's address, user or browser prevents the exchange; null if nothing does. */
 export function refusalHere(query: URLSearchParams, choice: Choice): string | null {
   if (query.get(PARAMETER) === 'off') return 'the address of the page says so';
   if (!choice.isOn) return UNWANTED;
@@ -15,7 +15,7 @@ export function refusalHere(query: URLSearchParams, choice: Choice): string | nu
   return typeof RTCPeerConnection === 'function' ? null : 'the browser has no WebRTC';
 }
 
-/** The reason of the server, by what it tells; null for none. */
+/** Returns why the server prevents the exchange; null if it allows it. */
 export function refusalThere(about: About | null): string | null {
   if (!about) return 'the server does not tell whether pages may';
   return about.peers ? null : 'the server does not want it';

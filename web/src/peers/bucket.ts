@@ -1,14 +1,14 @@
-/** A rate with what may come at once. */
+/** Token bucket: a rate with a burst. */
 import type { Clock } from '../rooms/clock';
 
 export interface Bucket {
-  /** Take an amount; false if there is not as much. */
+  /** Takes an amount; returns false if less is available. */
   take(amount: number): boolean;
-  /** Seconds until there is an amount, of at most what may come at once. */
+  /** Seconds until an amount is available, which is at most the burst. */
   secondsTo(amount: number): number;
 }
 
-/** So much a second, of which `most` may come at once. */
+/** Creates a bucket of `rate` units per second with a burst of `most`. */
 export function createBucket(rate: number, most: number, now: Clock['now']): Bucket {
   let [level, since] = [most, now()];
 

@@ -1,33 +1,33 @@
-/** A connection of WebRTC to one other page, with one channel for data, which both pages make. */
+/** WebRTC connection to one other page with one data channel, which both pages create. */
 import type { Clock } from '../rooms/clock';
 import type { Line } from './peer';
 
-/** Seconds in which the browser must know its own addresses. */
+/** Timeout in seconds for gathering the browser's own addresses. */
 const ADDRESSES = 1;
-/** The channel of both pages. Files come in order and whole. */
+/** Settings of the data channel that both pages share. It is reliable and ordered. */
 const CHANNEL = { negotiated: true, id: 0, ordered: true } as const;
 
 export interface CallEvents {
-  /** The channel can be used. */
+  /** Called when the channel can be used. */
   readonly opened: (line: Line) => void;
-  /** The connection has ended, or does not come about. */
+  /** Called when the connection has ended or could not be established. */
   readonly ended: () => void;
-  /** The other page has broken the rules. */
+  /** Called when the other page violates the protocol. */
   readonly refuse: (sentence: string) => void;
 }
 
 export interface Call {
-  /** A description of this page's end. */
+  /** Returns this page's offer. */
   offer(): Promise<string>;
-  /** The answer to an offer. */
+  /** Returns the answer to an offer. */
   answer(offer: string): Promise<string>;
-  /** The other page has answered. */
+  /** Applies the other page's answer. */
   take(answer: string): Promise<void>;
   close(): void;
 }
 
 export function createCall({ opened, ended, refuse }: CallEvents, later: Clock['later']): Call {
-  // No server tells addresses: pages reach each other in one network, or where they have public ones.
+  // There is no STUN server: pages connect in a local network, or if they have public addresses.
   const connection = new RTCPeerConnection({ iceServers: [] });
   const channel = connection.createDataChannel('files', CHANNEL);
   channel.onopen = () => opened(channel);
@@ -37,7 +37,7 @@ export function createCall({ opened, ended, refuse }: CallEvents, later: Clock['
     if (['failed', 'closed'].includes(connection.connectionState)) ended();
   };
 
-  /** Descriptions with all addresses, so that one signal suffices. */
+  /** Returns the description with all addresses, so that one signal suffices. */
   async function described(): Promise<string> {
     await connection.setLocalDescription();
     if (connection.iceGatheringState !== 'complete') {

@@ -1,6 +1,6 @@
-/** Whether the user wants to exchange files with others, kept for all pages of this origin. */
+/** User's choice whether to exchange files, stored for all pages of this origin. */
 
-/** Where the choice lies; without an entry the user exchanges files. */
+/** Key of the choice in the storage; without an entry files are exchanged. */
 const KEY = 'nearfar peers';
 
 export interface Choice {
@@ -9,7 +9,7 @@ export interface Choice {
 }
 
 export function createChoice(storage: () => Storage = () => localStorage): Choice {
-  /** Browsers may forbid the storage: the choice holds for this page then. */
+  /** Accesses the storage, which browsers may forbid; the choice then holds for this page only. */
   function attempt<Result>(action: (storage: Storage) => Result): Result | null {
     try {
       return action(storage());

@@ -1,37 +1,37 @@
-/** Files that a page asks another one for. Time is counted in ticks: a page that stood still blames nobody for it. */
+/** Files requested from another page. Time is counted in ticks, so that a suspended page does not blame others. */
 import type { Described } from '../bundle/manifest';
 import type { Received } from '../bundle/source';
 import { sha256 } from '../hex';
 import { type Message, PART } from './messages';
 
-/** Seconds of a tick. */
+/** Seconds per tick. */
 export const TICK = 0.25;
-/** Requests to one page at the same time. */
+/** Greatest number of concurrent requests to one page. */
 const MOST_OPEN = 32;
 
-/** The content of a file, or why there is none: the page has it not, sends nothing more, or has sent another one. */
+/** Content of a file, or why it is missing: the page lacks it, has stopped sending, or has sent wrong data. */
 export type Answer = ArrayBuffer | 'none' | 'silent' | 'wrong';
 
 export interface Wanted extends Described {
-  /** Seconds without a byte after which the request is given up. */
+  /** Timeout in seconds without a received byte. */
   readonly patience: number;
-  /** Seconds that it may take, beside those for its bytes. */
+  /** Timeout in seconds for the whole request, in addition to the time for its bytes. */
   readonly longest: number;
-  /** Bytes a second that come at least, after these seconds. */
+  /** Least transfer rate in bytes per second, which extends the timeout. */
   readonly slowest: number;
 }
 
 export interface Downloads {
-  /** Requests that are open, those that were given up and still end among them. */
+  /** Number of open requests, including abandoned ones that have not ended. */
   readonly open: number;
-  /** The page may be asked: it has room, and has not left a request without an end. */
+  /** Whether the page can take a request: it has room, and no abandoned request is open. */
   readonly isFree: boolean;
-  /** Ask for a file; `received` is told of its bytes, and of how many count no longer (below 0). */
+  /** Requests a file; `received` is called with its bytes, and with a negative number if they do not count. */
   ask(file: Wanted, signal: AbortSignal, received: Received): Promise<Answer>;
-  /** A message has come; the answer is a sentence if the page breaks the rules. */
+  /** Handles a message; returns a sentence if the page violates the protocol. */
   hear(message: Extract<Message, { readonly request: number }>): string | null;
   tick(): void;
-  /** The page is gone: nothing more comes. */
+  /** Ends all requests, because the page is gone. */
   end(): void;
 }
 
@@ -41,16 +41,16 @@ interface Download {
   readonly done: (answer: Answer) => void;
   data: Uint8Array<ArrayBuffer> | null;
   size: number;
-  /** Bytes that the other page has told to have, while it waits for the file itself. */
+  /** Number of bytes that the other page reports to have while it waits for the file itself. */
   told: number;
-  /** Ticks without a byte, and all of them. */
+  /** Ticks since the last byte; ticks since the request. */
   quiet: number;
   age: number;
-  /** Nobody waits for it any more; what is on its way still comes. */
+  /** Whether the request was abandoned; data that was already sent may still arrive. */
   isOver: boolean;
 }
 
-/** `refuse` is told a sentence when a file is another one than was asked for. */
+/** Creates the downloads from a page; `refuse` is called with a sentence if a file has the wrong content. */
 export function createDownloads(send: (message: Message) => void, refuse: (sentence: string) => void): Downloads {
   const downloads = new Map<number, Download>();
   let last = 0;

@@ -1,4 +1,4 @@
-/** Who connects to whom: of two users the one with the smaller number offers, and each connects to some of them. */
+/** Connections between users: each connects to its nearest neighbours, and the smaller number sends the offer. */
 import { FrameError } from '../rooms/bytes';
 import type { Clock } from '../rooms/clock';
 import type { FromServer } from '../rooms/frames';
@@ -8,41 +8,41 @@ import { TICK } from './downloads';
 import type { Line } from './peer';
 import { readSignal, type Signal } from './signals';
 
-/** Users before and after one's own number, in a circle, to whom a page connects; and connections at the same time. */
+/** Neighbours on each side in the circle of numbers; greatest number of connections. */
 const [REACH, MOST_CALLS] = [6, 16] as const;
-/** Offers of a user that are answered. */
+/** Greatest number of answered offers per user. */
 const MOST_OFFERS = 8;
-/** Connections that are made a second, and at once, whoever they are to. */
+/** Rate per second and burst of new connections, to any users. */
 const [RATE, BURST] = [1, 16] as const;
-/** Seconds in which a connection must come about. */
+/** Timeout for a connection, seconds. */
 const CONNECT = 10;
-/** Ticks for which files wait at first: to enter the room, and then for all connections. */
+/** Ticks for which files wait at first: for entering the room, and then for all connections. */
 const FIRST = Math.round(1.5 / TICK);
 
 export interface MeshSettings {
   readonly clock: Clock;
   readonly create: (events: CallEvents) => Call;
-  /** Send a signal to a user. */
+  /** Sends a signal to a user. */
   readonly signal: (user: number, signal: Signal) => void;
   readonly opened: (user: number, line: Line) => void;
   readonly ended: (user: number) => void;
 }
 
 export interface Mesh {
-  /** The user's own number; null outside of the room. */
+  /** User's own number; null outside the room. */
   readonly own: number | null;
-  /** Users who have broken the rules, and how: they are not connected to any more. */
+  /** Users who have violated the protocol, with the violation: no more connections to them. */
   readonly dropped: ReadonlyMap<number, string>;
   hear(frame: FromServer): void;
-  /** The user is not in the room. */
+  /** Forgets all users, because the user has left the room. */
   clear(): void;
-  /** Connect from now on; or end all connections, and tell all others that this page does not connect. */
+  /** Begins to connect; or ends all connections and tells all others that this page does not connect. */
   begin(isOn: boolean): void;
-  /** A user has told what its page has: nobody waits for it any more. */
+  /** Records that a user has sent its list of files, which ends waiting for it. */
   greeted(user: number): void;
-  /** A user has broken the rules. */
+  /** Disconnects a user who has violated the protocol. */
   drop(user: number, sentence: string): void;
-  /** Resolves when all who were there at first have told what they have or do not connect, or some time has passed. */
+  /** Resolves when all users present at first have sent their lists of files or do not connect, or after a timeout. */
   readonly ready: Promise<void>;
 }
 
@@ -59,15 +59,15 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
   const places = new Map<number, Place>();
   const dropped = new Map<number, string>();
   const calls = createBucket(RATE, BURST, clock.now);
-  /** Users with whom no connection has come about. */
+  /** Users with failed connections. */
   const failed = new Set<number>();
-  /** Offers that have come from each user. */
+  /** Number of offers from each user. */
   const offers = new Map<number, number>();
-  /** Offers that came before it was known whether this page connects. */
+  /** Offers that arrived before it was known whether this page connects. */
   const early = new Map<number, Signal>();
   let own: number | null = null;
   let isOn: boolean | null = null;
-  /** Users who were there before, and of whom the server has not told yet. */
+  /** Number of present users that the server has not announced yet. */
   let untold: number | null = null;
   let settle = (): void => undefined;
   const ready = new Promise<void>((done) => (settle = done));
@@ -80,7 +80,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
   }
   clock.later(TICK, wait);
 
-  /** Whether nobody is left of whom files wait. */
+  /** Ends waiting if no neighbour is left for which files wait. */
   function look(): void {
     if (isOn === false) settle();
     if (isOn === null || own === null || untold === null || untold > 0) return;
@@ -88,7 +88,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     if (neighbours().every((user) => isOver(user) || places.get(user)?.hasGreeted)) settle();
   }
 
-  /** The nearest users by their numbers; of two users each is the other's neighbour, or none is. */
+  /** Returns the nearest users by number; the relation is symmetric. */
   function neighbours(): number[] {
     const others = [...users].sort((a, b) => a - b);
     if (others.length <= 2 * REACH) return others;
@@ -112,12 +112,12 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     if (isOpen) ended(user);
   }
 
-  /** Begin a connection; null if the browser makes none. */
+  /** Begins a connection; null if the browser creates none. */
   function open(user: number, attempt: number): Place | null {
     try {
       return begun(user, attempt);
     } catch {
-      // Browsers allow some hundreds for each page.
+      // Browsers allow a few hundred connections per page.
       fail(user);
       return null;
     }
@@ -145,7 +145,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     return place;
   }
 
-  /** Send a description when it is there; without one there is no connection. */
+  /** Sends a description when it is available; failure ends the connection. */
   function describe(user: number, place: Place, kind: 'offer' | 'answer', description: Promise<string>): void {
     const isCurrent = (): boolean => places.get(user) === place;
     description
@@ -153,9 +153,9 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
       .catch(() => isCurrent() && fail(user));
   }
 
-  /** Offer to those who are to be offered to. */
+  /** Sends offers to neighbours with greater numbers. */
   function offer(): void {
-    // Before all are known, others may be neighbours than later, who would not answer.
+    // Before all users are known, other users may be neighbours than later, and would not answer.
     if (!isOn || own === null || untold === null || untold > 0) return;
     for (const user of neighbours()) {
       const isOther = user > own && !places.has(user) && !failed.has(user) && !dropped.has(user);
@@ -178,7 +178,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     });
   }
 
-  /** Whether an offer is answered: users who are no neighbours get neither this page's address nor its places. */
+  /** Whether an offer is answered: only neighbours get this page's addresses and one of its connections. */
   function isAnswered(user: number): boolean {
     const hasPlace = places.has(user) || places.size < MOST_CALLS;
     return isOn === true && user < (own ?? 0) && hasPlace && neighbours().includes(user);
@@ -223,7 +223,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
       takeSignal(user, readSignal(payload));
     } catch (error) {
       if (!(error instanceof FrameError)) throw error;
-      // Other programs of the room may have signals of their own.
+      // Other programs in the room may use their own signals.
       fail(user);
     }
   }
@@ -270,7 +270,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
         if (!hasEntered) [hasEntered, ticks] = [true, FIRST];
         untold = frame.others;
       } else if (frame.kind === 'joined') {
-        // Who comes back has another page.
+        // A returning user has a new page.
         leave(frame.user);
         users.add(frame.user);
         if (untold !== null && untold > 0) untold -= 1;

@@ -1,35 +1,35 @@
-/** Messages between two pages, as bytes. docs/peers.md has a table of every field. */
+/** Binary messages between two pages. docs/peers.md has a table of every field. */
 import { bytesOf, hexOf } from '../hex';
 import { FrameError, Reader, Writer } from '../rooms/bytes';
 
-/** Bytes of a part of a file; the last one of a file may be shorter. */
+/** Bytes per part of a file; the last part may be shorter. */
 export const PART = 16_384;
-/** Files that one message tells of, at most. */
+/** Greatest number of files per `tell` message. */
 export const MOST_TOLD = 500;
-/** Bytes of a key: SHA-256 of a file's content. */
+/** Bytes of a key, which is the SHA-256 of a file's content. */
 const KEY = 32;
-/** Bytes of the kind and of the number of a request. */
+/** Bytes of the header: message kind and request number. */
 const HEAD = 5;
 /** Greatest size of a message, bytes. */
 export const MOST_BYTES = HEAD + PART;
 
-/** How a page comes by a file: it has it, it asks the server for it, or neither any more. */
+/** State of a file on a page: present, being received from the server, or neither. */
 export type Holding = 'here' | 'coming' | 'gone';
 const HOLDINGS = ['gone', 'coming', 'here'] as const;
 const KINDS = { tell: 1, want: 2, part: 3, wait: 4, none: 5, cancel: 6 } as const;
 
-/** Keys are hexadecimal digits. Requests have numbers of who asks. */
+/** Message with keys as hexadecimal digits and request numbers chosen by the requesting page. */
 export type Message =
   | { readonly kind: 'tell'; readonly holding: Holding; readonly keys: readonly string[] }
   | { readonly kind: 'want'; readonly request: number; readonly key: string }
   | { readonly kind: 'part'; readonly request: number; readonly data: Uint8Array }
-  /** The file is not there yet; so many bytes of it are. */
+  /** The file is still being received; `bytes` of it are present. */
   | { readonly kind: 'wait'; readonly request: number; readonly bytes: number }
-  /** Nothing more of the file follows. */
+  /** Ends a request: no more data of the file follow. */
   | { readonly kind: 'none'; readonly request: number }
   | { readonly kind: 'cancel'; readonly request: number };
 
-/** The message that bytes hold; a `FrameError` if they hold none. */
+/** Parses a message; throws `FrameError` if it is malformed. */
 export function readMessage(bytes: Uint8Array): Message {
   if (bytes.length > MOST_BYTES) throw new FrameError('a message is too long');
   const reader = new Reader(bytes);
@@ -77,7 +77,7 @@ export function writeMessage(message: Message): Uint8Array<ArrayBuffer> {
   return out.done();
 }
 
-/** Parts are copied at once, not byte by byte. */
+/** Writes a part with one copy instead of byte by byte. */
 function writePart(request: number, data: Uint8Array): Uint8Array<ArrayBuffer> {
   const bytes = new Uint8Array(HEAD + data.length);
   bytes[0] = KINDS.part;

@@ -1,15 +1,15 @@
-/** Signals that are sent no faster than a room takes them from a user. */
+/** Queue of signals that respects the rate limit of a room. */
 import type { Clock } from '../rooms/clock';
 import { createBucket } from './bucket';
 
-/** Bytes a second and at once, below what docs/rooms.md allows; and bytes that count for less. */
+/** Bytes per second and burst, below the limits of docs/rooms.md; least bytes that a signal counts for. */
 const [RATE, BURST, LEAST] = [24_576, 12_288, 64] as const;
-/** Signals that wait at most. */
+/** Greatest number of queued signals. */
 const MOST_WAITING = 64;
 
 export interface Outbox {
   send(user: number, payload: Uint8Array): void;
-  /** Forget what waits. */
+  /** Discards queued signals. */
   clear(): void;
 }
 

@@ -1,4 +1,4 @@
-/** Another page to which a channel is open: what it has, what it is asked for, and what it asks for. */
+/** Page with an open channel: its files, its requests and the requests to it. */
 import type { Received } from '../bundle/source';
 import { FrameError } from '../rooms/bytes';
 import type { Clock } from '../rooms/clock';
@@ -7,18 +7,18 @@ import { type Answer, createDownloads, type Wanted } from './downloads';
 import { type Holding, type Message, MOST_TOLD, readMessage, writeMessage } from './messages';
 import { createUploads, type Shelf } from './uploads';
 
-/** Messages a second besides parts, and as many at once; so many files that a message tells of count as one. */
+/** Rate per second and burst of messages except parts; number of listed files that count as one message. */
 const [RATE, BURST, TOLD] = [512, 2048, 50] as const;
-/** Times that a page may leave requests without an answer before it is asked no more; those at once are one. */
+/** Number of times with unanswered requests before a page gets no more; simultaneous ones count once. */
 const MOST_SILENT = 3;
-/** Requests a second that a page makes, and at once: fewer than others answer. */
+/** Rate per second and burst of this page's requests: below the limits of those who answer. */
 const [ASKED_RATE, ASKED_BURST] = [80, 300] as const;
-/** Files of which a page may tell; of more it tells in vain. */
+/** Greatest number of files remembered per page; more are ignored. */
 const MOST_KNOWN = 8192;
-/** Bytes that wait in the browser, at which it asks for more. */
+/** Threshold of buffered bytes below which the browser asks for more. */
 const LOW = 1 << 17;
 
-/** The part of the browser's channel for data that is used. */
+/** Subset of the data channel's interface that is used. */
 export type Line = Pick<
   RTCDataChannel,
   'binaryType' | 'bufferedAmount' | 'bufferedAmountLowThreshold' | 'onbufferedamountlow' | 'onmessage' | 'send'
@@ -28,32 +28,32 @@ export interface PeerSettings {
   readonly number: number;
   readonly line: Line;
   readonly shelf: Shelf;
-  /** Bytes that this page gives to all others. */
+  /** Budget of bytes that this page sends to all others. */
   readonly budget: Bucket;
   readonly now: Clock['now'];
-  /** Bytes of files that were sent. */
+  /** Called with the number of sent bytes of files. */
   readonly sent: (bytes: number) => void;
-  /** The page has told for the first time of files that it has, or that it has none. */
+  /** Called when the page has sent its first list of present files, which may be empty. */
   readonly greeted: () => void;
-  /** The page has broken the rules. */
+  /** Called when the page violates the protocol. */
   readonly refuse: (sentence: string) => void;
 }
 
 export interface Peer {
-  /** The user's number. */
+  /** Number of the user. */
   readonly number: number;
   readonly open: number;
   readonly isFree: boolean;
-  /** How it comes by a file, as far as it has told. */
+  /** State of a file on the page, as far as it is known. */
   holds(key: string): Holding;
-  /** It waits for a file from this page. */
+  /** Whether the page waits for a file from this one. */
   awaits(key: string): boolean;
-  /** Tell it of files; of none, too. */
+  /** Sends the state of files; the list may be empty. */
   tell(holding: Holding, keys: readonly string[]): void;
   ask(file: Wanted, signal: AbortSignal, received: Received): Promise<Answer>;
-  /** A file has come to this page, or does not come. */
+  /** Handles that a file has arrived at this page, or will not. */
   settle(key: string): void;
-  /** So much time has passed; `isSecond` from time to time, when a second has. */
+  /** Advances time by a tick; `isSecond` is true once per second. */
   tick(isSecond: boolean): void;
   end(): void;
 }
@@ -63,7 +63,7 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
   const messages = createBucket(RATE, BURST, now);
   const asked = createBucket(ASKED_RATE, ASKED_BURST, now);
   let [isOver, hasGreeted, ticks] = [false, false, 0];
-  /** Ticks at which it had left requests without an answer. */
+  /** Ticks in which requests remained unanswered. */
   const silences = new Set<number>();
 
   function send(message: Message): void {
@@ -71,7 +71,7 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
     try {
       line.send(writeMessage(message));
     } catch {
-      // The browser has closed the channel, and tells so by an event.
+      // The browser has closed the channel; an event follows.
     }
   }
 

@@ -1,7 +1,7 @@
 /**
- * Where a file comes from: this page's own store, another page that has it or is about to, or the server. Of the pages
- * that are connected and want a file, one asks the server for it. No page waits for one that waits for it in turn: a
- * page asks another one only if that one has the file, comes by it from the server, or comes before it by its weight.
+ * Source of a file: this page's own store, another page that has it or is receiving it, or the server. One of the
+ * connected pages that want a file requests it from the server. There is no circular waiting: a page asks another one
+ * only if that one has the file, is receiving it from the server, or precedes it by weight.
  */
 import type { Described } from '../bundle/manifest';
 import type { Received, Serve } from '../bundle/source';
@@ -13,32 +13,32 @@ import type { Shelf } from './uploads';
 import { isBefore } from './weights';
 
 /**
- * After how long another page is given up: for the first picture, and after it. Pages that draw by programs answer about
- * once a second: with a patience of 1 s, one run of four took more than twice one page's files from the server.
+ * Timeouts for another page: for the first picture, and later. Pages with software rendering answer about once a
+ * second: with a patience of 1 s, one run of four took more than twice one page's files from the server.
  */
 const FIRST = { patience: 3, longest: 5, slowest: 1e6 } as const;
 const LATER = { patience: 4, longest: 10, slowest: 65_536 } as const;
-/** Users given up for the first picture, after whom it comes from the server alone. */
+/** Number of users that time out during the first picture before it is loaded from the server alone. */
 const MOST_LATE = 2;
 
 export interface ShareSettings {
   readonly store: Store;
   readonly described: (name: string) => Described | undefined;
-  /** Names of the files that the page shows, or will. */
+  /** Names of the files that the page shows or will show. */
   readonly wanted: () => Iterable<string>;
-  /** The first picture is not there yet. */
+  /** Whether the first picture is still missing. */
   readonly isFirst: () => boolean;
-  /** The user's own number; null outside of the room. */
+  /** User's own number; null outside the room. */
   readonly own: () => number | null;
   readonly peers: () => readonly Peer[];
-  /** Resolves when all who were there at first have told what they have, as far as that is worth waiting for. */
+  /** Resolves when all users present at first have sent their lists of files, or after a timeout. */
   readonly ready: Promise<void>;
-  /** Fetch a file, by whichever way, for others who ask for it first. */
+  /** Fetches a file from any source, because another page requests it first. */
   readonly fetch: (name: string, signal: AbortSignal) => Promise<ArrayBuffer>;
 }
 
 export interface Counts {
-  /** Bytes and files that came from others, and from the server. */
+  /** Bytes and files received from other pages, and from the server. */
   readonly others: { bytes: number; files: number };
   readonly server: { bytes: number; files: number };
 }
@@ -46,22 +46,22 @@ export interface Counts {
 export interface Share {
   readonly counts: Counts;
   readonly shelf: Shelf;
-  /** A file's content; `serve` asks the server for it. */
+  /** Returns a file's content; `serve` requests it from the server. */
   get(name: string, signal: AbortSignal, received: Received, serve: Serve): Promise<ArrayBuffer>;
-  /** Tell a page that connects of the files that are here, and of those that come from the server. */
+  /** Sends a newly connected page the lists of files that are present or being received from the server. */
   greet(peer: Peer): void;
 }
 
 export function createShare(settings: ShareSettings): Share {
   const { store, described, wanted, isFirst, own, peers, ready, fetch } = settings;
   const counts: Counts = { others: { bytes: 0, files: 0 }, server: { bytes: 0, files: 0 } };
-  /** Bytes that are here of each file that comes, and files that come from the server. */
+  /** Received bytes of each file in transfer; files requested from the server. */
   const coming = new Map<string, number>();
   const asked = new Set<string>();
-  /** Users who were given up for the first picture. */
+  /** Users that timed out during the first picture. */
   const late = new Set<number>();
 
-  /** The page to ask for a file; null for the server. */
+  /** Returns the page to request a file from; null for the server. */
   function chosen(key: string, tried: ReadonlySet<number>): Peer | null {
     const number = own();
     const isHasty = isFirst();
@@ -85,7 +85,7 @@ export function createShare(settings: ShareSettings): Share {
       tried.add(peer.number);
       const answer: Answer = await peer.ask({ ...file, ...(isFirst() ? FIRST : LATER) }, signal, received);
       if (answer instanceof ArrayBuffer) return answer;
-      // No file of the first picture waits twice.
+      // A file of the first picture waits for only one page.
       if (answer === 'silent' && isFirst()) {
         late.add(peer.number);
         return null;
@@ -99,7 +99,7 @@ export function createShare(settings: ShareSettings): Share {
     for (const peer of peers()) peer.tell('coming', [key]);
     try {
       const data = await serve();
-      // The decoder tells of damage; others do not get it.
+      // The decoder reports damaged data; other pages do not get them.
       if ((await sha256(data)) === key) keep(key, data);
       return data;
     } finally {
@@ -142,7 +142,7 @@ export function createShare(settings: ShareSettings): Share {
     counts,
     async get(name, signal, received, serve) {
       const file = described(name);
-      // The server's way tells of files that are not listed.
+      // The server's path reports files that are not listed.
       if (!file || file.bytes === 0) return serve(name, signal, received);
       const { sha256: key } = file;
       const held = await store.find(key)?.arrayBuffer().catch(() => null);
@@ -180,7 +180,7 @@ export function createShare(settings: ShareSettings): Share {
   };
 }
 
-/** Wait for something, or until nobody wants it any more. */
+/** Waits for a promise, or until the signal aborts. */
 async function within(awaited: Promise<void>, signal: AbortSignal): Promise<void> {
   signal.throwIfAborted();
   let stop = (): void => undefined;

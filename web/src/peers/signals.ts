@@ -1,22 +1,22 @@
-/** Payloads of `signal`, by which pages connect. docs/peers.md has a table of every field. */
+/** Payloads of `signal` frames, with which pages connect. docs/peers.md has a table of every field. */
 import { FrameError, Reader, Writer } from '../rooms/bytes';
 
 const VERSION = 1;
-/** Most bytes of a description, and addresses of it that are used. */
+/** Greatest number of bytes of a description, and of its addresses that are used. */
 const [MOST_BYTES, MOST_ADDRESSES] = [8192, 8] as const;
-/** Lines with addresses; and those of UDP that a device has itself, since pages ask no server for others. */
+/** Lines with addresses; lines with a device's own UDP addresses: without a STUN server there are no others. */
 const ADDRESS = /^\s*a=candidate:/i;
 const OWN = /^a=candidate:\S+ \d+ udp \d+ \S+ \d+ typ host(?:\s|$)/i;
 const KINDS = ['offer', 'answer', 'no'] as const;
 
-/** `attempt` is a number of the offer, which its answer repeats; `sdp` describes a connection, and is empty for no. */
+/** Signal; `attempt` identifies an offer and its answer, `sdp` describes a connection and is empty for `no`. */
 export interface Signal {
   readonly kind: (typeof KINDS)[number];
   readonly attempt: number;
   readonly sdp: string;
 }
 
-/** The signal of a payload; a `FrameError` if it is none, or describes more than one channel for data. */
+/** Parses a payload; throws `FrameError` if it is malformed or describes more than one data channel. */
 export function readSignal(payload: Uint8Array): Signal {
   const reader = new Reader(payload);
   if (reader.u8() !== VERSION) throw new FrameError('a signal is of another version');
@@ -28,7 +28,7 @@ export function readSignal(payload: Uint8Array): Signal {
   return { kind, attempt, sdp: withFewAddresses(sdp) };
 }
 
-/** The payload of a signal; a `FrameError` for a description that others would not take. */
+/** Writes a payload; throws `FrameError` for a description that others would reject. */
 export function writeSignal({ kind, attempt, sdp }: Signal): Uint8Array<ArrayBuffer> {
   const text = new TextEncoder().encode(sdp);
   if (text.length > MOST_BYTES) throw new FrameError('a description is too long');
@@ -46,7 +46,7 @@ function isDescription(sdp: string): boolean {
   return media.length === 1 && /^m=application /.test(media[0] ?? '');
 }
 
-/** A description without all other addresses: the browser sends packets to each, whoever has it. */
+/** Removes foreign and excess addresses: the browser sends packets to every address in a description. */
 function withFewAddresses(sdp: string): string {
   let count = 0;
   const lines = sdp.split('\n').filter((line) => {

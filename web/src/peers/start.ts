@@ -1,4 +1,4 @@
-/** Pages of a room exchange files; the server signals, and has what no page has. */
+/** Exchange of files between pages of a room; the server relays signals and sends files that no page has. */
 import type { Described } from '../bundle/manifest';
 import type { Files } from '../bundle/source';
 import type { Ask } from '../rooms/about';
@@ -16,45 +16,45 @@ import { writeSignal } from './signals';
 import { createStore } from './store';
 import { createBudget } from './uploads';
 
-/** Ticks in a second. */
+/** Ticks per second. */
 const SECOND = Math.round(1 / TICK);
 
 export interface PeersSettings {
-  /** Of the page's address. */
+  /** Query of the page's address. */
   readonly query: URLSearchParams;
-  /** Tells what the server tells of its rooms. */
+  /** Asks the server for its settings of rooms. */
   readonly ask: Ask;
   readonly files: Files;
   readonly wanted: () => Iterable<string>;
   readonly isFirst: () => boolean;
-  /** Send a signal to a user of the room. */
+  /** Sends a signal to a user of the room. */
   readonly signal: (user: number, payload: Uint8Array) => void;
 }
 
-/** The user's switch, where nothing else is known to forbid the exchange. */
+/** User's switch, available if nothing else prevents the exchange. */
 export interface Switch {
   readonly isOn: boolean;
-  /** Off ends the exchange; on begins it when the page is loaded again. */
+  /** Sets the choice: off ends the exchange; on begins it when the page is reloaded. */
   set(isOn: boolean): void;
 }
 
 export interface Peers {
-  /** Why this page takes no part; null while it does, and undefined until that is known. */
+  /** Why this page does not take part; null if it does, undefined until that is known. */
   readonly refusal: string | null | undefined;
-  /** Numbers of the users to whom channels are open. */
+  /** Numbers of the users with open channels. */
   readonly open: readonly number[];
-  /** Users who have broken the rules, and how. */
+  /** Users who have violated the protocol, with the violation. */
   readonly dropped: ReadonlyMap<number, string>;
-  /** Bytes and files that came from others and from the server, and bytes that were sent to others. */
+  /** Bytes and files received from other pages and from the server; bytes sent to other pages. */
   readonly counts: Counts & { readonly sent: number };
-  /** Null where the user has nothing to choose. */
+  /** User's switch; null if there is no choice. */
   readonly switch: Switch | null;
   hear(frame: FromServer): void;
-  /** The user is not in the room. */
+  /** Ends all connections, because the user has left the room. */
   clear(): void;
 }
 
-/** Exchange files from now on, where all want that. */
+/** Starts the exchange of files if all sides allow it. */
 export function startPeers({ query, ask, files, wanted, isFirst, signal }: PeersSettings): Peers {
   const clock = CLOCK;
   const peers = new Map<number, Peer>();

@@ -1,18 +1,18 @@
-/** Contents of files that a page can give to others, by their keys; the oldest ones make place. */
+/** Least recently used cache of file contents that a page can give to others, by key. */
 
-/** Bytes that are kept. */
+/** Greatest number of stored bytes. */
 const MOST_BYTES = 64 * 2 ** 20;
 
 export interface Store {
   readonly keys: readonly string[];
   has(key: string): boolean;
-  /** The content; null if it is not there. */
+  /** Returns the content; null if it is not stored. */
   find(key: string): Blob | null;
-  /** Keep a content, which is checked; the answer names those that had to go. */
+  /** Stores a verified content; returns the evicted keys. */
   add(key: string, data: ArrayBuffer): readonly string[];
 }
 
-/** Blobs, since browsers may keep them on disk. */
+/** Creates a store of blobs, which browsers may keep on disk. */
 export function createStore(most: number = MOST_BYTES): Store {
   const kept = new Map<string, Blob>();
   let bytes = 0;
@@ -30,7 +30,7 @@ export function createStore(most: number = MOST_BYTES): Store {
     find(key) {
       const found = kept.get(key);
       if (!found) return null;
-      // The last one that was asked for goes last.
+      // The most recently requested content is evicted last.
       kept.delete(key);
       kept.set(key, found);
       return found;

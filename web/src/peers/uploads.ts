@@ -1,68 +1,68 @@
-/** Files that one other page asks for: sent one after the other, no faster than they go. */
+/** Files that another page requests: sent one after the other, limited by the channel's buffer. */
 import type { Clock } from '../rooms/clock';
 import { type Bucket, createBucket } from './bucket';
 import { type Message, PART } from './messages';
 
-/** Bytes that wait in the browser, from which on no more are sent, and of a file that are read at once. */
+/** Limit of buffered bytes in the browser; bytes of a file that are read at once. */
 const [WAITING, READ] = [1 << 18, 4 * PART] as const;
-/** Requests of one page at the same time. */
+/** Greatest number of concurrent requests of one page. */
 const MOST_OPEN = 64;
-/** Requests a second that are answered with a file, and as many at once. */
+/** Rate per second and burst of requests that are answered with a file. */
 const [RATE, BURST] = [100, 400] as const;
-/** Times that one page gets a file: once, and again if it broke off. */
+/** Number of times that one page gets a file: once, and again after an interruption. */
 const MOST_TIMES = 2;
-/** Bytes a second that all other pages get together, and at once: as much as a page keeps. */
+/** Bytes per second and burst for all other pages together; the burst is the size of a page's store. */
 const [BYTES_RATE, BYTES_BURST] = [4 * 2 ** 20, 64 * 2 ** 20] as const;
 
-/** Where files are. */
+/** Source of files for uploads. */
 export interface Shelf {
   find(key: string): Blob | null;
-  /** See to it that a file comes; false if this page does not come by it. */
+  /** Starts to fetch a file; returns false if this page cannot. */
   obtain(key: string): boolean;
-  /** Bytes of a file that are here, while it comes. */
+  /** Number of present bytes of a file in transfer. */
   sizeOf(key: string): number;
 }
 
 export interface Uploads {
-  /** A request has come; the answer is a sentence if it breaks the rules. */
+  /** Handles a request; returns a sentence if it violates the protocol. */
   want(request: number, key: string): string | null;
   cancel(request: number): void;
-  /** The other page waits for a file that is not here yet. */
+  /** Whether the other page waits for a file that is in transfer. */
   awaits(key: string): boolean;
-  /** A file has come, or does not come. */
+  /** Handles that a file has arrived, or will not. */
   settle(key: string): void;
-  /** Tell of those that are waited for. */
+  /** Reports the progress of files that are waited for. */
   tick(): void;
-  /** The browser can take more. */
+  /** Continues when the browser can buffer more. */
   pump(): void;
   end(): void;
 }
 
-/** The part of the browser's channel to which uploads send. */
+/** Subset of the channel that uploads use. */
 export interface Outlet {
   readonly bufferedAmount: number;
   send(message: Message): void;
-  /** Bytes of files that were sent. */
+  /** Called with the number of sent bytes of files. */
   sent(bytes: number): void;
 }
 
-/** The bytes that a page gives to all others. */
+/** Budget of bytes that a page sends to all others. */
 export function createBudget(now: Clock['now']): Bucket {
   return createBucket(BYTES_RATE, BYTES_BURST, now);
 }
 
 export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now: Clock['now']): Uploads {
   const rate = createBucket(RATE, BURST, now);
-  /** How often the page got each file; keys are those of files that this page had. */
+  /** Number of times that the page got each file; keys are those of files that were present here. */
   const times = new Map<string, number>();
-  /** Requests for files that are here, in their order, and for those that come, by key. */
+  /** Requests for present files, in order; keys of requests for files in transfer. */
   const ready = new Map<number, Blob>();
   const waiting = new Map<number, string>();
   let last = 0;
   let isSending = false;
   let resume = (): void => undefined;
 
-  /** A file to send; null if the page gets it no more, or all pages have got too much. */
+  /** Returns the file if the limits of the page and the budget allow it, else null. */
   function granted(key: string, found: Blob | null): Blob | null {
     const count = (times.get(key) ?? 0) + 1;
     if (!found || count > MOST_TIMES || !budget.take(found.size)) return null;
@@ -70,14 +70,14 @@ export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now:
     return found;
   }
 
-  /** Put a file in the queue, or answer that there is none. */
+  /** Queues a file, or answers that there is none. */
   function queue(request: number, file: Blob | null): void {
     if (file) ready.set(request, file);
     else outlet.send({ kind: 'none', request });
     void sendAll();
   }
 
-  /** Send a file; stops where the request does. */
+  /** Sends a file until the request ends. */
   async function sendParts(request: number, file: Blob): Promise<void> {
     for (let begin = 0; begin < file.size; begin += READ) {
       const data = new Uint8Array(await file.slice(begin, begin + READ).arrayBuffer());
@@ -95,7 +95,7 @@ export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now:
     try {
       await sendParts(request, file);
     } catch {
-      // The browser does not read it any more.
+      // The browser cannot read the blob any more.
       if (ready.has(request)) outlet.send({ kind: 'none', request });
     }
     ready.delete(request);
@@ -119,7 +119,7 @@ export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now:
         queue(request, granted(key, found));
         return null;
       }
-      // Before it is obtained: who waits for a file is not asked for it.
+      // Recorded before `obtain`, so that the file is not requested from the page that waits for it.
       waiting.set(request, key);
       if (!isFast && shelf.obtain(key)) {
         outlet.send({ kind: 'wait', request, bytes: shelf.sizeOf(key) });

@@ -1,29 +1,29 @@
-/** The server's answer to who asks for its rooms. */
+/** Server's description of its rooms. */
 
 import { bytesOf } from '../hex';
 
-/** Digits of a hash. */
+/** Hexadecimal digits of a SHA-256. */
 const HASH = /^[0-9a-f]{64}$/;
-/** Milliseconds in which the server must answer; a page does not wait longer for the room. */
+/** Timeout of the server's answer, milliseconds, after which the room is joined without it. */
 const ANSWERS = 3000;
 
 export interface About {
-  /** Pages may exchange files among themselves. */
+  /** Whether pages may exchange files. */
   readonly peers: boolean;
-  /** Where datagrams are taken; null if nowhere. */
+  /** Endpoint for datagrams; null for none. */
   readonly datagrams: Datagrams | null;
 }
 
 export interface Datagrams {
   readonly port: number;
-  /** SHA-256 of certificates that no authority has signed. */
+  /** SHA-256 of self-signed certificates. */
   readonly hashes: readonly Uint8Array<ArrayBuffer>[];
 }
 
-/** Ask what the server tells; null if it tells nothing. */
+/** Requests the server's description; null if there is none. */
 export type Ask = () => Promise<About | null>;
 
-/** Ask the server beside a page, by a signal that ends the wait for it. */
+/** Requests the description from the server of a page, with a signal that ends the wait. */
 export async function askAbout(page: string, signal = AbortSignal.timeout(ANSWERS)): Promise<About | null> {
   try {
     const answer = await fetch(new URL('rooms', page), { cache: 'no-store', signal });
@@ -33,7 +33,7 @@ export async function askAbout(page: string, signal = AbortSignal.timeout(ANSWER
   }
 }
 
-/** Read what a server has told; null if it is of another form. */
+/** Parses a description; null if it is malformed. */
 export function readAbout(told: unknown): About | null {
   if (!isRecord(told) || typeof told['peers'] !== 'boolean') return null;
   const { peers, datagrams } = told;

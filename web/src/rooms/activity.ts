@@ -1,4 +1,4 @@
-/** Something that users of a room do together. */
+/** Shared task of the users of a room. */
 import type { Pose } from '../control/pose';
 import type { Vector } from '../control/vector';
 import type { Guests } from '../show/picture';
@@ -6,14 +6,14 @@ import type { FromServer } from './frames';
 import type { Place } from './hold';
 import type { Body } from './pose';
 
-/** It draws what guests are drawn as. */
+/** Shared task, which draws its meshes like those of guests. */
 export interface Activity extends Guests {
-  /** Whether users point also while they hold nothing down. */
+  /** Whether users point even without holding a button. */
   readonly isPointing: boolean;
-  /** A frame of the server has come. */
+  /** Handles a frame of the server. */
   heard(frame: FromServer, now: number): void;
-  /** Before each frame: where the user's eyes are, and what others see of it. */
+  /** Updates the task before each frame with the user's pose and the body that others see. */
   frame(pose: Pose, body: Body, now: number): void;
-  /** The point of the world at which a part of the picture points; null for what the scene has there. */
+  /** Returns the world point at a place of the picture; null if the scene determines it. */
   targetAt(pose: Pose, place: Place): Vector | null;
 }

@@ -1,23 +1,23 @@
-/** The room that the address of the page names, and the address of its relay. */
+/** Room named by the page's address, and the address of its relay. */
 import { HIDDEN, NAME } from './frames';
 
-/** Most bytes of a room's name, and the greatest number of a group. */
+/** Greatest number of bytes of a room's name; greatest group number. */
 const [ROOM, GROUP] = [64, 0xffff] as const;
-/** The name of those who tell none. */
+/** Name of users without one. */
 const NOBODY = 'Guest';
 
 export interface Address {
   readonly room: string;
   readonly name: string;
   readonly group: number;
-  /** Lets into rooms of a server that wants one; null for none. */
+  /** Token for servers that require one; null for none. */
   readonly token: string | null;
 }
 
-/** The room of `?room=NAME&name=…&group=…&token=…`; a sentence if it names none that there can be. */
+/** Parses the room of `?room=NAME&name=…&group=…&token=…`; returns a sentence if it is invalid. */
 export function readAddress(query: URLSearchParams): Address | string {
   const [room, group] = [query.get('room') ?? '', query.get('group') ?? '0'];
-  // The browser takes . and .. for folders.
+  // Browsers resolve . and .. as folders.
   if (sizeOf(room) < 1 || sizeOf(room) > ROOM || /[/\p{Cc}]/u.test(room) || /^\.\.?$/.test(room)) {
     return `room: expected a name of 1 to ${ROOM} bytes without a slash, . and ..`;
   }
@@ -25,7 +25,7 @@ export function readAddress(query: URLSearchParams): Address | string {
   return { room, name: nameOf(query.get('name') ?? ''), group: Number(group), token: query.get('token') };
 }
 
-/** The relay of a room beside a page. */
+/** Address of a room's relay on the server of a page. */
 export function relayOf(page: string, { room, token }: Address): string {
   const address = new URL(`rooms/${encodeURIComponent(room)}`, page);
   address.protocol = address.protocol === 'https:' ? 'wss:' : 'ws:';
@@ -33,24 +33,24 @@ export function relayOf(page: string, { room, token }: Address): string {
   return address.href;
 }
 
-/** Parts of a page's address for its own user: a token is of use to one at a time, and others choose for themselves. */
+/** Query parameters of the user alone: a token serves one user at a time, and the others are personal choices. */
 const OWN = ['name', 'token', 'peers', 'datagrams'] as const;
 
-/** A link to the room for others. */
+/** Link to the room for other users. */
 export function inviteOf(page: string): string {
   const address = new URL(page);
   for (const own of OWN) address.searchParams.delete(own);
   return address.href;
 }
 
-/** As much of a name as a frame can hold. */
+/** Truncates a name to the length that a frame can hold. */
 function nameOf(wanted: string): string {
   const letters = [...wanted.replace(new RegExp(HIDDEN, 'gu'), '').trim()];
   while (sizeOf(letters.join('')) > NAME) letters.pop();
   return letters.join('') || NOBODY;
 }
 
-/** A user's name with its number, since users may have the same name, or one that looks the same. */
+/** User's name with its number, because names may be equal or look alike. */
 export function shownName(name: string, number: number): string {
   return `${name || NOBODY} #${number}`;
 }

@@ -1,4 +1,4 @@
-/** The point of the world at which the user points. */
+/** World point at which the user points. */
 import { directionTo } from '../control/places';
 import type { Pose } from '../control/pose';
 import { minus, moved, type Vector } from '../control/vector';
@@ -7,14 +7,14 @@ import type { Place } from './hold';
 import { rangeIn } from './ranges';
 import { pointShownAt } from './unmorph';
 
-/** Metres to what has no range, from the centre; a pointer from a hand that hits nothing is as long. */
+/** Metres to points without a range, from the centre, and length of a pointer that hits nothing. */
 export const NOTHING_HIT = 100;
-/** Radii of the morph within which the map shows nothing. */
+/** Multiple of the morph's radius within which the map shows nothing. */
 const BEYOND = 2;
 
 /**
- * The point that a part of the picture shows: near geometry, whose place is found back from where the morph shows it,
- * but left of the divider, where nothing is morphed; or what the map shows, by its range from the centre.
+ * Computes the world point behind a place of the picture: a point of near geometry, with the morph inverted except left
+ * of the divider, where nothing is morphed; or a point of the map, by its range from the centre.
  */
 export function targetAt(viewer: Viewer, nearShare: number, pose: Pose, [x, y]: Place): Vector {
   const { shown, entry } = viewer.facts;

@@ -1,15 +1,15 @@
-/** Says who has come, for readers of screens: one sentence for all who come together, so that many are not many sentences. */
+/** Announcements of arriving users for screen readers, combined into one sentence for users who arrive together. */
 
-/** Seconds from the first one to the sentence, and between two sentences. */
+/** Seconds between the first arrival and the sentence, and between two sentences. */
 const [GATHER, PAUSE] = [1, 5] as const;
 
 export interface Arrivals {
-  /** A user has come, or is there already when one's own connection begins. */
+  /** Records a user who has arrived, or was present when the connection began. */
   come(number: number, name: string): void;
   left(number: number): void;
-  /** Call it often; says what is to be said. */
+  /** Announces arrivals that are due; called often. */
   tell(now: number): void;
-  /** The connection is another one: so many others who come next were there before. */
+  /** Begins a new connection; the next `others` users were present before. */
   begin(others: number): void;
 }
 

@@ -1,4 +1,4 @@
-/** The drawing of a user: a head with a name above it, hands, and a pointer. */
+/** Drawing of a user: a head with a name above it, hands, and a pointer. */
 import { type BufferGeometry, Matrix4, Quaternion, type Texture, Vector3, Vector4 } from 'three';
 import type { Point } from '../bundle/manifest';
 import { minus } from '../control/vector';
@@ -17,18 +17,18 @@ const ABOVE = 0.2;
 const VISOR = new Vector4(0.03, 0.035, 0.045, 1);
 
 export interface Avatar {
-  /** Those that are seen of the body that is shown. */
+  /** Meshes of the visible parts of the body. */
   readonly meshes: readonly Drawn[];
-  /** Stand for a user from now on, whoever it stood for before. */
+  /** Assigns the avatar to a user. */
   be(number: number, name: string): void;
-  /** A body in the world. */
+  /** Sets the body in world space. */
   show(body: Body): void;
-  /** Put it for pictures whose centre is at the origin. */
+  /** Updates positions for pictures with this centre at the origin. */
   place(center: Point): void;
   dispose(): void;
 }
 
-/** An avatar that stands for nobody yet. */
+/** Creates an avatar without a user. */
 export function createAvatar(shapes: Shapes, shared: Shared): Avatar {
   const own = new Vector4();
   const solid = (shape: BufferGeometry, base: Vector4): Drawn => {

@@ -1,4 +1,4 @@
-/** Avatars of all who are seen, and the user's own pointer, as guests of the picture. */
+/** Avatars of all visible users, and the user's own pointer, as guests of the picture. */
 import { type Camera, Scene, Vector4, type WebGLRenderer } from 'three';
 import type { Point } from '../bundle/manifest';
 import type { Shared } from '../show/materials';
@@ -11,18 +11,18 @@ import type { Seen } from './presence';
 import { createRay } from './ray';
 import { createShapes } from './shapes';
 
-/** Avatars that are kept for users who come. */
+/** Greatest number of unused avatars that are kept for new users. */
 const SPARE = 16;
 
 export interface Avatars extends Guests {
   readonly meshes: readonly Drawn[];
-  /** Those who are drawn from now on; `pixel` is the tangent of the angle that a pixel covers. */
+  /** Sets the users to draw; `pixel` is the tangent of the angle of a pixel. */
   show(seen: readonly Seen[], own: Own | null, pixel: number): void;
-  /** Let the GPU make ready what the first user needs. */
+  /** Compiles the shaders that the first user needs. */
   prepare(renderer: WebGLRenderer, camera: Camera): void;
 }
 
-/** The user itself, of whom its own picture shows the pointer alone. */
+/** The user itself, whose own picture shows only the pointer. */
 export interface Own {
   readonly number: number;
   readonly body: Body;
@@ -40,7 +40,7 @@ export function createAvatars(shared: Shared): Avatars {
   const color = new Vector4();
   const ray = createRay(shapes, common, color);
   let pointing: Own | null = null;
-  // three.js lets go of a program with its last material, and would compile it again for the next user.
+  // three.js deletes a program with its last material, and would recompile it for the next user.
   const spare: Avatar[] = [createAvatar(shapes, common)];
 
   function of(number: number, name: string): Avatar {

@@ -1,8 +1,8 @@
-/** The end of the page, which others shall see at once, and its return from the browser's cache. */
+/** End of the page, which others see at once, and its return from the browser's cache. */
 import type { Connection } from './connection';
 import type { TicketStore } from './ticket';
 
-/** A page that goes says bye and leaves its ticket; one that the browser has kept joins again. */
+/** On hiding, says bye and stores the ticket; on return from the browser's cache, joins again. */
 export function followPage(connection: Connection, tickets: TicketStore, page: EventTarget = window): void {
   let isAway = false;
   page.addEventListener('pagehide', () => {
@@ -14,7 +14,7 @@ export function followPage(connection: Connection, tickets: TicketStore, page: E
   page.addEventListener('pageshow', () => {
     if (!isAway) return;
     isAway = false;
-    // The connection has its ticket.
+    // The connection still has the ticket.
     tickets.take();
     connection.retry();
   });

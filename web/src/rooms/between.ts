@@ -1,9 +1,9 @@
-/** Bodies between two others. */
+/** Interpolation of bodies. */
 import type { Vector } from '../control/vector';
 import type { Body, Placed, Pointer } from './pose';
 import { slerp } from './rotation';
 
-/** The body a share of the way from one to another; shares beyond 1 go on, but hands and pointers stay. */
+/** Interpolates between two bodies; shares beyond 1 extrapolate, except hands and pointers. */
 export function between(from: Body, to: Body, share: number): Body {
   const later = share < 0.5 ? from : to;
   const hand = (side: 'left' | 'right'): Placed | null => {

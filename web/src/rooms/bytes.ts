@@ -1,9 +1,9 @@
-/** Little-endian numbers in bytes, one after the other. */
+/** Reading and writing of little-endian numbers. */
 
-/** Bytes are no frame; a sentence. */
+/** Error for malformed bytes, with a sentence. */
 export class FrameError extends Error {}
 
-/** Reads numbers; all that would reach beyond the end is refused. */
+/** Reader of numbers that throws an error at the end of the bytes. */
 export class Reader {
   private at = 0;
   private readonly view: DataView;
@@ -40,20 +40,20 @@ export class Reader {
     return this.view.getFloat32(this.step(4), true);
   }
 
-  /** So many bytes, which stay the reader's own. */
+  /** Returns the next bytes, without copying them. */
   take(count: number): Uint8Array {
     const begin = this.step(count);
     return this.bytes.subarray(begin, begin + count);
   }
 
-  /** All bytes that are left. */
+  /** Returns all remaining bytes. */
   rest(most: number): Uint8Array {
     const count = this.bytes.length - this.at;
     if (count > most) throw new FrameError('a payload is too long');
     return this.take(count);
   }
 
-  /** Nothing may be left. */
+  /** Throws an error if bytes remain. */
   end(sentence = 'a frame is too long'): void {
     if (!this.isAtEnd) throw new FrameError(sentence);
   }
@@ -66,7 +66,7 @@ export class Reader {
   }
 }
 
-/** Writes numbers into bytes that grow. */
+/** Writer of numbers into a growing array. */
 export class Writer {
   private readonly bytes: number[] = [];
   private readonly view = new DataView(new ArrayBuffer(8));

@@ -1,9 +1,9 @@
-/** The browser's clock, so that tests may have one of their own. */
+/** Clock of the browser, replaceable by tests. */
 
 export interface Clock {
-  /** Seconds from any begin. */
+  /** Seconds since an arbitrary origin. */
   now(): number;
-  /** Act after some seconds; the answer is a function that prevents it. */
+  /** Calls an action after some seconds; returns a function that cancels it. */
   later(seconds: number, action: () => void): () => void;
 }
 

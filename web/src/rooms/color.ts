@@ -1,7 +1,7 @@
-/** Colours of users by their numbers; neighbouring numbers have colours that differ much. */
+/** Colours of users by number; consecutive numbers have very different colours. */
 import { Color } from 'three';
 
-/** Turns of the colour circle from one number to the next: the golden ratio. */
+/** Step of hue from one number to the next, in turns: the golden ratio. */
 const TURN = 0.618034;
 const [SATURATION, LIGHTNESS] = [0.75, 0.6] as const;
 
@@ -9,7 +9,7 @@ export function colorOf(number: number): Color {
   return new Color().setHSL((number * TURN) % 1, SATURATION, LIGHTNESS);
 }
 
-/** The same for style sheets. */
+/** Colour of a user for style sheets. */
 export function cssOf(number: number): string {
   return `#${colorOf(number).getHexString()}`;
 }

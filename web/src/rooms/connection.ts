@@ -1,4 +1,4 @@
-/** A connection to a room: it joins, comes back by itself, acknowledges poses and measures round trips. */
+/** Connection to a room: joins, reconnects, acknowledges poses and measures round trips. */
 import { type Address, relayOf } from './address';
 import { FrameError } from './bytes';
 import { CLOCK, type Clock } from './clock';
@@ -8,30 +8,30 @@ import { type End, endOf, endOfCode } from './reasons';
 import { createRoundTrips, type RoundTrips } from './round_trips';
 import { CLOSING, type Open, openSocket, type Socket } from './socket';
 
-/** Seconds of the first pause before it comes back, and of the longest. */
+/** First and greatest delay before a reconnection, seconds. */
 const [FIRST, LONGEST] = [1, 30] as const;
-/** Seconds in the room after which pauses begin anew, and those in which a server must let a user in. */
+/** Seconds in the room after which the delay is reset; timeout in seconds for the welcome. */
 const [STAYED, WELCOME] = [10, 15] as const;
-/** Bytes that wait to be sent, from which on poses are dropped. */
+/** Number of buffered bytes above which poses are dropped. */
 const WAITING = 1 << 14;
 
 export type State =
   | { readonly kind: 'joining' }
   | { readonly kind: 'here'; readonly user: number }
-  /** It comes back after some seconds. */
+  /** Waits for some seconds before it reconnects. */
   | { readonly kind: 'waiting'; readonly words: string; readonly seconds: number }
   | { readonly kind: 'ended'; readonly words: string };
 
 export interface ConnectionSettings {
   readonly address: Address;
-  /** The page beside which the room is. */
+  /** Address of the page, relative to which the room is found. */
   readonly page: string;
-  /** A ticket that the room gave before; empty by default. */
+  /** Ticket from an earlier connection; empty by default. */
   readonly ticket?: Uint8Array;
-  /** A frame of the server, and the time at which it came; `welcome` says that nobody else is known any more. */
+  /** Called with a frame of the server and its time of arrival; `welcome` resets all known users. */
   readonly heard: (frame: FromServer, now: number) => void;
   readonly changed: (state: State) => void;
-  /** A WebSocket, by default. */
+  /** Opens a socket; a WebSocket by default. */
   readonly open?: Open;
   readonly clock?: Clock;
 }
@@ -39,17 +39,17 @@ export interface ConnectionSettings {
 export interface Connection {
   readonly state: State;
   readonly roundTrips: RoundTrips;
-  /** The ticket with which the user gets its number back; empty if there is none. */
+  /** Ticket with which the user gets its number back; empty if there is none. */
   readonly ticket: Uint8Array;
-  /** Send where the user is; false if the room does not take it now. */
+  /** Sends the user's pose; returns false if it cannot be sent now. */
   pose(body: Body, stops: boolean): boolean;
-  /** Send bytes to one other user, no more than docs/rooms.md allows; false outside of the room. */
+  /** Sends bytes to another user within the limits of docs/rooms.md; returns false outside the room. */
   signal(user: number, payload: Uint8Array): boolean;
-  /** Say something to the group or to the room; false if it cannot be said now. */
+  /** Sends a message to the group or the room; returns false if it cannot be sent now. */
   say(payload: Uint8Array, to: Audience): boolean;
-  /** Come back after it has ended, or at once while it waits. */
+  /** Reconnects after the end, or immediately while waiting. */
   retry(): void;
-  /** Say that the user goes; at once if the page goes, too. */
+  /** Leaves the room; immediately if the page is being closed. */
   leave(isAtOnce?: boolean): void;
 }
 
@@ -59,15 +59,15 @@ export function connect(settings: ConnectionSettings): Connection {
   const roundTrips = createRoundTrips();
   let state: State = { kind: 'joining' };
   let socket: Socket | null = null;
-  /** The socket before, until the server has closed it. */
+  /** Previous socket until the server has closed it. */
   let closing: Socket | null = null;
   let ticket = settings.ticket ?? new Uint8Array();
   let pause: number = FIRST;
   let [entered, sequence] = [0, 0];
   let stop = (): void => undefined;
-  /** Others who get this user's poses. */
+  /** Other users who receive this user's poses. */
   const peers = new Set<number>();
-  /** The greatest sequence of each user who is there. */
+  /** Greatest sequence number of each present user. */
   const newest = new Map<number, number>();
 
   function set(next: State): void {
@@ -78,7 +78,7 @@ export function connect(settings: ConnectionSettings): Connection {
   function join(): void {
     stop();
     set({ kind: 'joining' });
-    // A hello could overtake the goodbye, and find the user's own token in use.
+    // Otherwise the hello could overtake the bye and find the user's own token in use.
     if (closing) stop = later(CLOSING, enter);
     else enter();
   }
@@ -123,7 +123,7 @@ export function connect(settings: ConnectionSettings): Connection {
       end(endOf(frame.reason));
       return;
     }
-    // Datagrams may come before what was sent before them.
+    // Datagrams may overtake frames of the stream.
     if ((frame.kind === 'pose' || frame.kind === 'settled') && state.kind !== 'here') return;
     if ((frame.kind === 'welcome') === (state.kind === 'here')) throw new FrameError('expected one welcome, first');
     if (frame.kind === 'welcome') {
@@ -140,7 +140,7 @@ export function connect(settings: ConnectionSettings): Connection {
     } else if (frame.kind === 'left') {
       peers.delete(frame.user);
       newest.delete(frame.user);
-      // Nothing is settled for who is alone, and what waits would be settled by the next one.
+      // Nothing is settled for a lone user; open round trips would be settled only by a later user.
       if (peers.size === 0) roundTrips.forget();
     } else if (frame.kind === 'settled') {
       roundTrips.settle(frame.sequence, time);
@@ -150,7 +150,7 @@ export function connect(settings: ConnectionSettings): Connection {
     if (frame.kind !== 'pose' || isNews(frame.user, frame.pose.sequence)) heard(frame, time);
   }
 
-  /** Whether a pose is later than all others of a user who is there: datagrams overtake each other and the stream. */
+  /** Whether a pose is newer than all others of a present user: datagrams overtake each other and the stream. */
   function isNews(user: number, sequence: number): boolean {
     const known = newest.get(user);
     if (known === undefined || sequence <= known) return false;
@@ -158,7 +158,7 @@ export function connect(settings: ConnectionSettings): Connection {
     return true;
   }
 
-  /** `isPassing` if a later frame replaces it, so that it may get lost. */
+  /** Sends a frame; `isPassing` allows its loss because a later frame replaces it. */
   function send(frame: FromUser, isPassing = false): void {
     socket?.send(writeFrame(frame), isPassing);
   }
@@ -197,7 +197,7 @@ export function connect(settings: ConnectionSettings): Connection {
       if (state.kind !== 'here' || !socket || socket.bufferedAmount > WAITING) return false;
       const time = now();
       sequence += 1;
-      // Nobody else settles it.
+      // Only others can settle it.
       const isAcknowledged = peers.size > 0 && roundTrips.send(sequence, time, stops);
       const clock = BigInt(Math.round(1e6 * time));
       send({ kind: 'pose', pose: { ...body, sequence, clock, isAcknowledged, stops } }, !stops);

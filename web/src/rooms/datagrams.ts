@@ -1,17 +1,17 @@
-/** WebTransport as the way of frames: what must arrive by a stream, what a later one replaces by datagrams. */
+/** WebTransport for frames: a stream for reliable frames, datagrams for those that a later one replaces. */
 import type { Datagrams } from './about';
 import { CLOSING, type Listener, type Socket } from './socket';
 
-/** Seconds in which a connection must be there: networks that drop UDP tell nothing. */
+/** Timeout for a connection, seconds: networks that drop UDP report nothing. */
 const READY = 3;
-/** Datagrams that wait for the network; more are dropped, and so are those that wait for so many milliseconds. */
+/** Greatest number of queued datagrams, and their greatest age in milliseconds; others are dropped. */
 const [WAITING, OLDEST] = [4, 50] as const;
-/** Bytes of a frame before its body, of which the last two tell how many follow. */
+/** Bytes of a frame's header; the last two are the length of the body. */
 const HEAD = 3;
-/** The close code of a WebSocket that broke off. */
+/** WebSocket close code of a broken connection. */
 const BROKEN = 1006;
 
-/** Connect to where the server takes datagrams. It rejects if that cannot be done; nothing is heard before it resolves. */
+/** Connects to the server's port for datagrams. Rejects on failure; the listener is not called before it resolves. */
 export async function openDatagrams(relay: string, to: Datagrams, listener: Listener): Promise<Socket> {
   const transport = new WebTransport(addressOf(relay, to), {
     congestionControl: 'low-latency',
@@ -23,7 +23,7 @@ export async function openDatagrams(relay: string, to: Datagrams, listener: List
   );
   try {
     const stream = await within(READY, openStream(transport));
-    // Nothing is told of a session that turns out to be of no use, as in browsers of other versions of WebTransport.
+    // Nothing is reported of a session that fails, as in browsers with another version of WebTransport.
     const socket = sending(transport, stream.writable, closed);
     void closed.then((code) => listener.closed(code));
     void readAll(stream.readable, splitter((frames) => listener.came(frames)));
@@ -35,7 +35,7 @@ export async function openDatagrams(relay: string, to: Datagrams, listener: List
   }
 }
 
-/** The address of a room's relay there. */
+/** Address of a room's relay at the port for datagrams. */
 export function addressOf(relay: string, { port }: Datagrams): string {
   const address = new URL(relay);
   address.protocol = 'https:';
@@ -81,7 +81,7 @@ function sending(transport: WebTransport, writable: WritableStream, closed: Prom
   };
 }
 
-/** Make one datagram of the frames of one task, or several if they are too many; `write` is given each. */
+/** Combines the frames of one task into one datagram, or several if they are too large, each passed to `write`. */
 export function gatherer(write: (frames: Uint8Array) => void): (frame: Uint8Array, most: number) => void {
   let frames: Uint8Array[] = [];
   let length = 0;
@@ -99,7 +99,7 @@ export function gatherer(write: (frames: Uint8Array) => void): (frame: Uint8Arra
   };
 }
 
-/** Give on the whole frames of the pieces of a stream. */
+/** Splits a stream into whole frames. */
 export function splitter(give: (frames: ArrayBuffer) => void): (piece: Uint8Array) => void {
   let rest: Uint8Array = new Uint8Array();
   return (piece) => {
@@ -126,7 +126,7 @@ function join(parts: readonly Uint8Array[], length: number): Uint8Array<ArrayBuf
   return all;
 }
 
-/** Read until the end, of which the session's own end tells. An error of who takes is reported and ends nothing. */
+/** Reads to the end, which the session reports itself. Errors of `take` are reported and do not end the reading. */
 export async function readAll(readable: ReadableStream, take: (bytes: Uint8Array) => void): Promise<void> {
   const reader = readable.getReader();
   for (;;) {
@@ -153,5 +153,5 @@ async function within<T>(seconds: number, promise: Promise<T>): Promise<T> {
 }
 
 function ignore(): void {
-  // The session's end is told by itself.
+  // The session reports its end itself.
 }

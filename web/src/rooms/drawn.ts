@@ -1,4 +1,4 @@
-/** Meshes of avatars: materials that the pictures' uniforms and some of their own draw. */
+/** Meshes of avatars, with materials of shared and own uniforms. */
 import { type BufferGeometry, type IUniform, Mesh, RawShaderMaterial, type Vector3, type Vector4 } from 'three';
 import type { Vector } from '../control/vector';
 import { NEAR_FRAGMENT } from '../shaders/near';
@@ -7,7 +7,7 @@ import { colorOf } from './color';
 
 export type Drawn = Mesh<BufferGeometry, RawShaderMaterial>;
 
-/** A mesh that a vertex shader puts where it is shown. */
+/** Creates a mesh that its vertex shader places. */
 export function drawn(
   shape: BufferGeometry,
   shared: Shared,
@@ -28,12 +28,12 @@ export function drawn(
   return mesh;
 }
 
-/** Set a point among a mesh's uniforms. */
+/** Sets a point among a mesh's uniforms. */
 export function setPoint({ material }: Drawn, name: string, value: Vector): void {
   (material.uniforms[name]?.value as Vector3).set(...value);
 }
 
-/** Give a colour, as uniforms have it, the one of a user. */
+/** Sets a colour for uniforms to that of a user. */
 export function paint(color: Vector4, number: number): void {
   const { r, g, b } = colorOf(number);
   color.set(r, g, b, 1);

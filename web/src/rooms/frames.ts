@@ -1,10 +1,10 @@
-/** Frames of rooms as bytes: a kind, the length of the body, and the body. docs/rooms.md has a table of every field. */
+/** Binary frames of rooms: kind, length of the body, and body. docs/rooms.md has a table of every field. */
 import { FrameError, Reader, Writer } from './bytes';
 import { type Pose, readPose, writePose } from './pose';
 
-/** Version of all frames. */
+/** Protocol version of all frames. */
 const VERSION = 1;
-/** Most bytes of a user's name, of what is said, and of a signal. */
+/** Greatest number of bytes of a user's name, of a `say` payload and of a signal. */
 export const NAME = 64;
 const [SAY, SIGNAL] = [1 << 12, 1 << 14] as const;
 
@@ -21,11 +21,11 @@ export const SERVER = {
   refused: 136,
 } as const;
 
-/** Those who hear what a user says, in the order of their numbers. */
+/** Recipients of a `say` frame, in the order of their codes. */
 const AUDIENCES = ['group', 'room'] as const;
 export type Audience = (typeof AUDIENCES)[number];
 
-/** A frame that a user sends; the page signals nobody. */
+/** Frame from a user. */
 export type FromUser =
   | { readonly kind: 'hello'; readonly group: number; readonly name: string; readonly ticket: Uint8Array }
   | { readonly kind: 'pose'; readonly pose: Pose }
@@ -34,7 +34,7 @@ export type FromUser =
   | { readonly kind: 'say'; readonly to: Audience; readonly payload: Uint8Array }
   | { readonly kind: 'bye' };
 
-/** A frame that the server sends. */
+/** Frame from the server. */
 export type FromServer =
   | { readonly kind: 'welcome'; readonly user: number; readonly others: number; readonly ticket: Uint8Array }
   | { readonly kind: 'pose'; readonly user: number; readonly pose: Pose }
@@ -45,7 +45,7 @@ export type FromServer =
   | { readonly kind: 'left'; readonly user: number }
   | { readonly kind: 'refused'; readonly reason: number; readonly sentence: string };
 
-/** All frames of a message of the server; a `FrameError` if one of them is none. */
+/** Parses all frames of a message from the server; throws `FrameError` if one is malformed. */
 export function readMessage(message: Uint8Array): FromServer[] {
   const frames: FromServer[] = [];
   const bytes = new Reader(message);
@@ -85,7 +85,9 @@ function readBody(kind: number, body: Reader): FromServer {
   }
 }
 
-/** The bytes of a frame; a `FrameError` for a hello whose name or ticket is none, and for too long a payload. */
+/**
+ * Serializes a frame; throws `FrameError` for an invalid name or ticket in a hello, and for a payload that is too long.
+ */
 export function writeFrame(frame: FromUser): Uint8Array<ArrayBuffer> {
   const body = new Writer();
   if (frame.kind === 'hello') {
@@ -128,7 +130,7 @@ function readName(body: Reader): string {
   return checkedName(textOf(body.take(body.u8()), 'a name is no text'));
 }
 
-/** Letters that names must not have: nobody sees them, or they turn the order of others. */
+/** Characters forbidden in names: control characters, and format characters, which are invisible or reorder text. */
 export const HIDDEN = /[\p{Cc}\p{Cf}]/u;
 
 function checkedName(name: string): string {

@@ -1,4 +1,4 @@
-/** Who is here: a card with names, whose pointers can be muted, and with what the room says of itself. */
+/** Card of the users in the room: names, buttons that mute pointers, and the state of the connection. */
 import { icon, make, write } from '../ui/dom';
 import { bytes, milliseconds } from '../ui/format';
 import { copyText } from '../ui/out';
@@ -7,7 +7,7 @@ import { cssOf } from './color';
 import type { State } from './connection';
 import type { Guest } from './presence';
 
-/** Outlines in a square of 24 units: an arrow, and a ray with what it hits. */
+/** Icon outlines in a square of 24 units: an arrow, and a ray with its target. */
 const POINT = 'M5 4l6 15 2.2-6.3L19.5 10.5zM14 14l5 5';
 const POINTER = 'M4 20L13 11M17 9a2 2 0 1 0 0-4 2 2 0 0 0 0 4M12 4l1 1M21 11l1 1M20 2l-1 1';
 
@@ -15,47 +15,47 @@ export interface HereCommands {
   mute(number: number, isMuted: boolean): void;
   retry(): void;
   leave(): void;
-  /** A link for others. */
+  /** Link for other users. */
   link(): string;
   announce(text: string): void;
-  /** Exchange files with others, or not. */
+  /** Switches the exchange of files with others. */
   exchange(isOn: boolean): void;
 }
 
-/** The user itself, and all others. */
+/** The user and all others. */
 export interface Room {
   readonly name: string;
   readonly group: number;
   readonly guests: readonly Guest[];
-  /** Seconds; null for none that is known. */
+  /** Seconds; null if unknown. */
   readonly roundTrip: number | null;
-  /** Bytes of files that came from others, and from the server; null where pages exchange none. */
+  /** Bytes of files received from other pages and from the server; null if pages exchange none. */
   readonly files: { readonly others: number; readonly server: number } | null;
-  /** Whether the user wants to exchange files; null where there is nothing to choose. */
+  /** Whether the user wants to exchange files; null if there is no choice. */
   readonly exchanges: boolean | null;
 }
 
 export interface Here {
-  /** Held to point at the middle of the picture. */
+  /** Button that is held to point at the middle of the picture. */
   readonly button: HTMLElement;
-  /** Show who is here, a few times a second. */
+  /** Updates the card, a few times a second. */
   update(state: State, room: Room): void;
-  /** There is no room, for a reason. */
+  /** Shows why there is no room. */
   refuse(words: string): void;
 }
 
-/** Build the card in the element that holds the panel. */
+/** Builds the card in the element that holds the panel. */
 export function createHere(root: HTMLElement, commands: HereCommands): Here {
   const chip = make('button', { type: 'button', class: 'chip card here-chip', 'aria-controls': 'here' });
   const list = make('ul', { class: 'here-list' });
   const words = make('p', { class: 'here-words', role: 'status' });
-  // Without a role: readers of screens would tell each change.
+  // Without a role: screen readers would announce each change.
   const [figure, source] = [make('p', { class: 'here-words' }), make('p', { class: 'here-words' })];
   const exchange = createExchange(commands.exchange);
   const [again, copy] = [action('Join again', commands.retry), action('Copy link', () => void share())];
   const leave = action('Leave', () => {
     commands.leave();
-    // The button goes.
+    // The button is hidden now.
     chip.focus();
   });
   const card = make(
@@ -102,7 +102,7 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
     words.dataset['wrong'] = String(state.kind === 'ended' || state.kind === 'waiting');
     again.hidden = state.kind === 'here' || state.kind === 'joining';
     leave.hidden = state.kind === 'ended';
-    // Changes that come by themselves while the user looks elsewhere.
+    // Announces spontaneous changes, which the user may not see.
     const isNews = state !== last && 'words' in state;
     if (isNews && !(last && 'words' in last && last.words === state.words)) commands.announce(state.words);
     if (state.kind !== 'joining') last = state;
@@ -141,7 +141,7 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
 
 interface Row {
   readonly element: HTMLElement;
-  /** `isMuted` is null for who cannot be muted. */
+  /** Updates the row; `isMuted` is null for users who cannot be muted. */
   show(name: string, color: string, isMuted: boolean | null): void;
 }
 
@@ -166,11 +166,11 @@ function row(mute?: (isMuted: boolean) => void): Row {
 
 interface Exchange {
   readonly element: HTMLElement;
-  /** Null hides it. */
+  /** Shows the state; null hides the element. */
   show(isOn: boolean | null): void;
 }
 
-/** A line on the exchange of files, with its switch. */
+/** Creates a label about the exchange of files with its switch. */
 function createExchange(set: (isOn: boolean) => void): Exchange {
   const box = make('input', { type: 'checkbox' });
   const text = make('span', {});
@@ -204,11 +204,11 @@ function wordsOf(state: State): string {
   return state.kind === 'waiting' ? `${state.words} Trying again in ${state.seconds} s.` : state.words;
 }
 
-/** Put children into an order, and leave alone what is in it. */
+/** Reorders children without touching those that are in place. */
 function arrange(list: HTMLElement, wanted: readonly HTMLElement[]): void {
   const kept = new Set<Element>(wanted);
   for (const child of [...list.children]) if (!kept.has(child)) child.remove();
-  // Rows in place stay, and keep the focus.
+  // Rows in place keep the focus.
   wanted.forEach((child, at) => {
     if (list.children[at] !== child) list.insertBefore(child, list.children[at] ?? null);
   });

@@ -1,21 +1,21 @@
-/** Whether the user holds something down to point, and at what part of the picture. */
+/** Pointing by a held key or button, and the pointed place of the picture. */
 import { isElsewhere } from '../control/keys';
 
-/** The key, by its place on the keyboard, and the number of the middle button of a mouse. */
+/** Code of the key, by its position; number of a mouse's middle button. */
 const [KEY, MIDDLE_BUTTON] = ['KeyE', 1] as const;
 const MIDDLE = [0.5, 0.5] as const;
 
-/** Parts of the picture's width and height, from the upper left. */
+/** Position as shares of the picture's width and height, from the upper left. */
 export type Place = readonly [number, number];
 
 export interface Hold {
-  /** Whether the user points also while nothing is held. */
+  /** Whether the user points without holding anything. */
   isAlways: boolean;
-  /** Where the user points; null while it does not. */
+  /** Pointed place; null while the user does not point. */
   readonly place: Place | null;
 }
 
-/** The key and the mouse point at the cursor, or at the middle where there is none; a button of the page there. */
+/** Creates the controls: key and mouse point at the cursor, or the middle without one; the button at the middle. */
 export function createHold(canvas: HTMLCanvasElement, button: HTMLElement): Hold {
   const held = new Set<'key' | 'mouse' | 'button'>();
   let cursor: Place = MIDDLE;
@@ -33,9 +33,9 @@ export function createHold(canvas: HTMLCanvasElement, button: HTMLElement): Hold
   listen(window, ['keyup'], (event) => {
     if ((event as KeyboardEvent).code === KEY) held.delete('key');
   });
-  // A key that is let go elsewhere is not heard.
+  // The release of a key outside the window is not reported.
   listen(window, ['blur'], () => held.clear());
-  // Before the controls, which move by the same button.
+  // In the capture phase, before the controls, which use the same button to move.
   listen(window, ['pointerdown'], (event) => {
     const { target, pointerType, button: number, pointerId } = event as PointerEvent;
     if (target !== canvas || pointerType !== 'mouse' || number !== MIDDLE_BUTTON) return;
@@ -43,7 +43,7 @@ export function createHold(canvas: HTMLCanvasElement, button: HTMLElement): Hold
     canvas.setPointerCapture(pointerId);
     held.add('mouse');
   }, true);
-  // Browsers scroll by it, else.
+  // Prevents the browser from scrolling.
   listen(canvas, ['mousedown'], (event) => {
     if ((event as MouseEvent).button === MIDDLE_BUTTON) event.preventDefault();
   });
@@ -59,7 +59,7 @@ export function createHold(canvas: HTMLCanvasElement, button: HTMLElement): Hold
     held.add('button');
   });
   listen(button, ['pointerup', 'pointercancel'], () => held.delete('button'));
-  // A finger that stays would call up the browser's menu.
+  // A long touch would open the browser's menu.
   listen(button, ['contextmenu'], (event) => event.preventDefault());
 
   return {

@@ -1,14 +1,14 @@
-/** A user's name as a picture: dark or light letters on a ground of the user's colour. */
+/** Label of a user's name: dark letters on the user's colour. */
 import { CanvasTexture, type Color, LinearFilter, LinearMipmapLinearFilter, SRGBColorSpace } from 'three';
 
-/** Pixels: height of the picture and of the letters, and beside them. */
+/** Height of the label, height of the letters and horizontal padding, pixels. */
 const [HEIGHT, LETTERS, BESIDE] = [64, 40, 22] as const;
-/** Letters that are shown of a name, and pixels: some letters are as wide as words. */
+/** Greatest number of letters, and greatest width in pixels: some letters are as wide as words. */
 const [MOST, WIDEST] = [24, 640] as const;
 
 export interface Label {
   readonly texture: CanvasTexture;
-  /** Width in parts of the height. */
+  /** Width divided by height. */
   readonly ratio: number;
 }
 
@@ -27,7 +27,7 @@ export function createLabel(name: string, color: Color): Label {
     pen.roundRect(0, 0, canvas.width, HEIGHT, HEIGHT / 2);
     pen.fillStyle = `#${color.getHexString()}`;
     pen.fill();
-    // Setting the width has reset the pen.
+    // Setting the width has reset the context.
     Object.assign(pen, { font, textAlign: 'center', textBaseline: 'middle', fillStyle: '#0b0e12' });
     pen.fillText(text, canvas.width / 2, HEIGHT / 2 + 2, width);
   }

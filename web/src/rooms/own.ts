@@ -1,14 +1,14 @@
-/** The body that the user shows to others. */
+/** The user's body as others see it. */
 import type { Pose } from '../control/pose';
 import { ahead, minus, moved, rightOf, type Vector } from '../control/vector';
 import type { HandRay } from '../xr/hands';
 import { type Body, FARTHEST, type Placed } from './pose';
 import { rotationAlong, rotationOf } from './rotation';
 
-/** Metres to the right, down and ahead from the eyes of somebody at a screen to the hand that points. */
+/** Metres right, down and ahead from the eyes of a user at a screen to the pointing hand. */
 const [RIGHT, DOWN, AHEAD] = [0.22, 0.28, 0.4] as const;
 
-/** At a screen: a head, and while the user points a right hand whose pointer ends at the target. */
+/** Body of a user at a screen: a head, and a right hand with a pointer to the target while pointing. */
 export function atScreen(pose: Pose, target: Vector | null): Body {
   const head: Placed = { position: pose.position, rotation: rotationOf(pose.yaw, pose.pitch) };
   if (!target) return { head, left: null, right: null, pointer: null };
@@ -20,8 +20,8 @@ export function atScreen(pose: Pose, target: Vector | null): Body {
 }
 
 /**
- * In a headset: a head, the hands that are tracked, and a pointer from the first one that points; from the right one, or
- * any, where the user always points.
+ * Body of a user in a headset: a head, the tracked hands, and a pointer from the first pointing hand; if the user
+ * always points, from the right hand or any other.
  */
 export function inHeadset(
   pose: Pose,

@@ -1,4 +1,4 @@
-/** The user's own body in each frame, with what it points at. */
+/** The user's body in each frame, with its pointer. */
 import type { Pose } from '../control/pose';
 import type { Vector } from '../control/vector';
 import type { Viewer } from '../show/viewer';
@@ -10,10 +10,10 @@ import { atScreen, inHeadset } from './own';
 import type { Body } from './pose';
 import { createSeldom } from './seldom';
 
-/** Seconds between two looks at what the pointer hits: each waits for the GPU. */
+/** Seconds between two updates of the pointer's target: each waits for the GPU. */
 const EVERY = 1 / 36;
 
-/** `hands` are those of the headset, null outside; `nearShare` is r1 as a share of r2. */
+/** Creates the function; `hands` are null outside the headset, `nearShare` is r1 as a share of r2. */
 export function createPointing(
   viewer: Viewer,
   nearShare: number,

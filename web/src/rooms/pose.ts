@@ -1,8 +1,8 @@
-/** Where a user's head, hands and pointer are, as bytes: the second table of docs/rooms.md. */
+/** Binary poses of a user's head, hands and pointer: the second table of docs/rooms.md. */
 import type { Vector } from '../control/vector';
 import { FrameError, type Reader, type Writer } from './bytes';
 
-/** A unit quaternion (x, y, z, w). */
+/** Unit quaternion (x, y, z, w). */
 export type Rotation = readonly [number, number, number, number];
 
 export interface Placed {
@@ -11,18 +11,18 @@ export interface Placed {
   readonly rotation: Rotation;
 }
 
-/** Where a pointer's ray begins, in the order of the numbers for it. */
+/** Origins of a pointer's ray, in the order of their codes. */
 export const BEGINS = ['head', 'left', 'right'] as const;
 export type Begin = (typeof BEGINS)[number];
 
-/** The ray leaves its begin along −z. */
+/** Pointer along −z of its origin. */
 export interface Pointer {
   readonly begin: Begin;
-  /** Metres. */
+  /** Length in metres. */
   readonly length: number;
 }
 
-/** The parts of a user that others see. */
+/** Parts of a user that others see. */
 export interface Body {
   readonly head: Placed;
   readonly left: Placed | null;
@@ -31,27 +31,27 @@ export interface Body {
 }
 
 export interface Pose extends Body {
-  /** Greater than in each pose before. */
+  /** Sequence number, greater than in all earlier poses. */
   readonly sequence: number;
-  /** The sender's clock, microseconds from any begin. */
+  /** Sender's clock, microseconds since an arbitrary origin. */
   readonly clock: bigint;
-  /** The group's users are to acknowledge this pose. */
+  /** Whether the users of the group acknowledge this pose. */
   readonly isAcknowledged: boolean;
-  /** No pose follows until the user moves again. */
+  /** Whether no pose follows until the user moves again. */
   readonly stops: boolean;
 }
 
-/** Greatest coordinate, and greatest length of a pointer, metres. */
+/** Greatest coordinate and greatest length of a pointer, metres. */
 export const FARTHEST = 1e6;
-/** The number that 1 is in a rotation. */
+/** Fixed-point value of 1 in a rotation. */
 const ONE = 32767;
-/** Squares of the least and the greatest length of a rotation, as float32. */
+/** Least and greatest squared norm of a rotation, as float32. */
 const [SHORTEST, LONGEST] = [Math.fround(0.81), Math.fround(1.21)] as const;
 const FLAGS = { acknowledged: 1, stops: 2, left: 4, right: 8 } as const;
-/** Place of the pointer's two flags, and all flags that have a meaning. */
+/** Bit offset of the pointer's two flags; mask of all defined flags. */
 const [POINTER, KNOWN] = [4, 0b11_1111] as const;
 
-/** Read a pose that takes all bytes of a body. */
+/** Reads a pose that fills the whole body. */
 export function readPose(body: Reader): Pose {
   const [sequence, clock, flags] = [body.u32(), body.u64(), body.u8()];
   if ((flags & ~KNOWN) !== 0) throw new FrameError('a pose has flags without a meaning');
@@ -83,7 +83,7 @@ export function writePose(out: Writer, pose: Pose): void {
   if (pointer) out.f32(pointer.length);
 }
 
-/** Whether a frame may hold a position. */
+/** Whether a frame can encode a position. */
 export function isWithin(position: Vector): boolean {
   return position.every((value) => Math.abs(value) <= FARTHEST);
 }
@@ -91,10 +91,10 @@ export function isWithin(position: Vector): boolean {
 function readPlaced(body: Reader): Placed {
   const position = [body.f32(), body.f32(), body.f32()] as const;
   const parts = [body.i16(), body.i16(), body.i16(), body.i16()] as const;
-  // Not-a-number is in no range.
+  // NaN fails the test, too.
   if (!isWithin(position)) throw new FrameError('a position is none');
   const rotation = parts.map((part) => Math.fround(part / ONE)) as unknown as Rotation;
-  // In float32, as the server adds.
+  // Sum in float32, like the server's.
   const square = rotation.reduce((sum, part) => Math.fround(sum + Math.fround(part * part)), 0);
   if (!(square >= SHORTEST && square <= LONGEST)) throw new FrameError('a rotation is no unit quaternion');
   return { position, rotation };

@@ -1,4 +1,4 @@
-/** Who is in the room, and where they are shown. */
+/** Users in the room, and their current bodies. */
 import type { FromServer } from './frames';
 import type { Body } from './pose';
 import { createTrack, type Track } from './track';
@@ -7,30 +7,30 @@ export interface Guest {
   readonly number: number;
   readonly name: string;
   readonly group: number;
-  /** Its pointer is not shown. */
+  /** Whether its pointer is hidden. */
   readonly isMuted: boolean;
 }
 
-/** A guest with what is drawn of it. */
+/** Guest with its current body. */
 export interface Seen extends Guest {
   readonly body: Body;
 }
 
 export interface Presence {
-  /** All others of the room, by their numbers; another list after each change. */
+  /** All other users of the room, sorted by number; a new list after each change. */
   readonly guests: readonly Guest[];
-  /** A frame of the server has come. */
+  /** Handles a frame of the server. */
   hear(frame: FromServer, now: number): void;
-  /** The connection is gone, and nobody is known any more. */
+  /** Forgets all users, because the connection is closed. */
   clear(): void;
   mute(number: number, isMuted: boolean): void;
-  /** Those who have told where they are, as they are drawn now. */
+  /** Returns the guests with known poses, with their bodies at a time. */
   at(now: number): Seen[];
 }
 
 export function createPresence(): Presence {
   const tracks = new Map<number, Track>();
-  // Who comes back keeps its number, and stays muted.
+  // A returning user keeps its number and stays muted.
   const muted = new Set<number>();
   let guests: readonly Guest[] = [];
 

@@ -1,9 +1,9 @@
-/** The range that the map holds in a direction, read back from the GPU. */
+/** Range of the map in a direction, read back from the GPU. */
 import type { WebGLRenderer } from 'three';
 import type { Vector } from '../control/vector';
 import type { Shared } from '../show/materials';
 
-/** The code of what has no range. */
+/** Code of pixels without a range. */
 const NOTHING = 65535;
 
 export interface Texel {
@@ -12,7 +12,7 @@ export interface Texel {
   readonly y: number;
 }
 
-/** The texel of a cube map in which GL reads a direction. */
+/** Returns the texel of a cube map that GL samples for a direction. */
 export function texelOf([x, y, z]: Vector, size: number): Texel {
   const [ax, ay, az] = [Math.abs(x), Math.abs(y), Math.abs(z)];
   const longest = Math.max(ax, ay, az);
@@ -24,7 +24,7 @@ export function texelOf([x, y, z]: Vector, size: number): Texel {
   return { face, x: place(across), y: place(down) };
 }
 
-/** Metres from the centre to what the map of the last picture shows in a direction; null where it tells none. */
+/** Returns the range in metres from the centre in the last picture's map; null if there is none. */
 export function rangeIn(renderer: WebGLRenderer, { codes, coding }: Shared, direction: Vector): number | null {
   const { x: least, y: step, z: size, w: hasRange } = coding.value;
   const { __webglTexture: texture } = renderer.properties.get(codes.value) as { __webglTexture?: WebGLTexture };

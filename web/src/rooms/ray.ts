@@ -1,4 +1,4 @@
-/** The drawing of a pointer. */
+/** Drawing of a pointer. */
 import { Vector3, type Vector4 } from 'three';
 import type { Point } from '../bundle/manifest';
 import { minus, type Vector } from '../control/vector';
@@ -11,7 +11,7 @@ import type { Shapes } from './shapes';
 
 export interface Ray {
   readonly mesh: Drawn;
-  /** Put the pointer of a body, if it has one, for pictures whose centre is at the origin. */
+  /** Places the pointer of a body, if it has one, for pictures with this centre at the origin. */
   place(body: Body, center: Point): void;
 }
 
@@ -32,7 +32,7 @@ export function createRay(shapes: Shapes, shared: Shared, color: Vector4): Ray {
   };
 }
 
-/** Both ends of a pointer in the world; null without one. */
+/** Both ends of a pointer in world space; null without a pointer. */
 function endsOf({ head, left, right, pointer }: Body): { readonly begin: Vector; readonly end: Vector } | null {
   const from = pointer && { head, left, right }[pointer.begin];
   if (!from) return null;

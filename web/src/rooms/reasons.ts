@@ -1,6 +1,6 @@
-/** Why a connection to a room has ended, in words. */
+/** Reasons for the end of a connection to a room, in words. */
 
-/** Numbers of the reasons of docs/rooms.md. */
+/** Codes of the reasons in docs/rooms.md. */
 const REASON = {
   version: 2,
   frame: 3,
@@ -12,7 +12,7 @@ const REASON = {
   replaced: 9,
   ending: 10,
 } as const;
-/** Close codes of WebSocket: that of a reason is so many higher than its number. */
+/** Offset from a reason's code to its WebSocket close code. */
 const OWN = 4000;
 
 const WORDS: Readonly<Record<number, string>> = {
@@ -26,22 +26,22 @@ const WORDS: Readonly<Record<number, string>> = {
   [REASON.replaced]: 'You have entered the room elsewhere.',
   [REASON.ending]: 'The server ends.',
 };
-/** Reasons after which coming back would not help. */
+/** Reasons after which a reconnection would not help. */
 const FINAL: ReadonlySet<number> = new Set([REASON.version, REASON.token, REASON.replaced]);
 
-/** How a connection has ended. */
+/** End of a connection. */
 export interface End {
   readonly words: string;
-  /** It is of no use to try again. */
+  /** Whether a retry is useless. */
   readonly isFinal: boolean;
 }
 
-/** The end by a reason's number. */
+/** Returns the end for a reason's code. */
 export function endOf(reason: number): End {
   return { words: WORDS[reason] ?? 'The room has ended the connection.', isFinal: FINAL.has(reason) };
 }
 
-/** The end that a close code of WebSocket tells; `wasIn` if the user was in the room. */
+/** Returns the end for a WebSocket close code; `wasIn` if the user was in the room. */
 export function endOfCode(code: number, wasIn: boolean): End {
   if (code > OWN) return endOf(code - OWN);
   return { words: wasIn ? 'The connection to the room broke off.' : 'The room cannot be reached.', isFinal: false };

@@ -1,28 +1,28 @@
-/** Unit quaternions (x, y, z, w). */
+/** Operations on unit quaternions (x, y, z, w). */
 import type { Vector } from '../control/vector';
 import type { Rotation } from './pose';
 
-/** Cosine of half the angle from which on two rotations are mixed as if they were on a line. */
+/** Cosine of half an angle above which rotations are interpolated linearly. */
 const NEARLY = 0.9995;
 
-/** The rotation of who looks along a yaw and a pitch. */
+/** Rotation of a view with a yaw and a pitch. */
 export function rotationOf(yaw: number, pitch: number): Rotation {
   const [sy, cy, sp, cp] = [Math.sin(yaw / 2), Math.cos(yaw / 2), Math.sin(pitch / 2), Math.cos(pitch / 2)];
   return [cy * sp, sy * cp, -sy * sp, cy * cp];
 }
 
-/** The upright rotation whose −z points along a direction of any length. */
+/** Upright rotation whose −z points along a direction of any length. */
 export function rotationAlong([x, y, z]: Vector): Rotation {
   return rotationOf(Math.atan2(-x, -z), Math.atan2(y, Math.hypot(x, z)));
 }
 
-/** A vector after a rotation. */
+/** Applies a rotation to a vector. */
 export function rotated([x, y, z, w]: Rotation, [a, b, c]: Vector): Vector {
   const [tx, ty, tz] = [2 * (y * c - z * b), 2 * (z * a - x * c), 2 * (x * b - y * a)];
   return [a + w * tx + y * tz - z * ty, b + w * ty + z * tx - x * tz, c + w * tz + x * ty - y * tx];
 }
 
-/** The rotation a share of the shorter way from one to another; shares beyond 1 go on. */
+/** Interpolates spherically along the shorter arc; shares beyond 1 extrapolate. */
 export function slerp(from: Rotation, to: Rotation, share: number): Rotation {
   const dot = from.reduce((sum, part, axis) => sum + part * (to[axis] ?? 0), 0);
   const sign = dot < 0 ? -1 : 1;

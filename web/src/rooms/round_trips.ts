@@ -1,21 +1,21 @@
 /** Round trips by the paper's Eq. 3: from the sending of a pose until all others of the group have acknowledged it. */
 
-/** Seconds between two poses that are to be acknowledged, and poses that wait for it at most. */
+/** Seconds between two poses to be acknowledged; greatest number of open ones. */
 const [EVERY, MOST_OPEN] = [0.25, 64] as const;
-/** Round trips of which the median is told. */
+/** Number of round trips for the median. */
 const KEPT = 32;
 
 export interface RoundTrips {
-  /** Seconds, the median of the last ones; null before the first. */
+  /** Median of the last round trips, seconds; null before the first. */
   readonly median: number | null;
   /**
-   * A pose is about to be sent; whether it is to be acknowledged. The last one before a pause is, if another is open: that
-   * one may have got lost, and would be settled after the pause alone.
+   * Records a pose that is about to be sent; returns whether it is to be acknowledged. The last pose before a pause is
+   * if another one is open, because that one may be lost and would be settled only after the pause.
    */
   send(sequence: number, now: number, isLast: boolean): boolean;
-  /** All others have acknowledged this pose, or a later one. */
+  /** Records that all others have acknowledged this pose or a later one. */
   settle(sequence: number, now: number): void;
-  /** The connection is another one. */
+  /** Discards open round trips, because the connection is a new one. */
   forget(): void;
 }
 

@@ -1,13 +1,13 @@
-/** Looks at something less often than frames are drawn. */
+/** Cache of a value that is computed less often than frames are drawn. */
 
 export interface Seldom<Found> {
-  /** The thing that was found last or, if that is long ago or was forgotten, what `look` finds. */
+  /** Returns the cached value; calls `look` if it is too old or was discarded. */
   at(now: number, look: () => Found): Found;
-  /** The next answer is looked for. */
+  /** Discards the cached value. */
   forget(): void;
 }
 
-/** `every` is the time between two looks, seconds. */
+/** Creates the cache; `every` is the interval between two updates, seconds. */
 export function createSeldom<Found>(every: number): Seldom<Found> {
   let [found, next]: [{ readonly value: Found } | null, number] = [null, 0];
   return {

@@ -1,21 +1,24 @@
-/** When a user's own poses are sent: as often as others can use them, and only while something changes. */
+/** Rate control of a user's poses: as often as others can use them, and only while something changes. */
 import type { Body, Placed, Pointer } from './pose';
 
-/** Poses a second. */
+/** Poses per second. */
 const RATE = 72;
-/** Metres, and part of a rotation, that count as no change; part of its length that a pointer may change unnoticed. */
+/** Tolerances of "no change": metres; component of a rotation; relative change of a pointer's length. */
 const [STILL, STEADY, SHARE] = [1e-3, 5e-4, 1e-3] as const;
 
 export interface Sender {
-  /** Where the user is now, once a frame; times are seconds. */
+  /** Updates the user's body, once per frame; times are seconds. */
   update(body: Body, now: number): void;
-  /** Somebody does not know yet where the user is. */
+  /** Sends the pose again for a new user. */
   repeat(): void;
-  /** No frames come, as in a hidden tab: until they do, the user rests where it was and points nowhere. */
+  /** Handles a pause of frames, as in a hidden tab: the user rests and its pointer is hidden. */
   rest(): void;
 }
 
-/** `send` is given a pose, and whether none follows until the user moves again; it answers whether it was taken. */
+/**
+ * Creates a sender; `send` gets a pose, and whether none follows until the next movement, and returns whether it was
+ * sent.
+ */
 export function createSender(send: (body: Body, stops: boolean) => boolean): Sender {
   let last: Body | null = null;
   let hasStopped = false;
@@ -28,7 +31,7 @@ export function createSender(send: (body: Body, stops: boolean) => boolean): Sen
       const isSame = last !== null && isSameBody(body, last);
       if ((isSame && hasStopped) || now < next) return;
       if (!send(body, isSame)) return;
-      // A frame that comes late does not put off the next one, and a pause saves none up.
+      // A late frame does not delay the next one, and a pause does not cause a burst.
       next = Math.max(next + 1 / RATE, now);
       [last, hasStopped] = [body, isSame];
     },

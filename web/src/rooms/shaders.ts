@@ -1,7 +1,7 @@
-/** Vertex shaders of what faces the viewer: pointers and names. Fragments are those of near geometry. */
+/** Vertex shaders of billboards: pointers and names. They use the fragment shader of near geometry. */
 import { SHARED, SHOWN_AT } from '../shaders/shared';
 
-/** Axes of a square that faces the viewer, upright. */
+/** Axes of an upright square that faces the viewer. */
 const FACING = /* glsl */ `
 mat3 facing(vec3 at) {
   vec3 toward = -normalize(at);
@@ -11,7 +11,7 @@ mat3 facing(vec3 at) {
 }
 `;
 
-/** The begin of all vertex shaders of what faces the viewer. */
+/** Common header of the vertex shaders of billboards. */
 export const HEAD = /* glsl */ `
 ${SHARED}
 ${SHOWN_AT}
@@ -22,7 +22,7 @@ out vec3 v_point;
 out vec3 v_shown;
 `;
 
-/** A pointer: a ribbon along the ray, each piece of which is morphed, and a spot where it ends. */
+/** Pointer: a ribbon along the ray, morphed piece by piece, and a spot at its end. */
 export const POINTER_VERTEX = /* glsl */ `
 ${HEAD}
 // Share of the way, 2 for the spot; and how far to the side and up, in parts of the half width.
@@ -60,7 +60,7 @@ void main() {
 }
 `;
 
-/** A name above a head, which is as high as it must be to be read. */
+/** Name above a head, large enough to be read. */
 export const NAME_VERTEX = /* glsl */ `
 ${HEAD}
 in vec3 position;

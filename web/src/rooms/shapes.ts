@@ -1,18 +1,18 @@
-/** Shapes of which avatars are made; all avatars share them. */
+/** Shapes of avatars, shared by all of them. */
 import { BoxGeometry, BufferAttribute, BufferGeometry, CapsuleGeometry, PlaneGeometry, SphereGeometry } from 'three';
 
-/** Pieces of a pointer's ribbon: at 100 m each is shorter than a metre. */
+/** Number of pieces of a pointer's ribbon: at a length of 100 m each is shorter than a metre. */
 const PIECES = 160;
-/** Corners of its spot. */
+/** Number of vertices around its spot. */
 const CORNERS = 20;
-/** Radii of a head along its axes, metres, from the point between the eyes. */
+/** Radii of a head along its axes, metres. */
 const [WIDE, HIGH, LONG] = [0.085, 0.13, 0.105] as const;
-/** From the eyes back to the middle of the head. */
+/** Metres from the eyes back to the centre of the head. */
 const BACK = 0.06;
 
 export interface Shapes {
   readonly head: BufferGeometry;
-  /** Before the eyes, so that one sees where they look. */
+  /** Visor in front of the eyes, which shows their direction. */
   readonly visor: BufferGeometry;
   readonly hand: BufferGeometry;
   readonly pointer: BufferGeometry;

@@ -1,23 +1,23 @@
-/** The way by which frames come and go: a WebSocket, or what does the same. */
+/** Interface of a socket for frames: a WebSocket or an equivalent. */
 
-/** Seconds for which a server may let a user wait who has left. When it closes, the user's seat is free. */
+/** Timeout in seconds for the server to close the connection after a user has left, which frees the user's seat. */
 export const CLOSING = 5;
 
 export interface Socket {
-  /** Bytes that wait to be sent. */
+  /** Number of buffered bytes. */
   readonly bufferedAmount: number;
-  /** Send a frame; `isPassing` if a later one replaces it, so that it may get lost. */
+  /** Sends a frame; `isPassing` allows its loss because a later frame replaces it. */
   send(data: Uint8Array<ArrayBuffer>, isPassing: boolean): void;
-  /** Close it after all that was sent, or at once; `closed` is told when the server has closed it, too. */
+  /** Closes after all sent frames, or at once; `closed` is called when the server has closed, too. */
   close(isAtOnce: boolean): void;
 }
 
-/** Whoever listens to a socket; nothing is told before the socket is returned. */
+/** Listener of a socket; not called before the socket is returned. */
 export interface Listener {
   opened(): void;
-  /** Whole frames have come, as an ArrayBuffer, or what is no such thing. */
+  /** Called with whole frames as an ArrayBuffer, or with malformed data. */
   came(data: unknown): void;
-  /** A close code of WebSocket. */
+  /** Called with a WebSocket close code. */
   closed(code: number): void;
 }
 

@@ -1,22 +1,22 @@
 /**
- * The ticket of a room over a reload of the page, in the tab's own storage. It lies there from the end of a page to the
- * begin of the next one alone: browsers copy the storage into a tab that the user doubles, which is another user.
+ * Ticket of a room across a reload of the page, in the tab's session storage. It is stored only from the end of a page
+ * to the begin of the next one: browsers copy the storage into a duplicated tab, which is another user.
  */
 
 import { bytesOf, hexOf } from '../hex';
 
 export interface TicketStore {
-  /** Take out the ticket that the page before has left; empty if it has left none. */
+  /** Removes and returns the ticket of the previous page; empty if there is none. */
   take(): Uint8Array;
   put(ticket: Uint8Array): void;
 }
 
-/** Where the ticket of a room lies, by the address of its relay without a token. */
+/** Creates the store for a room, keyed by its relay's address without a token. */
 export function createTicketStore(relay: string, storage: () => Storage = () => sessionStorage): TicketStore {
   const { origin, pathname } = new URL(relay);
   const key = `nearfar ticket ${origin}${pathname}`;
 
-  /** Browsers may forbid the storage, and it may be full: a ticket is a convenience. */
+  /** Accesses the storage, which browsers may forbid and which may be full; a ticket is optional. */
   function attempt<Result>(action: (storage: Storage) => Result): Result | null {
     try {
       return action(storage());

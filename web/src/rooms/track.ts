@@ -1,22 +1,22 @@
 /**
- * Where another user is shown as time passes. Its poses have its own clock, are late, each by another time, or do not
- * come. So it is drawn some time behind: as much as poses are late, and the time between two of them. Where that does
- * not suffice, the movement goes on for a moment and stops. Times are seconds.
+ * Playback of another user's movement. Its poses carry another clock, arrive with varying delays or get lost. It is
+ * drawn with a delay: the jitter of its poses plus the interval between two of them. If that is too little, the
+ * movement is extrapolated for a moment and stops. Times are in seconds.
  */
 import { between } from './between';
 import type { Body, Pose } from './pose';
 
-/** Poses that are kept: more than half a second. */
+/** Number of stored poses: more than half a second. */
 const KEPT = 48;
-/** Both clocks are compared over so long, once or twice: clocks drift. */
+/** Window over which both clocks are compared; one or two windows count, because clocks drift. */
 const WINDOW = 10;
-/** For how long a movement goes on by itself, and how fast it may be, metres a second: faster ones are jumps. */
+/** Greatest duration of an extrapolation; greatest speed in metres per second: faster movements are jumps. */
 const [ONWARDS, FASTEST] = [0.1, 20] as const;
-/** Time between poses at first, and the longest that counts as such. */
+/** Initial interval between poses; greatest gap that counts as an interval. */
 const [INTERVAL, PAUSE] = [1 / 72, 0.1] as const;
-/** The longest time behind, beyond what the way takes at least; in what time lateness is forgotten by e. */
+/** Greatest jitter that is compensated; time constant of its exponential decay. */
 const [MOST_LATE, FORGET] = [0.25, 3] as const;
-/** Part of the time by which time behind may change, so that nobody sees it; a greater difference is no drift. */
+/** Greatest relative change of playback speed, which is imperceptible; difference above which playback jumps. */
 const [SLEW, STEP] = [0.1, 0.5] as const;
 
 interface Sample {
@@ -27,11 +27,11 @@ interface Sample {
 }
 
 export interface Track {
-  /** A pose has come; poses that are known are ignored. */
+  /** Records a pose; duplicates are ignored. */
   hear(pose: Pose, now: number): void;
-  /** The body that is drawn now; null before the first pose. */
+  /** Returns the body at a time; null before the first pose. */
   at(now: number): Body | null;
-  /** Seconds from the present of the user's own clock back to what is drawn, without the least time that poses take. */
+  /** Delay in seconds of what is drawn, without the least latency of poses. */
   readonly behind: number;
 }
 
@@ -41,7 +41,7 @@ export function createTrack(): Track {
   let [interval, late, latest] = [INTERVAL, 0, 0];
   /** Least difference of both clocks, in this window and in the one before. */
   let least = { since: 0, now: Infinity, before: Infinity };
-  /** Seconds that are subtracted from the time here; null until something is drawn. */
+  /** Delay in seconds that is subtracted from local time; null until something is drawn. */
   let subtracted: number | null = null;
   let drawn = 0;
 
@@ -52,7 +52,7 @@ export function createTrack(): Track {
     least = { since: -Infinity, now: Infinity, before: Infinity };
   }
 
-  /** Compare both clocks when a pose comes. */
+  /** Compares both clocks when a pose arrives. */
   function compare(difference: number, now: number): void {
     if (now - least.since > WINDOW) least = { since: now, now: difference, before: least.now };
     least.now = Math.min(least.now, difference);
@@ -73,7 +73,7 @@ export function createTrack(): Track {
     samples = [...samples.slice(0, place), sample, ...samples.slice(place)].slice(-KEPT);
   }
 
-  /** When the movement to a pose began. */
+  /** Returns the begin of the movement to a pose. */
   function beginOf(before: Sample, after: Sample): number {
     return before.stops ? Math.max(before.time, after.time - interval) : before.time;
   }
@@ -126,7 +126,7 @@ export function createTrack(): Track {
   };
 }
 
-/** The number of the last sample of some kind, or −1. */
+/** Returns the index of the last sample that satisfies a condition, or −1. */
 function lastOf(samples: readonly Sample[], isOfKind: (sample: Sample) => boolean): number {
   let number = samples.length - 1;
   for (; number >= 0; number--) {

@@ -1,9 +1,9 @@
-/** The morph of shaders/near.ts in numbers, and back: the point of the world that is shown somewhere. */
+/** CPU version of the morph in shaders/near.ts, and its inverse: the world point that is shown at a place. */
 import { minus, type Vector } from '../control/vector';
 
-/** The morph of the picture; places are metres from the centre. */
+/** Parameters of the morph; positions are relative to the centre, in metres. */
 export interface Morph {
-  /** The eye. */
+  /** Position of the eye. */
   readonly user: Vector;
   /** r1 and r2, metres. */
   readonly inner: number;
@@ -11,10 +11,10 @@ export interface Morph {
   readonly strength: number;
 }
 
-/** Steps to the point; the length of those for slopes, and the error at which it is found, as parts of its distance. */
+/** Greatest number of steps; relative step of the difference quotients; relative error for convergence. */
 const [STEPS, SLOPE, FOUND] = [40, 1e-5, 1e-7] as const;
 
-/** Where a point is shown, from the eye. */
+/** Returns the shown position of a point relative to the eye. */
 export function shownAt(p: Vector, { user, inner, radius, strength }: Morph): Vector {
   const away = minus(p, user);
   const rho = Math.hypot(p[0], p[2]);
@@ -27,13 +27,13 @@ export function shownAt(p: Vector, { user, inner, radius, strength }: Morph): Ve
   return [share * mixed[0], share * mixed[1], share * mixed[2]];
 }
 
-/** The point that is shown at a place, from the eye; null where none is found, as beyond a fold. */
+/** Returns the point that is shown at a position relative to the eye; null if none is found, as beyond a fold. */
 export function pointShownAt(q: Vector, morph: Morph): Vector | null {
   const { user, inner, radius, strength } = morph;
   const near: Vector = [q[0] + user[0], q[1] + user[1], q[2] + user[2]];
   if (strength === 1 && Math.hypot(near[0], near[2]) <= inner) return near;
   if (Math.hypot(q[0], q[2]) >= radius) return q;
-  // From where the point would be by either view alone, whichever is shown nearer to the place.
+  // Starts at the point that either view alone would give, the one with the smaller error first.
   const starts = [near, q].sort((a, b) => size(shownAt(a, morph), q) - size(shownAt(b, morph), q));
   for (const start of starts) {
     const found = sought(start, q, morph);
@@ -42,7 +42,7 @@ export function pointShownAt(q: Vector, morph: Morph): Vector | null {
   return null;
 }
 
-/** Newton's method, whose steps are halved while they lead away. */
+/** Newton's method with step halving while the error grows. */
 function sought(start: Vector, q: Vector, morph: Morph): Vector | null {
   const most = FOUND * Math.max(Math.hypot(...q), 1);
   let p = start;
@@ -61,7 +61,7 @@ function sought(start: Vector, q: Vector, morph: Morph): Vector | null {
   return Math.hypot(...error) <= most ? p : null;
 }
 
-/** Columns: how what is shown moves when the point moves along each axis. */
+/** Jacobian of the shown position by central differences, in columns. */
 function slopes(p: Vector, morph: Morph): readonly [Vector, Vector, Vector] {
   const length = SLOPE * Math.max(Math.hypot(...p), 1);
   const along = (axis: number): Vector => {
@@ -72,7 +72,7 @@ function slopes(p: Vector, morph: Morph): readonly [Vector, Vector, Vector] {
   return [along(0), along(1), along(2)];
 }
 
-/** Cramer's rule; null where there is no one answer. */
+/** Solves a linear system by Cramer's rule; null if it is singular. */
 function solved([a, b, c]: readonly [Vector, Vector, Vector], right: Vector): Vector | null {
   const whole = determinant(a, b, c);
   if (!(Math.abs(whole) > 1e-9)) return null;

@@ -1,31 +1,31 @@
-/** By which way a page comes into rooms: by datagrams where both sides have them, else by WebSocket. */
+/** Choice of the transport to rooms: datagrams if both sides support them, else a WebSocket. */
 import type { Ask, Datagrams } from './about';
 import { CLOCK, type Clock } from './clock';
 import { openDatagrams } from './datagrams';
 import { type Listener, type Open, openSocket, type Socket } from './socket';
 
-/** Seconds for which a server that does not answer by datagrams is not asked again. */
+/** Seconds for which datagrams are not tried again after a failure. */
 const FORGETS = 60;
-/** The close code of a WebSocket that broke off. */
+/** WebSocket close code of a broken connection. */
 const BROKEN = 1006;
 
 export interface Ways {
-  /** Where the server takes datagrams; null if nowhere. */
+  /** Returns the server's endpoint for datagrams; null for none. */
   readonly datagrams: () => Promise<Datagrams | null>;
   readonly openDatagrams: (relay: string, to: Datagrams, listener: Listener) => Promise<Socket>;
   readonly openSocket: Open;
 }
 
 /**
- * Open sockets to a server that tells by which ways. What has failed is not tried again for a minute, unless the server
- * tells of something else.
+ * Opens sockets by a transport that the server supports. A failed endpoint for datagrams is not tried again for a
+ * minute.
  */
 export function createOpen(ask: Ask, isOff: boolean, ways: Ways = browserWays(ask), clock: Clock = CLOCK): Open {
   let failed = '';
   let failedAt = -Infinity;
 
   async function find(url: string, listener: Listener): Promise<Found> {
-    // The server may have another certificate each time.
+    // The server may have a new certificate each time.
     const to = isOff ? null : await ways.datagrams();
     if (to && (nameOf(to) !== failed || clock.now() - failedAt >= FORGETS)) {
       try {
@@ -60,7 +60,7 @@ function browserWays(ask: Ask): Ways {
   };
 }
 
-/** A socket that is found later; until then nothing can be sent. */
+/** Socket that is resolved later; earlier data are discarded. */
 function later(found: Promise<Found>, listener: Listener): Socket {
   let socket: Socket | null = null;
   let isClosed = false;

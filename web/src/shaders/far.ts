@@ -1,4 +1,4 @@
-/** Shaders of the map: every pixel in which no near geometry is shown. */
+/** Shaders of the map, which fills pixels without near geometry. */
 import { SRGB } from './light';
 import { PRECISION } from './shared';
 

@@ -1,6 +1,6 @@
-/** Light and colour, which the shaders of scenes and of trees share, in GLSL and WGSL. */
+/** Shared GLSL and WGSL of light and colour for scenes and trees. */
 
-/** The constants of docs/render.md: of the light, and of the sky. */
+/** Constants of docs/render.md for the light and the sky. */
 const CONSTANTS = {
   SUN_DIRECTION: [0.5263158, 0.7894737, 0.3157895],
   SUN: [0.6, 0.56, 0.5],
@@ -17,7 +17,7 @@ type Name = keyof typeof CONSTANTS;
 const LIGHT = ['SUN_DIRECTION', 'SUN', 'SKY_DIRECTION', 'SKY_LOW', 'SKY_HIGH'] as const;
 const SKY = ['HORIZON', 'ZENITH', 'NADIR'] as const;
 
-/** A number as both languages write it. */
+/** Formats a number as a literal of both languages. */
 export const float = (value: number): string => (Number.isInteger(value) ? value.toFixed(1) : String(value));
 
 const vector = (name: Name): string => CONSTANTS[name].map(float).join(', ');
@@ -26,7 +26,7 @@ const glsl = (names: readonly Name[]): string =>
 const wgsl = (names: readonly Name[]): string =>
   names.map((name) => `const ${name} = vec3<f32>(${vector(name)});`).join('\n');
 
-/** The shading formula. */
+/** Shading formula. */
 export const IRRADIANCE = /* glsl */ `
 ${glsl(LIGHT)}
 
@@ -36,7 +36,7 @@ vec3 irradiance(vec3 n) {
 }
 `;
 
-/** The sky in a direction, where nothing is hit. */
+/** Sky colour in a direction without a hit. */
 export const BACKGROUND = /* glsl */ `
 ${glsl(SKY)}
 
@@ -45,7 +45,7 @@ vec3 background(vec3 direction) {
 }
 `;
 
-/** Encoding of colours, as the screen takes them. */
+/** Encodes linear colours as sRGB. */
 export const SRGB = /* glsl */ `
 vec3 srgb_of(vec3 linear) {
   vec3 c = clamp(linear, 0.0, 1.0);
@@ -53,14 +53,14 @@ vec3 srgb_of(vec3 linear) {
 }
 `;
 
-/** Decoding of them. */
+/** Decodes sRGB colours to linear ones. */
 export const LINEAR = /* glsl */ `
 vec3 linear_of(vec3 c) {
   return mix(pow((c + 0.055) / 1.055, vec3(2.4)), c / 12.92, vec3(lessThanEqual(c, vec3(0.04045))));
 }
 `;
 
-/** All of these in WGSL. */
+/** WGSL versions of all functions above. */
 export const LIGHT_WGSL = /* wgsl */ `
 ${wgsl([...LIGHT, ...SKY])}
 

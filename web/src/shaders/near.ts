@@ -1,8 +1,8 @@
-/** Shaders of near geometry: the morph of its vertices, and nearfar's one shading formula. */
+/** Shaders of near geometry: the morph of its vertices, and nearfar's shading formula. */
 import { IRRADIANCE, SRGB } from './light';
 import { SHARED, SHOWN_AT } from './shared';
 
-/** Whether vertices have texture coordinates. */
+/** Definition of MAPPED: vertices have texture coordinates. */
 const MAPPED = /* glsl */ `
 #if defined(TEXTURED) || defined(GLOWING)
 #define MAPPED

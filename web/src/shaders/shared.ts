@@ -1,4 +1,4 @@
-/** GLSL that the shaders of near geometry and of the map share. All positions are metres from the centre O, y up. */
+/** Shared GLSL of near geometry and the map. All positions are relative to the centre O in metres, y up. */
 import { MORPH } from './morph';
 
 export const PRECISION = /* glsl */ `
@@ -8,7 +8,7 @@ precision highp samplerCube;
 precision highp usamplerCube;
 `;
 
-/** Where the user is shown what, by the functions of `morph.ts`. */
+/** Uniforms of the morph, whose functions are in `morph.ts`. */
 const SHOWN = /* glsl */ `
 // The eye, from the centre: each eye of a headset has its own.
 uniform vec3 cameraPosition;
@@ -22,7 +22,7 @@ bool is_morphed() {
 
 export const SHARED = PRECISION + MORPH + SHOWN;
 
-/** Where a vertex shader shows a point, from the eye. */
+/** Computes the shown position of a point relative to the eye in a vertex shader. */
 export const SHOWN_AT = /* glsl */ `
 vec3 shown(vec3 p) {
   vec3 from_user = p - cameraPosition;

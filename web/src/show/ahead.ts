@@ -1,19 +1,19 @@
-/** Fetches files before they are asked for, so that the network does not wait for decoding and uploads. */
+/** Prefetching of files, so that the network does not wait for decoding and uploads. */
 import type { Fetch } from '../bundle/source';
 
-/** Bytes that are fetched ahead and not yet asked for, at most. */
+/** Greatest number of prefetched bytes that are not requested yet. */
 const MOST_AHEAD = 16 * 2 ** 20;
 
 export interface Ahead {
-  /** The content of a file, which may be here already. */
+  /** Returns the content of a file, possibly prefetched. */
   readonly fetch: Fetch;
-  /** These files will be asked for next. */
+  /** Prefetches files that will be requested next. */
   want(names: readonly string[], signal: AbortSignal): void;
-  /** Bytes that are fetched ahead. */
+  /** Number of prefetched bytes. */
   readonly bytes: number;
 }
 
-/** `sizeOf` tells the bytes of a file. */
+/** Creates the prefetcher; `sizeOf` returns the bytes of a file. */
 export function createAhead(fetch: Fetch, sizeOf: (name: string) => number, most: number = MOST_AHEAD): Ahead {
   const held = new Map<string, Promise<ArrayBuffer>>();
   let bytes = 0;
@@ -30,7 +30,7 @@ export function createAhead(fetch: Fetch, sizeOf: (name: string) => number, most
       for (const name of names) {
         if (held.has(name) || bytes + sizeOf(name) > most) continue;
         const coming = fetch(name, signal);
-        // Who asks for it is told.
+        // A request for the file reports the error.
         coming.catch(() => undefined);
         held.set(name, coming);
         bytes += sizeOf(name);

@@ -1,12 +1,12 @@
-/** How far a ray goes until something that is drawn stops it. */
+/** Distance along a ray to the first hit of what is drawn. */
 import { PerspectiveCamera, Vector3, type WebGLRenderer } from 'three';
 import type { Vector } from '../control/vector';
 import type { Picker } from './pick';
 
-/** Field of view of the one pixel, degrees; metres at which rays begin and end. */
+/** Field of view of the single pixel, degrees; least and greatest distance, metres. */
 const [ANGLE, NEAR, FAR] = [0.5, 0.05, 30_000] as const;
 
-/** Metres along a ray, in the frame that `draw` draws in for a camera; null where nothing is drawn. */
+/** Returns the distance along a ray in metres, in the frame of `draw`; null without a hit. */
 export function along(
   renderer: WebGLRenderer,
   picker: Picker,

@@ -1,4 +1,4 @@
-/** The regions that are open: what is loaded of each, and what it would show. */
+/** Open regions: their loaded data, and the picture that each would show. */
 import type { Coming } from '../bundle/coming';
 import { bytesOf, filesOfRegion } from '../bundle/contents';
 import type { RingEntry } from '../bundle/manifest';
@@ -16,51 +16,51 @@ export interface AtlasSettings {
   readonly world: World;
   readonly loading: Loading;
   readonly manner: Manner;
-  /** Loading a region has failed. */
+  /** Called when the loading of a region has failed. */
   readonly failed: (region: number, reason: Error) => void;
 }
 
-/** A region that is open. */
+/** Region that is open. */
 export interface Open {
   readonly number: number;
   readonly region: Region;
   readonly stage: Stage;
   readonly stop: AbortController;
-  /** Names of its files that are known of. */
+  /** Names of its files that are known so far. */
   readonly needed: () => ReadonlySet<string>;
-  /** Last ring that is there; −1 before ring 0. */
+  /** Last loaded ring; −1 before ring 0. */
   arrived: number;
-  /** Its picture now, or the last one. */
+  /** Current picture, or the last one. */
   shown: Shown | null;
-  /** Bytes of its files that are here, and of all that are known of. */
+  /** Received bytes of its files, and bytes of all files known so far. */
   received: number;
   readonly expected: number;
   state: 'loading' | 'complete' | 'failed';
-  /** Its next ring cannot be fetched yet, so that others may go on. */
+  /** Whether its next ring cannot be fetched yet, so that other regions may proceed. */
   isIdle: boolean;
 }
 
-/** A region that was asked for, and of which nothing is known yet. */
+/** Region whose manifest is being loaded. */
 interface Pending {
   readonly stop: AbortController;
-  /** The state that it is to begin with; null where it is not to be shown. */
+  /** State to begin with; null if the region is not to be shown. */
   from: Grown | null;
   hasFailed: boolean;
 }
 
 export interface Holding {
-  /** Numbers of the regions that are open. */
+  /** Numbers of the open regions. */
   readonly regions: readonly number[];
   readonly isLoading: boolean;
-  /** Buffers and maps of the workers when the last region was closed. */
+  /** Buffers and maps in the workers after the last region was closed. */
   readonly kept: readonly Kept[];
 }
 
 export interface Atlas extends Regions {
   find(region: number): Open | null;
-  /** Show a region some seconds later; smaller radii than `least` would fold. */
+  /** Advances a region by some seconds; radii smaller than `least` would fold. */
   advance(region: number, seconds: number, least: number): Shown | null;
-  /** Load again what failed. */
+  /** Reloads what failed. */
   retry(): void;
   readonly holding: Holding;
   dispose(): void;
@@ -75,7 +75,7 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
   let waiting: { region: number; done: () => void }[] = [];
   let kept: readonly Kept[] = [];
 
-  /** Let the first region that is not complete go on. */
+  /** Resumes the first region that is not complete. */
   function call(): void {
     const next = order.find((region) => isLoading(opens.get(region)));
     const called = waiting.filter(({ region }) => region === next);
@@ -91,7 +91,7 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
     });
   }
 
-  /** A ring of a region, when it can be fetched and it is the region's turn. */
+  /** Waits until a ring can be fetched and it is the region's turn. */
   async function ready(open: Open, coming: Coming, ring: number, signal: AbortSignal): Promise<RingEntry> {
     const entry = coming.ring(ring);
     if (entry instanceof Promise) {
@@ -184,7 +184,7 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
       (answers) => {
         kept = answers;
       },
-      // A worker that stopped is told of by what waits for it.
+      // The error of a stopped worker is reported to its pending requests.
       () => undefined,
     );
   }
@@ -237,7 +237,7 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
     grown: (region): Grown | null => opens.get(region)?.shown?.grown ?? null,
     advance(region, seconds, least) {
       const open = opens.get(region);
-      // Nothing is known of it yet.
+      // Its manifest is not loaded yet.
       if (!open) return null;
       const before = lastOf(open.shown);
       open.shown = open.stage.advance(seconds, least);
@@ -268,7 +268,7 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
   };
 }
 
-/** Whether a region has something to do. */
+/** Whether a region can proceed. */
 function isLoading(open: Open | undefined): boolean {
   return open?.state === 'loading' && !open.isIdle;
 }
@@ -277,7 +277,7 @@ function asError(reason: unknown): Error {
   return reason instanceof Error ? reason : new Error(String(reason));
 }
 
-/** The last ring in a picture; −1 for none. */
+/** Returns the last ring in a picture; −1 for none. */
 function lastOf(shown: Shown | null): number {
   return shown?.fading?.ring ?? shown?.ring ?? -1;
 }

@@ -1,26 +1,26 @@
-/** Arrays on the GPU, which are sent part by part. */
+/** GPU buffers of arrays that are uploaded in steps. */
 import { GLBufferAttribute } from 'three';
 import { type Step, STEP_BYTES } from './uploads';
 
 export type Numbers = Float32Array | Uint16Array | Uint32Array;
 
-/** Arrays by name, each on the GPU as soon as all its steps are done. */
+/** Arrays by name; each is complete on the GPU after all steps. */
 export interface Buffers<Name extends string> {
   readonly attributes: Readonly<Partial<Record<Name, GLBufferAttribute>>>;
-  /** Steps that send them. */
+  /** Steps that upload the arrays. */
   steps(): Generator<Step>;
   dispose(): void;
 }
 
-/** An array, and how many of its numbers belong together. */
+/** Array, and the number of components per row. */
 export interface Column {
   readonly rows: Numbers;
   readonly width: number;
-  /** Whole numbers stand for shares of their greatest value. */
+  /** Whether integers are normalized by their greatest value. */
   readonly isShare?: boolean;
 }
 
-/** Set memory of the GPU aside for arrays; nothing is sent yet. */
+/** Allocates GPU memory for arrays without uploading them. */
 export function createBuffers<Name extends string>(
   gl: WebGL2RenderingContext,
   columns: Readonly<Partial<Record<Name, Column | null>>>,
@@ -53,7 +53,7 @@ export function createBuffers<Name extends string>(
   };
 }
 
-/** WebGL's COPY_WRITE_BUFFER, which takes arrays of all kinds, and which three.js does not use. */
+/** WebGL's COPY_WRITE_BUFFER, which accepts all arrays and is not used by three.js. */
 const TARGET = 0x8f37;
 
 function attributeOf(
@@ -68,7 +68,7 @@ function attributeOf(
   return new GLBufferAttribute(buffer, typeOf(gl, rows), width, bytesEach(rows), rows.length / width, isShare);
 }
 
-/** WebGL wants to know which buffers hold indices. Binding one changes the vertex array of three.js, which stays. */
+/** Marks a buffer as an index buffer for WebGL, without changing the vertex array that three.js has bound. */
 function markIndex(gl: WebGL2RenderingContext, buffer: WebGLBuffer): void {
   const before = gl.getParameter(gl.VERTEX_ARRAY_BINDING) as WebGLVertexArrayObject | null;
   gl.bindVertexArray(null);
@@ -85,7 +85,7 @@ function bytesEach(rows: Numbers): 2 | 4 {
   return rows instanceof Uint16Array ? 2 : 4;
 }
 
-/** Part of an array, and the byte of the buffer at which it begins. */
+/** Part of an array, and its byte offset in the buffer. */
 interface Sent {
   readonly buffer: WebGLBuffer;
   readonly data: Numbers;
@@ -99,7 +99,7 @@ function* partsOf(rows: Numbers, buffer: WebGLBuffer): Generator<Sent> {
   }
 }
 
-/** As many parts together as a step may send. */
+/** Combines parts up to the size of a step. */
 function* bundled(parts: Iterable<Sent>): Generator<Sent[]> {
   let some: Sent[] = [];
   let bytes = 0;

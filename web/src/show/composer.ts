@@ -1,4 +1,4 @@
-/** Composes a frame of pictures: of regions and rings that fade, of both sides of the divider, for both eyes. */
+/** Composition of a frame from pictures of fading regions and rings, of both sides of the divider, for both eyes. */
 import type { WebGLRenderer } from 'three';
 import type { Pose } from '../control/pose';
 import type { Atlas } from './atlas';
@@ -8,23 +8,25 @@ import type { Painter } from './picture';
 import { cubeOf } from './region';
 import type { Viewpoint } from './viewpoint';
 
-/** A layer of the headset's own that can show a map. */
+/** Composition layer of the headset that can show a map. */
 export interface MapLayer {
   /**
-   * Hold the map of a cube, for a headset whose space is turned by a yaw in the world. True if the layer shows just
-   * that in this frame; else the map must be drawn.
+   * Sets the cube map, for a headset whose space is rotated by a yaw in the world. Returns true if the layer shows
+   * it in this frame; else the map must be drawn.
    */
   show(cube: Cube, yaw: number): boolean;
 }
 
 export interface Composer {
-  /** Draw what a leg shows to a user. In a headset the pose is what it tells. */
+  /** Draws a leg for a user. In a headset the pose comes from the session. */
   draw(leg: Leg, user: Pose | null): void;
-  /** Part of the width, from the left, in which the picture is the conventional one; null for none. */
+  /**
+   * Sets the position of the divider as a share of the width; left of it the picture is conventional. Null removes it.
+   */
   setDivider(share: number | null): void;
-  /** Whether the picture is the continuous one at a part of its width. */
+  /** Whether the picture is continuous at a horizontal position. */
   isMorphedAt(x: number): boolean;
-  /** Let a layer of the headset show the map while nothing fades; null to draw it. */
+  /** Sets the headset layer that shows the map while nothing fades; null to draw the map. */
   setMapLayer(layer: MapLayer | null): void;
 }
 
@@ -37,20 +39,20 @@ export function createComposer(
   let divider: number | null = null;
   let mapLayer: MapLayer | null = null;
 
-  /** Draw what is shown of a region, morphed or conventional, as a share over what is there. */
+  /** Draws the picture of a region, morphed or conventional, with an opacity. */
   function paint(number: number, opacity: number, isMorphed: boolean, withMap = true): void {
     const open = atlas.find(number);
     if (!open?.shown || opacity === 0) return;
     const { ring, grown, fading } = open.shown;
     const picture = { region: open.region, radius: grown.radius, strength: isMorphed ? grown.strength : null };
     painter.draw({ ...picture, ring }, camera, opacity, { map: !withMap });
-    // While a region fades in, nothing in it does.
+    // While a region fades in, none of its rings fades.
     if (opacity === 1 && fading && fading.share > 0) {
       painter.draw({ ...picture, ring: fading.ring }, camera, fading.share);
     }
   }
 
-  /** Draw the picture of a region over the one that it takes over from. */
+  /** Draws the picture of a region over that of the region that it replaces. */
   function paintLeg({ region, leaving }: Leg, user: Pose | null, isMorphed: boolean): void {
     const before = leaving?.pose ?? user;
     if (leaving && before) {
@@ -61,20 +63,20 @@ export function createComposer(
     paint(region, leaving?.share ?? 1, isMorphed);
   }
 
-  /** The same for both eyes of a headset, which has its own pose: a place that was left is not shown from elsewhere. */
+  /** Draws the same for both eyes of a headset, whose pose is fixed: a place that was left cannot be drawn. */
   function paintEyes({ region, leaving }: Leg): void {
     if (leaving && !leaving.pose) paint(leaving.region, 1, true);
     paint(region, leaving?.share ?? 1, true, leaving !== null || !isApart(region));
   }
 
-  /** Whether a layer of the headset shows the map of a region in this frame. */
+  /** Whether a composition layer shows the map of a region in this frame. */
   function isApart(number: number): boolean {
     const open = atlas.find(number);
     if (!open?.shown || open.shown.fading) return false;
     return mapLayer?.show(cubeOf(open.region, open.shown.ring), rig.rotation.y) ?? false;
   }
 
-  /** Left of the divider the conventional picture, right of it the continuous one. */
+  /** Draws the conventional picture left of the divider and the continuous one right of it. */
   function paintSides(leg: Leg, user: Pose | null, share: number): void {
     const { clientWidth: width, clientHeight: height } = renderer.domElement;
     const left = Math.round(share * width);

@@ -1,6 +1,6 @@
-/** Foresees how long steps take, from those of the same kind before. */
+/** Prediction of the duration of steps from earlier ones of the same kind. */
 
-/** Steps of a kind take a time of their own and one that grows with their bytes. */
+/** Kind of a step; its duration is a constant plus a term proportional to its bytes. */
 export type StepKind = 'map' | 'picture' | 'arrays' | 'mesh' | 'program';
 
 interface Sized {
@@ -9,19 +9,19 @@ interface Sized {
 }
 
 export interface Costs {
-  /** Milliseconds that a step will take. */
+  /** Expected duration of a step, milliseconds. */
   expected(step: Sized): number;
-  /** A step took so many milliseconds. */
+  /** Learns from the duration of a step. */
   learn(step: Sized, milliseconds: number): void;
 }
 
-/** Bytes whose sending costs as much as a step without any. */
+/** Number of bytes whose upload takes as long as an empty step. */
 const UNIT = 2 ** 16;
-/** Milliseconds a unit, before anything is known: those of a slow computer. */
+/** Initial milliseconds per unit: those of a slow computer. */
 const FIRST: Readonly<Record<StepKind, number>> = { map: 0.2, picture: 0.2, arrays: 0.1, mesh: 0.5, program: 2.5 };
-/** Share of a surprise that is learnt. */
+/** Learning rate of the estimate. */
 const LEARNT = 0.15;
-/** A step that takes many times as long was interrupted, which says nothing of the next one. */
+/** Greatest ratio to the estimate that is learned: longer steps were interrupted. */
 const MOST = 4;
 
 export function createCosts(): Costs {

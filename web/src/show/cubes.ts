@@ -1,4 +1,4 @@
-/** A cube map on the GPU: colour, and from ring 1 on the codes of range. Tiles of it can be replaced. */
+/** Cube map on the GPU: colours, and range codes from ring 1 on. Single tiles can be replaced. */
 import { CubeTexture, type WebGLRenderer } from 'three';
 import type { MapLayout, RangeScale } from '../bundle/manifest';
 import type { MapUpdate } from '../decode/messages';
@@ -7,18 +7,18 @@ import { type Step, STEP_BYTES } from './uploads';
 export interface Cube {
   readonly color: CubeTexture;
   readonly codes: CubeTexture;
-  /** The ring whose map it holds; null for none. */
+  /** Ring whose map it holds; null for none. */
   holds: number | null;
-  /** Whether it has codes. */
+  /** Whether it has range codes. */
   hasRange: boolean;
-  /** Texels along a face, and the scale of its codes. */
+  /** Texels per side of a face; scale of its codes. */
   readonly size: number;
   readonly scale: RangeScale;
   dispose(): void;
 }
 
 export const FACES = 6;
-/** Of a map without codes. */
+/** Scale of a map without codes. */
 const NO_SCALE: RangeScale = { least: 1, step: 1 };
 
 export function createCube(renderer: WebGLRenderer, size: number, scale: RangeScale = NO_SCALE): Cube {
@@ -51,7 +51,7 @@ function allocated(gl: WebGL2RenderingContext, size: number, format: number, fil
   return texture;
 }
 
-/** three.js's name for a texture that it did not make. It has version 0, so that three.js uploads nothing. */
+/** Wraps a foreign texture for three.js, with version 0, so that three.js uploads nothing. */
 function wrapped(renderer: WebGLRenderer, handle: WebGLTexture): CubeTexture {
   const texture = new CubeTexture();
   (renderer.properties.get(texture) as { __webglTexture: WebGLTexture }).__webglTexture = handle;
@@ -62,12 +62,12 @@ function handleOf(renderer: WebGLRenderer, texture: CubeTexture): WebGLTexture {
   return (renderer.properties.get(texture) as { __webglTexture: WebGLTexture }).__webglTexture;
 }
 
-/** The colours of a cube, for WebGL itself. */
+/** Returns the WebGL texture of a cube's colours. */
 export function colorOf(renderer: WebGLRenderer, { color }: Cube): WebGLTexture {
   return handleOf(renderer, color);
 }
 
-/** Steps after which the cube holds a ring's map. */
+/** Steps that load a ring's map into the cube. */
 export function* cubeSteps(
   renderer: WebGLRenderer,
   cube: Cube,
@@ -106,7 +106,7 @@ function faceOf<T>(faces: readonly T[], number: number): T {
   return found;
 }
 
-/** Texels of a face. */
+/** Rectangle of texels in a face. */
 interface Box {
   readonly face: number;
   readonly x: number;
@@ -115,7 +115,7 @@ interface Box {
   readonly height: number;
 }
 
-/** Send texels, as many rows at a time as a step may. */
+/** Steps that upload texels, as many rows at a time as fit into a step. */
 function* boxSteps(
   renderer: WebGLRenderer,
   gl: WebGL2RenderingContext,

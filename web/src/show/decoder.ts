@@ -1,4 +1,4 @@
-/** A worker that decodes, as a function. */
+/** Promise-based interface to a decoder worker. */
 import { BundleError } from '../bundle/error';
 import type {
   Answer,
@@ -28,7 +28,7 @@ export interface Worked {
   dispose(): void;
 }
 
-/** Start a worker; requests are answered in their order. Is told of the milliseconds that answers take here. */
+/** Starts a worker that answers requests in order; `spend` is called with the milliseconds spent on answers. */
 export function startDecoder(script: URL, spend: (milliseconds: number) => void): Worked {
   const worker = new Worker(script, { type: 'module' });
   const waiting = new Map<number, { done: (value: never) => void; failed: (reason: Error) => void }>();
@@ -37,7 +37,7 @@ export function startDecoder(script: URL, spend: (milliseconds: number) => void)
 
   worker.onmessage = (event: MessageEvent<Answer>) => {
     const start = performance.now();
-    // Browsers may make the objects of a message when they are first asked for.
+    // Browsers may deserialize a message only when its data are accessed.
     const { data } = event;
     const asked = waiting.get(data.id);
     waiting.delete(data.id);
@@ -53,7 +53,7 @@ export function startDecoder(script: URL, spend: (milliseconds: number) => void)
 
   const decode = (request: Request): Promise<never> =>
     new Promise((done, failed) => {
-      // Nobody would answer.
+      // The worker cannot answer any more.
       if (stopped) {
         failed(stopped);
         return;
@@ -65,7 +65,7 @@ export function startDecoder(script: URL, spend: (milliseconds: number) => void)
   return { decode: decode as Decoder, dispose: () => worker.terminate() };
 }
 
-/** Buffers that are transferred with a request: the contents of its files. */
+/** Returns the buffers to transfer with a request: the contents of its files. */
 function buffersOf(request: Request): ArrayBuffer[] {
   switch (request.kind) {
     case 'geometry':

@@ -1,28 +1,28 @@
 /**
- * Counts what was sent to the GPU and has not been taken by it. A browser has little room for that: once it is full, a
- * call waits until the GPU has done all before it, which can take many frames where a computer draws without a GPU.
+ * Counter of bytes that were sent to the GPU and not consumed. Browsers have little room for them: once it is full, a
+ * call blocks until the GPU has finished all before it, which can take many frames with software rendering.
  */
 
-/** Bytes on their way, at most; Chromium waits from 16 MiB on. */
+/** Greatest number of bytes in flight; Chromium blocks from 16 MiB on. */
 export const MOST_IN_FLIGHT = 2 ** 23;
 
 export interface Flight {
-  /** So many bytes are sent now. */
+  /** Adds sent bytes. */
   send(bytes: number): void;
-  /** Whether so many more may be sent. */
+  /** Whether this many more bytes may be sent. */
   hasRoom(bytes: number): boolean;
-  /** All that was sent until now is known to be taken when the GPU comes to this point. */
+  /** Inserts a fence: bytes sent before it count as consumed when the GPU passes it. */
   mark(): void;
-  /** The graphics were lost: nothing is on its way. */
+  /** Resets the counter after the graphics were lost. */
   forget(): void;
 }
 
-/** `gl` is null where nothing needs to be counted. */
+/** Creates the counter; `gl` is null if nothing needs to be counted. */
 export function createFlight(gl: WebGL2RenderingContext | null): Flight {
   let marks: { readonly sync: WebGLSync; readonly bytes: number }[] = [];
   let sent = 0;
 
-  /** Marks that the GPU has passed go, from the first on. */
+  /** Removes fences that the GPU has passed. */
   function settle(context: WebGL2RenderingContext): void {
     for (let first = marks[0]; first; first = marks[0]) {
       if (context.getSyncParameter(first.sync, context.SYNC_STATUS) !== context.SIGNALED) return;
@@ -39,7 +39,7 @@ export function createFlight(gl: WebGL2RenderingContext | null): Flight {
       if (!gl || bytes === 0) return true;
       settle(gl);
       const flying = marks.reduce((sum, mark) => sum + mark.bytes, sent);
-      // Nothing is too much for a GPU that has nothing to do.
+      // An idle GPU takes any amount.
       return flying === 0 || flying + bytes <= MOST_IN_FLIGHT;
     },
     mark() {

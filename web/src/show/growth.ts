@@ -1,35 +1,36 @@
 /**
- * How the morph grows when rings have arrived (nf.stream.Growth): the first ring by its strength, the others by their
- * radius, whose inverse falls linearly. The picture of a user at `reach` metres from the centre turns at `speed`.
+ * Growth of the morph after the arrival of rings (nf.stream.Growth): the first ring grows by its strength, the others
+ * by their radius, whose inverse falls linearly. The picture of a user at `reach` metres from the centre turns at
+ * `speed`.
  */
 
 export interface GrowthSettings {
   /** Radii of the rings 1 to n, metres, ascending. */
   readonly radii: readonly number[];
-  /** Degrees a second. */
+  /** Degrees per second. */
   readonly speed: number;
-  /** Metres. */
+  /** Distance of the user in metres. */
   readonly reach: number;
   readonly nearShare: number;
 }
 
-/** The part of the arrived rings that is shown. */
+/** State of the growth. */
 export interface Grown {
   /** R, metres. */
   readonly radius: number;
-  /** 0 to 1. */
+  /** Strength of the morph, 0 to 1. */
   readonly strength: number;
 }
 
-/** Least near share by which the strength grows: what lies nearer than that turns faster. */
+/** Least near share for the growth of the strength: nearer points turn faster. */
 const LEAST_SHARE = 0.05;
 
-/** Before ring 1 is there. */
+/** State before ring 1. */
 export const NOTHING_NEAR: Grown = { radius: 0, strength: 0 };
 
 /**
- * What is shown after some seconds more, with the rings up to `ring`. Pictures of a radius below `least` would fold:
- * until a ring reaches it, everything is shown as the centre sees it, which is the same picture at any radius.
+ * Advances the growth by some seconds, with the rings up to `ring`. Pictures with a radius below `least` would fold:
+ * until a ring reaches it, the strength stays 0, which gives the same picture at any radius.
  */
 export function grow(now: Grown, ring: number, seconds: number, settings: GrowthSettings, least = 0): Grown {
   const goal = settings.radii[ring - 1];

@@ -1,4 +1,4 @@
-/** The loading of a region: its means, its course, and the files that it asks for. */
+/** Types of a region's loading: resources, parameters and file requests. */
 import type { WebGLRenderer } from 'three';
 import type { Described, Manifest, RingEntry } from '../bundle/manifest';
 import type { Fetch, Received } from '../bundle/source';
@@ -17,7 +17,7 @@ export interface Loading {
   readonly shared: Shared;
   readonly store: Store;
   readonly uploads: Uploads;
-  /** Workers for geometry, and for maps: the latter keeps the state of each region's maps. */
+  /** Workers for geometry and for maps; the latter stores the state of each region's maps. */
   readonly geometry: Decoder;
   readonly maps: Decoder;
   readonly fetch: Fetch;
@@ -25,27 +25,27 @@ export interface Loading {
   readonly warm: (meshes: readonly PieceMesh[]) => void;
 }
 
-/** The loading of one region. */
+/** Loading of one region. */
 export interface Course {
-  /** Of the bundle that the region belongs to. */
+  /** Manifest of the region's bundle. */
   readonly manifest: Manifest;
   readonly region: Region;
   /** Number of the region. */
   readonly number: number;
-  /** Is told of each ring that can be shown. */
+  /** Called with each ring that can be shown. */
   readonly arrived: (ring: number) => void;
-  /** Is told of the bytes that come, and of those of files that are here. */
+  /** Called with the number of received bytes, and of bytes of files already loaded. */
   readonly received: Received;
-  /** A ring of the region, as soon as its files can be fetched and it is this region's turn. */
+  /** Resolves to a ring when its files can be fetched and it is this region's turn. */
   readonly turn: (ring: number, signal: AbortSignal) => Promise<RingEntry>;
-  /** Wait until the cube that holds an older map may be overwritten: it is shown while a cross-fade lasts. */
+  /** Waits until the cube of an older map may be overwritten: it is in use during a cross-fade. */
   readonly mayReplace: (ring: number) => Promise<void>;
   readonly signal: AbortSignal;
 }
 
 export interface Job extends Loading, Course {
   readonly ahead: Ahead;
-  /** Names of parts that the region has asked for, or had from other regions. */
+  /** Names of parts that the region has requested, or shares with other regions. */
   readonly had: Set<string>;
 }
 

@@ -1,7 +1,7 @@
 /**
- * Which region is shown as the user walks on or goes to another place, and which is loaded ahead. A region takes over
- * from another one by a cross-fade, and only where neither picture folds; until then the user stays where the picture
- * that is shown does not fold.
+ * Choice of the region to show while the user walks or jumps to another place, and of the region to preload. A region
+ * replaces another one by a cross-fade, and only where neither picture folds; until then the user is confined to the
+ * area where the current picture does not fold.
  */
 import { type Bounds, distance, FREE, type Limit, within } from '../control/limit';
 import type { Pose } from '../control/pose';
@@ -9,68 +9,70 @@ import type { Vector } from '../control/vector';
 import { type Grown, NOTHING_NEAR } from './growth';
 import { apartOf, type Places } from './places';
 
-/** How much nearer another centre must be before it takes over: a part of their distance, metres at most. */
+/** Hysteresis: another centre must be nearer by this share of the centres' distance, at most this many metres. */
 const [GAP_SHARE, GAP_MOST] = [0.1, 2] as const;
-/** Part of a region's limit that must be left before it takes over by being nearer, so that it is not left at once. */
+/** Share of its limit that a nearer region must have left to take over, so that it is not left at once. */
 const ROOM_SHARE = 0.3;
-/** Metres beyond the user's place at which a radius that is chosen for it would fold. */
+/** Margin in metres beyond the user's position at which a radius may begin to fold. */
 const SLACK = 0.5;
-/** The last radius counts as great enough whatever its product with the near share is rounded to. */
+/** Tolerance for rounding, so that the last radius always counts as sufficient. */
 const ROUNDED = 1 - 1e-9;
-/** Part of the limit within which a place to go to is put, and within which it needs no other region. */
+/** Share of the limit to which a landing position is clamped, and within which no other region is needed. */
 const [LANDING, HERE_SHARE] = [0.9, 0.5] as const;
 
-/** The regions of a journey: its questions to them, and their answers. */
+/** Interface of a journey to the regions. */
 export interface Regions {
-  /** Load a region, unless that was begun. */
+  /** Loads a region, unless its loading has begun. */
   open(region: number): void;
   close(region: number): void;
-  /** Load regions in this order; others wait. */
+  /** Sets the order of loading; later regions wait for earlier ones. */
   prefer(order: readonly number[]): void;
-  /** The first state that it would show after one of another region; null before its ring 0 is there. */
+  /** Returns its first state after one of another region; null before its ring 0 is loaded. */
   offer(region: number, from: Grown): Grown | null;
-  /** All rings are there. */
+  /** Whether all rings are loaded. */
   isComplete(region: number): boolean;
-  /** Its maps are coarse, and finer ones are to come. */
+  /** Whether its maps are coarse and finer ones are to come. */
   isCoarse(region: number): boolean;
-  /** Show it from now on, as much like a state of another region as it can. */
+  /** Shows it from now on, in a state as similar as possible to that of another region. */
   enter(region: number, from: Grown): void;
-  /** Show it no more. */
+  /** Stops showing it. */
   leave(region: number): void;
-  /** Radius and strength that it shows; null while nothing of it can be shown. */
+  /** Radius and strength of its picture; null while it cannot be shown. */
   grown(region: number): Grown | null;
 }
 
 export interface JourneySettings {
   readonly places: Places;
-  /** Of a radius of the morph: how far from the centre its picture does not fold. */
+  /** Share of a morph's radius within which its picture does not fold. */
   readonly marginShare: number;
-  /** Seconds of a cross-fade. */
+  /** Duration of a cross-fade, seconds. */
   readonly fade: number;
-  /** The user was put to another place. */
+  /** Called when the user was moved to another place. */
   readonly moved: (pose: Pose) => void;
 }
 
-/** The picture of a journey now. */
+/** Current picture of a journey. */
 export interface Leg {
   readonly region: number;
-  /** The picture that goes out below that of the region, which has a share; a pose of its own if the user was moved. */
+  /**
+   * Picture that is fading out below that of the region, whose opacity is `share`; with a pose if the user was moved.
+   */
   readonly leaving: { readonly region: number; readonly pose: Pose | null; readonly share: number } | null;
 }
 
 export interface Journey {
-  /** Go on by some seconds with the user at a pose. */
+  /** Advances by some seconds with the user's pose. */
   advance(seconds: number, user: Pose): Leg;
-  /** Go to another place as soon as its region can be shown. */
+  /** Moves to another place when its region can be shown. */
   go(target: Pose): void;
-  /** Loading a region has failed: nobody waits for it. */
+  /** Stops waiting for a region whose loading has failed. */
   failed(region: number): void;
-  /** Where the user may be. */
+  /** Area where the user may be. */
   readonly bounds: Bounds;
   readonly region: number;
-  /** The region of the place that the user is about to go to; null for none. */
+  /** Region that the user is moving to; null for none. */
   readonly goal: number | null;
-  /** The least radius of the region's morph that does not fold where the user is. */
+  /** Least radius of the region's morph that does not fold at the user's position. */
   readonly least: number;
 }
 
@@ -84,7 +86,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
 
   const { places } = settings;
 
-  /** Where a state of a region does not fold: anywhere within its margin while nothing is near yet. */
+  /** Area without folds for a state of a region: its whole margin while nothing is near yet. */
   function limitOf(region: number, grown: Grown | null): Limit {
     const { center, fold_margin } = places.of(region);
     return { center, metres: grown && grown.strength > 0 ? settings.marginShare * grown.radius : fold_margin };
@@ -96,16 +98,16 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
 
   const far = (region: number, place: Vector): number => apartOf(places.of(region).center, place);
 
-  /** The state that the region ahead would show now; null if it cannot take over. */
+  /** Returns the state in which a region would begin now; null if it cannot take over. */
   function offered(region: number): Grown | null {
     const from = regions.grown(current);
     const offer = from && regions.offer(region, from);
-    // Geometry that is shown does not go back into a map.
+    // Visible geometry does not become part of a map again.
     if (!from || !offer || (from.strength > 0 && offer.strength === 0)) return null;
     return offer;
   }
 
-  /** Whether the region ahead takes over. */
+  /** Whether a region takes over. */
   function mayCross(next: number, place: Vector): boolean {
     const [from, offer] = [regions.grown(current), offered(next)];
     if (!from || !offer) return false;
@@ -115,7 +117,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
     const isAsLarge = offer.radius >= from.radius && !regions.isCoarse(next);
     const isAlike = from.strength === 0 || isAsLarge || regions.isComplete(next);
     if (isNearer && isAlike && room(there, place) >= ROOM_SHARE * there.metres) return true;
-    // At its edge the picture is given up for one that is less like it.
+    // At its edge the picture is replaced even by one that is less similar.
     const isAtEdge = room(here, place) < (1 - FREE) * here.metres;
     return isAtEdge && room(there, place) >= Math.max(room(here, place), 0) + gap;
   }
@@ -128,13 +130,13 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
     }
   }
 
-  /** Where the user is put for a place to go to, if its region begins with a state. */
+  /** Returns the pose at which the user lands if the region begins with a state. */
   function landing(region: number, grown: Grown, target: Pose): Pose {
     const { center, metres } = limitOf(region, grown);
     return { ...target, position: within(target.position, { center, metres: LANDING * metres }) };
   }
 
-  /** Go, if the region of the place can be shown. */
+  /** Moves the user if the region of the place can be shown. */
   function depart(pose: Pose): void {
     if (!going) return;
     const { region, target } = going;
@@ -142,7 +144,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
     const isHere = region === current;
     const offer = isHere ? from : regions.offer(region, from ?? NOTHING_NEAR);
     if (!offer) return;
-    // Its picture must leave the user room; else it begins with nothing near.
+    // Its picture must leave the user room; otherwise it begins with nothing near.
     const fits = isHere || room(limitOf(region, offer), target.position) > (1 - FREE) * limitOf(region, offer).metres;
     const place = landing(region, fits ? offer : NOTHING_NEAR, target);
     going = null;
@@ -152,10 +154,10 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
     settings.moved(place);
   }
 
-  /** Close what is needed no more, and load what is, the region where the user is or will be before others. */
+  /** Closes unneeded regions and loads needed ones, first the region of the user's current or future position. */
   function arrange(place: Vector): void {
     const goal = going?.region ?? null;
-    // While two are shown, there is no third.
+    // At most two regions are open during a cross-fade.
     if (leaving) ahead = leaving.region === current ? null : leaving.region;
     else ahead = goal === null ? places.ahead({ place, current, ahead, limit: limitOf(current, regions.grown(current)) }) : null;
     const other = leaving ? ahead : (goal ?? ahead);
@@ -195,7 +197,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
     go(target) {
       const region = places.nearest(target.position);
       const here = limitOf(current, regions.grown(current));
-      // Near the centre the region that is there serves at once; a nearer one takes over later.
+      // Near the centre the current region serves at once; a nearer one takes over later.
       const isHere = room(here, target.position) >= HERE_SHARE * here.metres;
       going = { region: isHere ? current : region, target };
     },
@@ -204,7 +206,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
     },
     get bounds() {
       const here = limitOf(current, regions.grown(current));
-      // A picture of another pose stays where it was.
+      // A picture with its own pose stays there.
       const shown = leaving && !leaving.pose ? [here, limitOf(leaving.region, regions.grown(leaving.region))] : [here];
       const offer = !leaving && ahead !== null ? offered(ahead) : null;
       return { shown, open: offer && ahead !== null ? [here, limitOf(ahead, offer)] : [here] };

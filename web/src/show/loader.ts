@@ -1,4 +1,4 @@
-/** Loads a region ring by ring, in order; each is shown when all of it is on the GPU. */
+/** Loading of a region ring by ring; each ring is shown when all of it is on the GPU. */
 import { filesOfRing } from '../bundle/contents';
 import type { Fetch } from '../bundle/source';
 import { createAhead } from './ahead';
@@ -6,7 +6,7 @@ import { type Course, fileOf, type Job, type Loading } from './job';
 import { loadFirstMap, loadMap, loadSharper } from './maps';
 import { receiveParts } from './receive';
 
-/** Load all rings; while one is decoded and uploaded, files of the next one are fetched. */
+/** Loads all rings; while one is decoded and uploaded, files of the next one are prefetched. */
 export async function loadRegion(loading: Loading, course: Course): Promise<void> {
   const { manifest, region, received, signal, turn } = course;
   const sizeOf = (name: string): number => manifest.files[name]?.bytes ?? 0;
@@ -24,7 +24,7 @@ export async function loadRegion(loading: Loading, course: Course): Promise<void
     if (described.map) jobs.push(loadMap(job, ring, described.map));
     if (described.sharper) jobs.push(loadSharper(job, ring, described.sharper));
     if (described.geometry !== null) jobs.push(loadGeometry(job, ring, described.geometry, described.parts));
-    // After those of this ring.
+    // Requested after the files of this ring.
     const next = rings[ring + 1];
     const isNew = (name: string): boolean => !isHere(loading, name) && !job.had.has(name);
     if (next) job.ahead.want(filesOfRing(next).filter(isNew), signal);
@@ -42,7 +42,7 @@ async function loadGeometry(job: Job, ring: number, name: string, partNames: rea
   const { manifest, region, signal, store } = job;
   const wanted = partNames.filter((part) => !isHere(job, part));
   for (const part of partNames) {
-    // From another region.
+    // Loaded for another region.
     if (isHere(job, part) && !job.had.has(part)) job.received(manifest.files[part]?.bytes ?? 0);
     job.had.add(part);
   }

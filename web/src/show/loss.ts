@@ -1,18 +1,18 @@
-/** Browsers may take the graphics away, with all that was uploaded, and give them back empty. */
+/** Loss of the graphics context: browsers may destroy it with all uploads, and restore it empty. */
 
 export interface Loss {
   readonly isLost: boolean;
-  /** Watch no longer. */
+  /** Stops watching. */
   dispose(): void;
 }
 
-/** Watch a canvas; to be called after three.js does, which makes itself ready first. */
+/** Watches a canvas; to be called after three.js has registered its own listeners. */
 export function watchLoss(canvas: HTMLCanvasElement, lost: () => void, restored: () => void): Loss {
   let isLost = false;
   const stop = new AbortController();
   const { signal } = stop;
   const went = (event: Event): void => {
-    // Else the browser gives nothing back.
+    // Otherwise the browser does not restore the context.
     event.preventDefault();
     isLost = true;
     lost();

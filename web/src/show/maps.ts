@@ -1,4 +1,4 @@
-/** Loads the maps of a region: that of ring 0, what rings change of it, and those of full size after coarse ones. */
+/** Loading of a region's maps: the map of ring 0, the changes of later rings, and full-size maps after coarse ones. */
 import type { MapEntry, MapLayout, RangeScale, Sharper } from '../bundle/manifest';
 import type { FileData, FirstMapRequest, MapUpdate } from '../decode/messages';
 import { createCube, cubeSteps } from './cubes';
@@ -12,7 +12,7 @@ export async function loadFirstMap(job: Job, map: MapEntry): Promise<void> {
   await uploads.add(cubeSteps(renderer, region.cubes[0], update, 0, manifest.map), signal);
 }
 
-/** Load what a ring changes of the map before it, or a whole map. */
+/** Loads a ring's changes of the previous map, or a whole map. */
 export async function loadMap(job: Job, ring: number, { tiles, color, range }: MapEntry): Promise<void> {
   const { manifest, maps, number, region, renderer, signal, uploads } = job;
   const [pictures, codes] = await Promise.all([filesOf(job, color), filesOf(job, range)]);
@@ -26,7 +26,7 @@ export async function loadMap(job: Job, ring: number, { tiles, color, range }: M
   const update = await maps({
     kind: 'next-map',
     region: number,
-    // Whole ranges come as those of the first ring do.
+    // Whole ranges are encoded like those of the first ring.
     ring: isWhole ? 1 : ring,
     tiles,
     color: isWhole ? null : (pictures[0] ?? null),
@@ -47,7 +47,7 @@ function firstRequest(
   return { kind: 'first-map', region: number, faceSize, tile, across, step, color };
 }
 
-/** Maps of full size in place of coarse ones: that of the last ring is made in the worker, and then sent. */
+/** Replaces coarse maps by full-size ones: the worker composes the last ring's map, which is then uploaded. */
 export async function loadSharper(job: Job, ring: number, { layout, maps, range }: Sharper): Promise<void> {
   const { region, renderer, signal, uploads } = job;
   const [first, ...changes] = maps;
@@ -65,7 +65,7 @@ export async function loadSharper(job: Job, ring: number, { layout, maps, range 
   await uploads.add(cubeSteps(renderer, region.cubes[turn], update, ring, layout), signal);
 }
 
-/** Apply what a ring changes; only of the last one the whole map is asked for. */
+/** Applies a ring's changes; the whole map is requested only for the last ring. */
 async function changed(job: Job, ring: number, { tiles, color, range }: MapEntry, isLast: boolean): Promise<MapUpdate> {
   const [[picture], codes] = await Promise.all([filesOf(job, color), filesOf(job, range)]);
   job.signal.throwIfAborted();

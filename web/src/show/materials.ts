@@ -1,4 +1,4 @@
-/** Materials of near geometry and of the map. All share one set of uniforms, which a picture sets before it is drawn. */
+/** Materials of near geometry and of the map. All share one set of uniforms, set before a picture is drawn. */
 import {
   CustomBlending,
   type CubeTexture,
@@ -27,7 +27,7 @@ export interface Shared extends Record<string, IUniform> {
   readonly coding: IUniform<Vector4>;
 }
 
-/** Uniforms for a picture of one cube, until a picture sets others. */
+/** Creates the uniforms with initial textures. */
 export function createShared(map: CubeTexture, codes: CubeTexture): Shared {
   return {
     radii: { value: new Vector4() },
@@ -38,35 +38,35 @@ export function createShared(map: CubeTexture, codes: CubeTexture): Shared {
   };
 }
 
-/** A radius beyond everything; infinity is no number to a GPU. */
+/** Radius beyond everything; shaders cannot rely on infinity. */
 export const NOWHERE = 1e30;
 
-/** Colours of a picture that fades in are mixed with those of the picture before; the canvas itself stays opaque. */
+/** Blends a picture that fades in over the one before; the canvas stays opaque. */
 export const BLENDING = {
   blending: CustomBlending,
   blendSrc: SrcAlphaFactor,
   blendDst: OneMinusSrcAlphaFactor,
   blendSrcAlpha: OneFactor,
   blendDstAlpha: OneMinusSrcAlphaFactor,
-  // In three.js's list of opaque objects, which keeps the order of a picture.
+  // Keeps meshes in three.js's list of opaque objects, which preserves the order of drawing.
   transparent: false,
   depthTest: true,
   side: DoubleSide,
   glslVersion: GLSL3,
 } as const;
 
-/** Textures of a material by their use; null for those that it lacks. */
+/** Textures of a material by their use; null for missing ones. */
 export interface Textures {
   readonly image: Texture | null;
   readonly glow: Texture | null;
 }
 
-/** The textures of a material by their URIs. */
+/** Returns the textures of a material, found by URI. */
 export function texturesOf({ image, glow }: Material, find: (uri: string) => Texture | null): Textures {
   return { image: image === null ? null : find(image), glow: glow === null ? null : find(glow) };
 }
 
-/** Features that the program of a piece must have. */
+/** Returns the preprocessor definitions for a piece's shader program. */
 export function definesOf(piece: Piece, { image, glow }: Textures): Record<string, string> {
   const { material } = piece;
   const defines: Record<string, string> = {};
@@ -75,7 +75,7 @@ export function definesOf(piece: Piece, { image, glow }: Textures): Record<strin
   if (piece.placements) defines['PLACED'] = '';
   if (image && piece.uvs) defines['TEXTURED'] = '';
   if (material.cutoff !== null) defines['CUTOUT'] = '';
-  // Emission without its picture would let dark parts glow.
+  // Emission without its texture would make dark parts glow.
   if (material.emission && (material.glow === null || (glow && piece.uvs))) {
     defines[material.glow === null ? 'EMISSIVE' : 'GLOWING'] = '';
   }
@@ -83,7 +83,7 @@ export function definesOf(piece: Piece, { image, glow }: Textures): Record<strin
   return defines;
 }
 
-/** The material of a piece that ends at a radius, or nowhere (`Infinity`). */
+/** Creates the material of a piece that is cut at a radius, or nowhere (`Infinity`). */
 export function nearMaterial(piece: Piece, textures: Textures, shared: Shared, cut: number): RawShaderMaterial {
   const { material } = piece;
   return new RawShaderMaterial({
@@ -95,7 +95,7 @@ export function nearMaterial(piece: Piece, textures: Textures, shared: Shared, c
   });
 }
 
-/** The materials of a region; pieces that look alike have the same one, because three.js takes its time for each. */
+/** Materials of a region; pieces that look alike share one, because three.js spends time on each. */
 export interface Materials {
   of(piece: Piece, textures: Textures, cut: number): RawShaderMaterial;
   dispose(): void;

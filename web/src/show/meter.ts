@@ -1,16 +1,16 @@
-/** Measures what the panel shows: bytes, their rate, and times of frames. */
+/** Measurements for the panel: bytes, their rate, and frame times. */
 
-/** Seconds that a rate and a time of frames are taken over. */
+/** Window in seconds of the rate and the frame times. */
 const WINDOW = 1;
 
 export interface Meter {
-  /** So many bytes have come. */
+  /** Adds received bytes. */
   receive(bytes: number): void;
-  /** A frame has taken so many seconds. */
+  /** Adds the duration of a frame, seconds. */
   frame(seconds: number): void;
-  /** Count from 0. */
+  /** Resets all measurements. */
   restart(): void;
-  /** Bytes; bits a second, null while nothing comes; milliseconds of frames, their mean and the longest. */
+  /** Received bytes; bits per second, null while nothing arrives; mean and greatest frame time in milliseconds. */
   read(): { received: number; rate: number | null; frame: number; longest: number };
 }
 

@@ -1,4 +1,4 @@
-/** Finds the point of near geometry that a pixel shows. */
+/** Picking of the point of near geometry at a pixel. */
 import {
   DepthTexture,
   GLSL3,
@@ -22,7 +22,7 @@ void main() {
 }
 `;
 
-/** WebGL reads no depth: it goes as three bytes of a colour. */
+/** WebGL cannot read depths back: the depth is encoded in three bytes of a colour. */
 const FRAGMENT = /* glsl */ `
 precision highp float;
 precision highp sampler2D;
@@ -38,15 +38,15 @@ void main() {
 
 export interface Picker {
   /**
-   * The point, in the frame that `draw` draws in, of what a pixel of the camera's picture shows; x and y are parts of
-   * its width and height, from the upper left. Null where nothing is drawn.
+   * Returns the point at a pixel of the camera's picture, in the frame of `draw`; x and y are shares of the picture's
+   * width and height, from the upper left. Null if nothing is drawn there.
    */
   pick(camera: PerspectiveCamera, place: readonly [number, number], draw: () => void): Vector3 | null;
-  /** Let go of what the GPU holds; a later look makes it anew. */
+  /** Frees the GPU resources; a later pick creates them again. */
   dispose(): void;
 }
 
-/** A picker for one renderer: all its looks use one program, which would be compiled for each otherwise. */
+/** Creates a picker for a renderer; all picks share one program, which would otherwise be compiled each time. */
 export function createPicker(renderer: WebGLRenderer): Picker {
   const depth = new DepthTexture(1, 1, UnsignedIntType);
   const target = new WebGLRenderTarget(1, 1, { depthTexture: depth });

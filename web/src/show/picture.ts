@@ -1,4 +1,4 @@
-/** Draws pictures: near geometry where the morph shows it, and the map wherever nothing near is. */
+/** Drawing of pictures: morphed near geometry, and the map in all other pixels. */
 import { type Camera, type Material, Mesh, type Object3D, Scene, type WebGLRenderer } from 'three';
 import type { Point } from '../bundle/manifest';
 import type { Cube } from './cubes';
@@ -6,41 +6,45 @@ import { farMaterial, type Shared } from './materials';
 import { cubeOf, hasMap, meshesOf, type Region } from './region';
 import { covering } from './veil';
 
-/** The state that a picture shows. */
+/** Content of a picture. */
 export interface Picture {
   readonly region: Region;
-  /** Last ring whose geometry is shown; its map shows what lies beyond. */
+  /** Last ring whose geometry is drawn; its map shows everything beyond. */
   readonly ring: number;
   /** R, metres. */
   readonly radius: number;
-  /** 0 to 1; null for the conventional picture: near geometry in its place, and the map as the centre sees it. */
+  /**
+   * Strength of the morph, 0 to 1; null for the conventional picture: geometry unmorphed, the map as seen from the
+   * centre.
+   */
   readonly strength: number | null;
 }
 
-/** Other users, who are drawn as moving objects are: morphed, and hidden where the map is nearer. */
+/** Other users, drawn like dynamic objects: morphed, and hidden where the map is nearer. */
 export interface Guests {
   readonly meshes: readonly (Mesh & { readonly material: Material })[];
-  /** Put them for pictures whose centre is at the origin. */
+  /** Updates their positions for pictures with this centre at the origin. */
   place(center: Point): void;
 }
 
-/** Parts of a picture that are left out. */
+/** Parts of a picture that are omitted. */
 export interface Without {
   readonly map?: boolean;
   readonly guests?: boolean;
 }
 
 export interface Painter {
-  /** Let the GPU make ready what the first picture needs, while its files come. */
+  /** Compiles the shaders of the first picture while its files are loaded. */
   prepare(camera: Camera): void;
-  /** Draw a picture over what is there, as a share of it; 1 hides what was there. The map can be shown elsewhere. */
+  /** Draws a picture over the previous content with an opacity. The map may be shown elsewhere. */
   draw(picture: Picture, camera: Camera, opacity: number, without?: Without): void;
-  /** Draw other users, too; null for none. */
+  /** Sets the other users to draw; null for none. */
   setGuests(guests: Guests | null): void;
 }
 
 /**
- * A painter for one renderer. `blank` gives a map that shows nothing, for pictures without one. `place` moves the rig of the camera, so that the centre of a region is at the origin.
+ * Creates a painter for a renderer. `blank` returns an empty map for pictures without one. `place` moves the camera's
+ * rig so that a region's centre is at the origin.
  */
 export function createPainter(
   renderer: WebGLRenderer,
@@ -63,7 +67,7 @@ export function createPainter(
       place(region.entry.center);
       const cube = hasMap(region, ring) ? cubeOf(region, ring) : blank();
       const inner = nearShare * radius;
-      // With R = 0 everything is shown as the centre sees it: the weight of the user's view is 0 at any distance.
+      // With R = 0 everything is shown as the centre sees it: the weight of the user's view is 0 everywhere.
       const slope = radius > 0 ? 1 / (radius - inner) : 1;
       shared.radii.value.set(inner, radius, slope, strength ?? -1);
       shared.map.value = cube.color;
@@ -78,7 +82,7 @@ export function createPainter(
       near.children = [...groups, ...others] as Object3D[];
       renderer.clearDepth();
       if (opacity < 1) {
-        // Depth alone first: else a surface behind another one would shine through it.
+        // Depth prepass: otherwise an occluded surface would shine through.
         setWrites(drawn, false, true);
         renderer.render(near, camera);
         setWrites(drawn, true, false);
@@ -101,7 +105,7 @@ function setWrites(meshes: Guests['meshes'], color: boolean, depth: boolean): vo
   }
 }
 
-/** One triangle over the whole picture. */
+/** Triangle that covers the whole picture. */
 function screen(shared: Shared): Mesh {
   const mesh = new Mesh(covering(), farMaterial(shared));
   mesh.frustumCulled = false;

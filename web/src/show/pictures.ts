@@ -1,16 +1,16 @@
-/** Pictures of textures on the GPU, which come in bands of rows. */
+/** Textures on the GPU whose images arrive in bands of rows. */
 import { ExternalTexture, type Texture, type WebGLRenderer } from 'three';
 import type { Band } from '../decode/messages';
 import type { Step } from './uploads';
 
 export interface Pictures {
-  /** Steps that send a band, and make a texture of the picture after its last one. */
+  /** Steps that upload a band, and finish the texture after its last band. */
   steps(band: Band): Generator<Step>;
-  /** Let go of pictures of which bands are missing. */
+  /** Frees incomplete textures. */
   dispose(): void;
 }
 
-/** Collects pictures that come while a file is loaded; whole ones are told. */
+/** Collects bands while a file is loaded; `whole` is called with complete textures. */
 export function createPictures(renderer: WebGLRenderer, whole: (name: string, texture: Texture) => void): Pictures {
   const gl = renderer.getContext() as WebGL2RenderingContext;
   const coming = new Map<string, WebGLTexture>();

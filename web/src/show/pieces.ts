@@ -1,4 +1,4 @@
-/** Pieces of geometry as three.js holds them. Their arrays belong to the page, which sends and frees them itself. */
+/** Meshes of three.js for pieces of geometry. Their arrays are uploaded and freed by the page. */
 import {
   type BufferAttribute,
   BufferGeometry,
@@ -16,18 +16,18 @@ import type { Step } from './uploads';
 
 export type PieceMesh = Mesh<BufferGeometry, RawShaderMaterial>;
 
-/** Numbers of a placement: three rows of four. */
+/** Numbers per placement: three rows of four. */
 const PLACEMENT = 12;
 
-/** Things that making meshes needs. */
+/** Resources for making meshes. */
 export interface Making {
   readonly gl: WebGL2RenderingContext;
   readonly store: Store;
-  /** Makes three.js ready to draw meshes. */
+  /** Makes three.js initialize meshes. */
   readonly warm: (meshes: readonly PieceMesh[]) => void;
 }
 
-/** The arrays of a mesh, and what must be done when it is let go. */
+/** Resources of a mesh that are freed with it. */
 interface Owned {
   readonly arrays: MeshArrays;
   readonly placements: Buffers<'placement'> | null;
@@ -36,13 +36,13 @@ interface Owned {
 
 const owned = new WeakMap<PieceMesh, Owned>();
 
-/** A piece whose arrays have a place on the GPU. */
+/** Piece whose arrays are allocated on the GPU. */
 export interface Prepared {
-  /** Steps that send the arrays. */
+  /** Steps that upload the arrays. */
   steps(): Generator<Step>;
-  /** The mesh, once they are done. */
+  /** Creates the mesh after these steps. */
   make(material: RawShaderMaterial): PieceMesh;
-  /** Let the arrays go, if no mesh was made. */
+  /** Frees the arrays if no mesh was made. */
   free(): void;
 }
 
@@ -72,20 +72,20 @@ export function prepare(piece: Piece, { gl, store }: Making): Prepared {
 function meshOf(name: string, { arrays, placements }: Owned, material: RawShaderMaterial): PieceMesh {
   const geometry = placements ? placedGeometry(placements) : new BufferGeometry();
   const { index, ...attributes } = arrays.attributes;
-  // three.js takes attributes whose buffers are not its own, and such an index, too; its types do not say so.
+  // three.js accepts attributes and indices with external buffers, although its types do not say so.
   for (const [role, attribute] of Object.entries(attributes)) {
     geometry.setAttribute(role, attribute as unknown as BufferAttribute);
   }
   geometry.setIndex(index as unknown as BufferAttribute);
   const mesh = new Mesh(geometry, material);
   mesh.name = name;
-  // The morph moves vertices, so that boxes of where they are say nothing.
+  // The morph moves vertices, so that bounding boxes are invalid.
   mesh.frustumCulled = false;
   mesh.matrixAutoUpdate = false;
   return mesh;
 }
 
-/** Free what the GPU holds of a mesh, but for arrays that other meshes share with it. */
+/** Frees the GPU resources of a mesh, except arrays that other meshes share. */
 export function disposeMesh(mesh: PieceMesh, store: Store): void {
   const { geometry } = mesh;
   // three.js frees all arrays that a geometry still has.
@@ -116,13 +116,13 @@ function columnOf<T extends Float32Array | Uint16Array | Uint32Array>(rows: T, w
   return { rows, width };
 }
 
-/** Placements are read as three rows each, from one array that goes on with each placement. */
+/** Reads each placement as three rows from one interleaved array. */
 function placedGeometry({ attributes }: Buffers<'placement'>): InstancedBufferGeometry {
   const geometry = new InstancedBufferGeometry();
   const rows = Object.assign(attributes.placement as GLBufferAttribute, {
     isInstancedBufferAttribute: true,
     meshPerAttribute: 1,
-    // three.js wants to know its kind of numbers.
+    // three.js derives the number type from this array.
     array: new Float32Array(0),
   });
   ['row_x', 'row_y', 'row_z'].forEach((name, row) => {

@@ -1,30 +1,30 @@
-/** The places that regions belong to, and which of them is loaded ahead of a user who walks on. */
+/** Centres of the regions, and the choice of the region to preload for a walking user. */
 import type { RegionEntry } from '../bundle/manifest';
 import type { Limit } from '../control/limit';
 import type { Vector } from '../control/vector';
 
-/** A region is loaded ahead when the border is nearer than this part of the way from the centre to it, or metres. */
+/** Distance to the border that triggers preloading: share of the way, least metres, greatest share of the way. */
 const [AHEAD_SHARE, AHEAD_METRES, AHEAD_MOST] = [0.5, 4, 0.9] as const;
-/** A region that is loaded ahead is kept until the border is farther than that by this part of the way. */
+/** Additional share of the way for which a preloaded region is kept. */
 const KEPT_SHARE = 0.25;
 
-/** The centre of a region, and how far from it the picture of the last ring does not fold. */
+/** Centre of a region, and the distance from it within which the last ring's picture does not fold. */
 export type Spot = Pick<RegionEntry, 'center' | 'fold_margin'>;
 
-/** A user at a place in a region, whose present picture has a limit. */
+/** User at a place in a region, with the limit of the current picture. */
 export interface Standing {
   readonly place: Vector;
   readonly current: number;
-  /** The region that is loaded ahead until now; null for none. */
+  /** Region that is preloaded so far; null for none. */
   readonly ahead: number | null;
   readonly limit: Limit;
 }
 
 export interface Places {
   of(region: number): Spot;
-  /** The region that a place to go to belongs to. */
+  /** Returns the region that a place belongs to. */
   nearest(place: Vector): number;
-  /** The region to load ahead; null for none. */
+  /** Returns the region to preload; null for none. */
   ahead(standing: Standing): number | null;
 }
 
@@ -32,13 +32,13 @@ export function apartOf(a: Vector, b: Vector): number {
   return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/** Metres from one centre to another one, and from a place to the border between them; below 0 beyond it. */
+/** Distance of two centres, and of a place from the border between them, metres; negative beyond the border. */
 export function borderOf(from: Vector, to: Vector, place: Vector): { apart: number; border: number } {
   const apart = Math.max(apartOf(to, from), 1e-6);
   return { apart, border: (apartOf(to, place) ** 2 - apartOf(from, place) ** 2) / (2 * apart) };
 }
 
-/** The region whose centre is nearest to a place, of equally near ones the first; null if there is no other than `but`. */
+/** Returns the region with the nearest centre, the first of equally near ones, except `but`; null if there is none. */
 export function nearestOf(spots: readonly Pick<Spot, 'center'>[], place: Vector, but = -1): number | null {
   let best: number | null = null;
   let least = Number.POSITIVE_INFINITY;
@@ -49,13 +49,13 @@ export function nearestOf(spots: readonly Pick<Spot, 'center'>[], place: Vector,
   return best;
 }
 
-/** Places of a bundle, which are all known. */
+/** Places of a bundle, all of which are known. */
 export function knownPlaces(spots: readonly Spot[]): Places {
   const of = (region: number): Spot => spots[region] as Spot;
   return {
     of,
     nearest: (place) => nearestOf(spots, place) ?? 0,
-    /** The nearest other one; the one before, while it is about as near. */
+    /** Returns the nearest other region, or keeps the previous one while it is about as near. */
     ahead({ place, current, ahead }) {
       const other = nearestOf(spots, place, current);
       if (other === null) return null;

@@ -1,18 +1,18 @@
-/** Programs of the GPU, made before a frame needs them: compiling one may take as long as many frames. */
+/** GPU programs that are compiled before a frame needs them: compilation may take as long as many frames. */
 import { BufferGeometry, type Camera, Mesh, type RawShaderMaterial, Scene, Texture, type WebGLRenderer } from 'three';
 import type { Piece } from '../decode/messages';
 import { definesOf, nearMaterial, type Shared, texturesOf } from './materials';
 import type { Uploads } from './uploads';
 
 export interface Programs {
-  /** Resolves when the GPU has the programs that pieces like these need. */
+  /** Resolves when the GPU has the programs for pieces like these. */
   ready(samples: readonly Piece[]): Promise<void>;
-  /** The graphics were lost, and all programs with them. */
+  /** Discards all programs after the graphics were lost. */
   forget(): void;
 }
 
 export function createPrograms(renderer: WebGLRenderer, camera: Camera, shared: Shared, uploads: Uploads): Programs {
-  // By kind. three.js lets go of a program with the last material that uses it; those that are made here stay.
+  // Programs by kind. three.js deletes a program with the last material that uses it; the materials made here remain.
   const made = new Map<string, Promise<void>>();
   const picture = new Texture();
 
@@ -51,21 +51,21 @@ export function createPrograms(renderer: WebGLRenderer, camera: Camera, shared: 
   };
 }
 
-/** Milliseconds between two looks at what the GPU has done, and how often it is looked at. */
+/** Milliseconds between two polls of the GPU's progress; greatest number of attempts to find it idle. */
 const [LOOK, LOOKS] = [10, 3] as const;
 
-/** Compile the programs of a scene; resolves when a frame that uses them need not wait. */
+/** Compiles the programs of a scene; resolves when a frame that uses them need not wait. */
 async function compile(renderer: WebGLRenderer, scene: Scene, camera: Camera): Promise<void> {
   if (renderer.extensions.has('KHR_parallel_shader_compile')) {
     await renderer.compileAsync(scene, camera);
     return;
   }
-  // Other browsers compile in the order of all commands, so what comes after them tells.
+  // Other browsers compile in the order of all commands, so that a fence reports completion.
   renderer.compile(scene, camera);
   await passed(renderer);
 }
 
-/** Resolves when the GPU has done all commands until now. */
+/** Resolves when the GPU has finished all commands up to now. */
 async function passed(renderer: WebGLRenderer): Promise<void> {
   const gl = renderer.getContext() as WebGL2RenderingContext;
   const after = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
@@ -76,7 +76,7 @@ async function passed(renderer: WebGLRenderer): Promise<void> {
   gl.deleteSync(after);
 }
 
-/** Resolves when the GPU has nothing to do, so that it answers questions at once; where it is slow it may not come to that. */
+/** Resolves when the GPU is idle, so that queries do not block; gives up after a few attempts. */
 async function idle(renderer: WebGLRenderer): Promise<void> {
   for (let n = 0; n < LOOKS; n++) {
     const { frame } = renderer.info.render;
@@ -85,7 +85,7 @@ async function idle(renderer: WebGLRenderer): Promise<void> {
   }
 }
 
-/** Let three.js ask what the program of a material has, which waits for the GPU; an error if it could not be made. */
+/** Lets three.js query a material's program, which waits for the GPU; throws an error if the program is invalid. */
 function look(renderer: WebGLRenderer, material: RawShaderMaterial): void {
   const gl = renderer.getContext() as WebGL2RenderingContext;
   const { currentProgram: made } = renderer.properties.get(material) as { currentProgram?: Made };
@@ -98,7 +98,7 @@ function look(renderer: WebGLRenderer, material: RawShaderMaterial): void {
   made.getAttributes();
 }
 
-/** A program as three.js knows it. */
+/** Program of three.js. */
 interface Made {
   readonly program: WebGLProgram;
   readonly vertexShader: WebGLShader;

@@ -1,4 +1,4 @@
-/** Asks a worker for the parts of a file's geometry, and uploads each while the next one comes. */
+/** Receiving of a file's geometry: requests its parts from a worker, and uploads each while the next one is decoded. */
 import type { WebGLRenderer } from 'three';
 import type { Geometry } from '../decode/messages';
 import type { Decoder } from './decoder';
@@ -9,7 +9,7 @@ import { complete, partSteps, type Region } from './region';
 import type { Store } from './store';
 import type { Uploads } from './uploads';
 
-/** Things that receiving needs. */
+/** Resources for receiving geometry. */
 export interface Receiving {
   readonly renderer: WebGLRenderer;
   readonly store: Store;
@@ -19,7 +19,7 @@ export interface Receiving {
   readonly warm: (meshes: readonly PieceMesh[]) => void;
 }
 
-/** Put geometry into the group of a ring; it is shown when all of it is there. */
+/** Adds geometry to the group of a ring; it is shown when complete. */
 export async function receiveParts(
   receiving: Receiving,
   region: Region,
@@ -30,7 +30,7 @@ export async function receiveParts(
   const { renderer, store, uploads, geometry, programs, warm } = receiving;
   const making = { gl: renderer.getContext() as WebGL2RenderingContext, store, warm };
   const pictures = createPictures(renderer, (name, texture) => {
-    // Another region may have brought it meanwhile.
+    // Another region may have loaded it meanwhile.
     if (store.textures.has(name)) texture.dispose();
     else store.textures.set(name, texture);
   });
@@ -41,7 +41,7 @@ export async function receiveParts(
     for (let next = 0; next < parts; next++) {
       const part = await geometry({ kind: 'part', of: number, part: next });
       const sent = uploads.add(partSteps(region, ring, part, making, pictures), signal);
-      // Who waits for it is told.
+      // Awaiting the promise reports the error.
       sent.catch(() => undefined);
       await before;
       before = sent;
@@ -50,7 +50,7 @@ export async function receiveParts(
     complete(region, ring, triangles);
   } finally {
     pictures.dispose();
-    // A worker that stopped is told of by what waits for it.
+    // The error of a stopped worker is reported to its pending requests.
     geometry({ kind: 'drop', of: number }).catch(() => undefined);
   }
 }

@@ -1,4 +1,4 @@
-/** A region on the GPU: the geometry of its rings, and the maps of the last two of them. */
+/** Region on the GPU: the geometry of its rings, and the maps of the last two of them. */
 import { Group, type WebGLRenderer } from 'three';
 import type { RegionEntry } from '../bundle/manifest';
 import type { Part, Piece, Triangles } from '../decode/messages';
@@ -9,17 +9,17 @@ import { disposeMesh, type Making, type PieceMesh, prepare, type Prepared } from
 import type { Store } from './store';
 import type { Step } from './uploads';
 
-/** Meshes that are made in a step: three.js takes some 0.1 ms to make a picture ready, and half as long for each mesh. */
+/** Meshes per step: three.js takes about 0.1 ms to begin a picture, and half as long for each mesh. */
 const TOGETHER = 4;
 
 export interface Region {
   readonly entry: RegionEntry;
-  /** Groups by ring, invisible until they are whole; that of ring 0 has the dynamic objects, which every picture shows. */
+  /** Groups by ring, invisible until complete; the group of ring 0 has the dynamic objects of all pictures. */
   readonly groups: readonly Group[];
   readonly materials: Materials;
-  /** Triangles of each group that is whole. */
+  /** Triangles of each complete group. */
   readonly triangles: Triangles[];
-  /** Two cubes in turn: the one of the ring that is shown, and the one that is being made. */
+  /** Two cubes in alternation: that of the visible ring, and that of the ring being loaded. */
   readonly cubes: [Cube, Cube];
   dispose(): void;
 }
@@ -52,20 +52,20 @@ export function createRegion(
   };
 }
 
-/** The cube that holds a ring's map. */
+/** Returns the cube with a ring's map. */
 export function cubeOf(region: Region, ring: number): Cube {
   const found = region.cubes.find((cube) => cube.holds === ring);
   if (!found) throw new Error(`the map of ring ${ring} is not there`);
   return found;
 }
 
-/** Whether there is a map with a ring. */
+/** Whether a ring has a map. */
 export function hasMap({ entry }: Region, ring: number): boolean {
   const { map, sharper } = entry.rings[ring] ?? {};
   return Boolean(map ?? sharper);
 }
 
-/** The number of the cube in which a ring's map is made. */
+/** Index of the cube for a ring's map. */
 export function turnOf(ring: number): 0 | 1 {
   return ring % 2 === 0 ? 0 : 1;
 }
@@ -74,20 +74,20 @@ export function meshesOf(group: Group): PieceMesh[] {
   return group.children as PieceMesh[];
 }
 
-/** The group of a ring. */
+/** Returns the group of a ring. */
 export function groupOf(region: Region, ring: number): Group {
   const group = region.groups[ring];
   if (!group) throw new Error(`there is no ring ${ring}`);
   return group;
 }
 
-/** All geometry of a ring, or all dynamic objects, are on the GPU; so many triangles are drawn of now on. */
+/** Shows a ring's geometry, or the dynamic objects, when all of it is on the GPU, and records its triangles. */
 export function complete(region: Region, ring: number, triangles: Triangles): void {
   groupOf(region, ring).visible = true;
   region.triangles[ring] = triangles;
 }
 
-/** Triangles in a picture with all rings up to one. */
+/** Number of triangles in a picture with all rings up to one. */
 export function trianglesShown(region: Region, ring: number): Triangles {
   const sum = { own: 0, drawn: 0 };
   for (const { own, drawn } of region.triangles.slice(0, ring + 1)) {
@@ -97,7 +97,7 @@ export function trianglesShown(region: Region, ring: number): Triangles {
   return sum;
 }
 
-/** Steps after which a part of a file's geometry is on the GPU, and in the group of its ring. */
+/** Steps that upload a part of a file's geometry and add it to the group of its ring. */
 export function* partSteps(
   region: Region,
   ring: number,
@@ -105,7 +105,7 @@ export function* partSteps(
   making: Making,
   pictures: Pictures,
 ): Generator<Step> {
-  // Dynamic objects, in ring 0, go on beyond it.
+  // Dynamic objects, in ring 0, also appear beyond the cut.
   const cut = ring === 0 ? Infinity : region.entry.cut;
   const group = groupOf(region, ring);
   const ready: { piece: Piece; prepared: Prepared }[] = [];

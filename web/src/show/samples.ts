@@ -1,9 +1,9 @@
-/** The framebuffer of a headset has several samples a pixel, which are resolved once a frame. */
+/** Multisampled framebuffer of a headset, resolved once per frame. */
 import type { WebGLRenderer } from 'three';
 
 /**
- * Draw into the framebuffer of a headset several times before its samples are resolved, which three.js does after each
- * scene and then lets go of their depth and colour. The next scene resolves them.
+ * Draws several scenes into the framebuffer of a headset before its samples are resolved. three.js otherwise resolves
+ * after each scene and discards depth and colour. The next scene resolves the samples.
  */
 export function resolveOnce(renderer: WebGLRenderer, draw: () => void): void {
   renderer.clear();

@@ -1,37 +1,37 @@
 /**
- * Which pictures of a region are shown as time passes: a ring that has arrived fades in over the ring before, and the
- * morph grows. Nothing jumps, whatever arrives when.
+ * Sequence of a region's pictures: a ring that has arrived fades in over the one before, and the morph grows. Nothing
+ * jumps, regardless of the arrival times.
  */
 import { grow, type Grown, type GrowthSettings, NOTHING_NEAR } from './growth';
 
-/** The order in which pictures come to the screen. */
+/** Ways in which pictures appear. */
 export interface Manner {
-  /** Rings that arrive fade in, and the morph grows; else both happen at once. */
+  /** Whether rings fade in and the morph grows; otherwise both happen at once. */
   readonly isSmooth: boolean;
-  /** Nothing is shown before the last ring is there. */
+  /** Whether nothing is shown before the last ring is loaded. */
   readonly isWhole: boolean;
 }
 
-/** The present picture, or two while one fades in over the other. */
+/** Current picture, or two during a fade. */
 export interface Shown {
   readonly ring: number;
   readonly grown: Grown;
-  /** The ring that fades in, and its share of the picture; null for none. */
+  /** Ring that fades in, and its opacity; null for none. */
   readonly fading: { readonly ring: number; readonly share: number } | null;
 }
 
 export interface Stage {
-  /** A ring is there; rings come in order. Until the stage is entered, each takes the place of the one before. */
+  /** Records that a ring is loaded; rings arrive in order. Until the stage is entered, each replaces the one before. */
   arrive(ring: number): void;
-  /** The first state after the picture of another region goes over into this one; null before ring 0. */
+  /** Returns the first state after a transition from another region; null before ring 0. */
   offer(from: Grown): Grown | null;
-  /** Show the region from now on, as much like the other region's picture as the rings that are there allow. */
+  /** Shows the region from now on, in a state as similar to the other region's as the loaded rings allow. */
   enter(from: Grown): void;
-  /** Show it no more. */
+  /** Stops showing it. */
   leave(): void;
-  /** Go on by some seconds; smaller radii than `least` would fold. */
+  /** Advances by some seconds; radii smaller than `least` would fold. */
   advance(seconds: number, least?: number): Shown | null;
-  /** Resolves when the map of the ring before `ring` − 1 is no longer shown, so that the map of `ring` may replace it. */
+  /** Resolves when the map of ring `ring` − 2 is no longer shown, so that the map of `ring` may replace it. */
   replaceable(ring: number): Promise<void>;
 }
 
@@ -55,7 +55,7 @@ export function createStage(settings: GrowthSettings & { readonly fade: number }
     return { radius: Math.min(Math.max(from.radius, first), last), strength: from.radius > 0 ? from.strength : 0 };
   }
 
-  /** Without smoothness all is shown at once, as soon as it does not fold. */
+  /** Without smoothness everything is shown at once, as soon as it does not fold. */
   function atOnce(least: number): Grown {
     const radius = settings.radii[ring - 1];
     if (radius === undefined) return NOTHING_NEAR;
@@ -68,7 +68,7 @@ export function createStage(settings: GrowthSettings & { readonly fade: number }
     for (const { done } of free) done();
   }
 
-  /** The map of `next` takes the place of that of `next` − 2. */
+  /** The map of `next` replaces that of `next` − 2. */
   function isFree(next: number): boolean {
     return ring >= next - 1 || arrived < 1;
   }

@@ -1,22 +1,22 @@
-/** Things that regions share on the GPU and in the worker: textures, buffers, and the arrays of meshes. */
+/** Resources that regions share on the GPU and in the worker: textures, buffers, and arrays of meshes. */
 import type { Texture } from 'three';
 import type { Buffers } from './buffers';
 
-/** The arrays of a mesh without its placements. */
+/** Arrays of a mesh without its placements. */
 export type MeshArrays = Buffers<'position' | 'normal' | 'uv' | 'color' | 'index'>;
 
 export interface Store {
-  /** By names of files. */
+  /** Textures by file name. */
   readonly textures: Map<string, Texture>;
-  /** Names of the files that the worker for geometry has: shared buffers, and that of dynamic objects. */
+  /** Names of the files in the geometry worker: shared buffers, and the file of dynamic objects. */
   readonly buffers: Set<string>;
-  /** Arrays of a mesh: those that another one with the same name has, if there is one. */
+  /** Returns the arrays of a mesh, shared with other meshes of the same name; counts a user. */
   take(name: string | null, make: () => MeshArrays): MeshArrays;
-  /** A mesh has gone; true if no other one uses its arrays. */
+  /** Releases a mesh's arrays; returns true if no other mesh uses them. */
   give(name: string | null): boolean;
-  /** Let go of all files but these; returns buffers for the worker to let go of. */
+  /** Frees all files but these; returns the buffers that the worker must free. */
   keep(files: ReadonlySet<string>): string[];
-  /** Meshes whose arrays more than one uses. */
+  /** Number of arrays that several meshes share. */
   readonly shared: number;
 }
 

@@ -1,13 +1,13 @@
-/** The four ways to load near geometry that CloVR (2024) compares. */
+/** Four strategies to load near geometry, compared in CloVR (2024). */
 import { byFootprint } from '../bundle/by_footprint';
 import { BundleError } from '../bundle/error';
 import type { Manifest } from '../bundle/manifest';
 import type { Manner } from './stage';
 
 export interface Strategy extends Manner {
-  /** The bundle as it is loaded. */
+  /** Returns the manifest in the order of loading. */
   readonly arrange: (manifest: Manifest) => Manifest;
-  /** It loads the rings of the bundle, as servers make them on demand. */
+  /** Whether it loads the rings of the bundle, as servers make them on demand. */
   readonly isByRings: boolean;
 }
 
@@ -15,15 +15,15 @@ const asItIs = (manifest: Manifest): Manifest => manifest;
 
 const STRATEGIES: Readonly<Record<string, Strategy>> = {
   clovr: { isSmooth: true, isWhole: false, arrange: asItIs, isByRings: true },
-  // Rings at once instead of smoothly.
+  // Shows rings at once instead of smoothly.
   clovrd: { isSmooth: false, isWhole: false, arrange: asItIs, isByRings: true },
-  // Nothing until all that the centre sees is there.
+  // Shows nothing until everything that the centre sees is loaded.
   vis0: { isSmooth: false, isWhole: true, arrange: byFootprint, isByRings: false },
-  // Objects as they come, the largest footprints first.
+  // Shows objects as they arrive, the largest footprints first.
   vis1: { isSmooth: false, isWhole: false, arrange: byFootprint, isByRings: false },
 };
 
-/** The strategy of a name, as addresses have it; clovr if there is none. */
+/** Returns the strategy of a name in an address; clovr by default. */
 export function strategyOf(name: string | null): Strategy {
   const found = Object.hasOwn(STRATEGIES, name ?? 'clovr') ? STRATEGIES[name ?? 'clovr'] : undefined;
   if (!found) {

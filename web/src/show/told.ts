@@ -1,6 +1,6 @@
-/** Marks of the loading on the browser's timeline: for its developer tools, and for those who measure loads. */
+/** Marks of the loading on the browser's timeline, for its developer tools and for measurements. */
 
-/** A ring of a region can be shown from now on, or is in the frame that is drawn now. */
+/** Marks that a ring of a region can be shown, or is in the current frame. */
 export function tell(event: 'arrived' | 'shown', region: number, ring: number): void {
   performance.mark(`nearfar:${event}`, { detail: { region, ring } });
 }

@@ -1,32 +1,32 @@
-/** Work that must happen on the main thread, in steps that fit into frames. */
+/** Queue of main-thread work in steps that fit into frames. */
 import { createCosts, type StepKind } from './costs';
 import { createFlight, type Flight } from './flight';
 
-/** Bytes that a step sends to the GPU, at most. */
+/** Greatest number of bytes that a step sends to the GPU. */
 export const STEP_BYTES = 2 ** 18;
 
-/** Each step takes a fraction of a frame. */
+/** Step of a job, which takes a fraction of a frame. */
 export interface Step {
   readonly kind: StepKind;
-  /** Bytes that it sends to the GPU. */
+  /** Number of bytes that it sends to the GPU. */
   readonly bytes: number;
   readonly run: () => void;
 }
 
 export interface Uploads {
   /**
-   * Add steps of one job; resolves when the last one is done, rejects when one throws or the job is dropped. Jobs are
-   * done one after the other; an urgent one before all others.
+   * Adds the steps of a job; resolves after the last one, rejects when one throws or the job is aborted. Jobs run one
+   * after the other; urgent ones first.
    */
   add(steps: Iterable<Step>, signal: AbortSignal, isUrgent?: boolean): Promise<void>;
-  /** So many milliseconds of the main thread were taken for a decoder's answer: the next frame has as much less. */
+  /** Records milliseconds of the main thread spent on a decoder's answer, which the next frame's budget lacks. */
   spend(milliseconds: number): void;
   /**
-   * Do the steps that fit into so many milliseconds, as far as can be foreseen: one at least, unless answers have taken
-   * a part of them or the GPU lags behind. Returns the milliseconds taken, with those of answers.
+   * Runs the steps that are expected to fit into a budget of milliseconds: at least one, unless answers have used part
+   * of it or the GPU lags behind. Returns the milliseconds spent, including answers.
    */
   run(milliseconds: number): number;
-  /** The graphics were lost, and with them what was on its way. */
+  /** Forgets bytes in flight after the graphics were lost. */
   forget(): void;
 }
 
@@ -35,17 +35,17 @@ interface Job {
   readonly signal: AbortSignal;
   readonly done: () => void;
   readonly failed: (reason: unknown) => void;
-  /** The step that comes next, once it is asked for. */
+  /** Next step, once it is known. */
   next: Step | null;
 }
 
-/** `flight` knows what the GPU has not taken yet; without one it takes all at once. */
+/** Creates the queue; `flight` counts bytes that the GPU has not consumed; by default nothing is counted. */
 export function createUploads(now: () => number = () => performance.now(), flight: Flight = createFlight(null)): Uploads {
   const jobs: Job[] = [];
   const costs = createCosts();
   let spent = 0;
 
-  /** The first job that has a step left, and that step; jobs without one end. */
+  /** Returns the first job with a remaining step, and that step; ends jobs without one. */
   function next(): { job: Job; step: Step } | null {
     for (let job = jobs[0]; job; job = jobs[0]) {
       try {
@@ -67,7 +67,7 @@ export function createUploads(now: () => number = () => performance.now(), fligh
 
   function fail(job: Job, error: unknown): void {
     end(job);
-    // Results of its steps until now are of no use.
+    // Lets the generator free the results of its steps.
     job.steps.return?.();
     job.failed(error);
   }

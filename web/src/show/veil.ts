@@ -1,4 +1,4 @@
-/** A dark veil over the whole picture, of each eye: it covers what would jump. */
+/** Dark veil over the whole picture, for each eye: it covers jumps. */
 import {
   BufferAttribute,
   BufferGeometry,
@@ -30,7 +30,7 @@ void main() {
 
 export interface Veil {
   readonly mesh: Mesh;
-  /** 0 for none, 1 for black. */
+  /** Sets the darkness: 0 for none, 1 for black. */
   set(darkness: number): void;
 }
 
@@ -60,7 +60,7 @@ export function createVeil(): Veil {
   };
 }
 
-/** One triangle that covers the whole picture. */
+/** Triangle that covers the whole picture. */
 export function covering(): BufferGeometry {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));

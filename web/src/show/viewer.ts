@@ -1,4 +1,4 @@
-/** The picture on the screen, one frame after the other. */
+/** Viewer: draws the picture on the screen, frame by frame. */
 import { type Group, type PerspectiveCamera, Scene, WebGLRenderer } from 'three';
 import { BundleError } from '../bundle/error';
 import type { RegionEntry } from '../bundle/manifest';
@@ -30,9 +30,9 @@ import { createVeil } from './veil';
 import { createViewpoint } from './viewpoint';
 import type { World } from './world';
 
-/** Pictures that tell where near geometry is. */
+/** Omitted parts when a picture serves to locate near geometry. */
 const NEAR_ALONE = { map: true, guests: true } as const;
-/** Milliseconds of a frame that uploads and answers of workers may take: docs/view.md. */
+/** Budget in milliseconds per frame for uploads and answers of workers: docs/view.md. */
 export const UPLOAD_BUDGET = 3;
 export interface Settings extends Manner {
   readonly world: World;
@@ -42,75 +42,75 @@ export interface Settings extends Manner {
   readonly angle: number;
   readonly antialias: boolean;
   readonly failed: (reason: Error) => void;
-  /** The user was put to another place, which frames are to be drawn for from now on. */
+  /** Called when the user was moved to another place, for which frames are drawn from then on. */
   readonly moved: (pose: Pose) => void;
-  /** The browser took the graphics away, or gave them back. */
+  /** Called when the browser has taken the graphics away, or restored them. */
   readonly lost: (isLost: boolean) => void;
 }
 
 export interface Viewer {
-  /** Steps that wait to be sent to the GPU, for those who measure them. */
+  /** Queue of uploads to the GPU, for measurements. */
   readonly uploads: Uploads;
   readonly renderer: WebGLRenderer;
   readonly camera: PerspectiveCamera;
-  /** Moves the headset's space: its position is the user's floor. */
+  /** Rig of the headset's space: its position is the user's floor. */
   readonly rig: Group;
   /** Texels along an edge of a map. */
   readonly faceSize: number;
-  /** Begin in a region, from its ring 0 on; all others are let go. */
+  /** Begins in a region from its ring 0; closes all others. */
   open(number: number): void;
-  /** Go to another place by a cross-fade, as soon as its region can be shown. */
+  /** Moves to another place by a cross-fade when its region can be shown. */
   go(target: Pose): void;
-  /** The place at which the picture shows near geometry, x and y from its upper left from 0 to 1; null for none. */
+  /** Returns the shown position of near geometry at x and y, from 0 to 1 from the upper left; null for none. */
   pointAt(x: number, y: number): Vector | null;
-  /** Metres along a ray of the world to near geometry where it is, unmorphed; null for none. */
+  /** Returns the distance in metres along a world ray to unmorphed near geometry; null without a hit. */
   along(origin: Vector, direction: Vector): number | null;
   /** Uniforms of the pictures, for materials of guests. */
   readonly shared: Shared;
-  /** Draw other users, too; null for none. */
+  /** Sets the other users to draw; null for none. */
   setGuests(guests: Guests | null): void;
-  /** Load again what failed. */
+  /** Reloads what failed. */
   retry(): void;
-  /** Draw a frame for a user, some seconds after the one before. In a headset the pose is what it tells. */
+  /** Draws a frame for a user, some seconds after the one before. In a headset the pose comes from the session. */
   frame(pose: Pose, seconds: number): void;
-  /** Put the floor of a headset's user somewhere. */
+  /** Sets the floor of a headset's user. */
   stand(floor: Floor): void;
-  /** Let a layer of the headset show the map while nothing fades; null to draw it. */
+  /** Sets the headset layer that shows the map while nothing fades; null to draw the map. */
   setMapLayer(layer: MapLayer | null): void;
-  /** Darken the picture, from 0 to 1 for black. */
+  /** Sets the darkness of the picture, from 0 to 1 for black. */
   setVeil(darkness: number): void;
-  /** Draw one state, whatever the time: for tests and screenshots. */
+  /** Draws one state regardless of time, for tests and screenshots. */
   still(picture: Omit<Picture, 'region'>, pose: Pose): void;
-  /** Part of the width, from the left, in which the picture is the conventional one; null for none. */
+  /** Sets the divider, left of which the picture is conventional, as a share of the width; null removes it. */
   setDivider(share: number | null): void;
-  /** Whether the picture is the continuous one at a part of its width. */
+  /** Whether the picture is continuous at a horizontal position. */
   isMorphedAt(x: number): boolean;
-  /** The picture that was drawn last, as PNG. */
+  /** Returns the last picture as PNG. */
   photo(): Promise<Blob>;
   readonly facts: Facts;
   dispose(): void;
 }
 
-/** The panel's facts of the picture. */
+/** Facts of the picture for the panel. */
 export interface Facts extends Holding {
   readonly region: number;
-  /** Its entry; null while nothing is known of it. */
+  /** Entry of the region; null before its manifest is loaded. */
   readonly entry: RegionEntry | null;
-  /** Region of the place that the user is about to go to; null for none. */
+  /** Region that the user is moving to; null for none. */
   readonly goal: number | null;
   readonly shown: Shown | null;
   readonly arrived: number;
-  /** Bytes of the region's files that are here, and of all of them. */
+  /** Received bytes of the region's files, and bytes of all of them. */
   readonly received: number;
   readonly expected: number;
   readonly triangles: Triangles;
-  /** Milliseconds that uploads and answers of workers took for the last frame. */
+  /** Milliseconds spent on uploads and answers of workers in the last frame. */
   readonly upload: number;
-  /** Where the user may be. */
+  /** Area where the user may be. */
   readonly bounds: Bounds | null;
-  /** The region whose picture goes out; null for none. */
+  /** Region whose picture fades out; null for none. */
   readonly leaving: number | null;
-  /** Meshes whose arrays others use, too. */
+  /** Number of arrays that several meshes share. */
   readonly shared: number;
 }
 
@@ -120,10 +120,10 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   const viewpoint = createViewpoint(settings.angle);
   const { camera, rig, setPose, stand } = viewpoint;
   const veil = createVeil();
-  // Drawn over the picture: what a headset adds to the rig, and the veil.
+  // Overlay of the picture: a headset's additions to the rig, and the veil.
   const overlay = new Scene();
   overlay.add(rig, veil.mesh);
-  // A map of one texel, until the first one is there: shaders refuse textures of another kind than they ask for.
+  // Map of one texel until the first one is loaded: samplers need textures of their type.
   let blank = createCube(renderer, 1);
   const shared = createShared(blank.color, blank.codes);
   const flight = createFlight(renderer.getContext() as WebGL2RenderingContext);
@@ -146,7 +146,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     fetch: settings.fetch,
     programs,
     warm(meshes) {
-      // Drawing nothing of them makes all that three.js makes when it first draws a mesh.
+      // An empty draw makes three.js create everything that the first draw of a mesh needs.
       for (const { geometry } of meshes) geometry.setDrawRange(0, 0);
       warming.children = [...meshes];
       renderer.render(warming, camera);
@@ -196,7 +196,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     journey = leg = null;
   }
 
-  /** Begin in a region, with nothing loaded. */
+  /** Begins in a region with nothing loaded. */
   function begin(number: number): void {
     close();
     const moved = (pose: Pose): void => {
@@ -283,7 +283,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       if (loss.isLost || !leg || !atlas.find(leg.region)?.shown) {
         return Promise.reject(new Error('There is no picture yet'));
       }
-      // In the same task as the drawing: a canvas keeps its picture no longer.
+      // In the same task as the drawing, because the canvas is cleared afterwards.
       composer.draw(leg, user);
       return new Promise((done, failed) => {
         canvas.toBlob((blob) => (blob ? done(blob) : failed(new Error('The browser gives no picture'))), 'image/png');
@@ -316,7 +316,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       picker.dispose();
       loss.dispose();
       renderer.dispose();
-      // Browsers keep few contexts at a time; this one is not left to the collector.
+      // Browsers limit the number of contexts; this one is not left to the garbage collector.
       renderer.forceContextLoss();
     },
   };
@@ -330,10 +330,10 @@ function createRenderer(canvas: HTMLCanvasElement, antialias: boolean): WebGLRen
     throw new BundleError(error instanceof Error ? error.message : String(error), 'webgl');
   }
   renderer.autoClear = false;
-  // A layer of a headset lies below.
+  // A composition layer of a headset lies below.
   renderer.setClearAlpha(0);
   renderer.sortObjects = false;
-  // Asking waits for the GPU; `programs` asks when that takes no time.
+  // Checks block on the GPU; `programs` checks when that takes no time.
   renderer.debug.checkShaderErrors = false;
   return renderer;
 }

@@ -1,25 +1,25 @@
-/** Where the user stands and looks, as a camera of three.js. */
+/** Position and direction of the user as a camera of three.js. */
 import { Group, PerspectiveCamera } from 'three';
 import type { Point } from '../bundle/manifest';
 import type { Floor } from '../control/floor';
 import type { Pose } from '../control/pose';
 
-/** Metres at which the picture begins and ends. */
+/** Near and far plane, metres. */
 const NEAR = 0.05;
 const FAR = 30_000;
 
 export interface Viewpoint {
   readonly camera: PerspectiveCamera;
-  /** Moves the headset's space: its position is the user's floor. */
+  /** Rig of the headset's space: its position is the user's floor. */
   readonly rig: Group;
-  /** Put the user's place relative to a centre into the rig, so that the GPU sees small numbers only. */
+  /** Sets the rig relative to a centre, so that coordinates on the GPU are small. */
   place(center: Point): void;
   setPose(pose: Pose): void;
-  /** Put the floor of a headset's user somewhere. */
+  /** Sets the floor of a headset's user. */
   stand(floor: Floor): void;
 }
 
-/** A viewpoint with a vertical field of view, degrees. */
+/** Creates a viewpoint with a vertical field of view, degrees. */
 export function createViewpoint(angle: number): Viewpoint {
   const camera = new PerspectiveCamera(angle, 1, NEAR, FAR);
   camera.rotation.order = 'YXZ';

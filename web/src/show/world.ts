@@ -1,4 +1,4 @@
-/** All that a viewer can show: the places of regions, and how to come by each. */
+/** Content of a viewer: the places of regions, and access to each. */
 import type { Coming } from '../bundle/coming';
 import { thereOf } from '../bundle/coming';
 import type { Manifest } from '../bundle/manifest';
@@ -10,15 +10,15 @@ export interface World {
   readonly faceSize: number;
   /** n: nothing moves within n R. */
   readonly nearShare: number;
-  /** Of a radius of the morph: how far from the centre its picture does not fold. */
+  /** Share of a morph's radius within which its picture does not fold. */
   readonly marginShare: number;
-  /** Seconds of a cross-fade. */
+  /** Duration of a cross-fade, seconds. */
   readonly fade: number;
-  /** Come by a region; the signal is aborted when nobody wants it any more. */
+  /** Opens a region; the signal is aborted when it is no longer needed. */
   open(region: number, signal: AbortSignal): Promise<Coming>;
 }
 
-/** The regions of a bundle. */
+/** World of a bundle's regions. */
 export function worldOf(manifest: Manifest): World {
   return {
     places: knownPlaces(manifest.regions),
@@ -30,7 +30,7 @@ export function worldOf(manifest: Manifest): World {
   };
 }
 
-/** The fold margin as a share of the morph's radius: of the cylinder it is its near part, at any radius. */
+/** Returns the fold margin as a share of the morph's radius: for the cylinder morph the near share. */
 function marginShareOf({ morph, regions }: Manifest): number {
   const [first] = regions;
   if (!first || !Number.isFinite(first.cut)) return morph.near_share;

@@ -1,22 +1,22 @@
-/** A line that divides the picture into conventional (left) and continuous (right), and that can be dragged. */
+/** Draggable line between the conventional picture (left) and the continuous one (right). */
 import { icon, make } from './dom';
 import { ICONS } from './icons';
 
-/** Parts of the width by which keys move it. */
+/** Shares of the width by which keys move it. */
 const [STEP, LEAP] = [0.01, 0.1] as const;
-/** Pixels from the line to a name, and from there to the edge. */
+/** Pixels from the line to a label and from there to the edge, together. */
 const BESIDE = 40;
-/** Where it stands at first. */
+/** Initial position. */
 export const MIDDLE = 0.5;
 
 export interface Divider {
-  /** Part of the picture that is conventional, 0 to 1; null while there is no divider. */
+  /** Share of the picture that is conventional, 0 to 1; null while there is no divider. */
   readonly share: number | null;
   set(share: number | null): void;
   dispose(): void;
 }
 
-/** `changed` is told of every change, by the user or by `set`. */
+/** Creates a divider; `changed` is called after every change, by the user or by `set`. */
 export function createDivider(root: HTMLElement, changed: (share: number | null) => void): Divider {
   const label = (side: string, text: string): HTMLElement =>
     make('span', { class: `divider-label divider-${side}`, 'aria-hidden': 'true' }, text);
@@ -49,7 +49,7 @@ export function createDivider(root: HTMLElement, changed: (share: number | null)
     layer.hidden = share === null;
     if (share !== null) {
       const percent = String(Math.round(100 * share));
-      // The policy of the page forbids style attributes, not properties that a script sets.
+      // The page's security policy forbids style attributes, not properties that a script sets.
       layer.style.setProperty('--share', String(share));
       line.setAttribute('aria-valuenow', percent);
       line.setAttribute('aria-valuetext', `${percent} percent conventional`);
@@ -58,7 +58,7 @@ export function createDivider(root: HTMLElement, changed: (share: number | null)
     changed(share);
   }
 
-  /** A name for which there is no room beside the line is not shown. */
+  /** Hides labels without enough room beside the line. */
   function arrange(): void {
     const [width, part] = [layer.clientWidth, share ?? MIDDLE];
     left.classList.toggle('is-cut', left.offsetWidth + BESIDE > part * width);
@@ -82,7 +82,7 @@ export function createDivider(root: HTMLElement, changed: (share: number | null)
     const next = nextShare(event.key, share ?? MIDDLE);
     if (next === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
     set(next);
-    // The same keys walk, else.
+    // The same keys would also move the user.
     event.preventDefault();
     event.stopPropagation();
   });
@@ -99,7 +99,7 @@ export function createDivider(root: HTMLElement, changed: (share: number | null)
   };
 }
 
-/** Where a key moves the divider; null takes it away, undefined is another key. */
+/** Returns the new position after a key; null removes the divider, undefined for other keys. */
 export function nextShare(key: string, share: number): number | null | undefined {
   const moves = new Map<string, number | null>([
     ['ArrowLeft', share - STEP],

@@ -1,9 +1,9 @@
-/** Elements made without markup, so that nothing that a bundle says can become part of the page. */
+/** Creation of elements without markup, so that no text of a bundle can become markup. */
 
 type Attributes = Readonly<Record<string, string | boolean | undefined>>;
 type Child = Node | string;
 
-/** An element with attributes (true for those without a value) and children; strings become text. */
+/** Creates an element with attributes (true for those without a value) and children; strings become text nodes. */
 export function make<Name extends keyof HTMLElementTagNameMap>(
   name: Name,
   attributes: Attributes = {},
@@ -17,7 +17,7 @@ export function make<Name extends keyof HTMLElementTagNameMap>(
 
 const SVG = 'http://www.w3.org/2000/svg';
 
-/** A drawing of one path in a square of 24 units, in the colour of the text around it. */
+/** Icon of one path in a square of 24 units, in the colour of the surrounding text. */
 export function icon(path: string): SVGSVGElement {
   const drawing = document.createElementNS(SVG, 'svg');
   setAll(drawing, { viewBox: '0 0 24 24', class: 'icon', 'aria-hidden': 'true', focusable: 'false' });
@@ -27,7 +27,7 @@ export function icon(path: string): SVGSVGElement {
   return drawing;
 }
 
-/** Write a text only where it differs: screen readers speak of what is written, and layout is not done again. */
+/** Writes a text only if it differs, to avoid repeated speech of screen readers and new layouts. */
 export function write(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }

@@ -1,9 +1,9 @@
-/** The panel's figures: what is loaded, drawn and shown. */
+/** Figures of the panel: loading, drawing and position. */
 import { make, write } from './dom';
 import { bytesOf, count, metres, milliseconds, percent, rate } from './format';
 import type { Status } from './status';
 
-/** The lines of the panel, by their names. */
+/** Returns the lines of the panel by name. */
 export function linesOf(status: Status): Readonly<Record<string, string>> {
   const { ring, rings, radius, received, expected, frame, longest, triangles, drawn, sceneTriangles } = status;
   return {
@@ -21,12 +21,12 @@ export function linesOf(status: Status): Readonly<Record<string, string>> {
 
 const UNUSED = '–';
 
-/** Every ring is shown and every byte is here. */
+/** Whether every ring is shown and every byte is loaded. */
 export function isComplete({ ring, rings, received, expected, isSharp }: Status): boolean {
   return ring >= rings && received >= expected && isSharp;
 }
 
-/** How far the server is with the place, in a few words; null where nothing is made. */
+/** Progress of the server with the place, in a few words; null if nothing is made. */
 export function madeOf({ making, isSharp }: Status): string | null {
   if (!making) return null;
   const { stage } = making;
@@ -36,7 +36,7 @@ export function madeOf({ making, isSharp }: Status): string | null {
   return isSharp ? 'refined' : 'coarse, being refined';
 }
 
-/** Whether other places come before the one that is wanted, or the server is busy. */
+/** Whether other places precede the wanted one, or the server is busy. */
 export function isHeld({ making }: Status): boolean {
   return making?.stage === 'busy' || (making?.stage === 'waiting' && making.before > 0);
 }
@@ -47,7 +47,7 @@ function placeOf(status: Status): Readonly<Record<string, string>> {
   return { Region: `${status.region + 1} of ${status.regions ?? 1}` };
 }
 
-/** In a few words, for where there is little room. */
+/** Short summary for small screens. */
 export function shortly(status: Status): string {
   const made = madeOf(status);
   if (status.rings === 0 && made !== null) return `place: ${made}`;

@@ -1,7 +1,7 @@
-/** Numbers in words that people read at a glance. What is no number is a dash. */
+/** Formatting of numbers. Invalid numbers become a dash. */
 
 const UNKNOWN = '–';
-/** Between a number and its unit, where no line may break. */
+/** No-break space between a number and its unit. */
 const SPACE = '\u00a0';
 const PREFIXES = ['', 'k', 'M', 'G', 'T'] as const;
 
@@ -17,7 +17,7 @@ export function bytesOf(part: number, whole: number): string {
   return `${digits(part, power)} of ${digits(whole, power)}${SPACE}${PREFIXES[power]}B`;
 }
 
-/** Bits a second: `48.2 Mb/s`, or that nothing loads. */
+/** Bits per second, `48.2 Mb/s`; `idle` for null. */
 export function rate(bits: number | null): string {
   return bits === null ? 'idle' : scaled(bits, 'b/s');
 }
@@ -30,7 +30,7 @@ export function count(number: number): string {
   return Math.round(number).toLocaleString('en');
 }
 
-/** `19 %`; 100 % only of the whole, and 0 % only of nothing. */
+/** `19 %`; 100 % only for the whole, and 0 % only for nothing. */
 export function percent(part: number, whole: number): string {
   if (!isAmount(part) || !isAmount(whole)) return UNKNOWN;
   const share = whole > 0 ? (100 * part) / whole : 100;
@@ -56,7 +56,7 @@ function scaled(amount: number, unit: string): string {
   return `${digits(amount, power)}${SPACE}${PREFIXES[power]}${unit}`;
 }
 
-/** The prefix before which a number has at most three digits, rounding included. */
+/** Power of the prefix with which a number has at most three integer digits, after rounding. */
 function powerOf(amount: number): number {
   let power = 0;
   while (power < PREFIXES.length - 1 && amount / 1000 ** power >= 999.5) power += 1;

@@ -1,9 +1,9 @@
-/** The help: every key, and what fingers and sticks do. */
+/** Help: all keys, touch gestures and gamepad controls. */
 import { icon, make } from './dom';
 import { ICONS } from './icons';
 import { type Name, SHORTCUTS } from './shortcuts';
 
-/** Keys, or what is held, and what they do. */
+/** Keys or gestures, and their effect. */
 export type Row = readonly [keys: readonly string[], does: string];
 
 const WALK: readonly Row[] = [
@@ -40,12 +40,12 @@ const PAD: readonly Row[] = [
 
 export interface Help {
   toggle(): void;
-  /** Add a part. */
+  /** Adds a section. */
   add(title: string, rows: readonly Row[]): void;
   dispose(): void;
 }
 
-/** A dialog in `root`; `absent` names commands that cannot be used here. */
+/** Creates a dialog in `root`; `absent` returns the names of unavailable commands. */
 export function createHelp(root: HTMLElement, absent: () => readonly Name[]): Help {
   const close = make('button', { type: 'button', class: 'button-icon', 'aria-label': 'Close', title: 'Close (Esc)' });
   close.append(icon(ICONS.close));
@@ -66,7 +66,7 @@ export function createHelp(root: HTMLElement, absent: () => readonly Name[]): He
   );
   close.addEventListener('click', () => dialog.close());
   dialog.addEventListener('click', (event) => {
-    // The dialog itself is hit only beside its content, on the backdrop.
+    // Only a click on the backdrop hits the dialog itself.
     if (event.target === dialog) dialog.close();
   });
   dialog.addEventListener('keydown', (event) => {

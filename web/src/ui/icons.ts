@@ -1,4 +1,4 @@
-/** Outlines of the buttons, in a square of 24 units. */
+/** Outlines of the buttons' icons, in a square of 24 units. */
 export const ICONS = {
   walk: 'M13 4.5a1.5 1.5 0 1 0 0-.01M9.5 21l2-5.5-2-3 1-4.5 3 .5 2 3 2.5 1M7 12.5l.5-3 3-1.5M12.5 13l2.5 3.5.5 4.5',
   orbit: 'M12 14a2 2 0 1 0 0-4 2 2 0 0 0 0 4M17 8c2.5.8 4 2.2 4 4 0 2.8-4 5-9 5s-9-2.2-9-5 4-5 9-5M9.5 4L13 7l-3.5 3',

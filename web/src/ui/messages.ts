@@ -1,24 +1,24 @@
-/** Messages of failures: over the whole page, or in a banner above the last good picture. */
+/** Error messages: over the whole page, or in a banner above the last valid picture. */
 import { icon, make } from './dom';
 import { ICONS } from './icons';
 
-/** Problems that a banner lists; the rest are counted. */
+/** Greatest number of problems in a banner; the others are counted. */
 const MOST = 3;
 
 export interface FatalOptions {
-  /** The exact failure, for those who can mend it. */
+  /** Exact error, for those who can fix it. */
   readonly detail?: string | undefined;
-  /** There is something to try again. */
+  /** Action of the retry button; none without one. */
   readonly retry?: (() => void) | undefined;
 }
 
-/** A title, and what the user can do. */
+/** Title of an error, and advice to the user. */
 export interface Message {
   readonly title: string;
   readonly text: string;
 }
 
-/** Failures after which there is nothing to show. */
+/** Messages of errors after which nothing can be shown. */
 export const FATAL = {
   scene: {
     title: 'The server cannot load the scene',
@@ -56,7 +56,7 @@ export const FATAL = {
   },
 } as const satisfies Readonly<Record<string, Message>>;
 
-/** Say over the whole page why nothing can be shown. */
+/** Shows a page-wide message about why nothing can be shown. */
 export function showFatal(title: string, text: string, { detail, retry }: FatalOptions = {}): void {
   const heading = make('h1', { tabindex: '-1', id: 'message-title' }, title);
   const card = make('div', { class: 'fatal-card' }, make('p', { class: 'fatal-brand' }, 'nearfar'), heading);
@@ -66,12 +66,12 @@ export function showFatal(title: string, text: string, { detail, retry }: FatalO
   const place = message();
   place.replaceChildren(card);
   place.dataset['kind'] = 'fatal';
-  // The page behind the message is out of reach, also for keys.
+  // The page behind the message is inert, also for keys.
   for (const other of document.querySelectorAll('canvas, [data-behind]')) other.setAttribute('inert', '');
   heading.focus({ preventScroll: true });
 }
 
-/** Say what is missing while the last good picture stays; an empty list takes the banner away. */
+/** Shows a banner of problems while the last valid picture stays; an empty list removes the banner. */
 export function showProblems(problems: readonly string[], retry: () => void): void {
   const place = message();
   if (place.dataset['kind'] === 'fatal') return;
@@ -88,7 +88,7 @@ export function showProblems(problems: readonly string[], retry: () => void): vo
   }
 }
 
-/** Take away what is said. */
+/** Removes the message. */
 export function clearMessage(): void {
   const place = message();
   place.replaceChildren();
@@ -102,7 +102,7 @@ function button(label: string, kind: string, action: () => void): HTMLButtonElem
   return made;
 }
 
-/** The page's own element, so that screen readers know it before it speaks. */
+/** Permanent element of the page, so that screen readers announce its changes. */
 function message(): HTMLElement {
   const found = document.getElementById('message');
   if (found) return found;

@@ -1,7 +1,7 @@
-/** Files to save and texts to copy from the page. */
+/** Saving of files and copying of texts. */
 import { make } from './dom';
 
-/** Let the browser save a file. */
+/** Makes the browser save a file. */
 export function saveFile(content: Blob, name: string): void {
   const address = URL.createObjectURL(content);
   make('a', { href: address, download: name }).click();
@@ -9,7 +9,7 @@ export function saveFile(content: Blob, name: string): void {
   setTimeout(() => URL.revokeObjectURL(address), 60_000);
 }
 
-/** Copy a text; false if the browser does not let pages do so. */
+/** Copies a text; returns false if the browser does not allow it. */
 export async function copyText(text: string): Promise<boolean> {
   try {
     await navigator.clipboard.writeText(text);
@@ -19,7 +19,7 @@ export async function copyText(text: string): Promise<boolean> {
   }
 }
 
-/** The older way, which works without https. */
+/** Copies with the older method, which works without https. */
 function copyMarked(text: string): boolean {
   const field = make('textarea', { class: 'unseen', 'aria-hidden': 'true', tabindex: '-1' });
   field.value = text;

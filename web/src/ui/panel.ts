@@ -1,4 +1,4 @@
-/** The panel, its buttons and its keys. */
+/** Panel with its buttons and keys. */
 import type { Mode } from '../control/controls';
 import { icon, make, write } from './dom';
 import { MIDDLE } from './divider';
@@ -10,30 +10,30 @@ import { copyText, saveFile } from './out';
 import { listen, type Name, SHORTCUTS } from './shortcuts';
 import type { Commands, HeadsetCommand, Status } from './status';
 
-/** Seconds for which a note is shown. */
+/** Duration of a note, seconds. */
 const NOTE = 3;
-/** The panel is open at first where it leaves most of the picture free. */
+/** Media query for screens on which the panel is open at first, because it leaves most of the picture free. */
 const ROOMY = '(min-width: 48rem) and (min-height: 34rem)';
 
 export interface Panel {
-  /** Show figures; a few times a second is enough. */
+  /** Updates the figures; a few times a second is enough. */
   update(status: Status): void;
-  /** Show a short note, which screen readers speak when they have finished. */
+  /** Shows a short note, which screen readers speak without interrupting. */
   announce(text: string): void;
-  /** Add a part to the help. */
+  /** Adds a section to the help. */
   explain(title: string, rows: readonly Row[]): void;
-  /** The mode or the divider was changed by other means than the panel. */
+  /** Shows a mode or divider that was changed outside the panel. */
   reflect(state: { readonly mode?: Mode; readonly isDivided?: boolean }): void;
   dispose(): void;
 }
 
 export interface PanelSettings {
-  /** The target that hears keys: the window by default; in a notebook the element around the page. */
+  /** Target of key events: the window by default; in a notebook the element around the page. */
   readonly keys?: EventTarget;
   readonly isOpen?: boolean;
 }
 
-/** Build the panel in an element that covers the picture; all that the user asks for goes to `commands`. */
+/** Builds the panel in an element that covers the picture; user actions call `commands`. */
 export function createPanel(root: HTMLElement, commands: Commands, settings: PanelSettings = {}): Panel {
   const stop = new AbortController();
   const { keys = window, isOpen = window.matchMedia(ROOMY).matches } = settings;
@@ -96,7 +96,7 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
   reflect({ mode: 'walk' });
 
   function run(name: Name): void {
-    // Whatever a command does wrong is told, and the next one works.
+    // Errors of a command are announced, and the next one works.
     perform(name).catch((reason: unknown) => announce(reason instanceof Error ? reason.message : String(reason)));
   }
 
@@ -133,7 +133,7 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
       help.toggle();
     } else if (name === 'retry' && problems) {
       commands.retry();
-      // The same may go wrong again before the next update.
+      // The same error may occur again before the next update.
       problems = '';
       announce('Trying again');
     } else if (name === 'headset') {
@@ -185,7 +185,7 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
     else if (status.ring !== wasRing) speak(`Ring ${status.ring} of ${status.rings} is shown`);
     [wasRing, wasComplete] = [status.ring, complete];
     const made = madeOf(status);
-    // People wait for others, or for the server.
+    // The wait depends on other users or the server.
     if (made !== null && made !== wasMade && isHeld(status)) announce(`The place is not there yet: ${made}`);
     wasMade = made;
     const texts = status.problems.join('\n');
@@ -227,7 +227,7 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
   };
 }
 
-/** A button of the bar, which says what it does and by which key. */
+/** Creates a button of the bar, with its effect and its key in the title. */
 function tool(name: Name, label: string, drawing: string): HTMLButtonElement {
   const { label: key, does } = SHORTCUTS[name];
   const title = `${does.charAt(0).toUpperCase()}${does.slice(1)} (${key})`;

@@ -4,13 +4,13 @@ import { isElsewhere, isMoving } from '../control/keys';
 export type Name = 'walk' | 'orbit' | 'split' | 'photo' | 'link' | 'home' | 'next' | 'look' | 'panel' | 'retry' | 'headset' | 'help';
 
 export interface Shortcut {
-  /** The key, in small letters, and what stands on it. */
+  /** Key in lower case, and its label. */
   readonly key: string;
   readonly label: string;
   readonly does: string;
 }
 
-/** Keys as the user's own keyboard labels them. */
+/** Keys as labelled on the user's keyboard. */
 export const SHORTCUTS: Readonly<Record<Name, Shortcut>> = {
   walk: { key: '1', label: '1', does: 'walk' },
   orbit: { key: '2', label: '2', does: 'orbit around what lies ahead' },
@@ -26,12 +26,12 @@ export const SHORTCUTS: Readonly<Record<Name, Shortcut>> = {
   help: { key: '?', label: '?', does: 'show or hide this help' },
 };
 
-/** Run commands by key until the signal ends it. */
+/** Runs commands by key until the signal aborts. */
 export function listen(source: EventTarget, run: (name: Name) => void, signal: AbortSignal): void {
   const names = new Map(Object.entries(SHORTCUTS).map(([name, { key }]) => [key, name as Name]));
   source.addEventListener('keydown', (event) => {
     const pressed = event as KeyboardEvent;
-    // On some keyboards a letter of a command lies where a key that moves the user does.
+    // On some keyboards a command's letter is on a key that moves the user.
     if (isElsewhere(pressed) || pressed.repeat || isMoving(pressed.code)) return;
     const name = names.get(pressed.key.toLowerCase());
     if (!name) return;

@@ -1,4 +1,4 @@
-/** Where the left thumb was set down to walk, and how far it has gone from there. */
+/** Mark where the left thumb was set down to walk, and of its displacement. */
 import { type Thumb, THUMB_REACH } from '../control/pointers';
 import { make } from './dom';
 

@@ -1,4 +1,4 @@
-/** A line that says what is waited for before there is a picture or a panel. */
+/** Status line before there is a picture or a panel. */
 import { make } from './dom';
 
 export interface Wait {

@@ -1,4 +1,4 @@
-/** Files of what is shown, from Python: it may run on another machine, which no address of this page leads to. */
+/** Source of files from Python, which may run on another machine that this page cannot reach. */
 import { BundleError } from '../bundle/error';
 import { parseManifest } from '../bundle/parse';
 import { createShared } from '../bundle/share';
@@ -6,16 +6,16 @@ import { createSlots } from '../bundle/slots';
 import type { Received, Source } from '../bundle/source';
 import type { Model } from './model';
 
-/** Files that are asked for at the same time: Python answers one after the other. */
+/** Concurrent requests: Python answers them one after the other. */
 const AT_ONCE = 2;
 const MANIFEST = 'manifest.json';
 
-/** Python's answer: a piece of a file and the bytes of all of it, or why it has none. */
+/** Python's answer: the size of a file, with a piece of it in a buffer; or an error. */
 type Answer = { readonly id: string; readonly bytes: number } | { readonly id: string; readonly problem: string };
 
 interface Piece {
   readonly data: Uint8Array<ArrayBuffer>;
-  /** Of the whole file. */
+  /** Size of the whole file. */
   readonly bytes: number;
 }
 
@@ -28,10 +28,10 @@ export interface KernelSource extends Source {
   dispose(): void;
 }
 
-/** Open what a model shows; `received` is told of the bytes of all files. */
+/** Opens the bundle of a model; `received` is called with the bytes of all files. */
 export async function openKernel(model: Model, received: Received, signal: AbortSignal): Promise<KernelSource> {
   const waiting = new Map<string, Asked>();
-  // Answers reach every view of the model.
+  // Answers reach every view of the model, so that ids must be unique.
   const own = Math.random().toString(36).slice(2);
   let last = 0;
 
@@ -46,7 +46,7 @@ export async function openKernel(model: Model, received: Received, signal: Abort
   };
   model.on('msg:custom', answered);
 
-  /** A piece of a file. A kernel that is busy answers later, so that there is no time by which it has to. */
+  /** Requests a piece of a file, without a timeout, because a busy kernel answers later. */
   function ask(name: string, start: number, stop: AbortSignal): Promise<Piece> {
     stop.throwIfAborted();
     const id = `${own}-${++last}`;
@@ -93,7 +93,7 @@ export async function openKernel(model: Model, received: Received, signal: Abort
   return {
     manifest,
     fetch: (name, stop, told = () => undefined) => shared(name, stop, told),
-    // Nothing lies in between that keeps copies.
+    // No cache lies in between.
     distrust: () => undefined,
     dispose() {
       model.off('msg:custom', answered);
@@ -102,7 +102,7 @@ export async function openKernel(model: Model, received: Received, signal: Abort
   };
 }
 
-/** A copy, so that a worker can be given all of it. */
+/** Returns a copy, whose buffer can be transferred to a worker. */
 function bytesOf(view: DataView): Uint8Array<ArrayBuffer> {
   return new Uint8Array(view.buffer, view.byteOffset, view.byteLength).slice() as Uint8Array<ArrayBuffer>;
 }

@@ -1,13 +1,13 @@
-/** Keeps Python's copy of some values near those of the view, without a message for each frame. */
+/** Synchronization of the view's state with Python's copy, without a message for each frame. */
 import type { Model } from './model';
 
 /** Least milliseconds between two messages to Python. */
 export const EVERY = 100;
 
 export interface Mirror {
-  /** Values that Python is to have; those that it has already are not sent. Call it once a frame. */
+  /** Sends values that differ from Python's; called once per frame. */
   tell(values: Readonly<Record<string, unknown>>, now: number): void;
-  /** Be told, once for all that changed together, when Python or another view has set one of some values. */
+  /** Calls `changed` once for all values that Python or another view has set together. */
   hear(names: readonly string[], changed: () => void): void;
   dispose(): void;
 }
@@ -49,7 +49,7 @@ export function createMirror(model: Model): Mirror {
   };
 }
 
-/** Numbers, texts and lists of them. */
+/** Compares numbers, texts and lists of them. */
 function isSame(a: unknown, b: unknown): boolean {
   if (!Array.isArray(a) || !Array.isArray(b)) return Object.is(a, b);
   return a.length === b.length && a.every((item, place) => isSame(item, b[place]));

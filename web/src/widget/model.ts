@@ -1,11 +1,11 @@
-/** The widget's state, which Python shares, as anywidget hands it to a view. */
+/** Interface of anywidget to the widget's state, which Python shares. */
 export interface Model {
   get(name: string): unknown;
   set(name: string, value: unknown): void;
-  /** Send what was set to Python. */
+  /** Sends changed values to Python. */
   save_changes(): void;
   on(event: string, callback: (...args: never[]) => void): void;
   off(event: string, callback: (...args: never[]) => void): void;
-  /** Send a message of its own to Python. */
+  /** Sends a custom message to Python. */
   send(content: unknown): void;
 }

@@ -1,4 +1,4 @@
-/** The view in a notebook, as anywidget mounts it: a canvas and a line of text for each view of a model. */
+/** View in a notebook, mounted by anywidget: a canvas and a line of text for each view of a model. */
 import WORKER from 'worker-text';
 import { createControls } from '../control/controls';
 import type { Pose } from '../control/pose';
@@ -9,12 +9,12 @@ import { type KernelSource, openKernel } from './kernel';
 import { createMirror } from './mirror';
 import type { Model } from './model';
 
-/** Seconds that a frame may stand for, as in the page. */
+/** Greatest duration of a frame in seconds, as in the page. */
 const LONGEST_FRAME = 0.1;
 const LOST = 'The browser has taken the graphics away. The picture comes back as soon as they do.';
 const POSE = ['position', 'yaw', 'pitch'] as const;
 
-/** The element of a view; the viewer is there for scripts and tests. */
+/** Element of a view, with the viewer for scripts and tests. */
 interface Host extends HTMLElement {
   nearfar?: { readonly viewer: Viewer };
 }
@@ -22,7 +22,7 @@ interface Host extends HTMLElement {
 interface View {
   readonly host: Host;
   readonly canvas: HTMLCanvasElement;
-  /** Say something below the picture, or a problem instead of it until that is empty. */
+  /** Shows a text below the picture, or a problem instead of it until that is empty. */
   say(text: string): void;
   complain(problem: string): void;
 }
@@ -58,7 +58,7 @@ function createView(model: Model, el: HTMLElement): View {
   const host: Host = document.createElement('div');
   const [canvas, text] = [document.createElement('canvas'), document.createElement('p')];
   host.className = 'nearfar-view';
-  // Keys are for walking here, not shortcuts of JupyterLab.
+  // JupyterLab must not handle these keys as shortcuts.
   host.dataset['lmSuppressShortcuts'] = 'true';
   canvas.tabIndex = 0;
   canvas.setAttribute('aria-label', '3D view: drag to look, W A S D and arrows to walk');
@@ -75,7 +75,7 @@ function createView(model: Model, el: HTMLElement): View {
   return { host, canvas, say, complain: (told) => say((problem = told)) };
 }
 
-/** Draw frames until the function that is returned is called. */
+/** Draws frames until the returned function is called. */
 function show(model: Model, view: View, source: KernelSource, failed: (reason: Error) => void): () => void {
   const { canvas, host } = view;
   const { arrange, isSmooth, isWhole } = strategyOf(String(model.get('strategy')));
@@ -108,7 +108,7 @@ function show(model: Model, view: View, source: KernelSource, failed: (reason: E
   });
   viewer.open(world.places.nearest(asked().position));
   let isSeen = true;
-  // Of all notebooks that are open only what is on the screen is drawn.
+  // Notebooks outside the screen are not drawn.
   const watch = new IntersectionObserver((entries) => {
     isSeen = entries.at(-1)?.isIntersecting ?? true;
   });
@@ -126,7 +126,7 @@ function show(model: Model, view: View, source: KernelSource, failed: (reason: E
     if (arrived >= 0) view.say(arrived < rings ? `Ring ${arrived} of ${rings}` : '');
     const { radius, strength } = shown?.grown ?? { radius: 0, strength: 0 };
     const state = { region, ring: shown?.ring ?? -1, radius, strength };
-    // On the way to another place Python has that already.
+    // On the way to another place Python already has the target pose.
     mirror.tell(goal === null ? { ...pose, ...state } : state, now);
   });
   return () => {

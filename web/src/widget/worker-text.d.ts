@@ -1,4 +1,4 @@
-/** The script of the workers as text, which the build puts in: notebooks have no place for files beside theirs. */
+/** Script of the workers as text, inserted by the build, because notebooks cannot load further files. */
 declare module 'worker-text' {
   const text: string;
   export default text;

@@ -1,25 +1,27 @@
-/** Aiming of a jump: hold the trigger or the pinch, and let it go. */
+/** Aiming of a jump: the trigger or pinch is held and released. */
 import type { Vector } from '../control/vector';
 import type { Input } from './inputs';
 import type { Aim } from './look';
 import { arc, landing } from './teleport';
 
 export interface Aiming {
-  /** Where the hand that aims points; the nearest place that is `allowed` is the target. Points are the headset's. */
+  /**
+   * Updates the aim of the holding hand; the target is the nearest `allowed` place. Points are in the headset's space.
+   */
   update(inputs: readonly Input[], allowed: (wanted: Vector) => Vector): Aim | null;
   dispose(): void;
 }
 
-/** Metres between where somebody aims and the target that are not told apart. */
+/** Tolerance in metres between the aimed place and the target. */
 const SAME = 0.01;
 
-/** Listen to a session; `jump` is told of the target when the hand lets go. */
+/** Listens to a session; `jump` is called with the target on release. */
 export function createAiming(session: XRSession, jump: (target: Vector) => void): Aiming {
   const stop = new AbortController();
   let holding: XRInputSource | null = null;
   let aim: Aim | null = null;
 
-  // The hand that pressed last aims; the other one's press is dropped.
+  // The hand that pressed last aims; the press of the other one is ignored.
   session.addEventListener('selectstart', ({ inputSource }) => (holding = inputSource), { signal: stop.signal });
   session.addEventListener('selectend', ({ inputSource }) => {
     if (inputSource !== holding) return;
@@ -38,7 +40,7 @@ export function createAiming(session: XRSession, jump: (target: Vector) => void)
       if (!holding) return null;
       const ray = inputs.find(({ source }) => source === holding)?.ray;
       if (!ray) {
-        // A hand that is out of sight aims nowhere; it may come back.
+        // A hand out of sight has no aim; it may come back.
         aim = null;
         return null;
       }

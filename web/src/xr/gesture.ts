@@ -1,21 +1,21 @@
-/** The gesture with which a tracked hand points: the index finger straight, the three others bent. */
+/** Pointing gesture of a tracked hand: index finger straight, three other fingers bent. */
 import type { Joints } from './inputs';
 
-/** Number of the first joint of each finger but the thumb, from its knuckle to its tip, in the order of WebXR. */
+/** Index of the first joint of each finger but the thumb, in the order of WebXR. */
 const [INDEX, OTHERS] = [6, [11, 16, 21]] as const;
 const [BONES, MATRIX] = [3, 16] as const;
-/** Distance from the knuckle to the tip, as a part of the bones between: to begin to point, and to go on with it. */
+/** Thresholds of straightness to begin and to continue pointing (hysteresis). */
 const BEGINS = { straight: 0.9, bent: 0.75 } as const;
 const GOES_ON = { straight: 0.8, bent: 0.85 } as const;
 
-/** Whether a hand points, if it did so before; a hand whose joints are not known does not. */
+/** Whether a hand points, given its previous state; false without tracked joints. */
 export function isPointing(joints: Joints | null, before: boolean): boolean {
   if (!joints) return false;
   const { straight, bent } = before ? GOES_ON : BEGINS;
   return straightness(joints, INDEX) > straight && OTHERS.every((finger) => straightness(joints, finger) < bent);
 }
 
-/** 1 for a straight finger. */
+/** Straightness of a finger: distance from knuckle to tip divided by the length of the bones; 1 if straight. */
 function straightness({ matrices }: Joints, knuckle: number): number {
   const between = (a: number, b: number): number => {
     const along = (axis: number): number => (matrices[MATRIX * a + axis] ?? 0) - (matrices[MATRIX * b + axis] ?? 0);

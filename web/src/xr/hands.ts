@@ -1,4 +1,4 @@
-/** Where the hands of a headset are in the world, and which of them point. */
+/** Rays of a headset's hands in world space, with pointing. */
 import { type Floor, worldOf } from '../control/floor';
 import type { Vector } from '../control/vector';
 import { isPointing } from './gesture';
@@ -6,15 +6,15 @@ import type { Input } from './inputs';
 
 export interface HandRay {
   readonly side: 'left' | 'right';
-  /** In the world; the direction is a unit vector. */
+  /** Origin in world space; the direction is a unit vector. */
   readonly origin: Vector;
   readonly direction: Vector;
-  /** The grip is squeezed, or the index finger alone is straight. */
+  /** Whether the grip is squeezed, or only the index finger is straight. */
   readonly isPointing: boolean;
 }
 
 export interface Hands {
-  /** Those that are tracked, above a floor. */
+  /** Returns the tracked hands above a floor. */
   update(inputs: readonly Input[], floor: Floor): HandRay[];
   dispose(): void;
 }

@@ -1,11 +1,11 @@
-/** The hands in a frame: where they point, their sticks, and their joints where they are tracked. */
+/** Input of a frame: rays of the hands, sticks, and tracked joints. */
 import type { Vector } from '../control/vector';
 import type { Stick } from './steer';
 import type { Ray } from './teleport';
 
 declare global {
   interface XRFrame {
-    // Of the WebXR Hand Input Module.
+    // Part of the WebXR Hand Input Module.
     fillPoses?(spaces: Iterable<XRSpace>, base: XRSpace, transforms: Float32Array): boolean;
     fillJointRadii?(spaces: Iterable<XRJointSpace>, radii: Float32Array): boolean;
   }
@@ -13,27 +13,27 @@ declare global {
 
 export interface Input {
   readonly source: XRInputSource;
-  /** Along which the hand points, in the headset's space; null where it is not tracked. */
+  /** Pointing ray of the hand in the headset's space; null without tracking. */
   readonly ray: Ray | null;
-  /** Matrix (columns) of a controller in the hand. */
+  /** Matrix of a held controller, by columns. */
   readonly grip: Float32Array | null;
   readonly stick: Stick | null;
   readonly joints: Joints | null;
 }
 
-/** Joints of a hand: a matrix of 16 numbers each (columns), and their radii in metres. */
+/** Joints of a hand: matrices of 16 numbers each, by columns, and radii in metres. */
 export interface Joints {
   readonly matrices: Float32Array;
   readonly radii: Float32Array;
 }
 
-/** Numbers of the axes and buttons of a stick in the layout `xr-standard`. */
+/** Indices of a stick's axes and button in the layout `xr-standard`. */
 const [ACROSS, DOWN, PRESSED] = [2, 3, 3] as const;
 const MATRIX = 16;
 
 export function readInputs(frame: XRFrame, space: XRReferenceSpace): Input[] {
   const { session } = frame;
-  // A menu of the system lies over the picture, and has the hands.
+  // A system menu covers the picture and takes the input.
   if (session.visibilityState !== 'visible') return [];
   return [...session.inputSources]
     .filter(({ targetRayMode }) => targetRayMode === 'tracked-pointer' || targetRayMode === 'transient-pointer')
@@ -51,7 +51,7 @@ export function readInputs(frame: XRFrame, space: XRReferenceSpace): Input[] {
     });
 }
 
-/** Controllers point along −z. */
+/** Returns the ray of a controller, which points along −z. */
 function rayOf(matrix: Float32Array): Ray {
   const at = (index: number): number => matrix[index] ?? 0;
   const [x, y, z]: Vector = [-at(8), -at(9), -at(10)];

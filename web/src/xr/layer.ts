@@ -1,12 +1,12 @@
 /**
- * The map as a layer of the headset's own (XRCubeLayer): the browser draws it behind near geometry, at the rate and with
- * the resolution of the display.
+ * The map as a composition layer of the headset (XRCubeLayer): the browser draws it behind near geometry, at the rate
+ * and with the resolution of the display.
  */
 import type { WebGLRenderer } from 'three';
 import type { MapLayer } from '../show/composer';
 import { colorOf, type Cube, FACES } from '../show/cubes';
 
-/** A layer below the picture of the session that is presented; null where the browser has none. */
+/** Creates a layer below the picture of the current session; null if the browser supports none. */
 export function createMapLayer(renderer: WebGLRenderer, faceSize: number): MapLayer | null {
   const { xr } = renderer;
   const [session, space] = [xr.getSession(), xr.getReferenceSpace()];
@@ -19,7 +19,7 @@ export function createMapLayer(renderer: WebGLRenderer, faceSize: number): MapLa
     layout: 'mono',
     viewPixelWidth: faceSize,
     viewPixelHeight: faceSize,
-    // As the maps of the page, so that texels are mixed alike: without their curve.
+    // Same format as the page's maps, so that texels are filtered alike.
     colorFormat: gl.SRGB8_ALPHA8,
   });
   const picture = xr.getBaseLayer() as XRLayer;
@@ -28,7 +28,7 @@ export function createMapLayer(renderer: WebGLRenderer, faceSize: number): MapLa
   let held: { readonly cube: Cube; readonly ring: number | null } | null = null;
   let turn: number | null = null;
 
-  /** Copy a map into the layer; false if it is there already. */
+  /** Copies a map into the layer; returns false if it is already there. */
   function hold(cube: Cube): boolean {
     if (held?.cube === cube && held.ring === cube.holds && !layer.needsRedraw) return false;
     copy(colorOf(renderer, cube), binding.getSubImage(layer, xr.getFrame()).colorTexture);
@@ -39,7 +39,7 @@ export function createMapLayer(renderer: WebGLRenderer, faceSize: number): MapLa
   function orient(yaw: number): boolean {
     if (turn === yaw) return false;
     turn = yaw;
-    // The map does not turn with the user's floor.
+    // The map does not rotate with the user's floor.
     layer.orientation = new DOMPointReadOnly(0, Math.sin(-yaw / 2), 0, Math.cos(yaw / 2));
     return true;
   }
@@ -49,13 +49,13 @@ export function createMapLayer(renderer: WebGLRenderer, faceSize: number): MapLa
       // Coarse maps of a scene have fewer texels than the layer.
       if (cube.size !== faceSize) return false;
       const isNew = [hold(cube), orient(yaw), !session.renderState.layers?.includes(layer)];
-      // Changes of a frame may be shown from the next one on only.
+      // Changes may take effect only in the next frame.
       return !isNew.includes(true);
     },
   };
 }
 
-/** Copies all faces of a cube map, texel by texel, and leaves WebGL as it was. */
+/** Creates a function that copies all faces of a cube map, texel by texel, and restores WebGL's state. */
 function createCopy(gl: WebGL2RenderingContext, size: number): (from: WebGLTexture, to: WebGLTexture) => void {
   const [source, target] = [gl.createFramebuffer(), gl.createFramebuffer()];
   const attach = (buffer: number, face: number, texture: WebGLTexture): void =>

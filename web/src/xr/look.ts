@@ -1,4 +1,4 @@
-/** Shapes that a headset shows beside the scene: controllers or joints of hands, the arc and the ring of a jump. */
+/** Objects shown in a headset beside the scene: controllers or joints of hands, the arc and the ring of a jump. */
 import {
   CapsuleGeometry,
   Color,
@@ -18,24 +18,24 @@ import type { Vector } from '../control/vector';
 import type { Input } from './inputs';
 import { ARC_POINTS } from './teleport';
 
-/** Where a jump would lead, in the headset's space. */
+/** Aim of a jump in the headset's space. */
 export interface Aim {
   readonly arc: readonly Vector[];
   readonly target: Vector;
-  /** The target is not where the arc was aimed: it would lie beyond the limit. */
+  /** Whether the target was clamped, because the aimed place lies beyond the limit. */
   readonly isHeld: boolean;
 }
 
 export interface Look {
-  /** To be put into the rig. */
+  /** Group to add to the rig. */
   readonly group: Group;
   update(inputs: readonly Input[], aim: Aim | null): void;
   dispose(): void;
 }
 
-/** Hands, and joints of a hand. */
+/** Number of hands, and joints per hand. */
 const [HANDS, JOINTS] = [2, 25] as const;
-/** Radius of a controller and half its length, of a point of an arc, and the radii of the ring, metres. */
+/** Radius and half length of a controller, radius of an arc's point, radii of the ring, metres. */
 const [THICK, LONG, POINT] = [0.018, 0.05, 0.012] as const;
 const RING = [0.22, 0.3] as const;
 const [FREE, HELD] = [0x4cc2ff, 0xffb84c] as const;
@@ -43,7 +43,7 @@ const [FREE, HELD] = [0x4cc2ff, 0xffb84c] as const;
 export function createLook(): Look {
   const group = new Group();
   const body = new MeshLambertMaterial({ color: 0xd5dbe3 });
-  // Over everything: the ground may lie before or behind the user's floor by a little.
+  // Without depth test: the ground may lie slightly before or behind the user's floor.
   const mark = new MeshBasicMaterial({ color: FREE, depthTest: false });
   const joints = beads(HANDS * JOINTS, body);
   const points = beads(ARC_POINTS, mark);

@@ -1,9 +1,9 @@
-/** Offers the headset where there is one, also one that is connected later. */
+/** Detection of a headset, also of one that is connected later. */
 import type { Viewer } from '../show/viewer';
 import { createHeadset, type Headset, type HeadsetSettings } from './session';
 import { whyNoHeadset } from './support';
 
-/** `tell` is given the headset, or a sentence why there is none, now and whenever that changes. */
+/** Detects the headset; `tell` is called with it, or with a sentence why there is none, now and on changes. */
 export function offerHeadset(
   viewer: Viewer,
   settings: HeadsetSettings,

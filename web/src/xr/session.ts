@@ -1,4 +1,4 @@
-/** The immersive mode: the picture for both eyes of a headset, and how its user moves. */
+/** Immersive session: the picture for both eyes of a headset, and the movement of its user. */
 import {
   EYE_HEIGHT,
   type Floor,
@@ -28,28 +28,28 @@ import { createJump, type Jump } from './teleport';
 
 export interface Headset {
   readonly isPresenting: boolean;
-  /** The hands in the last frame. */
+  /** Hands in the last frame. */
   readonly hands: readonly HandRay[];
-  /** Enter it, or leave it; browsers want a click or a key. */
+  /** Enters or leaves the session; browsers require a click or a key. */
   toggle(): Promise<void>;
-  /** Put the user's head above another place; outside nothing happens. */
+  /** Moves the user's head above another place; without effect outside a session. */
   place(pose: Pose): void;
-  /** The head's pose in the world after some seconds more, once a frame; null outside. */
+  /** Advances by some seconds, once per frame; returns the head's world pose, null outside a session. */
   update(seconds: number): Pose | null;
 }
 
 export interface HeadsetSettings {
-  /** Where the user is when the headset is entered. */
+  /** Returns the user's pose at the begin of a session. */
   readonly pose: () => Pose;
-  /** Within which the eyes stay, also when they change. */
+  /** Returns the area in which the eyes stay, also when it changes. */
   readonly bounds: () => Bounds | null;
-  /** The headset has been left, at a pose for the screen. */
+  /** Called after the end of a session, with a pose for the screen. */
   readonly left: (pose: Pose) => void;
-  /** Nothing moves, so that the browser may show the map by itself. */
+  /** Whether nothing moves, so that the browser may show the map in a composition layer. */
   readonly isStatic: boolean;
 }
 
-/** State that lasts as long as a session. */
+/** State of a session. */
 interface Visit {
   readonly look: Look;
   readonly aiming: Aiming;
@@ -57,12 +57,12 @@ interface Visit {
   readonly steering: Steering;
   readonly jump: Jump;
   readonly walk: ReturnType<typeof createWalk>;
-  /** Null until the headset knows where it is. */
+  /** Floor of the user; null until the headset is tracked. */
   floor: Floor | null;
   pose: Pose;
-  /** A point of the world to which a jump leads in this frame. */
+  /** World point to which a jump leads in this frame. */
   goal: Vector | null;
-  /** The system has put the origin of the headset's space elsewhere. */
+  /** Whether the system has moved the origin of the headset's space. */
   isMoved: boolean;
 }
 
@@ -71,7 +71,7 @@ const glides = (): boolean => false;
 
 export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings): Headset {
   const { renderer, rig } = viewer;
-  // Those of the frame.
+  // Bounds of the frame.
   let bounds: Bounds | null = null;
   let visit: Visit | null = null;
   let hands: readonly HandRay[] = [];
@@ -131,7 +131,7 @@ export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSet
     settings.left({ position: [x, floor ? floor.position[1] + EYE_HEIGHT : y, z], yaw: pose.yaw, pitch: 0 });
   }
 
-  /** The floor after a frame: the user has walked, turned or jumped, and stays within the walls. */
+  /** Returns the floor after a frame: the user has walked, turned or jumped, and stays within the bounds. */
   function floorOf(of: Visit, head: Head, inputs: readonly Input[], seconds: number): Floor {
     const { position: [x, y, z], yaw } = of.pose;
     const ground: Vector = [x, of.floor?.position[1] ?? y - EYE_HEIGHT, z];
@@ -143,7 +143,7 @@ export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSet
     of.walk.update(seconds, drive);
     floor = moved(floor, head, of.goal ?? of.walk.pose.position);
     of.goal = null;
-    // A body that goes on beyond the walls takes the floor along.
+    // A body that moves beyond the bounds drags the floor along.
     return moved(floor, head, inside(worldOf(floor, head.position), bounds));
   }
 
@@ -165,7 +165,7 @@ export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSet
       const [frame, space] = [renderer.xr.getFrame(), renderer.xr.getReferenceSpace()];
       if (!visit || !frame || !space) return null;
       const seen = frame.getViewerPose(space);
-      // A headset that does not know where it is shows nothing new.
+      // Without tracking the pose does not change.
       if (!seen) return visit.pose;
       bounds = headBounds(settings.bounds());
       const head = headOf(seen.transform.matrix);

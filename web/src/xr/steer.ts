@@ -1,7 +1,7 @@
-/** Sticks of the controllers: one walks, the other one turns in steps; plain arithmetic without a headset. */
+/** Controls by the controllers' sticks: one walks, the other one turns in steps. No WebXR calls. */
 import { beyondRest, type Drive, REST } from '../control/drive';
 
-/** A stick from −1 to 1, to the right and down, as the browser gives it, and whether it is pressed. */
+/** Stick position from −1 to 1, to the right and down, as the browser reports it, and whether it is pressed. */
 export interface Stick {
   readonly x: number;
   readonly y: number;
@@ -9,20 +9,20 @@ export interface Stick {
 }
 
 export interface Wish {
-  /** Steps, which way the head looks. */
+  /** Walking input relative to the head's direction. */
   readonly drive: Drive;
-  /** Radians to turn left at once. */
+  /** Immediate turn to the left, radians. */
   readonly turn: number;
 }
 
-/** A turn at once, radians: smooth turns make people sick. */
+/** Angle of a snap turn, radians: smooth turns cause sickness. */
 export const SNAP = Math.PI / 6;
-/** The part of a stick's way in which it counts as at rest; where a turn begins, and where the next one may. */
+/** Dead zone of a stick; deflection that triggers a turn, and below which the next one is armed. */
 const REST_SHARE = 0.18;
 const [TURNS, REARMS] = [0.7, 0.35] as const;
 
 export interface Steering {
-  /** The wishes of the sticks of the left and the right hand; a hand without a stick leaves its part to the other. */
+  /** Reads the sticks of the left and the right hand; a hand without a stick leaves its part to the other. */
   read(left: Stick | null, right: Stick | null): Wish;
 }
 
@@ -42,7 +42,7 @@ export function createSteering(): Steering {
       const turns = right ?? left;
       const turn = snap(turns?.x ?? 0);
       if (!walks) return { drive: REST, turn };
-      // One stick for both walks only ahead and back.
+      // A single stick walks only ahead and back.
       const [x, y] = beyondRest(walks === turns ? 0 : walks.x, walks.y, REST_SHARE);
       return { drive: { ...REST, right: x, ahead: 0 - y, isHasty: walks.isPressed }, turn };
     },

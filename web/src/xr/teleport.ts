@@ -1,11 +1,11 @@
-/** Where a thrown arc comes down, and the jump to there; plain arithmetic without a headset. */
+/** Ballistic arc of a jump and its fade. No WebXR calls. */
 import type { Vector } from '../control/vector';
 
-/** Metres a second and per second²: aimed level from the hip, it reaches some four metres; at 45° more than seven. */
+/** Metres per second and per second²: aimed level from the hip, it reaches about 4 m; at 45° more than 7 m. */
 const [SPEED, GRAVITY] = [7.5, 9.81] as const;
-/** Points of an arc. */
+/** Number of points of an arc. */
 export const ARC_POINTS = 24;
-/** Seconds in which the picture goes dark, and comes back. */
+/** Seconds in which the picture fades to black, and back. */
 const FADE = 0.12;
 
 export interface Ray {
@@ -14,13 +14,13 @@ export interface Ray {
   readonly direction: Vector;
 }
 
-/** Where an arc that begins along a ray comes down on the ground at height 0. A hand below the ground throws from it. */
+/** Returns where an arc along a ray lands on the ground at height 0. A hand below the ground throws from it. */
 export function landing({ origin: [x, y, z], direction: [dx, dy, dz] }: Ray): Vector {
   const seconds = fall(y, dy);
   return [x + SPEED * dx * seconds, 0, z + SPEED * dz * seconds];
 }
 
-/** Points of the arc from the hand to a target on the ground, which may be another one than where it comes down. */
+/** Points of the arc from the hand to a target on the ground, bent if the target is not its landing point. */
 export function arc(ray: Ray, target: Vector): Vector[] {
   const { origin, direction } = ray;
   const seconds = fall(origin[1], direction[1]);
@@ -34,21 +34,21 @@ export function arc(ray: Ray, target: Vector): Vector[] {
   });
 }
 
-/** Seconds until something thrown up from a height at a part of the speed is down. */
+/** Seconds until a throw from a height lands, with its upward component as a share of the speed. */
 function fall(height: number, up: number): number {
   const rise = SPEED * up;
   return (rise + Math.sqrt(rise * rise + 2 * GRAVITY * Math.max(height, 0))) / GRAVITY;
 }
 
 export interface Jump {
-  /** Go dark, act, and come back. It takes the place of a jump that has not acted. */
+  /** Fades to black, acts, and fades back. Replaces a jump that has not acted. */
   start(action: () => void): void;
-  /** Go on by some seconds; returns how dark it is, 0 to 1. */
+  /** Advances by some seconds; returns the darkness, 0 to 1. */
   advance(seconds: number): number;
 }
 
 export function createJump(): Jump {
-  // Seconds since the start; it is darkest at FADE.
+  // Seconds since the start; the picture is darkest at FADE.
   let since = 2 * FADE;
   let pending: (() => void) | null = null;
 
@@ -61,14 +61,14 @@ export function createJump(): Jump {
   return {
     start(action) {
       pending = action;
-      // From as dark as it is.
+      // Starts at the current darkness.
       since = Math.min(since, Math.max(2 * FADE - since, 0));
     },
     advance(seconds) {
       const before = since;
       since = Math.min(since + seconds, 2 * FADE);
       if (pending && since >= FADE) {
-        // A frame at full darkness, however long frames are.
+        // Guarantees a frame at full darkness, however long frames are.
         if (before < FADE) since = FADE;
         act();
       }

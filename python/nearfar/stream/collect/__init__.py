@@ -1,4 +1,4 @@
-"""The sphere collection of CloVR's (2024) Experiment 2: its task, and simulated users who play it."""
+"""Sphere collection task of CloVR's (2024) Experiment 2, and simulated users who play it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Messages of the sphere collection as bytes that users say in a room; docs/collect.md has a table of every field."""
+"""Binary messages of the sphere collection, sent as payloads of a room; docs/collect.md specifies every field."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from nearfar.stream._room_events import To
 Vector: TypeAlias = tuple[float, float, float]
 
 MARK, VERSION = 0xC5, 1
-"""First byte of all messages of the task, and their version."""
+"""First byte of all messages of the task, and their format version."""
 
 FARTHEST, FASTEST, LARGEST, LONGEST = 1e6, 100.0, 1000.0, 86_400.0
-"""Greatest coordinate, speed, radius and time: metres and seconds."""
+"""Greatest coordinate, speed, radius and time, in metres and seconds."""
 
 MOST_USERS, MOST_TRIALS = 64, 255
-"""Most users of a group who have seats, and most trials."""
+"""Greatest number of seated users in a group, and of trials."""
 
 LEVELS = ("easy", "intermediate", "hard")
-"""Names of the levels, in the order of their numbers."""
+"""Names of the levels, in the order of their codes."""
 
 EVENTS = ("told", "selected", "lost")
-"""Reasons to tell who aims at a sphere, in the order of their numbers; `told` for all others."""
+"""Reasons for an `Aims` message, in the order of their codes; `told` for all reasons without an event."""
 
 _STAGE = struct.Struct("<HB")
 _TRIAL = struct.Struct("<BBBI21f")
@@ -40,26 +40,26 @@ _SCORE = struct.Struct("<BHH")
 
 @dataclass(frozen=True)
 class Seat:
-    """A user's place."""
+    """Seat of a user."""
 
     user: int
     position: Vector
-    """Of the eyes, metres from the scene's origin."""
+    """Position of the eyes, metres from the scene's origin."""
 
 
 @dataclass(frozen=True)
 class Tally:
-    """Collected spheres of a level."""
+    """Totals of the collected spheres of a level."""
 
     spheres: int = 0
     misses: int = 0
     seconds: float = 0.0
-    """Sum of the times from a sphere's appearance until it was collected."""
+    """Sum of the times from appearance to collection."""
 
 
 @dataclass(frozen=True)
 class Stage:
-    """The run and the trial that a message belongs to; a group's next run has a greater number."""
+    """Run and trial that a message belongs to; a group's next run has a greater number."""
 
     run: int
     trial: int
@@ -67,7 +67,7 @@ class Stage:
 
 @dataclass(frozen=True)
 class Trial:
-    """A trial: its rules, how much of it has passed, and what was collected in it."""
+    """A trial: its rules, elapsed time and results."""
 
     stage: Stage
     trials: int
@@ -75,7 +75,7 @@ class Trial:
     users: int
     seed: int
     elapsed: float
-    """Seconds since its begin."""
+    """Seconds since its start."""
     duration: float
     hold: float
     pause: float
@@ -83,17 +83,17 @@ class Trial:
     radius: float
     speeds: Vector
     box: tuple[Vector, Vector]
-    """Least and greatest coordinates of spheres' middles."""
+    """Least and greatest coordinates of sphere centres."""
     area: tuple[Vector, Vector]
-    """The same of seats."""
+    """Least and greatest coordinates of seats."""
     tallies: tuple[Tally, Tally, Tally]
-    """By level."""
+    """Tallies by level."""
     seats: tuple[Seat, ...]
 
 
 @dataclass(frozen=True)
 class Sphere:
-    """A sphere has appeared, some time ago, at a place and with a velocity; it turns back where its box ends."""
+    """A sphere appeared `age` seconds ago with a position and a velocity; it is reflected at the faces of its box."""
 
     stage: Stage
     number: int
@@ -105,34 +105,34 @@ class Sphere:
 
 @dataclass(frozen=True)
 class Aims:
-    """Who aims at a sphere, because a user has selected or lost it, or for another reason (`told`)."""
+    """Users who aim at a sphere, sent when a user selects or loses it, or for another reason (`told`)."""
 
     stage: Stage
     number: int
     event: str
     user: int
     misses: int
-    """Of this sphere."""
+    """Misses of this sphere."""
     held: float | None
-    """Seconds for which all have aimed at it; None while not all do."""
+    """Seconds for which all required users have aimed at it; None while some do not."""
     users: tuple[int, ...]
 
 
 @dataclass(frozen=True)
 class Collected:
-    """A sphere is collected."""
+    """A sphere has been collected."""
 
     stage: Stage
     number: int
     level: int
     misses: int
     seconds: float
-    """Since it appeared."""
+    """Seconds since it appeared."""
 
 
 @dataclass(frozen=True)
 class Score:
-    """The score of the sender's group, for the whole room."""
+    """Score of the sender's group, sent to the whole room."""
 
     stage: Stage
     is_over: bool
@@ -144,18 +144,18 @@ Message: TypeAlias = Trial | Sphere | Aims | Collected | Score
 
 
 def audience(message: Message) -> To:
-    """Who hears a message: scores are for the whole room."""
+    """Return the recipients of a message: the room for scores, else the group."""
     return "room" if isinstance(message, Score) else "group"
 
 
 def write(message: Message) -> bytes:
-    """The bytes of a message."""
+    """Encode a message."""
     kind, body = _body(message)
     return bytes([MARK, VERSION, kind]) + _STAGE.pack(message.stage.run, message.stage.trial) + body
 
 
 def read(data: bytes) -> Message | None:
-    """The message in bytes that were said; None for what is not of the task, FormatError for a damaged message."""
+    """Decode a payload; None if it is not a message of the task, FormatError for a damaged message."""
     if not data or data[0] != MARK:
         return None
     try:
@@ -275,7 +275,7 @@ def _vector(values: Iterable[float], most: float = FARTHEST) -> Vector:
 
 def _within(values: Iterable[float], low: float, high: float) -> list[float]:
     found = list(values)
-    # Not-a-number is in no range.
+    # NaN fails the comparison.
     if not all(low <= value <= high for value in found) or not all(map(math.isfinite, found)):
         raise _fault("a number is out of its range")
     return found

@@ -1,4 +1,4 @@
-"""Figures of a group's trials."""
+"""Results of a group's trials."""
 
 from __future__ import annotations
 
@@ -13,27 +13,27 @@ class Collected:
     """A sphere that a group has collected."""
 
     level: str
-    """easy, intermediate or hard."""
+    """Level: easy, intermediate or hard."""
     seconds: float
-    """From its appearance until it was collected."""
+    """Seconds from appearance to collection."""
     misses: int
-    """How often one user lost the selection."""
+    """Number of times that a user lost the selection."""
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """A group's trial."""
+    """Result of a group's trial."""
 
     group: int
-    """The group."""
+    """Number of the group."""
     trial: int
     """Number of the trial, from 1."""
     spheres: tuple[Collected, ...]
-    """Spheres in the order in which they were collected."""
+    """Collected spheres, in the order of collection."""
 
 
 def outcomes(task: Task) -> list[Outcome]:
-    """Those of the run that a task has heard last."""
+    """Return the results of the task's last known run."""
     if task.trial is None:
         return []
     run, last = task.trial.stage.run, task.trial.stage.trial

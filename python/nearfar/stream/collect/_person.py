@@ -1,6 +1,6 @@
-"""A model of a user who points at spheres: reaction, aimed movement, tracking with delay, tremor, lapses.
+"""Model of a user who points at spheres: reaction, aimed movement, tracking with delay, tremor, lapses.
 
-It knows angles alone: yaw and pitch of a target from the hand, in radians. docs/collect.md has the sources.
+It works on angles only: yaw and pitch of a target seen from the hand, in radians. docs/collect.md lists the sources.
 """
 
 from __future__ import annotations
@@ -18,54 +18,54 @@ Angles: TypeAlias = tuple[float, float]
 """Yaw, positive to the left, and pitch, positive up."""
 
 SCATTER = 4.133
-"""Widths of a target in a standard deviation of where movements end: 96 % of them end within it."""
+"""Ratio of a target's width to the standard deviation of movement end points: 96 % of them end within the target."""
 
 SINK = math.radians(12.0)
-"""Speed at which the hand sinks in a lapse, radians a second."""
+"""Speed at which the hand sinks during a lapse, radians per second."""
 
 GAZE = 0.1
-"""Seconds over which the speed of a target is seen."""
+"""Seconds over which the user estimates a target's speed."""
 
 REMEMBERED = 256
-"""Moments of the past that are kept."""
+"""Number of stored past moments."""
 
 
 @dataclass(frozen=True)
 class Person:
-    """Numbers of a simulated user; each user's own differ from them by `spread`.
+    """Parameters of simulated users; each user's own parameters vary by `spread`.
 
     Raises
     ------
     ValueError, TypeError
-        For numbers below 0 or too great; the message names the field.
+        For numbers below 0 or too large; the message names the field.
     """
 
     reaction: float = 0.231
-    """Seconds from a sphere's appearance to the begin of the movement: Woods et al. (2015)."""
+    """Seconds from a sphere's appearance to the start of the movement: Woods et al. (2015)."""
     reaction_spread: float = 0.05
-    """Standard deviation of the same from sphere to sphere, seconds."""
+    """Standard deviation of the reaction time between spheres, seconds."""
     intercept: float = 0.1
-    """Seconds a of Fitts' law MT = a + b log₂(A / W + 1), with the angles A to the target and W of its width."""
+    """Intercept a of Fitts' law MT = a + b log₂(A / W + 1) in seconds; A is the angle to the target, W its width."""
     slope: float = 0.3
-    """Seconds b of the same."""
+    """Slope b of Fitts' law, seconds."""
     delay: float = 0.2
-    """Seconds from what is seen to the hand's answer: McRuer and Jex (1967)."""
+    """Seconds from a stimulus to the hand's response: McRuer and Jex (1967)."""
     gain: float = 3.0
-    """Radians a second by which an error of one radian is corrected: their crossover frequency."""
+    """Correction speed in radians per second for an error of one radian: their crossover frequency."""
     pursuit: float = 0.9
-    """Share of a target's seen speed that the hand takes over."""
+    """Share of a target's perceived speed that the hand follows."""
     tremor: float = 0.2
-    """Standard deviation of the hand's unsteadiness about each axis, degrees."""
+    """Standard deviation of tremor about each axis, degrees."""
     tremor_time: float = 0.1
-    """Seconds after which tremor has forgotten itself, by e."""
+    """Correlation time of tremor, seconds: its autocorrelation falls by the factor e."""
     lapses: float = 0.02
-    """Lapses of attention a second, in which the hand sinks."""
+    """Lapses of attention per second; the hand sinks during a lapse."""
     lapse: float = 0.4
-    """Seconds of a lapse."""
+    """Duration of a lapse, seconds."""
     search: float = 0.0
-    """Seconds to find a sphere, after the reaction: a free number, 0 where nothing is calibrated."""
+    """Seconds to find a sphere, after the reaction: a free parameter, 0 without calibration."""
     spread: float = 0.15
-    """Standard deviation of the logarithm of each of a user's own numbers."""
+    """Standard deviation of the logarithm of each of a user's individual parameters."""
 
     def __post_init__(self) -> None:
         for field in fields(self):
@@ -75,14 +75,14 @@ class Person:
 
 
 class Chance:
-    """Random numbers of one user, one after the other."""
+    """Random number generator of one user."""
 
     def __init__(self, seed: int, user: int) -> None:
         self._seed, self._user, self._next = seed, user, 0
         self._drawn: list[float] = []
 
     def uniform(self) -> float:
-        """A number in [0, 1)."""
+        """Draw a number in [0, 1)."""
         if not self._drawn:
             index = np.arange(self._next, self._next + 4096, dtype=np.uint64)
             self._next += len(index)
@@ -90,23 +90,23 @@ class Chance:
         return self._drawn.pop()
 
     def normal(self) -> float:
-        """A normal number by Box and Muller's formula."""
+        """Draw a standard normal number by the Box–Muller transform."""
         return math.sqrt(-2.0 * math.log(1.0 - self.uniform())) * math.cos(2.0 * math.pi * self.uniform())
 
 
 @dataclass(frozen=True)
 class Target:
-    """A target as the user sees it at a moment."""
+    """A target as the user sees it at one moment."""
 
     number: int
     angles: Angles
     width: float
-    """Angle of its diameter, radians."""
+    """Angular diameter, radians."""
 
 
 @dataclass(frozen=True)
 class _Reach:
-    """An aimed movement."""
+    """A planned aimed movement."""
 
     begin: float
     seconds: float
@@ -115,14 +115,14 @@ class _Reach:
 
 
 class Pointing:
-    """Where a simulated user points, step by step. Times are seconds on any clock.
+    """Pointing direction of a simulated user, step by step. Times are seconds on any clock.
 
     Parameters
     ----------
     person
-        The numbers of all users.
+        Parameters of all users.
     seed, user
-        Seed, and the number of the user, whose own numbers follow from both.
+        Seed, and the number of the user; both determine the user's individual parameters.
     """
 
     def __init__(self, person: Person, seed: int, user: int) -> None:
@@ -142,7 +142,7 @@ class Pointing:
         self._last: float | None = None
 
     def step(self, now: float, target: Target | None) -> Angles:
-        """Where the user points at a time, when it sees a target or none."""
+        """Return the pointing direction at a time, with or without a visible target."""
         passed = 0.0 if self._last is None else min(max(now - self._last, 0.0), 0.1)
         self._last = now
         self._shake(passed)
@@ -175,7 +175,7 @@ class Pointing:
             self._track(now, passed)
 
     def _planned(self, now: float, width: float) -> _Reach:
-        """A movement to where the target will be if it goes on as it was seen."""
+        """Plan a movement to the target's predicted position, extrapolated from its perceived motion."""
         own = self._own
         (yaw, pitch), (turns, rises), _ = self._seen(now)
         size = max(width, 1e-6)
@@ -189,7 +189,7 @@ class Pointing:
         return _Reach(now, seconds, self._aim, end)
 
     def _follow(self, reach: _Reach, now: float) -> None:
-        """Flash and Hogan's (1985) movement of minimum jerk."""
+        """Follow a minimum-jerk movement (Flash and Hogan, 1985)."""
         share = min((now - reach.begin) / reach.seconds, 1.0) if reach.seconds > 0.0 else 1.0
         done = share**3 * (10.0 - 15.0 * share + 6.0 * share * share)
         (a, b), (c, d) = reach.start, reach.end
@@ -198,7 +198,7 @@ class Pointing:
             self._reach = None
 
     def _track(self, now: float, passed: float) -> None:
-        """The crossover model of McRuer and Jex (1967), with the target's speed as a second input."""
+        """Track by the crossover model of McRuer and Jex (1967), with the target's speed as a second input."""
         (yaw, pitch), (turns, rises), aim = self._seen(now)
         own = self._own
         left = own.gain * _turn(yaw - aim[0]) + own.pursuit * turns
@@ -206,7 +206,7 @@ class Pointing:
         self._aim = (self._aim[0] + passed * left, self._aim[1] + passed * up)
 
     def _lapses(self, now: float, passed: float) -> bool:
-        """Whether attention is elsewhere, in which case the hand sinks."""
+        """Return whether attention has lapsed, and let the hand sink if so."""
         if now >= self._lapse_ends and self._chance.uniform() < self._own.lapses * passed:
             self._lapse_ends = now + self._own.lapse
         if now >= self._lapse_ends:
@@ -215,8 +215,8 @@ class Pointing:
         return True
 
     def _seen(self, now: float) -> tuple[Angles, Angles, Angles]:
-        """Target, its speed, and the aim, as the user sees them now: those of some time ago."""
-        # The first moment that is young enough; time since the appearance may be shorter than the delay.
+        """Return target, target speed and aim as perceived now, that is, with the user's delay."""
+        # Newest moment older than the delay, or the first moment if the target appeared later than that.
         number = len(self._past) - 1
         while number > 0 and self._past[number][0] > now - self._own.delay:
             number -= 1
@@ -232,7 +232,7 @@ class Pointing:
         return target.angles, speed, aim
 
     def _shake(self, passed: float) -> None:
-        """Tremor as an Ornstein–Uhlenbeck process about both axes."""
+        """Update tremor, an Ornstein–Uhlenbeck process about both axes."""
         own = self._own
         keeps = math.exp(-passed / own.tremor_time) if own.tremor_time > 0.0 else 0.0
         size = math.radians(own.tremor) * math.sqrt(1.0 - keeps * keeps)
@@ -241,5 +241,5 @@ class Pointing:
 
 
 def _turn(angle: float) -> float:
-    """The same angle within half a turn."""
+    """Wrap an angle to [−π, π]."""
     return math.remainder(angle, 2.0 * math.pi)

@@ -22,7 +22,7 @@ from nearfar.stream.collect._spheres import Ray
 from nearfar.stream.collect._task import Task
 
 MEASURED = 0.25
-"""Seconds between poses whose round trip is measured."""
+"""Seconds between poses whose round-trip time is measured."""
 
 
 async def play(
@@ -30,24 +30,24 @@ async def play(
 ) -> list[Outcome]:
     """Let a simulated user take part in its group's run, in real time, until the last trial has ended.
 
-    The user with the lowest number of its group conducts it: it begins as soon as `settings.users` are there. Pages in
-    the same group play along.
+    The user with the lowest number of its group conducts it and starts as soon as `settings.users` are present. Users
+    of the web page in the same group take part.
 
     Parameters
     ----------
     room
-        The user's place in a room, which it has entered. Its events are taken meanwhile.
+        The user's connection to a room, already entered. `play` consumes its events.
     settings
-        The task, if this user conducts it; by default the published one.
+        Settings of the task, if this user conducts it; by default the published ones.
     person
-        Numbers of the user; by default those of the literature.
+        Parameters of the user; by default those of the literature.
     seed
-        Seed of what the user does by chance.
+        Seed of the user's random numbers.
 
     Returns
     -------
     list[Outcome]
-        The group's trials, as far as the user has heard of them.
+        Results of the group's trials, as far as the user has received them.
 
     Raises
     ------
@@ -84,22 +84,22 @@ class _User:
         self._begin()
 
     def _begin(self) -> None:
-        """Begin with nothing heard, beside all who are there."""
+        """Reset the task's state and register all users in the group."""
         room = self._room
         self.task = Task(room.user, room.group)
         self._player = Player(self._person, self._seed, room.user)
         self._rays: dict[int, Ray] = {}
-        # The greatest sequence of each user: datagrams overtake each other and the stream.
+        # Greatest sequence number of each user: datagrams can overtake each other and the stream.
         self._newest: dict[int, int] = {}
         for number, other in room.users.items():
             if other.group == room.group:
                 self.task.joined(number)
 
     async def hear(self) -> None:
-        """Follow events until the last trial or the connection has ended."""
+        """Process events until the last trial or the connection has ended."""
         async for event in self._room:
             if self._room.user != self.task.user:
-                # Whoever returns with another number is somebody else.
+                # A new user number means a new user, so all state is reset.
                 self._begin()
             self._follow(event)
             await self._conduct()
@@ -107,7 +107,7 @@ class _User:
                 raise RoomError(event.reason, event.sentence)
 
     async def move(self) -> None:
-        """Tell poses until the run is over."""
+        """Send poses until the run is over."""
         measured = -math.inf
         due = self._clock()
         while not self.task.is_over:
@@ -125,12 +125,12 @@ class _User:
                     acknowledged=is_measured,
                 )
             await self._conduct()
-            # A step that comes late does not put off the next one, and a pause saves none up.
+            # A late step does not delay the following ones, and a pause is not caught up.
             due = max(due + 1.0 / RATE, now)
             await asyncio.sleep(due - self._clock())
 
     async def _conduct(self) -> None:
-        # Messages leave in the order in which the state has changed.
+        # Messages are sent in the order of the state changes.
         async with self._order:
             if not self._room.is_connected:
                 return
@@ -138,7 +138,7 @@ class _User:
             messages = task.conduct(now, self._rays)
             if task.trial is None and task.conductor == task.user and len(task.present) >= self._settings.users:
                 messages += task.start(self._settings, now)
-            # The next conductor goes on from what was heard; the end of the connection is an event, too.
+            # The next conductor continues from its own state; the broken connection is reported as an event.
             with suppress(RoomError):
                 for message in messages:
                     await self._room.say(write(message), to=audience(message))
@@ -172,7 +172,7 @@ class _User:
         try:
             message = read(data)
         except FormatError:
-            # Whoever says what is none cannot stop the others.
+            # Malformed messages are ignored.
             return
         if message is not None:
             self.task.hear(message, self._clock(), sender=user, group=other.group)
@@ -184,6 +184,6 @@ class _User:
             self._rays.pop(user, None)
             return
         x, y, z = begin.position.tolist()
-        # Frames hold quaternions whose length is 1 to a tenth.
+        # Quaternions in frames may deviate from length 1 by a tenth.
         a, b, c, d = (begin.rotation / np.linalg.norm(begin.rotation)).tolist()
         self._rays[user] = ((x, y, z), rotated((a, b, c, d)))

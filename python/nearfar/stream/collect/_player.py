@@ -1,4 +1,4 @@
-"""A simulated user in its seat: what it sees of the task, and the ray along which it points."""
+"""A simulated user in its seat: what it sees of the task, and its pointing ray."""
 
 from __future__ import annotations
 
@@ -15,33 +15,33 @@ Rotation: TypeAlias = tuple[float, float, float, float]
 """A unit quaternion (x, y, z, w)."""
 
 BELOW = 0.3
-"""Metres from the eyes down to the hand."""
+"""Vertical distance from the eyes down to the hand, metres."""
 
 
 @dataclass(frozen=True)
 class Stance:
-    """Where a user's eyes and hand are, and where both look."""
+    """Positions of a user's eyes and hand, and their common direction."""
 
     eyes: Vector
     hand: Vector
     rotation: Rotation
     length: float
-    """Of the pointer: to the sphere's distance, metres."""
+    """Length of the pointer: distance to the sphere, metres."""
 
     @property
     def ray(self) -> Ray:
-        """The pointer."""
+        """Pointing ray: origin and direction."""
         return self.hand, rotated(self.rotation)
 
 
 class Player:
-    """A user's eyes and hand, which follow what its task has heard."""
+    """Eyes and hand of a user, driven by the task's state."""
 
     def __init__(self, person: Person, seed: int, user: int) -> None:
         self._pointing = Pointing(person, seed, user)
 
     def stance(self, task: Task, now: float) -> Stance | None:
-        """Where the user is and points at a time; None without a seat."""
+        """Return the user's stance at a time; None without a seat."""
         eyes = task.seat
         if eyes is None or task.trial is None:
             return None
@@ -56,13 +56,13 @@ class Player:
 
 
 def turned(yaw: float, pitch: float) -> Rotation:
-    """The rotation of who looks along a yaw and a pitch."""
+    """Return the rotation that turns −z to a yaw and a pitch."""
     sy, cy = math.sin(yaw / 2), math.cos(yaw / 2)
     sp, cp = math.sin(pitch / 2), math.cos(pitch / 2)
     return cy * sp, sy * cp, -sy * sp, cy * cp
 
 
 def rotated(rotation: Rotation) -> Vector:
-    """Where a rotation turns −z."""
+    """Return −z rotated by a quaternion."""
     x, y, z, w = rotation
     return -2.0 * (x * z + w * y), 2.0 * (w * x - y * z), 2.0 * (x * x + y * y) - 1.0

@@ -1,4 +1,4 @@
-"""Sizes, times and speeds that a trial of the sphere collection asks for."""
+"""Parameters of a trial of the sphere collection: sizes, times and speeds."""
 
 from __future__ import annotations
 
@@ -10,42 +10,42 @@ from nearfar.stream.collect._messages import FARTHEST, FASTEST, LARGEST, LONGEST
 
 @dataclass(frozen=True)
 class Settings:
-    """The task of CloVR's (2024) Experiment 2: users, trials, hold, seats and speeds are the paper's, the rest is ours.
+    """Settings of CloVR's (2024) Experiment 2: users, trials, hold, seats and speeds are the paper's, the rest is ours.
 
     Raises
     ------
     ValueError, TypeError
-        For numbers outside what docs/collect.md allows; the message names the field.
+        For numbers outside the limits in docs/collect.md; the message names the field.
     """
 
     users: int = 4
-    """Users who must aim at a sphere at the same time, at most 64."""
+    """Number of users who must aim at a sphere at the same time, at most 64."""
     trials: int = 3
-    """Trials, one after the other."""
+    """Number of consecutive trials."""
     duration: float = 180.0
-    """Seconds of a trial."""
+    """Duration of a trial, seconds."""
     hold: float = 2.0
-    """Seconds for which all must aim at a sphere without a break."""
+    """Seconds for which all users must aim at a sphere without interruption."""
     pause: float = 1.65
-    """Seconds from a collected sphere to the next one."""
+    """Seconds from a sphere's collection to the next sphere."""
     rest: float = 5.0
     """Seconds between two trials."""
     radius: float = 0.3
     """Radius of a sphere, metres."""
     speeds: tuple[float, float, float] = (0.0, 0.5, 1.5)
-    """Speeds of easy, intermediate and hard spheres, metres a second."""
+    """Speeds of easy, intermediate and hard spheres, metres per second."""
     center: tuple[float, float, float] = (0.0, 1.7, 0.0)
-    """Middle of the seats at the height of the eyes, metres from the scene's origin."""
+    """Centre of the seats at eye height, metres from the scene's origin."""
     seats: tuple[float, float] = (5.0, 2.0)
-    """Sizes of the rectangle of seats along x and z, metres."""
+    """Size of the rectangle of seats along x and z, metres."""
     distance: float = 8.0
-    """From the middle of the seats along −z to the middle of the box, in which spheres' middles stay, metres."""
+    """Distance along −z from the centre of the seats to the centre of the box that holds sphere centres, metres."""
     rise: float = 0.5
-    """From the middle of the seats up to the middle of the box, metres."""
+    """Height of the box's centre above the centre of the seats, metres."""
     box: tuple[float, float, float] = (8.0, 4.0, 4.0)
-    """Sizes of the box along x, y and z, metres."""
+    """Size of the box along x, y and z, metres."""
     seed: int = 0
-    """Seed of places and directions; groups and trials of one seed differ."""
+    """Seed of positions and directions; groups and trials with the same seed differ."""
 
     def __post_init__(self) -> None:
         for name, least, most in (
@@ -67,7 +67,7 @@ class Settings:
 
 
 def _numbers(name: str, value: tuple[float, ...], count: int, low: float, high: float) -> tuple[float, ...]:
-    """So many numbers within [low, high]."""
+    """Check `count` numbers within [low, high]."""
     if not isinstance(value, tuple | list) or len(value) != count:
         raise TypeError(f"{name}: expected {count} numbers, got {check.described(value)}")
     return tuple(check.within(name, number, low, high) for number in value)

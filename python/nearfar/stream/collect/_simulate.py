@@ -1,4 +1,4 @@
-"""Simulated users on a clock of their own: the same task and messages, with delays in the place of a server."""
+"""Simulated users on a virtual clock: the same task and messages, with network delays in place of a server."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ from nearfar.stream.collect._spheres import Ray
 from nearfar.stream.collect._task import Task
 
 RATE = 72.0
-"""Poses a second."""
+"""Poses per second."""
 
 LEG = (0.0145, 0.007)
-"""Mean and standard deviation of the time from a user to the server or back, seconds: the paper's round trip of
-58 ± 14 ms has four such legs."""
+"""Mean and standard deviation of the one-way delay between a user and the server, seconds: the paper's round trip
+of 58 ± 14 ms consists of four such legs."""
 
 LEAST_LEG = 0.001
-"""Least time of a leg, seconds."""
+"""Least one-way delay, seconds."""
 
 
 class _Network:
-    """Messages on their way, in the order in which they come."""
+    """Messages in flight, in the order of arrival."""
 
     def __init__(self, leg: tuple[float, float], seed: int) -> None:
         self._leg, self._chance, self._numbers = leg, Chance(seed, 2**32), count()
@@ -35,7 +35,7 @@ class _Network:
         self._last: dict[tuple[int, int], float] = {}
 
     def send(self, now: float, sender: int, receiver: int, arrive: Callable[[float], None]) -> None:
-        """Let something come by way of the server; nothing overtakes on a connection."""
+        """Send a message through the server; messages between two users keep their order."""
         mean, deviation = self._leg
         legs = (max(mean + deviation * self._chance.normal(), min(LEAST_LEG, mean)) for _ in range(2))
         time = max(now + sum(legs), self._last.get((sender, receiver), 0.0))
@@ -43,21 +43,21 @@ class _Network:
         heapq.heappush(self._waiting, (time, next(self._numbers), arrive))
 
     def deliver(self, now: float) -> None:
-        """Let come what is there by now."""
+        """Deliver all messages that have arrived by now."""
         while self._waiting and self._waiting[0][0] <= now:
             time, _, arrive = heapq.heappop(self._waiting)
             arrive(time)
 
 
 class _User:
-    """A user with its own view of the task."""
+    """A user with its own state of the task."""
 
     def __init__(self, number: int, group: int, person: Person, seed: int) -> None:
         self.task, self.player = Task(number, group), Player(person, seed, number)
         self.rays: dict[int, Ray] = {}
 
     def hear(self, data: bytes, sender: int, group: int) -> Callable[[float], None]:
-        """An action for the time at which a message comes."""
+        """Return the handler for a message's arrival."""
 
         def arrive(now: float) -> None:
             message = read(data)
@@ -67,7 +67,7 @@ class _User:
         return arrive
 
     def see(self, user: int, ray: Ray) -> Callable[[float], None]:
-        """An action for the time at which a pose comes."""
+        """Return the handler for a pose's arrival."""
 
         def arrive(now: float) -> None:
             del now
@@ -84,30 +84,30 @@ def simulate(
     seed: int = 0,
     leg: tuple[float, float] = LEG,
 ) -> list[Outcome]:
-    """Let simulated users collect spheres, faster than in real time and always with the same outcome.
+    """Let simulated users collect spheres, faster than in real time and with reproducible results.
 
     Parameters
     ----------
     settings
-        The task; by default the published one.
+        Settings of the task; by default the published ones.
     person
-        Numbers of the users; by default those of the literature.
+        Parameters of the users; by default those of the literature.
     groups
-        Groups at the same time, with `settings.users` users each.
+        Number of simultaneous groups with `settings.users` users each.
     seed
-        Seed of all that users and messages do by chance; that of spheres and seats is the settings' own.
+        Seed of the randomness of users and delays; spheres and seats use the seed of the settings.
     leg
-        Mean and standard deviation of the seconds from a user to the server or back.
+        Mean and standard deviation of the one-way delay between a user and the server, seconds.
 
     Returns
     -------
     list[Outcome]
-        Trials in order, group by group.
+        Results of the trials in order, group by group.
 
     Raises
     ------
     ValueError, TypeError
-        For other groups than 1 to 64, times below 0 or above 10 s, and arguments of another type.
+        For a number of groups outside 1 to 64, times below 0 or above 10 s, and arguments of another type.
     """
     chosen = Settings() if settings is None else check.instance("settings", settings, Settings)
     people = Person() if person is None else check.instance("person", person, Person)
@@ -122,7 +122,7 @@ def simulate(
 
 
 def _group(settings: Settings, person: Person, group: int, seed: int, leg: tuple[float, float]) -> list[Outcome]:
-    """A group's trials; groups hear nothing of each other but scores, which change nothing."""
+    """Simulate a group's trials; groups are independent, because they exchange only scores, which affect nothing."""
     first = 1 + (group - 1) * settings.users
     users = [_User(first + n, group, person, seed) for n in range(settings.users)]
     network = _Network(leg, seed * 64 + group)

@@ -1,4 +1,4 @@
-"""Where spheres appear, how they move, who aims at them, and where users have their seats."""
+"""Positions and motion of spheres, aiming tests, and seats of users."""
 
 from __future__ import annotations
 
@@ -12,25 +12,25 @@ from nearfar._base import random
 from nearfar.stream.collect._messages import Seat, Sphere, Stage, Trial, Vector
 
 Ray: TypeAlias = tuple[Vector, Vector]
-"""A ray's begin and its direction, a unit vector."""
+"""A ray's origin and its direction, a unit vector."""
 
 TURNS = (0, 2, 1)
-"""Levels in turn: easy, hard, intermediate."""
+"""Sequence of levels: easy, hard, intermediate."""
 
 APART, TRIES = 0.7, 32
-"""Metres that seats are apart, unless so many draws have not found such places."""
+"""Least distance between seats in metres, and the number of attempts to place them so."""
 
 _DRAWS, _SEATS = 8, 1 << 32
-"""Draws of a sphere, and number of the first draw of seats."""
+"""Random numbers reserved per sphere, and index of the first one for seats."""
 
 
 def sphere(trial: Trial, stage: Stage, group: int, number: int) -> Sphere:
-    """The sphere of a number of a trial."""
+    """Return a trial's sphere by number."""
     draws = _draws(trial.seed, group, stage, _DRAWS * number, 5)
     least, greatest = trial.box
     x, y, z = (low + share * (high - low) for low, high, share in zip(least, greatest, draws[:3], strict=True))
     level = TURNS[number % len(TURNS)]
-    # Directions that are uniform on the sphere have uniform heights (Archimedes).
+    # Uniform directions have uniformly distributed heights (Archimedes).
     up, turn = 2.0 * draws[3] - 1.0, 2.0 * math.pi * draws[4]
     across, speed = math.sqrt(1.0 - up * up), trial.speeds[level]
     velocity = (speed * across * math.cos(turn), speed * up, speed * across * math.sin(turn))
@@ -38,7 +38,7 @@ def sphere(trial: Trial, stage: Stage, group: int, number: int) -> Sphere:
 
 
 def seats(trial: Trial, stage: Stage, group: int, users: Sequence[int]) -> tuple[Seat, ...]:
-    """Seats of users at random."""
+    """Place the seats of users at random."""
     least, greatest = trial.area
     found: list[Vector] = []
     for attempt in range(TRIES):
@@ -54,14 +54,14 @@ def seats(trial: Trial, stage: Stage, group: int, users: Sequence[int]) -> tuple
 
 
 def place(sphere: Sphere, trial: Trial, age: float) -> Vector:
-    """Where the middle of a sphere is some seconds after it appeared."""
+    """Return the position of a sphere's centre some seconds after it appeared."""
     (ax, ay, az), (bx, by, bz) = trial.box
     (x, y, z), (u, v, w) = sphere.position, sphere.velocity
     return folded(x + age * u, ax, bx), folded(y + age * v, ay, by), folded(z + age * w, az, bz)
 
 
 def folded(at: float, low: float, high: float) -> float:
-    """A coordinate that turns back at both ends of a range."""
+    """Reflect a coordinate at both ends of a range."""
     length = high - low
     if length <= 0.0:
         return low
@@ -71,7 +71,7 @@ def folded(at: float, low: float, high: float) -> float:
 
 
 def is_aimed(ray: Ray, center: Vector, radius: float) -> bool:
-    """Whether a ray of any length meets a sphere."""
+    """Return whether a ray of any length hits a sphere."""
     (px, py, pz), (dx, dy, dz) = ray
     x, y, z = center[0] - px, center[1] - py, center[2] - pz
     along, square = x * dx + y * dy + z * dz, x * x + y * y + z * z

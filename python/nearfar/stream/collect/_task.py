@@ -1,4 +1,4 @@
-"""The state of the task as a user has heard it, and what its conductor says next. It knows neither room nor clock."""
+"""State of the task as one user knows it, and the messages of its conductor. Independent of room and clock."""
 
 from __future__ import annotations
 
@@ -26,34 +26,34 @@ from nearfar.stream.collect._settings import Settings
 from nearfar.stream.collect._spheres import Ray
 
 MOST_COUNTED = 2**16 - 1
-"""Greatest number of spheres and misses that messages can hold."""
+"""Greatest number of spheres and of misses that messages can hold."""
 
 LEAST_PAUSE = 0.05
-"""Least seconds from a collected sphere to the next one, so that no rules let a conductor speak without end."""
+"""Least seconds from a sphere's collection to the next sphere; bounds the conductor's message rate for any settings."""
 
 LEAST_JUDGED = 1.0 / 80.0
-"""Least seconds between two judgements, less than those between two poses: each pose may ask for one."""
+"""Least seconds between two judgements, less than between two poses: each pose may ask for one."""
 
 ENTERING = 5.0
-"""Seconds after an entry in which anybody is believed: the user does not know yet who conducts."""
+"""Seconds after entering in which every sender is accepted, because the conductor is not known yet."""
 
 Rays = Mapping[int, Ray]
-"""The last pointers of users by their numbers; users who point nowhere are missing."""
+"""Last pointers of users by number; users without a pointer are missing."""
 
 
 class Task:
-    """A group's task. Times are seconds on the clock of whoever calls; a message counts as said when it is heard.
+    """A group's task. Times are seconds on the caller's clock; a message's time is that of its arrival.
 
     Parameters
     ----------
     user, group
-        The own numbers.
+        Numbers of this user and its group.
     """
 
     def __init__(self, user: int, group: int) -> None:
         self.user, self.group = user, group
         self.present = {user}
-        """Users of the group who are there."""
+        """Users of the group who are connected."""
         self.trial: Trial | None = None
         self.sphere: Sphere | None = None
         self.aims: tuple[int, ...] = ()
@@ -61,29 +61,29 @@ class Task:
         self.misses = 0
         """Misses of the sphere."""
         self.scores: dict[int, Score] = {}
-        """The last scores by group."""
+        """Last scores by group."""
         self.began = self.appeared = 0.0
         self.held_since: float | None = None
-        """When the last of all users who are needed began to aim; None while not all do."""
+        """Time at which the last required user began to aim; None while some do not."""
         self.collected: deque[Collected] = deque(maxlen=MOST_COUNTED)
-        """The last spheres that were collected, in order."""
+        """Last collected spheres, in order."""
         self._next_at = 0.0
         self._is_to_tell = False
         self._judged_at = -math.inf
         self._allowance = Allowance()
-        # Who conducted before the last user joined: its last words may come after that.
+        # Conductor before the last user joined; its last messages may arrive after that.
         self._former: int | None = None
-        # Until when anybody is believed; None until the first moment after the entry.
+        # Time until which every sender is accepted; None until the first call after entering.
         self._entered_until: float | None = None
 
     @property
     def conductor(self) -> int:
-        """The user who makes and judges spheres: the lowest number of those who play and are there, or of all."""
+        """The user who creates and judges spheres: the lowest number of the seated users who are present, or of all."""
         return min(self._seated() or self.present)
 
     @property
     def needed(self) -> int:
-        """Users who must aim at once: as many as the trial asks, or all who play and are there."""
+        """Number of users who must aim at once: the trial's number, or all present seated users, but at least 2."""
         if self.trial is None:
             return 0
         return min(self.trial.users, max(len(self._seated()), 2))
@@ -95,18 +95,18 @@ class Task:
 
     @property
     def seat(self) -> Vector | None:
-        """Where the user's eyes belong."""
+        """Position of the user's eyes in its seat; None without a seat."""
         found = [seat.position for seat in self.trial.seats if seat.user == self.user] if self.trial else []
         return found[0] if found else None
 
     def place(self, now: float) -> Vector | None:
-        """Where the middle of the sphere is; None without one."""
+        """Return the position of the sphere's centre; None without a sphere."""
         if self.trial is None or self.sphere is None:
             return None
         return spheres.place(self.sphere, self.trial, now - self.appeared)
 
     def joined(self, user: int) -> None:
-        """A user of the group is there, who may have heard nothing."""
+        """Record that a user of the group has joined, who must be told the state."""
         before = self.conductor
         self._is_to_tell |= self.trial is not None and before == self.user
         self.present.add(user)
@@ -114,23 +114,23 @@ class Task:
             self._former = before
 
     def left(self, user: int) -> None:
-        """A user of the group is gone."""
+        """Record that a user of the group has left."""
         self.present -= {user} - {self.user}
         if user == self._former:
             self._former = None
 
     def alone(self) -> None:
-        """The connection is gone; who is there is told anew, and the task goes on from what was heard."""
+        """Handle a broken connection: users are announced again later, and the task continues from its state."""
         self.present = {self.user}
         self.forget_scores((self.group,))
         self._former = self._entered_until = None
 
     def forget_scores(self, there: Collection[int]) -> None:
-        """Forget the scores of all groups but those in which users are there."""
+        """Discard the scores of groups without users."""
         self.scores = {group: score for group, score in self.scores.items() if group in there}
 
     def start(self, settings: Settings, now: float) -> list[Message]:
-        """Begin the first trial of a run for all who are there; what the conductor says then."""
+        """Begin the first trial of a run for all users who are present; returns the conductor's messages."""
         run = (self.trial.stage.run + 1) % 2**16 if self.trial else 1
         x, y, z = settings.center
         wide, deep = settings.seats
@@ -146,7 +146,7 @@ class Task:
         return self._said(self._begun(first, first.stage), now)
 
     def conduct(self, now: float, rays: Rays) -> list[Message]:
-        """Messages of the user as conductor, which it has heard itself then; none from all others."""
+        """Return the user's messages as conductor, already applied to its own state; none if another user conducts."""
         self._enter(now)
         said = self._told(now) if self._is_to_tell else []
         self._is_to_tell = False
@@ -154,21 +154,21 @@ class Task:
         self._judged_at = now if is_due else self._judged_at
         while self.user == self.conductor:
             message = self._decide(now, rays if is_due else None)
-            # A change that waits is judged anew when it may be said.
+            # A change that exceeds the rate limit is judged again later.
             if message is None or (isinstance(message, Aims) and not self._allowance.take(len(message.users), now)):
                 break
             heard = self._said(message, now)
             if not heard:
-                # A message that changes nothing would be decided on again and again.
+                # A message without effect would be chosen again for ever.
                 break
             said += heard
         return said
 
     def hear(self, message: Message, now: float, *, sender: int | None = None, group: int | None = None) -> bool:
-        """Follow what a user of a group said, by default the user itself; whether it changed anything.
+        """Apply a message of a user, by default of this user; returns whether it had an effect.
 
-        Messages of an earlier run, trial or sphere do nothing, nor do those about a trial from whoever does not
-        conduct it.
+        Messages about an earlier run, trial or sphere are ignored, as are messages about a trial from other users than
+        its conductor.
         """
         if isinstance(message, Score):
             self.scores[self.group if group is None else group] = message
@@ -192,12 +192,12 @@ class Task:
     def _believes(self, sender: int, now: float) -> bool:
         if sender == self.user or self._entered_until is None or now < self._entered_until:
             return True
-        # Where nobody who plays is there, anybody may begin. Two who begin at once follow the lower number.
+        # Without seated users anybody may begin. Of two who begin at the same time, the lower number wins.
         return not self._seated() or sender <= self.conductor or sender == self._former
 
     def _hear_trial(self, trial: Trial, now: float) -> None:
         is_other = self.trial is None or trial.stage != self.trial.stage or trial.is_over
-        # Who returns in a pause may know a sphere that was collected meanwhile.
+        # A user who returns during a pause may know a sphere that was collected meanwhile.
         is_collected = self.sphere is not None and self.sphere.number < _count_of(trial)
         if is_other or is_collected:
             self.sphere, self._next_at = None, now if trial.elapsed == 0.0 else now + max(trial.pause, LEAST_PAUSE)
@@ -208,7 +208,7 @@ class Task:
         known = -1 if self.sphere is None else self.sphere.number
         is_next = message.number == self._count() and message.number < MOST_COUNTED
         if isinstance(message, Sphere):
-            # `collected` must be able to follow it.
+            # The count must leave room for the sphere's collection.
             if message.number == known or not is_next:
                 return False
             self.sphere, self.appeared = message, now - message.age
@@ -239,15 +239,15 @@ class Task:
         self.aims, self.misses, self.held_since = (), 0, None
 
     def _count(self) -> int:
-        """Spheres that were collected in the trial, which is the number of the next one."""
+        """Return the number of collected spheres of the trial, which is the number of the next sphere."""
         return 0 if self.trial is None else _count_of(self.trial)
 
     def _seated(self) -> set[int]:
-        """Users who play and are there."""
+        """Return the seated users who are present."""
         return self.present & {seat.user for seat in self.trial.seats} if self.trial else set()
 
     def _said(self, message: Message, now: float) -> list[Message]:
-        """A message, heard by the user itself, and the score that follows from it; nothing if it changes nothing."""
+        """Apply an own message; returns it with the resulting score, or nothing if it has no effect."""
         if not self.hear(message, now):
             return []
         if self.trial is None or not isinstance(message, Trial | Collected):
@@ -258,7 +258,7 @@ class Task:
         return [message, score]
 
     def _told(self, now: float) -> list[Message]:
-        """All that somebody must hear who has just come."""
+        """Return the messages that a new user needs."""
         if self.trial is None:
             return []
         told: list[Message] = [replace(self.trial, elapsed=min(now - self.began, LONGEST))]
@@ -278,7 +278,7 @@ class Task:
         )  # fmt: skip
 
     def _decide(self, now: float, rays: Rays | None) -> Message | None:
-        """The next message that the state asks for; None if there is none now. Nobody is judged without rays."""
+        """Return the next message that the state requires, or None. Without rays nobody is judged."""
         trial = self.trial
         if trial is None:
             return None
@@ -299,7 +299,7 @@ class Task:
         for event, changed in (("lost", set(self.aims) - found), ("selected", found - set(self.aims))):
             for user in sorted(changed):
                 users = set(self.aims) ^ {user}
-                # Who is gone has lost nothing.
+                # A user who has left is no miss.
                 return self._aiming(event if user in self.present else "told", user, tuple(sorted(users)), now)
         if (len(self.aims) >= self.needed) != (self.held_since is not None):
             return self._aiming("told", 0, self.aims, now)
@@ -322,8 +322,8 @@ def _count_of(trial: Trial) -> int:
 
 
 def _is_earlier(one: Trial, other: Trial) -> bool:
-    """Whether a message of a trial tells less than another one."""
-    # Numbers of runs count in a circle, so that no number is the last one.
+    """Return whether a message about a trial is older than another one."""
+    # Run numbers are cyclic.
     ahead = (one.stage.run - other.stage.run) % 2**16
     if ahead:
         return ahead >= 2**15
@@ -331,5 +331,5 @@ def _is_earlier(one: Trial, other: Trial) -> bool:
 
 
 def _age(trial: Trial) -> tuple[int, bool, int]:
-    """Numbers that grow from a message of a run to the next one."""
+    """Return a key that grows with each message of a run."""
     return trial.stage.trial, trial.is_over, _count_of(trial)

@@ -1,4 +1,4 @@
-//! Conversions that all bindings share: arrays, errors, names, and the functions that run a kernel.
+//! Shared conversions of all bindings: arrays, errors, names, and the functions that run a kernel.
 
 pub mod arrays;
 pub mod errors;

@@ -1,9 +1,9 @@
-//! Arguments of one of several types.
+//! Enums for arguments of one of several types.
 
-/// Defines an enum that takes the first of its types which an argument has.
+/// Defines an enum; extraction yields its first variant whose type fits.
 ///
-/// pyo3's own derived enums put a message together for each type that does not fit. That runs Python code, in which
-/// Ctrl-C may be raised, and is lost.
+/// The derived enums of pyo3 compose a message for each type that does not fit. This runs Python code, which may
+/// consume a pending Ctrl-C.
 macro_rules! one_of {
     (
         $(#[$attribute:meta])*

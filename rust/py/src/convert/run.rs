@@ -9,11 +9,11 @@ use pyo3::prelude::*;
 
 use super::errors::{from_panic, to_python};
 
-/// Time between two checks for signals, and between two progress reports, of a caller that waits.
+/// Interval of signal checks and progress reports while the caller waits.
 const POLL_INTERVAL: Duration = Duration::from_millis(50);
 
-/// Runs a kernel on the pool; signals wait for it. For kernels of milliseconds, and for those that Python calls in
-/// `background.run`.
+/// Runs a kernel on the pool without checking signals meanwhile. For kernels of milliseconds, and for those that
+/// Python calls in `background.run`.
 pub fn short<R: Send>(py: Python<'_>, kernel: impl FnOnce() -> Result<R> + Send) -> PyResult<R> {
     py.detach(|| catch_unwind(AssertUnwindSafe(|| pool::install(kernel).and_then(|result| result))))
         .map_err(|payload| from_panic(payload.as_ref()))?

@@ -1,4 +1,4 @@
-//! Bindings of `cubemap`: pictures of all directions in three layouts.
+//! Bindings of `cubemap`: environment maps in three layouts.
 
 use nearfar_core::base::{Real, Result};
 use nearfar_core::cubemap::{self, Grid, Layout, Panorama};
@@ -11,7 +11,7 @@ use crate::convert::names::choice;
 use crate::convert::one_of::one_of;
 use crate::convert::run;
 
-/// Layout, number of rows (of one face) and number of columns.
+/// Layout name, number of rows (of one face) and number of columns.
 pub(crate) type Shape = (String, u32, u32);
 
 fn grid((layout, height, width): &Shape) -> Result<Grid> {
@@ -22,7 +22,7 @@ fn grid((layout, height, width): &Shape) -> Result<Grid> {
 }
 
 one_of! {
-    /// Values (N, C) of a picture, and values (M, C) of another picture to be written.
+    /// Values (N, C) of a picture, and an output array (M, C) for another picture.
     pub(crate) enum Pictures<'py> {
         Single((PyReadonlyArray2<'py, f32>, PyReadwriteArray2<'py, f32>)),
         Double((PyReadonlyArray2<'py, f64>, PyReadwriteArray2<'py, f64>)),

@@ -13,7 +13,7 @@ use crate::convert::one_of::one_of;
 use crate::convert::run;
 
 one_of! {
-    /// Faces (6, S, S, C), and values (N, C) of the same type to be written.
+    /// Faces (6, S, S, C), and an output array (N, C) of the same type.
     pub(crate) enum Maps<'py> {
         Single((PyReadonlyArray4<'py, f32>, PyReadwriteArray2<'py, f32>)),
         Double((PyReadonlyArray4<'py, f64>, PyReadwriteArray2<'py, f64>)),
@@ -71,7 +71,7 @@ pub(crate) fn cube_nearest(py: Python<'_>, mut maps: MapBits<'_>, directions: Po
     with_array!(MapBits::{One, Two, Four, Eight}, &mut maps, maps => pick(py, maps, &directions))
 }
 
-/// Writes the least or greatest value of the texels that cones about directions (N, 3) touch.
+/// Writes the minimum or maximum of the texels that cones about directions (N, 3) touch.
 #[pyfunction]
 pub(crate) fn cube_footprint(
     py: Python<'_>,
@@ -98,7 +98,7 @@ fn touch<T: Real + Element>(
 }
 
 one_of! {
-    /// Faces (6, S, S, C), and those of the next level to be written.
+    /// Faces (6, S, S, C), and an output array for the next level.
     pub(crate) enum LevelPair<'py> {
         Single((PyReadonlyArray4<'py, f32>, PyReadwriteArray4<'py, f32>)),
         Double((PyReadonlyArray4<'py, f64>, PyReadwriteArray4<'py, f64>)),

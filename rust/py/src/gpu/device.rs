@@ -19,7 +19,7 @@ use crate::render::frame::{Settings, channels, images};
 use crate::render::reduced::{Reduced, drawing};
 use crate::scene::Scene;
 
-/// All adapters: name, back end, kind, driver, reason for refusal, greatest binding and image size.
+/// All adapters: name, back end, kind, driver, reason for rejection, greatest binding size and image size.
 #[pyfunction]
 #[expect(clippy::type_complexity, reason = "a row of a table")]
 pub(crate) fn gpu_adapters(
@@ -69,7 +69,7 @@ impl GpuDevice {
         self.0.report().label()
     }
 
-    /// The kind of processor that executes the device's work.
+    /// Kind of processor that executes the device's work.
     #[getter]
     fn kind(&self) -> &'static str {
         self.0.report().kind.name()
@@ -81,7 +81,7 @@ impl GpuDevice {
         (counters.allocations, counters.allocated_bytes, counters.uploaded_bytes, counters.triangles)
     }
 
-    /// Seconds of raster and of resolve passes by the device's clock; None without one.
+    /// Seconds of raster and of resolve passes by timestamp queries; None without them.
     fn pass_seconds(&self) -> Option<[f64; 2]> {
         let seconds = self.0.counters().pass_nanoseconds.map(|nanoseconds| 1e-9 * nanoseconds as f64);
         self.0.has_clock().then_some(seconds)
@@ -92,23 +92,23 @@ impl GpuDevice {
         self.0.check_whole(&camera.0, self::channels(&channels)?).map_err(to_python)
     }
 
-    /// Lets one pass draw both eyes or not; returns whether it may have done so before.
+    /// Enables or disables drawing both eyes in one pass; returns the previous setting.
     fn allow_two_views(&self, allowed: bool) -> bool {
         self.0.allow_two_views(allowed)
     }
 
-    /// Lets kernels use atomic integers of 64 bits or not; returns whether they may have done so before.
+    /// Enables or disables 64-bit atomic integers in kernels; returns the previous setting.
     fn allow_long_atomics(&self, allowed: bool) -> bool {
         self.0.allow_long_atomics(allowed)
     }
 
-    /// Whether kernels use atomic integers of 64 bits.
+    /// Whether kernels use 64-bit atomic integers.
     #[getter]
     fn uses_long_atomics(&self) -> bool {
         self.0.uses_long_atomics()
     }
 
-    /// Closes the device in the way a driver fault would.
+    /// Closes the device as a driver fault would.
     fn lose(&self, py: Python<'_>) -> PyResult<()> {
         run::short(py, || {
             self.0.lose();
@@ -137,7 +137,7 @@ impl GpuDevice {
         Ok(jobs.into_iter().flat_map(named).collect())
     }
 
-    /// The channels of an environment map by name, as `bake` returns them.
+    /// Channels of an environment map by name, as `bake` returns them.
     #[pyo3(signature = (scene, *, center, radius, size, samples, range, object_id, report=None))]
     #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
     fn bake<'py>(
@@ -157,7 +157,7 @@ impl GpuDevice {
         images(py, frame, (6 * size as usize, size as usize))
     }
 
-    /// Starts a frame of a reduced scene; `scene` is the scene that was reduced, in any pose.
+    /// Starts a frame of a reduced scene; `scene` is the original scene, in any pose.
     #[pyo3(signature = (
         reduced, scene, camera, settings, *, user, radius, strength, method, mapped, tolerance_px,
         conventional_dynamic, report=None

@@ -1,4 +1,4 @@
-//! Frames of the GPU back end: frames being drawn, and frames kept on the device.
+//! Frames of the GPU back end: frames in progress, and frames kept on the device.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -14,16 +14,16 @@ use crate::convert::errors::to_python;
 use crate::convert::run;
 use crate::render::frame::{add_counts, images};
 
-/// A frame that is being drawn.
+/// A frame in progress.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct GpuJob {
     drawn: Arc<Mutex<Drawn>>,
-    /// Its place among the frames that are drawn at once.
+    /// Index in its batch.
     number: usize,
     contents: Contents,
 }
 
-/// Frames that are drawn at once: all of them under way, or those that nobody has asked for yet.
+/// Frames drawn as a batch: a job in progress, or finished frames that were not taken yet.
 struct Drawn {
     job: Option<Job>,
     frames: Vec<Option<Frame>>,
@@ -34,7 +34,7 @@ impl Drawn {
         Arc::new(Mutex::new(Self { job: Some(job), frames: Vec::new() }))
     }
 
-    /// One of the frames; the first call waits for all. Fails on the second call for a frame.
+    /// Takes one of the frames; the first call waits for all. Fails on the second call for a frame.
     fn take(&mut self, number: usize, progress: &Progress) -> Result<Frame> {
         if let Some(job) = self.job.take() {
             self.frames = job.finish_all(progress)?.into_iter().map(Some).collect();
@@ -47,7 +47,7 @@ fn read_twice() -> Error {
     Error::value("frame", "one that was not read yet", "one that was")
 }
 
-/// Size of a frame, and its counts if it shows a reduced scene.
+/// Size of a frame, and its counters if it shows a reduced scene.
 #[derive(Clone, Copy)]
 struct Contents {
     shape: (usize, usize),
@@ -55,7 +55,7 @@ struct Contents {
 }
 
 impl Contents {
-    /// Images by name, and the counts as `stats`.
+    /// Images by name, and the counters as `stats`.
     fn named<'py>(&self, py: Python<'py>, frame: Frame) -> PyResult<Bound<'py, PyDict>> {
         let images = images(py, frame, self.shape)?;
         if let Some(counts) = &self.counts {
@@ -66,12 +66,12 @@ impl Contents {
 }
 
 impl GpuJob {
-    /// A job whose frame has the camera's size.
+    /// Creates a job whose frame has the camera's size.
     pub(crate) fn new(job: Job, camera: &Camera, counts: Option<FrameCounts>) -> Self {
         Self::of(&Drawn::begun(job), 0, camera, counts)
     }
 
-    /// The frames of a job, each with the next camera's size.
+    /// Splits a job into its frames, each with the next camera's size.
     pub(crate) fn each<'a>(job: Job, cameras: &mut impl Iterator<Item = &'a Camera>) -> Vec<Self> {
         let count = job.frame_count();
         let drawn = Drawn::begun(job);
@@ -92,11 +92,11 @@ impl GpuJob {
 
 #[pymethods]
 impl GpuJob {
-    /// Waits for the frame and returns its images by name, and the counts of a reduced scene's frame as `stats`. It can be
-    /// called once.
+    /// Waits for the frame and returns its images by name, and the counters of a reduced scene's frame as `stats`. Can
+    /// be called once.
     #[pyo3(signature = (report=None))]
     fn finish<'py>(&self, py: Python<'py>, report: Option<Py<PyAny>>) -> PyResult<Bound<'py, PyDict>> {
-        // Another thread may be waiting for the other frame: it holds the lock without the interpreter.
+        // Another thread may hold the lock while it waits for another frame; it has released the interpreter.
         let frame = run::long(py, report, |progress| {
             self.drawn.lock().unwrap_or_else(PoisonError::into_inner).take(self.number, progress)
         })?;
@@ -119,7 +119,7 @@ impl GpuFrame {
         self.frame.device().report().label()
     }
 
-    /// The images by name, and the counts of a reduced scene's frame as `stats`.
+    /// Images by name, and the counters of a reduced scene's frame as `stats`.
     #[pyo3(signature = (report=None))]
     fn read<'py>(&self, py: Python<'py>, report: Option<Py<PyAny>>) -> PyResult<Bound<'py, PyDict>> {
         let frame = run::long(py, report, |progress| self.frame.read(progress))?;
@@ -127,7 +127,7 @@ impl GpuFrame {
     }
 }
 
-/// Finishes a job and keeps its frame on the device. It can be called once per job.
+/// Finishes a job and keeps its frame on the device. Can be called once per job.
 #[pyfunction]
 #[pyo3(signature = (job, report=None))]
 pub(crate) fn gpu_keep(py: Python<'_>, job: &GpuJob, report: Option<Py<PyAny>>) -> PyResult<GpuFrame> {

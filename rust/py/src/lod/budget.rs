@@ -9,10 +9,11 @@ use super::outputs::{self, Column, Levels};
 use crate::convert::run;
 use crate::lens::RadialLens;
 
-/// Levels of objects, the additional columns if requested, counts of the work, price, triangles and mean score.
+/// Levels of objects, the additional columns if requested, work counters, price, triangles and mean score.
 type Bought<'py> = (Levels<'py>, Vec<Column<'py>>, Vec<u64>, (f64, u64, f64));
 
-/// Levels with the greatest weighted score that a budget allows. `triangles` has those of all levels, model by model.
+/// Chooses levels with the greatest weighted score within a budget. `triangles` has the counts of all levels, model by
+/// model.
 #[pyfunction]
 #[pyo3(signature = (models, triangles, model_index, centers, radii, *, previous, eyes, line, cull, apparent, lens,
     tan_omega, exact, acuity, hysteresis, budget, by_pixels, weight, floor, price, full))]
@@ -66,7 +67,7 @@ pub(crate) fn spend_triangles<'py>(
     Ok((level, columns, outputs::listed(&spent.counts), (spent.price, spent.triangles, spent.score)))
 }
 
-/// An error unless all are weights.
+/// Fails unless all values are valid weights.
 #[pyfunction]
 pub(crate) fn check_weights(py: Python<'_>, weight: PyReadonlyArray1<'_, f64>) -> PyResult<()> {
     let weights = Weights::Each(weight.as_slice()?);

@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use crate::convert::arrays::array_of_rows;
 use crate::convert::run;
 
-/// The code of a result, its row in the table of results in `nearfar.lod`.
+/// Code of a result: its row in the table of results in `nearfar.lod`.
 fn code(status: Status) -> u8 {
     match status {
         Status::Fitted => 0,
@@ -21,10 +21,10 @@ fn code(status: Status) -> u8 {
     }
 }
 
-/// Rows of numbers, and a code for each row.
+/// Rows of parameters, and a result code for each row.
 type Fits<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<u8>>);
 
-/// Rows of a, b, c, d and rms, and the code of each fit's result.
+/// Fits curves: rows of a, b, c, d and rms, and the result code of each fit.
 #[pyfunction]
 #[pyo3(signature = (x, y, *, count, report=None))]
 pub(crate) fn fit_4pl<'py>(

@@ -1,4 +1,4 @@
-//! Models, objects and eyes of the kernels of selection, from Python's arrays and numbers.
+//! Converts Python's arrays and numbers to the selection kernels' models, objects and eyes.
 
 use glam::{DMat3, DQuat, DVec3};
 use nearfar_core::camera::Fov;
@@ -8,8 +8,8 @@ use pyo3::prelude::*;
 
 use crate::lens::RadialLens;
 
-/// Curves of all models (N, 4); index of the first curve of each model and the number of all curves (M + 1,); least and
-/// greatest sizes, and the tangent of a pixel, NaN for none (M, 3).
+/// Curves of all models (N, 4); index of the first curve of each model, then the number of all curves (M + 1,);
+/// least and greatest sizes, and the tangent of a pixel, NaN for none (M, 3).
 pub(super) type Models<'py> = (PyReadonlyArray2<'py, f64>, PyReadonlyArray1<'py, i64>, PyReadonlyArray2<'py, f64>);
 
 pub(super) fn models<'a>((curves, firsts, measured): &'a Models<'_>) -> PyResult<Vec<Model<'a>>> {
@@ -37,7 +37,7 @@ pub(super) fn objects<'a>(
     })
 }
 
-/// Position, orientation, tangents of the view, gaze, degrees of a pixel, and its tangent in the picture's middle.
+/// Position, orientation, tangents of the view, gaze, degrees per pixel, and a pixel's tangent in the image centre.
 pub(super) type EyeParts = ([f64; 3], [f64; 4], [f64; 4], Option<[f64; 3]>, f64, f64);
 
 pub(super) fn eyes(parts: Vec<EyeParts>, acuity: Option<(f64, f64)>) -> Vec<Eye> {
@@ -55,7 +55,7 @@ fn eye(
     Eye { view, acuity, pixel }
 }
 
-/// How sizes appear, by its name.
+/// Measure of apparent size, by name.
 pub(super) fn apparent<'a>(kind: &str, lens: Option<&'a RadialLens>, tan_omega: f64, exact: bool) -> Apparent<'a> {
     let lens = lens.map(|lens| EyeLens { lens: lens.inner(), tan_omega, exact });
     match (kind, lens) {
@@ -66,7 +66,7 @@ pub(super) fn apparent<'a>(kind: &str, lens: Option<&'a RadialLens>, tan_omega: 
     }
 }
 
-/// The unit vector of a direction, computed without overflow.
+/// Normalises a direction without overflow.
 fn direction(vector: DVec3) -> DVec3 {
     (vector / vector.abs().max_element()).normalize()
 }

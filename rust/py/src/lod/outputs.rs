@@ -1,4 +1,4 @@
-//! Arrays that the kernels of selection fill.
+//! Arrays that the selection kernels fill.
 
 use nearfar_core::lod::{self, SelectionCounts};
 use numpy::{PyArray1, PyArrayMethods};
@@ -12,7 +12,7 @@ pub(super) fn listed(counts: &SelectionCounts) -> Vec<u64> {
     vec![culled, one_level, settled, large, asked, lens, table, formula]
 }
 
-/// Arrays of levels and, if requested, of the additional columns, filled by a function.
+/// Creates the arrays of levels and, if requested, of the additional columns, and fills them by a function.
 pub(super) fn filled<'py, T>(
     py: Python<'py>,
     count: usize,

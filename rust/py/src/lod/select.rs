@@ -1,4 +1,4 @@
-//! Bindings of `lod`: levels of objects by their size in the picture.
+//! Bindings of `lod`: selection of objects' levels by their size in the picture.
 
 use nearfar_core::lod::{self, Rules, SizeLimit, ThresholdLine};
 use numpy::{PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
@@ -9,10 +9,10 @@ use super::outputs::{self, Column, Levels};
 use crate::convert::run;
 use crate::lens::RadialLens;
 
-/// Levels of objects, the additional columns if requested, and counts of the work.
+/// Levels of objects, the additional columns if requested, and work counters.
 type Selected<'py> = (Levels<'py>, Vec<Column<'py>>, Vec<u64>);
 
-/// The level of each object: the finest level that any eye needs.
+/// Selects the level of each object: the finest level that any eye needs.
 #[pyfunction]
 #[pyo3(signature = (models, model_index, centers, radii, *, previous, eyes, line, reference, limits_seen, off, cull, apparent,
     lens, tan_omega, exact, acuity, hysteresis, fade, full))]

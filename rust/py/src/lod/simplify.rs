@@ -1,4 +1,4 @@
-//! Bindings of `lod`: coarser surfaces.
+//! Bindings of `lod`: simplification of surfaces.
 
 use nearfar_core::base::Result;
 use nearfar_core::lod::{self, Allowance, Charts, Vertices};
@@ -11,7 +11,7 @@ use crate::convert::arrays::array_of_rows;
 use crate::convert::names::choice;
 use crate::convert::run;
 
-/// For each row of bytes, the first row equal to it.
+/// For each row of bytes, the index of the first row equal to it.
 #[pyfunction]
 pub(crate) fn first_alike<'py>(
     py: Python<'py>,
@@ -21,7 +21,7 @@ pub(crate) fn first_alike<'py>(
     Ok(run::long(py, None, |progress| lod::first_alike(rows, width, progress))?.into_pyarray(py))
 }
 
-/// The number of each face's piece; faces that share a vertex belong to one piece.
+/// Connected component of each face; faces that share a vertex belong to one component.
 #[pyfunction]
 pub(crate) fn pieces<'py>(
     py: Python<'py>,
@@ -32,10 +32,10 @@ pub(crate) fn pieces<'py>(
     Ok(run::long(py, None, |progress| lod::pieces(faces, vertex_count, progress))?.into_pyarray(py))
 }
 
-/// Faces, and weights of their second and third corner.
+/// Faces, and barycentric weights of their second and third vertex.
 type Places<'py> = (Bound<'py, PyArray1<u32>>, Bound<'py, PyArray2<f64>>);
 
-/// Positions on a base, without crossing seams, of the corners (T, 3, 3) of triangles. The rows are the 3 T corners.
+/// Maps the corners (T, 3, 3) of triangles to positions on a base surface, without crossing seams; one row per corner.
 #[pyfunction]
 #[pyo3(signature = (positions, faces, corners, starts, *, report=None))]
 pub(crate) fn carry<'py>(
@@ -58,7 +58,7 @@ fn giving_up(name: &str) -> Result<Allowance> {
     choice("given", name, &[("nothing", Allowance::Nothing), ("seams", Allowance::Seams), ("parts", Allowance::Parts)])
 }
 
-/// Faces after meshoptimizer's edge collapses, and its estimate of the error as a share of the extent.
+/// Collapses edges by meshoptimizer; returns the faces and the estimated error as a share of the extent.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "what the simplifier weighs")]
 pub(crate) fn collapse<'py>(

@@ -14,12 +14,12 @@ use crate::convert::arrays::array_of_rows;
 use crate::convert::errors::to_python;
 use crate::convert::run;
 
-/// The cells of a tree in which something is, by the subtrees that were added.
+/// Occupied cells of a tree, known from the subtrees that were added.
 #[pyclass(frozen, module = "nearfar._core")]
 pub(crate) struct OrthoCells(RwLock<Cells>);
 
-/// From which distance on a level is drawn by a viewer; `band` is the width of the band in which its splats take the places
-/// of finer ones, and `gaze` has a place in the picture, and the slope and the limit of the eye's acuity.
+/// Distances from which a viewer draws each level. `band` is the width of the distance band in which splats of a level
+/// replace finer ones; `gaze` is a pixel position, and the slope and limit of the eye's acuity.
 #[pyclass(frozen, module = "nearfar._core")]
 pub(crate) struct OrthoRule(pub Rule);
 
@@ -44,31 +44,31 @@ type Subtree = (u32, [u32; 3]);
 
 #[pymethods]
 impl OrthoCells {
-    /// Cells from a least corner, with sides at level 0; `subtree` is the number of levels of a subtree.
+    /// Creates the cells of a grid from its least corner and its side at level 0; `subtree` is the number of levels per
+    /// subtree.
     #[new]
     fn new(origin: [f64; 3], side: f64, levels: u32, subtree: u32) -> PyResult<Self> {
         let grid = Grid { origin: DVec3::from_array(origin), side, levels, subtree };
         Cells::new(grid).map(|cells| Self(RwLock::new(cells))).map_err(to_python)
     }
 
-    /// Adds a subtree: for each of its levels, the lowest one first, the bits of the directions from which its cells show
-    /// something.
+    /// Adds a subtree: for each of its levels, from the lowest, one bit mask per cell of the directions whose views are
+    /// not empty.
     fn add(&self, tier: u32, place: [u32; 3], levels: Vec<PyReadonlyArray1<'_, u32>>) -> PyResult<()> {
         let levels: Result<Vec<Box<[u32]>>, _> = levels.iter().map(|masks| masks.as_slice().map(Box::from)).collect();
         let mut cells = self.0.write().unwrap_or_else(PoisonError::into_inner);
         cells.add(tier, UVec3::from_array(place), levels?).map_err(to_python)
     }
 
-    /// Number of subtrees that were added.
+    /// Number of added subtrees.
     #[getter]
     fn known(&self) -> usize {
         self.0.read().unwrap_or_else(PoisonError::into_inner).known()
     }
 
-    /// The parts that a viewer sees, the nearest ones first: arrays of the cells that are drawn as views and, with the prefix
-    /// "leaf_", of those that are drawn as geometry; the distance at which a leaf's pixels are as fine as
-    /// wanted; and the subtrees that are to be added. `lift_deg` is the angle by which the viewer's direction is raised
-    /// before views are chosen by it.
+    /// Cut for a viewer, the nearest cells first: arrays of the cells drawn as views and, with the prefix "leaf_", of
+    /// those drawn as geometry; the distance at which a leaf's pixels are as fine as required; and the missing
+    /// subtrees. `lift_deg` is the angle by which the viewer's direction is raised before the choice of views.
     #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
     #[pyo3(signature = (camera, rule, *, directions, views, geometry, around, lift_deg=0.0))]
     fn cut<'py>(

@@ -1,4 +1,4 @@
-//! Bindings of `orthoview::splat` and of the same pictures drawn by adapters.
+//! Bindings of `orthoview::splat`, on the CPU and on adapters.
 
 use std::sync::Arc;
 
@@ -31,7 +31,7 @@ impl OrthoSplats {
 
 #[pymethods]
 impl OrthoSplats {
-    /// The view with a number of a cell, given by its least corner and its side; `connected` (D, size, size, 1) has the
+    /// Prepares a view of a cell, given by its least corner and its side; `connected` (D, size, size, 1) has the
     /// connections of all views.
     #[new]
     fn new(
@@ -46,12 +46,12 @@ impl OrthoSplats {
         run::short(py, || Splats::new(&views.0, number, connected, &cell)).map(Self::of)
     }
 
-    /// The splats whose middles lie in a box, given by its least and its greatest corner.
+    /// Splats whose centres lie in a box, given by its least and its greatest corner.
     fn within(&self, py: Python<'_>, low: [f64; 3], high: [f64; 3]) -> PyResult<Self> {
         run::short(py, || Ok(self.0.within(DVec3::from_array(low), DVec3::from_array(high)))).map(Self::of)
     }
 
-    /// The splats whose middles lie at least at a distance from the vertical axis through a point.
+    /// Splats whose centres lie at least at a distance from the vertical axis through a point.
     fn beyond(&self, py: Python<'_>, center: [f64; 3], radius: f64) -> PyResult<Self> {
         run::short(py, || Ok(self.0.beyond(DVec3::from_array(center), radius))).map(Self::of)
     }
@@ -62,21 +62,20 @@ impl OrthoSplats {
         self.0.count()
     }
 
-    /// Bytes of memory.
+    /// Memory in bytes.
     #[getter]
     fn bytes(&self) -> usize {
         self.0.bytes()
     }
 
-    /// Bytes of a graphics adapter's memory.
+    /// GPU memory in bytes.
     #[getter]
     fn compressed_bytes(&self, py: Python<'_>) -> PyResult<usize> {
         run::short(py, || Ok(size_of_val(&*self.0.compressed().words)))
     }
 }
 
-/// A view of a cut: its layers, level, place and direction, and whether finer cells are drawn in the places of some of its
-/// splats.
+/// A view of a cut: its layers, level, place and direction, and whether finer cells replace some of its splats.
 type View<'py> = (Vec<Bound<'py, OrthoSplats>>, u32, [u32; 3], u8, bool);
 
 fn placed<'a>(views: &'a [View<'_>]) -> PyResult<Vec<Placed<'a>>> {
@@ -91,7 +90,7 @@ fn placed<'a>(views: &'a [View<'_>]) -> PyResult<Vec<Placed<'a>>> {
     views.iter().map(one).collect()
 }
 
-/// The layers of a cut's views with those splats that are drawn where levels blend.
+/// Layers of a cut's views, reduced to the splats that are drawn where levels blend.
 #[pyfunction]
 pub(crate) fn blend_orthoviews<'py>(
     py: Python<'py>,
@@ -109,7 +108,7 @@ pub(crate) fn blend_orthoviews<'py>(
     views.into_iter().zip(found).map(|(view, parts)| view.0.into_iter().zip(parts).map(layer).collect()).collect()
 }
 
-/// About how many splats `blend_orthoviews` would leave.
+/// Approximate number of splats that `blend_orthoviews` would leave.
 #[pyfunction]
 pub(crate) fn expected_orthoviews(py: Python<'_>, views: Vec<View<'_>>, rule: &OrthoRule) -> PyResult<f64> {
     let placed = placed(&views)?;
@@ -120,9 +119,9 @@ fn shared(views: &[Bound<'_, OrthoSplats>]) -> Vec<Arc<Splats>> {
     views.iter().map(|view| Arc::clone(&view.get().0)).collect()
 }
 
-/// The images of a picture of views by name, and its counts as `stats`. `grid` is the number of samples along each axis of
-/// a pixel; `before` has images of `grid` times the picture's size of what else is seen. Without a device the processor
-/// draws.
+/// Renders views to images by name, with counters as `stats`. `grid` is the number of samples along each axis of a
+/// pixel; `before` has images of the rest of the scene at `grid` times the picture's size. Without a device the CPU
+/// renders.
 #[pyfunction]
 #[pyo3(signature = (views, camera, settings, *, origin, grid, before=None, report=None, device=None))]
 #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
@@ -157,7 +156,7 @@ pub(crate) fn splat_orthoviews<'py>(
     Ok(images)
 }
 
-/// Adds the counts of a picture as `stats`.
+/// Adds the counters of a picture as `stats`.
 fn add_counts(images: &Bound<'_, PyDict>, counts: &Counts) -> PyResult<()> {
     let stats = PyDict::new(images.py());
     stats.set_item("splats", counts.total)?;
@@ -167,7 +166,7 @@ fn add_counts(images: &Bound<'_, PyDict>, counts: &Counts) -> PyResult<()> {
     images.set_item("stats", stats)
 }
 
-/// Brings views to a device before a picture shows them.
+/// Uploads views to a device ahead of their first use.
 #[pyfunction]
 pub(crate) fn gpu_keep_orthoviews(
     py: Python<'_>,
@@ -178,7 +177,7 @@ pub(crate) fn gpu_keep_orthoviews(
     run::long(py, None, |progress| on_device::keep(&device.0, &views, progress))
 }
 
-/// Bytes of the views that lie on a device.
+/// Bytes of the views on a device.
 #[pyfunction]
 pub(crate) fn gpu_orthoview_bytes(py: Python<'_>, device: &GpuDevice) -> PyResult<u64> {
     run::short(py, || Ok(on_device::kept_bytes(&device.0)))

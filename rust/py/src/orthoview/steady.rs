@@ -9,7 +9,7 @@ use crate::camera::Camera;
 use crate::convert::arrays::filled;
 use crate::convert::run;
 
-/// A camera, its colours (H, W, 3) and its ranges (H, W).
+/// A camera with its colours (H, W, 3) and ranges (H, W).
 type Picture<'py> = (PyRef<'py, Camera>, PyReadonlyArray3<'py, f32>, PyReadonlyArray2<'py, f32>);
 
 fn image<'a>((camera, color, range): &'a Picture<'_>) -> PyResult<Image<'a>> {
@@ -18,8 +18,9 @@ fn image<'a>((camera, color, range): &'a Picture<'_>) -> PyResult<Image<'a>> {
 
 type Colors<'py> = Bound<'py, PyArray3<f32>>;
 
-/// Colours (H, W, 3) of a picture mixed with those of an earlier one, and where (H, W) both show the same surfaces; with
-/// `motion` (H, W, 2) those at one distance. `fade` has the exponents of what stands still and of what moves.
+/// Blends a picture's colours (H, W, 3) with those of an earlier one, and returns a mask (H, W) of pixels where both
+/// show the same surface; with `motion` (H, W, 2) their distances must agree, too. `fade` has the exponents for static
+/// and for moving pixels.
 #[pyfunction]
 #[pyo3(signature = (past, now, *, fade, motion=None))]
 pub(crate) fn blend_past<'py>(
@@ -44,7 +45,7 @@ pub(crate) fn blend_past<'py>(
     Ok((mixed, agrees))
 }
 
-/// Colours (H, W, 3) of a picture, averaged over the poses of cameras.
+/// Colours (H, W, 3) of a picture, averaged over camera poses.
 #[pyfunction]
 pub(crate) fn blur_motion<'py>(
     py: Python<'py>,

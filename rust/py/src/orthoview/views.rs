@@ -1,4 +1,4 @@
-//! Bindings of views: of leaves, of parents, and of their connections.
+//! Bindings of `orthoview` views: of leaves, of parents, and their connections.
 
 use glam::DVec3;
 use nearfar_core::base::Error;
@@ -35,7 +35,7 @@ fn same_shape(argument: &'static str, shape: [usize; 4], expected: [usize; 4]) -
     Err(to_python(Error::value(argument, format!("shape {expected:?}"), format!("{shape:?}"))))
 }
 
-/// The views of a cell from D directions.
+/// Views of a cell from D directions.
 #[pyclass(frozen, module = "nearfar._core")]
 pub(crate) struct OrthoViews(pub Views);
 
@@ -75,7 +75,7 @@ impl OrthoViews {
         run::long(py, report, draw).map(Self)
     }
 
-    /// Views from the arrays that `colors`, `depths` and `normals` return.
+    /// Creates views from arrays in the form of `colors`, `depths` and `normals`.
     #[staticmethod]
     fn from_arrays(
         directions: Vec<[i8; 3]>,
@@ -95,55 +95,55 @@ impl OrthoViews {
         Views::new(directions, format, texels).map(Self).map_err(to_python)
     }
 
-    /// Views with a second layer, each as `from_arrays` makes them.
+    /// Joins a first and a second layer, each as `from_arrays` returns it.
     #[staticmethod]
     fn with_behind(first: &Self, second: &Self) -> PyResult<Self> {
         first.0.with_behind(&second.0).map(Self).map_err(to_python)
     }
 
-    /// The second layer; None if it shows nothing.
+    /// The second layer; None if it is empty.
     fn behind(&self) -> Option<Self> {
         self.0.behind().map(Self)
     }
 
-    /// The same views, with the second layer of those directions only for which `keep` is true.
+    /// Keeps the second layer only for the directions marked in `keep`.
     fn keep_behind(&self, keep: Vec<bool>) -> PyResult<Self> {
         self.0.keep_behind(&keep).map(Self).map_err(to_python)
     }
 
-    /// For each direction the number of the second layer's pixels that no view of the first one shows, divided by the
-    /// number of the first layer's pixels that show something.
+    /// For each direction, the number of the second layer's pixels that no view of the first layer shows, divided by
+    /// the number of the first layer's non-empty pixels.
     fn unseen(&self, py: Python<'_>) -> PyResult<Vec<f32>> {
         run::short(py, || Ok(unseen(&self.0)))
     }
 
-    /// sRGB, (D, size, size, 3).
+    /// sRGB colours, (D, size, size, 3).
     fn colors<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray4<u8>>> {
         self.rows(py, |texel| texel.color)
     }
 
-    /// Steps from 1, 0 where there is no surface, (D, size, size, 1).
+    /// Depths in steps from 1, 0 for no surface, (D, size, size, 1).
     fn depths<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray4<u16>>> {
         self.rows(py, |texel| [texel.depth])
     }
 
-    /// Octahedral numbers, (D, size, size, 2).
+    /// Octahedral codes of normals, (D, size, size, 2).
     fn normals<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray4<u16>>> {
         self.rows(py, |texel| texel.normal)
     }
 
-    /// Unit normals, NaN where there is no surface, (D, size, size, 3).
+    /// Unit normals, NaN for no surface, (D, size, size, 3).
     fn vectors<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray4<f32>>> {
         self.rows(py, |texel| self.0.format.normal_of(texel))
     }
 
-    /// Number of steps that a cell's depth is divided into.
+    /// Number of depth steps in a cell.
     #[getter]
     fn steps(&self) -> u32 {
         self.0.format.steps
     }
 
-    /// For each view whether it shows nothing.
+    /// Whether each view is empty.
     fn empty(&self) -> Vec<bool> {
         self.0.views().iter().map(View::is_empty).collect()
     }
@@ -157,7 +157,7 @@ impl OrthoViews {
     }
 }
 
-/// The views of a parent, of which children are drawn one after the other.
+/// Views of a parent, assembled from its children one by one.
 #[pyclass(module = "nearfar._core")]
 pub(crate) struct OrthoParent(Parent);
 
@@ -169,12 +169,12 @@ impl OrthoParent {
         Ok(Self(Parent::new(directions_of(directions)?, format_of(view_format)?, behind)))
     }
 
-    /// Draws a child at 0 or 1 along each axis.
+    /// Adds a child, at 0 or 1 along each axis.
     fn add(&mut self, py: Python<'_>, octant: [u8; 3], child: &OrthoViews) -> PyResult<()> {
         run::short(py, || self.0.add(octant, &child.0))
     }
 
-    /// The views, from the children drawn so far.
+    /// Views from the children added so far.
     fn finish(&self, py: Python<'_>) -> PyResult<OrthoViews> {
         run::short(py, || Ok(OrthoViews(self.0.finish())))
     }
@@ -198,7 +198,7 @@ pub(crate) fn orthoview_surfels<'py>(
     run::short(py, || surfels(bits, shape[2]))?.into_pyarray(py).reshape(shape)
 }
 
-/// Number of steps of a depth; fails for a format that there is not.
+/// Number of depth steps of a format; fails for invalid formats.
 #[pyfunction]
 pub(crate) fn orthoview_steps(view_format: FormatNumbers) -> PyResult<u32> {
     Ok(format_of(view_format)?.steps)

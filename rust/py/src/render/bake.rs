@@ -11,8 +11,8 @@ use super::frame::images;
 use crate::convert::run;
 use crate::scene::Scene;
 
-/// The channels of an environment map by name: colour (6, S, S, 3) and, if requested, range and object_id (6, S, S);
-/// and the number of rays.
+/// Channels of an environment map by name: colour (6, S, S, 3) and, if requested, range and object_id (6, S, S); and
+/// the number of rays.
 #[pyfunction(name = "bake")]
 #[pyo3(signature = (scene, *, center, radius, size, samples, range, object_id, report=None))]
 #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
@@ -33,7 +33,7 @@ pub(crate) fn bake_map<'py>(
     Ok((images(py, frame, (6 * side, side))?, bake::rays(&settings)))
 }
 
-/// The channels of map 0 as `bake`; and for each ring up to `count` the numbers of the texels that change (N,), and
+/// Channels of map 0 as from `bake`; and for each ring up to `count` the numbers of the changed texels (N,), and
 /// their channels: colour (N, 1, 3), range and object_id (N, 1).
 #[pyfunction]
 #[pyo3(signature = (scene, *, center, size, samples, range, object_id, rings, count, report=None))]
@@ -61,5 +61,5 @@ pub(crate) fn bake_rings<'py>(
     Ok((images(py, maps.first, (6 * side, side))?, changes.collect::<PyResult<_>>()?))
 }
 
-/// Numbers of texels, and channels by name.
+/// Numbers of texels, and their channels by name.
 type RingChange<'py> = (Bound<'py, PyArray1<i64>>, Bound<'py, PyDict>);

@@ -13,7 +13,7 @@ use crate::convert::arrays::filled;
 use crate::convert::errors::to_python;
 use crate::convert::run;
 
-/// Settings of a picture that all renderers take beside the camera, by the names in `Shot.settings`.
+/// Settings of a picture that all renderers take in addition to the camera, by the names in `Shot.settings`.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Settings<'py> {
@@ -34,12 +34,12 @@ impl Settings<'_> {
         channels(&self.channels)
     }
 
-    /// Limits of what is seen: a part of each ray, and half-spaces (n, d) in the world.
+    /// Visibility limits: a segment of each ray, and half-spaces (n, d) in the world.
     pub fn limits(&self) -> PyResult<Limits> {
         Limits::new(Segment { t_min: self.t_min, t_max: self.t_max }, &self.clip).map_err(to_python)
     }
 
-    /// The pixels that are drawn.
+    /// The pixels to draw.
     pub fn pixels(&self) -> PyResult<Pixels<'_>> {
         let mask = self.mask.as_ref().map(PyReadonlyArray2::as_slice).transpose()?;
         let instances = self.instances.as_ref().map(PyReadonlyArray1::as_slice).transpose()?;
@@ -56,7 +56,7 @@ pub fn channels(names: &[String]) -> PyResult<Channels> {
     }
 }
 
-/// The images of a frame by their public names, (height, width) or (height, width, 3).
+/// Images of a frame by their public names, (height, width) or (height, width, 3).
 pub fn images<'py>(py: Python<'py>, frame: Frame, (height, width): (usize, usize)) -> PyResult<Bound<'py, PyDict>> {
     let images = PyDict::new(py);
     let vectors = [
@@ -76,7 +76,7 @@ pub fn images<'py>(py: Python<'py>, frame: Frame, (height, width): (usize, usize
     Ok(images)
 }
 
-/// The frame of some images by their public names, which Python has made contiguous.
+/// Creates a frame from contiguous images by their public names.
 pub fn frame_of(images: &Bound<'_, PyDict>) -> PyResult<Frame> {
     let mut frame = Frame::default();
     for (name, target) in [
@@ -95,13 +95,13 @@ pub fn frame_of(images: &Bound<'_, PyDict>) -> PyResult<Frame> {
     Ok(frame)
 }
 
-/// The values of an image; none if there is no such image.
+/// Values of an image; empty if there is no such image.
 fn taken<T: Element + Copy>(images: &Bound<'_, PyDict>, name: &str) -> PyResult<Vec<T>> {
     let Some(image) = images.get_item(name)? else { return Ok(vec![]) };
     Ok(image.extract::<PyReadonlyArrayDyn<'_, T>>()?.as_slice()?.to_vec())
 }
 
-/// Adds the counts of a reduced scene's frame to its images, by their public names.
+/// Adds the counters of a reduced scene's frame to its images, by their public names.
 pub fn add_counts(images: &Bound<'_, PyDict>, counts: &FrameCounts) -> PyResult<()> {
     let stats = PyDict::new(images.py());
     stats.set_item("frame_triangles", counts.triangles)?;
@@ -120,7 +120,7 @@ fn put<T: Element, S: IntoDimension>(images: &Bound<'_, PyDict>, name: &str, val
     images.set_item(name, PyArray1::from_vec(images.py(), values).reshape(shape)?)
 }
 
-/// sRGB codes of linear values, as a one-dimensional array.
+/// Encodes linear values as sRGB codes, in a one-dimensional array.
 #[pyfunction]
 pub(crate) fn encode_srgb<'py>(
     py: Python<'py>,

@@ -32,20 +32,20 @@ pub struct Reduced {
 }
 
 impl Reduced {
-    /// The near part in the form in which devices draw it.
+    /// Near part in the form that devices draw.
     pub fn on_gpu(&self, progress: &Progress) -> Result<Arc<nearfar_gpu::Reduced>> {
         let gathered = || self.gpu.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(known) = gathered().clone() {
             return Ok(known);
         }
-        // The lock is not held here: a thread that waits inside rayon may run the task of another frame, which takes
-        // this lock.
+        // The lock is not held here: a thread that waits inside rayon may run another frame's task, which takes this
+        // lock.
         let made = Arc::new(nearfar_gpu::Reduced::new(&self.partition.get().0, &self.core, progress)?);
         Ok(Arc::clone(gathered().get_or_insert(made)))
     }
 }
 
-/// Settings of a frame, by their public names.
+/// Creates the settings of a frame from their public names.
 pub fn drawing<'a>(
     settings: &'a Settings<'_>,
     (user, growth): (Option<[f64; 3]>, Growth),
@@ -103,8 +103,7 @@ impl Reduced {
         Ok(Self { core, partition, gpu: Mutex::default() })
     }
 
-    /// Images of a view by name, and its counts as `stats`; `scene` is the scene that was reduced, in any
-    /// pose.
+    /// Images of a view by name, and its counters as `stats`; `scene` is the original scene, in any pose.
     #[pyo3(signature = (
         scene, camera, settings, *, user, radius, strength, method, mapped, tolerance_px, conventional_dynamic,
         report=None
@@ -134,7 +133,7 @@ impl Reduced {
         Ok(images)
     }
 
-    /// Metres that a user at a world position may still move before the picture folds.
+    /// Distance in metres that a user at a world position may still move before the picture folds.
     fn fold_margin(&self, py: Python<'_>, user: [f64; 3], radius: Option<f64>, strength: f64) -> PyResult<f64> {
         run::short(py, || self.core.fold_margin(DVec3::from_array(user), Growth { radius, strength }))
     }

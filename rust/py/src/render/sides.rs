@@ -13,13 +13,13 @@ fn views(cameras: &[Py<Camera>]) -> Vec<camera::Camera> {
     cameras.iter().map(|camera| camera.get().0).collect()
 }
 
-/// Returns the shape (V, H, W) of pictures of these cameras.
+/// Shape (V, H, W) of the cameras' pictures.
 fn shape(cameras: &[camera::Camera]) -> [usize; 3] {
     let size = |camera: &camera::Camera| [cameras.len(), camera.height as usize, camera.width as usize];
     cameras.first().map_or([0; 3], size)
 }
 
-/// Returns whether the centre of each pixel shows the scene, (V, H, W).
+/// Whether the centre of each pixel shows the scene, (V, H, W).
 #[pyfunction]
 #[pyo3(signature = (scene, cameras))]
 pub(crate) fn silhouettes<'py>(
@@ -32,7 +32,7 @@ pub(crate) fn silhouettes<'py>(
     PyArray1::from_vec(py, shown).reshape(shape(&cameras))
 }
 
-/// Returns the luma (V, H, W) of pixels at most `reach` pixels across and down from one in `shown`; 0 elsewhere.
+/// Luma (V, H, W) of pixels at most `reach` pixels across and down from one in `shown`; 0 elsewhere.
 #[pyfunction]
 #[pyo3(signature = (scene, cameras, shown, *, samples, weights, reach))]
 pub(crate) fn luma_near<'py>(

@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use crate::convert::arrays::filled;
 use crate::convert::run;
 
-/// Returns a picture (H, W, 3) mixed with what the pictures before it have gathered; `share` is the picture's weight.
+/// Blends a picture (H, W, 3) with the reprojected accumulation of earlier pictures; `share` is the picture's weight.
 #[pyfunction]
 pub(crate) fn gather_frames<'py>(
     py: Python<'py>,
@@ -26,7 +26,7 @@ pub(crate) fn gather_frames<'py>(
     })
 }
 
-/// Positions within a pixel of its samples, from its upper left corner.
+/// Positions of a pixel's samples within it, from its upper left corner.
 #[pyfunction]
 pub(crate) fn sample_offsets(samples: u32) -> Vec<[f64; 2]> {
     tiles::sample_offsets(samples)

@@ -14,7 +14,7 @@ use crate::convert::run;
 /// Placements (K, 3, 4) and objects (K,).
 type Placed<'py> = (Bound<'py, PyArray3<f64>>, Bound<'py, PyArray1<i32>>);
 
-/// The meshes of the models' levels, shared by every scene that shows them.
+/// Meshes of the models' levels, shared by all scenes that show them.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct Levels(LevelMeshes);
 
@@ -27,7 +27,7 @@ impl Levels {
         Self(LevelMeshes(models.iter().map(|levels| levels.iter().map(shared).collect()).collect()))
     }
 
-    /// The scene with its objects at levels: `models` and `chosen` have one number per object, −1 for none.
+    /// Creates the scene with its objects at levels: `models` and `chosen` have one number per object, −1 for none.
     fn choose<'py>(
         &self,
         py: Python<'py>,
@@ -40,8 +40,8 @@ impl Levels {
     }
 }
 
-/// A scene with the materials and textures of other scenes added, and each of the other scenes as one mesh that uses
-/// them.
+/// Adds the materials and textures of other scenes to a scene; also returns each of the other scenes as one mesh
+/// that uses them.
 #[pyfunction]
 pub(crate) fn with_surfaces(
     py: Python<'_>,
@@ -53,7 +53,7 @@ pub(crate) fn with_surfaces(
     Ok((Scene(joined), meshes.into_iter().map(|mesh| Mesh(Arc::new(mesh))).collect()))
 }
 
-/// A scene with additional instances, of which the first `standing_count` are static; `Scene` describes the arrays.
+/// Adds instances to a scene, the first `standing_count` of them static; `Scene` describes the arrays.
 #[pyfunction]
 pub(crate) fn with_instances<'py>(
     py: Python<'py>,
@@ -72,7 +72,7 @@ pub(crate) fn with_instances<'py>(
     .map(Scene)
 }
 
-/// Placements (K, 3, 4) and objects (K,) of the instances of chosen objects, a flag for each object.
+/// Placements (K, 3, 4) and objects (K,) of the instances of chosen objects; `chosen` has a flag for each object.
 #[pyfunction]
 pub(crate) fn placements_of<'py>(
     py: Python<'py>,

@@ -12,7 +12,7 @@ use crate::convert::arrays::{buffer, flat_buffer};
 use crate::convert::one_of::one_of;
 use crate::convert::run;
 
-/// Triangles with their attributes; they share the memory of the arrays.
+/// Triangles with their attributes, in the memory of the arrays.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct Mesh(pub Arc<scene::Mesh>);
 
@@ -63,7 +63,7 @@ impl Mesh {
             .map(|mesh| Self(Arc::new(mesh)))
     }
 
-    /// Joins meshes, each placed by a row of `placements` (I, 3, 4); object −1 means that the mesh gives the objects.
+    /// Merges meshes, each placed by a row of `placements` (I, 3, 4); object −1 keeps the mesh's own objects.
     #[staticmethod]
     fn merged<'py>(
         py: Python<'py>,
@@ -83,12 +83,12 @@ impl Mesh {
         .map(|mesh| Self(Arc::new(mesh)))
     }
 
-    /// The mesh with its faces turned inside out, sharing the vertices.
+    /// The mesh with inverted faces, sharing the vertices.
     fn turned(&self, py: Python<'_>) -> PyResult<Self> {
         run::short(py, || Ok(self.0.turned())).map(|mesh| Self(Arc::new(mesh)))
     }
 
-    /// Box of all faces (2, 3) in the mesh's own frame; (+∞, −∞) without faces.
+    /// Bounding box of all faces (2, 3) in the mesh's own frame; (+∞, −∞) without faces.
     fn bounds<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let bounds = self.0.bounds();
         let rows = [bounds.min, bounds.max].map(|corner| corner.as_dvec3().to_array().to_vec());

@@ -8,7 +8,7 @@ use crate::convert::errors::to_python;
 use crate::convert::names::choice;
 use crate::convert::run;
 
-/// glTF's names.
+/// Names of modes and filters in glTF.
 const MODES: [(&str, Mode); 3] =
     [("ATTRIBUTES", Mode::Attributes), ("TRIANGLES", Mode::Triangles), ("INDICES", Mode::Indices)];
 const FILTERS: [(&str, Filter); 5] = [
@@ -19,7 +19,7 @@ const FILTERS: [(&str, Filter); 5] = [
     ("COLOR", Filter::Color),
 ];
 
-/// Returns the rows that a stream stands for, in words of four bytes; the last word may have two bytes more.
+/// Decodes a stream to rows, as 32-bit words; the last word may have two padding bytes.
 #[pyfunction]
 pub(crate) fn decode_meshopt<'py>(
     py: Python<'py>,

@@ -1,4 +1,4 @@
-//! Parts of a scene as arrays: copies, to be written to files.
+//! Copies of a scene's parts as arrays, for writing to files.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use super::mesh::Mesh;
 use super::placements::rows_of;
 use super::scene::Scene;
 
-/// The arguments of `Scene`, by name.
+/// Arguments of `Scene`, by name.
 #[pyfunction]
 pub(crate) fn scene_parts<'py>(py: Python<'py>, scene: &Scene) -> PyResult<Bound<'py, PyDict>> {
     let scene = &scene.0;
@@ -45,7 +45,7 @@ pub(crate) fn scene_parts<'py>(py: Python<'py>, scene: &Scene) -> PyResult<Bound
     Ok(parts)
 }
 
-/// The arguments of `Mesh`, by name; objects and materials are one number per face.
+/// Arguments of `Mesh`, by name; objects and materials have one number per face.
 #[pyfunction]
 pub(crate) fn mesh_parts<'py>(py: Python<'py>, mesh: &Mesh) -> PyResult<Bound<'py, PyDict>> {
     let mesh = &mesh.0;

@@ -17,12 +17,12 @@ pub(crate) fn same_length(meshes: usize, placements: &[DAffine3], objects: usize
     Ok(())
 }
 
-/// An object's number; `None` for negative numbers.
+/// Number of an object; `None` for negative numbers.
 pub(crate) fn named(object: i32) -> Option<i32> {
     (object >= 0).then_some(object)
 }
 
-/// The transforms of placements (I, 3, 4).
+/// Transforms of placements (I, 3, 4).
 pub(crate) fn affines(placements: &PyReadonlyArray3<'_, f64>) -> Vec<DAffine3> {
     placements
         .as_array()
@@ -34,8 +34,8 @@ pub(crate) fn affines(placements: &PyReadonlyArray3<'_, f64>) -> Vec<DAffine3> {
         .collect()
 }
 
-/// Placed meshes, of which the first `standing_count` are static and the others move. `placements` are (I, 3, 4)
-/// object→scene; object −1 means that the mesh gives the objects.
+/// Creates placed meshes, the first `standing_count` of them static, the others moving. `placements` are (I, 3, 4)
+/// object→scene; object −1 keeps the mesh's own objects.
 pub(crate) fn standing_and_moving(
     meshes: Vec<Arc<Mesh>>,
     placements: Vec<DAffine3>,

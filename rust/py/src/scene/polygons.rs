@@ -10,7 +10,7 @@ use crate::convert::run;
 
 /// Faces (F, 3), and their offsets by polygon.
 type FacesOf<'py> = (Bound<'py, PyArray2<u32>>, Bound<'py, PyArray1<i64>>);
-/// Points (N, 2), offsets of rings, polygons and rows, and the number of geometries that were left out.
+/// Points (N, 2), offsets of rings, polygons and rows, and the number of skipped geometries.
 type Outlines<'py> =
     (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<i64>>, Bound<'py, PyArray1<i64>>, Bound<'py, PyArray1<i64>>, u64);
 
@@ -18,7 +18,7 @@ fn faces_of(py: Python<'_>, faces: Faces) -> PyResult<FacesOf<'_>> {
     Ok((array_of_rows(py, faces.faces)?, faces.offsets.into_pyarray(py)))
 }
 
-/// Returns the triangles of polygons, and their offsets by polygon.
+/// Triangulates polygons; also returns the triangles' offsets by polygon.
 #[pyfunction]
 pub(crate) fn triangulate_polygons<'py>(
     py: Python<'py>,
@@ -33,7 +33,7 @@ pub(crate) fn triangulate_polygons<'py>(
     faces_of(py, faces)
 }
 
-/// Returns the faces of prisms over polygons, and their offsets by polygon.
+/// Faces of prisms over polygons, and their offsets by polygon.
 #[pyfunction]
 pub(crate) fn polygon_prisms<'py>(
     py: Python<'py>,
@@ -50,7 +50,7 @@ pub(crate) fn polygon_prisms<'py>(
     faces_of(py, faces)
 }
 
-/// Returns the polygons of rows in WKB.
+/// Reads polygons from rows in WKB.
 #[pyfunction]
 pub(crate) fn read_wkb<'py>(
     py: Python<'py>,

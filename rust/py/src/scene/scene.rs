@@ -21,14 +21,14 @@ use crate::convert::run;
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct Scene(pub scene::Scene);
 
-/// A scene, and places of the moving instances that remain of another one.
+/// A scene, and the indices of the moving instances that remain of another one.
 type Part<'py> = (Scene, Option<Bound<'py, PyArray1<u32>>>);
 
 #[pymethods]
 impl Scene {
-    /// `placements` are (I, 3, 4) object→scene, relative to the origin, static instances first. Object −1 means that
-    /// the mesh gives the objects. A material's textures are −1 for none, its cutoff NaN for opaque materials, and
-    /// its tag 0 for materials that are drawn in full.
+    /// `placements` are (I, 3, 4) object→scene, relative to the origin, static instances first. Object −1 keeps the
+    /// mesh's own objects. A material's textures are −1 for none, its cutoff NaN for opaque materials, and its tag 0
+    /// for materials that are drawn in full.
     #[new]
     #[pyo3(signature = (*, origin, meshes, placements, objects, standing_count, material_colors, material_textures,
                         material_cutoffs, material_emissions, material_emission_textures, material_unlit,
@@ -78,13 +78,13 @@ impl Scene {
         .map(Self)
     }
 
-    /// All instances as one mesh, relative to the origin.
+    /// Merges all instances to one mesh, relative to the origin.
     fn merged(&self, py: Python<'_>) -> PyResult<Mesh> {
         let parts: Vec<PlacedMesh> = self.0.instances().map(PlacedMesh::of).collect();
         run::long(py, None, |progress| scene::merge(&parts, progress)).map(|mesh| Mesh(Arc::new(mesh)))
     }
 
-    /// A scene of one static mesh as object 0, with the same origin, materials and textures.
+    /// Creates a scene of one static mesh as object 0, with the same origin, materials and textures.
     fn of_mesh(&self, py: Python<'_>, mesh: &Mesh) -> PyResult<Self> {
         let mesh = Arc::clone(&mesh.0);
         run::short(py, || {
@@ -109,32 +109,32 @@ impl Scene {
         .map(Self)
     }
 
-    /// The same scene in which the chosen objects, a flag for each, move as well.
+    /// The same scene with additional moving objects; `chosen` has a flag for each object.
     fn with_moving<'py>(&self, py: Python<'py>, chosen: PyReadonlyArray1<'py, bool>) -> PyResult<Self> {
         let chosen = chosen.as_slice()?;
         run::long(py, None, |progress| self.0.with_moving(chosen, progress)).map(Self)
     }
 
-    /// Only the chosen objects, a flag for each.
+    /// Only the chosen objects; `chosen` has a flag for each object.
     fn subset_of_objects<'py>(&self, py: Python<'py>, chosen: PyReadonlyArray1<'py, bool>) -> PyResult<Self> {
         let chosen = chosen.as_slice()?;
         run::long(py, None, |progress| self.0.subset_of_objects(chosen, progress)).map(Self)
     }
 
-    /// All but the chosen objects, a flag for each.
+    /// All but the chosen objects; `chosen` has a flag for each object.
     fn without_objects<'py>(&self, py: Python<'py>, chosen: PyReadonlyArray1<'py, bool>) -> PyResult<Self> {
         let chosen = chosen.as_slice()?;
         run::long(py, None, |progress| self.0.without_objects(chosen, progress)).map(Self)
     }
 
-    /// Only the chosen triangles, a flag for each.
+    /// Only the chosen triangles; `chosen` has a flag for each triangle.
     fn subset_of_triangles<'py>(&self, py: Python<'py>, chosen: PyReadonlyArray1<'py, bool>) -> PyResult<Self> {
         let chosen = chosen.as_slice()?;
         run::long(py, None, |progress| self.0.subset_of_triangles(chosen, progress)).map(Self)
     }
 
-    /// The triangles that touch the world box between two corners, and the places of the moving instances that remain;
-    /// None if all do.
+    /// Triangles that touch the world box between two corners, and the indices of the remaining moving instances; None
+    /// if all remain.
     fn query<'py>(&self, py: Python<'py>, least: [f64; 3], greatest: [f64; 3], builds: bool) -> PyResult<Part<'py>> {
         let (least, greatest) = (DVec3::from_array(least), DVec3::from_array(greatest));
         let found = run::long(py, None, |progress| self.0.query(least, greatest, builds, progress))?;
@@ -142,7 +142,7 @@ impl Scene {
         Ok((Self(found.scene), places))
     }
 
-    /// False if nothing touches the world box between two corners; true may be a false alarm. Builds the trees.
+    /// False if nothing touches the world box between two corners; true may be a false positive. Builds the trees.
     fn touches(&self, py: Python<'_>, least: [f64; 3], greatest: [f64; 3]) -> PyResult<bool> {
         let (least, greatest) = (DVec3::from_array(least), DVec3::from_array(greatest));
         run::long(py, None, |progress| {
@@ -151,7 +151,7 @@ impl Scene {
         })
     }
 
-    /// One scene of several, in the frame of the first; `objects` has for each the new numbers of its objects.
+    /// Joins scenes in the frame of the first; `objects` has the new numbers of each scene's objects.
     #[staticmethod]
     fn joined<'py>(
         py: Python<'py>,
@@ -194,7 +194,7 @@ impl Scene {
         run::long(py, None, |progress| self.0.degenerate_count(progress))
     }
 
-    /// Identities of the instances' meshes, in order; equal numbers mean one mesh in memory.
+    /// Identities of the instances' meshes, in order; equal numbers mean a shared mesh.
     fn mesh_ids<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u64>> {
         let ids: Vec<u64> = self.0.instances().map(|instance| Arc::as_ptr(&instance.mesh).addr() as u64).collect();
         PyArray1::from_vec(py, ids)
@@ -226,20 +226,20 @@ impl Scene {
         self.0.instance_count()
     }
 
-    /// Number of triangles before each instance, and the total last.
+    /// Number of triangles before each instance, then the total.
     fn triangle_offsets<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
         let count = self.0.instance_count() as u32;
         PyArray1::from_iter(py, (0..=count).map(|number| self.0.triangle_offset(number)))
     }
 
-    /// World box (2, 3); (+∞, −∞) for an empty scene.
+    /// World bounding box (2, 3); (+∞, −∞) for an empty scene.
     fn bounds<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let bounds = run::short(py, || Ok(self.0.bounds()))?;
         let world = |corner: glam::Vec3| (corner.as_dvec3() + self.0.origin).to_array().to_vec();
         Ok(PyArray2::from_vec2(py, &[world(bounds.min), world(bounds.max)])?)
     }
 
-    /// Corners of all triangles (T, 3, 3), relative to the origin.
+    /// Vertices of all triangles (T, 3, 3), relative to the origin.
     fn triangles<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f32>>> {
         let flat = run::long(py, None, |progress| self.0.triangles(progress))?;
         PyArray1::from_vec(py, flat).reshape([self.0.triangle_count() as usize, 3, 3])

@@ -19,7 +19,7 @@ use crate::convert::run;
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct StoredMeshes(Arc<stored::StoredMeshes>);
 
-/// A row of the table: block, first byte, step, count, width, type as glTF numbers it, whether they are fractions.
+/// Parses a table row: block, first byte, step, count, width, glTF component type, whether values are normalised.
 fn rows_of(row: ArrayView1<'_, i64>) -> PyResult<Rows> {
     let number = match row[5] {
         5120 => Number::I8,
@@ -44,7 +44,7 @@ fn rows_of(row: ArrayView1<'_, i64>) -> PyResult<Rows> {
     })
 }
 
-/// A row of the table: mesh, positions, normals, texture coordinates, colours, corners (−1 for none) and material.
+/// Parses a table row: mesh, positions, normals, texture coordinates, colours, indices (−1 for none) and material.
 fn faces_of(row: ArrayView1<'_, i64>) -> StoredFaces {
     let number = |column: usize| usize::try_from(row[column]).ok();
     StoredFaces {
@@ -65,7 +65,7 @@ fn sides<'py>(py: Python<'py>, boxes: &[[[f64; 3]; 2]]) -> Bound<'py, PyArray3<f
 }
 
 impl StoredMeshes {
-    /// Numbers of meshes that can be used.
+    /// Converts numbers of meshes and checks that they are usable.
     fn chosen(&self, meshes: &PyReadonlyArray1<'_, i64>) -> PyResult<Vec<usize>> {
         let number =
             |&mesh: &i64| usize::try_from(mesh).ok().filter(|&mesh| mesh < self.0.len() && self.0.is_fit(mesh));
@@ -101,7 +101,7 @@ impl StoredMeshes {
         Self(Arc::new(self.0.scaled(factor)))
     }
 
-    /// Chosen meshes (K,), which are fit.
+    /// Subset of chosen meshes (K,), which must be usable.
     fn only(&self, chosen: PyReadonlyArray1<'_, i64>) -> PyResult<Self> {
         Ok(Self(Arc::new(self.0.only(&self.chosen(&chosen)?))))
     }
@@ -110,7 +110,7 @@ impl StoredMeshes {
         self.0.with_materials(numbers.as_slice()?).map(|meshes| Self(Arc::new(meshes))).map_err(to_python)
     }
 
-    /// Whether each mesh can be used (M,).
+    /// Whether each mesh is usable (M,).
     fn fit<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<bool>> {
         self.per_mesh(py, |mesh| self.0.is_fit(mesh))
     }
@@ -125,12 +125,12 @@ impl StoredMeshes {
         self.per_mesh(py, |mesh| self.0.face_count(mesh) as i64)
     }
 
-    /// Boxes of the meshes' vertices (M, 2, 3), each in its own frame.
+    /// Bounding boxes of the meshes' vertices (M, 2, 3), each in its own frame.
     fn bounds<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray3<f64>> {
         sides(py, &(0..self.0.len()).map(|mesh| self.0.bounds(mesh)).collect::<Vec<_>>())
     }
 
-    /// Boxes of the meshes' faces (M, 2, 3), each in its own frame.
+    /// Bounding boxes of the meshes' faces (M, 2, 3), each in its own frame.
     fn face_bounds<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
         let boxes = run::long(py, None, |progress| self.0.face_bounds(progress))?;
         Ok(sides(py, &boxes))
@@ -148,7 +148,7 @@ impl StoredMeshes {
         Ok(meshes.into_iter().map(|mesh| Mesh(Arc::new(mesh))).collect())
     }
 
-    /// Joins chosen meshes (K,), each placed by a row of `placements` (K, 3, 4), as faces of `objects` (K,).
+    /// Merges chosen meshes (K,), each placed by a row of `placements` (K, 3, 4), as faces of `objects` (K,).
     fn joined<'py>(
         &self,
         py: Python<'py>,

@@ -8,13 +8,12 @@ use crate::convert::arrays::array_of_rows;
 use crate::convert::run;
 
 type Rows<'py, T> = Bound<'py, PyArray2<T>>;
-/// Numbers of the object's and material's names, rows of each vertex, and triangles.
+/// Indices of the object's and material's names, index rows of the vertices, and triangles.
 type Part<'py> = (Option<u32>, Option<u32>, Rows<'py, u32>, Rows<'py, u32>);
 /// Positions, colours, texture coordinates, normals.
 type Columns<'py> = (Rows<'py, f64>, Rows<'py, f64>, Rows<'py, f64>, Rows<'py, f64>);
 
-/// Returns the content of OBJ text: its columns, names of material files, all names, parts, and the number of faces that
-/// were left out.
+/// Parses OBJ text: its columns, names of material files, all names, parts, and the number of skipped faces.
 #[pyfunction]
 #[allow(clippy::type_complexity, reason = "a tuple without names crosses to Python once")]
 pub(crate) fn read_wavefront<'py>(

@@ -10,26 +10,26 @@ use std::time::{Duration, Instant};
 
 pub type Failure = Box<dyn std::error::Error + Send + Sync>;
 
-/// Bytes of a packet, at most.
+/// Greatest size of a packet, bytes.
 const PACKET: usize = 1500;
-/// Packets that are on their way in one direction, at most.
+/// Greatest number of packets in flight per direction.
 const ON_WAY: usize = 1 << 14;
-/// Longest time that a packet waits for those before it to be sent; one that would wait longer is lost, as routers do.
+/// Longest queueing delay; a packet that would wait longer is dropped, as routers do.
 const QUEUE: Duration = Duration::from_millis(50);
 
 /// One direction of the link.
 #[derive(Clone, Copy)]
 struct Direction {
     delay: Duration,
-    /// Bits a second.
+    /// Bandwidth, bits per second.
     rate: f64,
-    /// Share of packets that are lost.
+    /// Packet loss rate.
     loss: f64,
-    /// State of the random numbers that choose them.
+    /// State of the random number generator for losses.
     random: u64,
 }
 
-/// Be the link until the standard input ends.
+/// Runs the link until standard input closes.
 pub fn run(arguments: &[String]) -> Result<(), Failure> {
     let [near, near_address, far, far_address, delay, rate, loss] = arguments else {
         return Err("expected NAMESPACE ADDRESS NAMESPACE ADDRESS DELAY_MS MBIT LOSS_PERCENT".into());
@@ -49,12 +49,12 @@ pub fn run(arguments: &[String]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// A namespace with a TUN device that leads to the other end's address.
+/// Creates a namespace with a TUN device whose peer is the other end's address.
 fn end(namespace: &str, address: &str, other: &str) -> Result<File, Failure> {
     let device = format!("nf-{namespace}");
     ip(&["netns", "add", namespace])?;
     let file = tun(&device)?;
-    // The file stays with its device.
+    // Moving the device to the namespace keeps the open file valid.
     ip(&["link", "set", &device, "netns", namespace])?;
     let inside = |arguments: &[&str]| ip(&[&["-n", namespace], arguments].concat());
     inside(&["link", "set", "lo", "up"])?;
@@ -68,7 +68,7 @@ fn ip(arguments: &[&str]) -> Result<(), Failure> {
     if status.success() { Ok(()) } else { Err(format!("ip {}: {status}", arguments.join(" ")).into()) }
 }
 
-/// A new TUN device, from which whole packets are read and to which they are written.
+/// Creates a TUN device; each read and write is one packet.
 fn tun(name: &str) -> Result<File, Failure> {
     let file = OpenOptions::new().read(true).write(true).open("/dev/net/tun")?;
     // SAFETY: ifreq consists of numbers, for which zeros are valid.
@@ -84,7 +84,7 @@ fn tun(name: &str) -> Result<File, Failure> {
     Ok(file)
 }
 
-/// Carry packets in one direction, in threads of its own.
+/// Forwards packets in one direction, in two threads.
 fn carry(from: File, to: File, direction: Direction) {
     let (sender, receiver) = sync_channel(ON_WAY);
     thread::spawn(move || take(from, &sender, direction));
@@ -109,7 +109,7 @@ fn give(mut to: File, receiver: &Receiver<(Instant, Vec<u8>)>) -> Option<()> {
     loop {
         let (due, packet) = receiver.recv().ok()?;
         thread::sleep(due.saturating_duration_since(Instant::now()));
-        // A device that is not up yet, or whose queue is full, loses the packet.
+        // A device that is down, or whose queue is full, drops the packet.
         let _ = to.write(&packet);
     }
 }

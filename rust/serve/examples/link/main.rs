@@ -1,8 +1,9 @@
-//! A link between two network namespaces with a delay, a rate and loss, for systems without `netem`. Linux, as root.
+//! Emulates a network link between two namespaces with delay, bandwidth and loss, for Linux systems without `netem`;
+//! needs root.
 //!
 //! `link NAMESPACE ADDRESS NAMESPACE ADDRESS DELAY_MS MBIT LOSS_PERCENT`, such as `link near 10.77.0.1 far 10.77.0.2 10
-//! 100 1`, makes both namespaces with a TUN device in each, prints `ready`, and carries packets until the standard input
-//! ends. Delay, rate and loss hold for each direction.
+//! 100 1`, creates both namespaces with a TUN device in each, prints `ready`, and forwards packets until standard input
+//! closes. Delay, bandwidth and loss apply to each direction.
 
 #[cfg(target_os = "linux")]
 mod linux;

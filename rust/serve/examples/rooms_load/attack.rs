@@ -1,4 +1,4 @@
-//! Users who misbehave beside those who are measured: in the group of the first of them.
+//! Misbehaving users in the group of the first measured user.
 
 use std::net::SocketAddr;
 use std::str::FromStr;
@@ -10,36 +10,36 @@ use crate::failure::Failure;
 use crate::pose::pose;
 use crate::websocket::Socket;
 
-/// Users who misbehave at the same time.
+/// Number of simultaneous misbehaving users.
 pub const INTRUDERS: usize = 8;
-/// The group of those who are measured first.
+/// Group of the first measured users.
 const GROUP: u16 = 0;
-/// Pause before they come again.
+/// Pause between two attempts.
 const PAUSE: Duration = Duration::from_millis(10);
-/// Pause between two things that are said to those who do not read.
+/// Pause between two messages to users who do not read.
 const SPEAKS: Duration = Duration::from_millis(300);
 
-/// Names of the ways to misbehave.
+/// Names of the attacks.
 pub const NAMES: &str = "garbage, flood-pose, flood-say, flood-signal, churn, mute, vanish, slow";
 
-/// Ways to misbehave.
+/// Kinds of attacks.
 #[derive(Clone, Copy)]
 pub enum Attack {
-    /// Send bytes that are no frame.
+    /// Sends invalid frames.
     Garbage,
-    /// Send poses without a pause.
+    /// Sends poses without a pause.
     FloodPose,
-    /// Say something to the room without a pause.
+    /// Sends messages to the room without a pause.
     FloodSay,
-    /// Signal to one of those who are measured without a pause.
+    /// Sends signals to a measured user without a pause.
     FloodSignal,
-    /// Join and leave without a pause.
+    /// Joins and leaves without a pause.
     Churn,
-    /// Read all, and acknowledge no pose.
+    /// Reads everything, but acknowledges no pose.
     Mute,
-    /// Go within a message.
+    /// Disconnects in the middle of a message.
     Vanish,
-    /// Do not read what one of them says.
+    /// Does not read the messages of the first misbehaving user.
     Slow,
 }
 
@@ -61,10 +61,10 @@ impl FromStr for Attack {
     }
 }
 
-/// Misbehave again and again; the first of all speaks where others do not read.
+/// Repeats an attack for ever; in a slow attack user 0 sends and the others do not read.
 pub async fn attack(kind: Attack, address: SocketAddr, number: usize, epoch: Instant) {
     loop {
-        // Each attempt ends with an error: the server closes it.
+        // Each attempt ends with an error when the server closes the connection.
         let _ = attempt(kind, address, number, epoch).await;
         tokio::time::sleep(PAUSE).await;
     }
@@ -98,21 +98,21 @@ async fn attempt(kind: Attack, address: SocketAddr, number: usize, epoch: Instan
             read_on(&mut socket).await
         }
         Attack::Mute => read_on(&mut socket).await,
-        // A message of 100 bytes begins.
+        // Header of a message of 100 bytes, which stays incomplete.
         Attack::Vanish => socket.send_raw(&[0x82, 0x80 | 100, 1, 2, 3, 4, 5]).await,
         Attack::Slow if number == 0 => loop {
             socket.send(&[FromUser::Say { to: To::Group, payload }]).await?;
             tokio::time::sleep(SPEAKS).await;
         },
         Attack::Slow => loop {
-            // Frames that are sent keep the connection.
+            // Sending frames keeps the connection alive.
             socket.send(&[FromUser::Ack { user: 1, sequence: 1 }]).await?;
             tokio::time::sleep(Duration::from_secs(1)).await;
         },
     }
 }
 
-/// The number of another user who is there.
+/// Returns the number of another user in the room.
 async fn other(socket: &mut Socket) -> Result<u16, Failure> {
     loop {
         let message = socket.receive().await?;
@@ -127,7 +127,7 @@ async fn other(socket: &mut Socket) -> Result<u16, Failure> {
     }
 }
 
-/// Read until the server ends the connection.
+/// Reads until the server closes the connection.
 async fn read_on(socket: &mut Socket) -> Result<(), Failure> {
     loop {
         socket.receive().await?;

@@ -1,4 +1,4 @@
-//! A user's connection by WebTransport: poses, acknowledgements and settled numbers as datagrams.
+//! WebTransport connection of a user: poses, acknowledgements and `settled` frames are sent as datagrams.
 
 use std::net::SocketAddr;
 
@@ -10,19 +10,19 @@ use wtransport::{ClientConfig, Connection, Endpoint, RecvStream, SendStream};
 use crate::failure::Failure;
 use crate::server::Listens;
 
-/// One session.
+/// A WebTransport session.
 pub struct Session {
     connection: Connection,
-    /// Packets go out as long as it is there.
+    /// Keeps the endpoint alive, which sends the packets.
     _endpoint: Endpoint<Client>,
     send: SendStream,
     receive: RecvStream,
-    /// Bytes of the stream that are no whole frame yet.
+    /// Received bytes of an incomplete frame of the stream.
     came: Vec<u8>,
 }
 
 impl Session {
-    /// Join a group of a room.
+    /// Joins a group of a room.
     pub async fn join(listens: &Listens, room: usize, group: u16) -> Result<Self, Failure> {
         let (port, hash) = &listens.datagrams;
         let pairs: Vec<String> = hash.as_bytes().chunks(2).map(|pair| String::from_utf8_lossy(pair).into()).collect();
@@ -38,17 +38,17 @@ impl Session {
         Ok(session)
     }
 
-    /// Send frames as a datagram.
+    /// Sends frames as a datagram.
     pub fn send(&self, frames: &[FromUser<'_>]) -> Result<(), Failure> {
         Ok(self.connection.send_datagram(written(frames))?)
     }
 
-    /// Send frames by the stream.
+    /// Sends frames on the stream.
     pub async fn say(&mut self, frames: &[FromUser<'_>]) -> Result<(), Failure> {
         Ok(self.send.write_all(&written(frames)).await?)
     }
 
-    /// The frames of the next datagram, or those that the stream has whole.
+    /// Returns the frames of the next datagram, or the next complete frames of the stream.
     pub async fn receive(&mut self) -> Result<Vec<u8>, Failure> {
         let mut piece = [0; 4096];
         loop {
@@ -66,14 +66,14 @@ impl Session {
         }
     }
 
-    /// Bytes of UDP's payloads, those of QUIC's own acknowledgements included.
+    /// UDP payload bytes sent and received, including QUIC's own acknowledgements.
     pub fn bytes(&self) -> (usize, usize) {
         let stats = self.connection.quic_connection().stats();
         (stats.udp_tx.bytes as usize, stats.udp_rx.bytes as usize)
     }
 }
 
-/// Bytes of the whole frames at the begin of some bytes.
+/// Length of the complete frames at the start of a buffer.
 fn whole(came: &[u8]) -> usize {
     let mut rest = came;
     while let Ok((_, behind)) = FromServer::read(rest) {

@@ -1,3 +1,3 @@
-//! The error of everything here.
+//! Error type of the example.
 
 pub type Failure = Box<dyn std::error::Error + Send + Sync>;

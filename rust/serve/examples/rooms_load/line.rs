@@ -1,4 +1,4 @@
-//! A user's connection, by either way.
+//! Connection of a user, over WebSocket or WebTransport.
 
 use nearfar_serve::rooms::frame::FromUser;
 
@@ -15,7 +15,7 @@ pub enum Line {
 }
 
 impl Line {
-    /// Join the room and the group of a user of this number.
+    /// Joins the room and the group of the user with a number.
     pub async fn join(load: &Load, number: usize, listens: &Listens) -> Result<Self, Failure> {
         let (room, group) = load.place(number);
         match load.way {
@@ -24,7 +24,7 @@ impl Line {
         }
     }
 
-    /// Send frames that need not arrive if later ones do.
+    /// Sends frames whose loss later frames compensate.
     pub async fn send(&mut self, frames: &[FromUser<'_>]) -> Result<(), Failure> {
         match self {
             Line::WebSocket(socket) => socket.send(frames).await,
@@ -32,7 +32,7 @@ impl Line {
         }
     }
 
-    /// Say that the user goes.
+    /// Sends the departure of the user.
     pub async fn leave(mut self) -> Result<(), Failure> {
         match &mut self {
             Line::WebSocket(socket) => socket.send(&[FromUser::Bye]).await,
@@ -40,7 +40,7 @@ impl Line {
         }
     }
 
-    /// The next frames.
+    /// Receives the next frames.
     pub async fn receive(&mut self) -> Result<Vec<u8>, Failure> {
         match self {
             Line::WebSocket(socket) => socket.receive().await,
@@ -48,7 +48,7 @@ impl Line {
         }
     }
 
-    /// Bytes that were sent and received: of WebSocket's messages with their heads, of UDP's payloads.
+    /// Bytes sent and received: WebSocket messages with their headers, or UDP payloads.
     pub fn bytes(&self) -> (usize, usize) {
         match self {
             Line::WebSocket(socket) => (socket.sent, socket.received),

@@ -1,13 +1,13 @@
-//! Users of rooms who send poses and acknowledge those of others, on a server in a process of its own.
+//! Load test for rooms: users send poses and acknowledge those of others; the server runs in its own process.
 //!
-//! `rooms_load USERS GROUP HERTZ SECONDS [OPTION VALUE] …`, such as `rooms_load 32 4 72 10`, prints figures as JSON: the
-//! round trip (the paper's Eq. 3), the way from user to user, residence in the server and its CPU and memory, and bytes
-//! of a user against the closed form. Options:
+//! `rooms_load USERS GROUP HERTZ SECONDS [OPTION VALUE] …`, such as `rooms_load 32 4 72 10`, prints measurements as
+//! JSON: round-trip time (the paper's Eq. 3), one-way delay between users, residence time in the server, its CPU time
+//! and memory, and bytes per user against the closed form. Options:
 //!
-//! - `--attack NAME`: eight others misbehave meanwhile in the group of the first users.
+//! - `--attack NAME`: eight other users misbehave meanwhile in the group of the first users.
 //! - `--by WAY`: `websocket`, the default, or `datagrams`.
-//! - `--stay SECONDS`: users leave and come again after so long.
-//! - `--serve ADDRESS`: where the server listens, 127.0.0.1:0 by default.
+//! - `--stay SECONDS`: users leave and rejoin after this time.
+//! - `--serve ADDRESS`: address at which the server listens, 127.0.0.1:0 by default.
 //! - `--in NAMESPACE`: the server's network namespace, such as one end of the example `link`.
 
 mod attack;
@@ -33,7 +33,7 @@ use tokio::sync::Barrier;
 use told::Took;
 use user::{Seen, WARM};
 
-/// Times at which the server's memory is looked at.
+/// Number of samples of the server's memory.
 const LOOKS: u32 = 10;
 
 fn main() -> Result<(), Failure> {
@@ -53,7 +53,7 @@ fn main() -> Result<(), Failure> {
     Ok(())
 }
 
-/// All users, until the time is over.
+/// Runs all users until the time is over.
 async fn run(load: &Load, process: &Process) -> Result<(Vec<Seen>, Took), Failure> {
     let alone = process.kilobytes()?;
     let (epoch, together) = (Instant::now(), Arc::new(Barrier::new(load.users + 1)));

@@ -1,4 +1,4 @@
-//! The load that the arguments ask for.
+//! Parses the load from the arguments.
 
 use std::net::SocketAddr;
 use std::str::FromStr;
@@ -7,12 +7,12 @@ use std::time::Duration;
 use crate::attack::{Attack, NAMES};
 use crate::failure::Failure;
 
-/// Users of a room, if groups are not larger.
+/// Users per room, unless groups are larger.
 const ROOM: usize = 64;
-/// Longer than anybody measures.
+/// Longer than any measurement.
 const NEVER: Duration = Duration::from_secs(1 << 32);
 
-/// Users, and what happens to them.
+/// Number and behaviour of the users.
 #[derive(Clone)]
 pub struct Load {
     pub users: usize,
@@ -21,9 +21,9 @@ pub struct Load {
     pub seconds: f64,
     pub attack: Option<Attack>,
     pub way: Way,
-    /// Time after which a user leaves and comes again.
+    /// Time after which a user leaves and rejoins.
     pub stay: Duration,
-    /// Where the server listens, and in which network namespace.
+    /// Address at which the server listens, and its network namespace.
     pub serve: SocketAddr,
     pub namespace: Option<String>,
 }
@@ -57,14 +57,14 @@ impl Load {
         Ok(load)
     }
 
-    /// A user's room and group.
+    /// Room and group of a user.
     pub fn place(&self, number: usize) -> (usize, u16) {
         let group = number / self.group;
         (group / (ROOM / self.group).max(1), group as u16)
     }
 }
 
-/// By which way users connect.
+/// Transport of the users' connections.
 #[derive(Clone, Copy)]
 pub enum Way {
     WebSocket,

@@ -1,10 +1,10 @@
-//! The pose that users send.
+//! Test pose of the users.
 
 use std::time::Instant;
 
 use nearfar_serve::rooms::pose::{Begin, Placed, Pose};
 
-/// A head, two hands and a pointer.
+/// Pose with a head, two hands and a pointer.
 pub fn pose(sequence: u32, epoch: Instant) -> Pose {
     let head = Placed { position: [0.0, 1.7, 0.0], rotation: [0, 0, 0, 32767] };
     Pose {

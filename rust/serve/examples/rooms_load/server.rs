@@ -1,4 +1,4 @@
-//! The server, in a process of its own.
+//! The server, in its own process.
 
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{SocketAddr, TcpStream};
@@ -11,21 +11,21 @@ use nearfar_serve::{Answering, Router, Server, Settings};
 use crate::failure::Failure;
 use crate::options::Load;
 
-/// Rooms and connections, at most.
+/// Greatest number of rooms and of connections.
 const MOST: usize = 1 << 14;
-/// Clock ticks of a second in `/proc`.
+/// Clock ticks per second in `/proc`.
 const TICKS: f64 = 100.0;
 
-/// Be the server until the standard input ends.
+/// Runs the server until standard input closes.
 pub fn serve(address: SocketAddr) -> Result<(), Failure> {
     let each = rooms::Limits::default();
-    // All users may come from one address.
+    // All users may share one address.
     let limits = rooms::Limits {
         rooms: MOST,
         users: 1 << 10,
         sockets_per_client: MOST,
         rooms_per_client: MOST,
-        // Users may be told to send as much as their connections take.
+        // The load may use the full message rate for poses.
         poses_per_second: each.messages_per_second,
         ..each
     };
@@ -40,17 +40,17 @@ pub fn serve(address: SocketAddr) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The server's process.
+/// Process of the server.
 pub struct Process {
     child: Child,
     pub listens: Listens,
 }
 
-/// Where the server listens.
+/// Addresses at which the server listens.
 #[derive(Clone)]
 pub struct Listens {
     pub address: SocketAddr,
-    /// The port where it takes datagrams, and the hash of its certificate.
+    /// UDP port for datagrams, and hash of the certificate.
     pub datagrams: (u16, String),
 }
 
@@ -59,7 +59,7 @@ impl Process {
         let program = std::env::current_exe()?;
         let mut command = match &load.namespace {
             None => Command::new(program),
-            // It becomes the program itself, with the same number of its process.
+            // `ip netns exec` replaces itself by the program, so the process ID stays valid.
             Some(namespace) => {
                 let mut command = Command::new("ip");
                 command.args(["netns", "exec", namespace]).arg(program);
@@ -83,7 +83,7 @@ impl Process {
         Ok(())
     }
 
-    /// CPU seconds that it has taken.
+    /// CPU time used, seconds.
     pub fn cpu_seconds(&self) -> Result<f64, Failure> {
         let text = std::fs::read_to_string(format!("/proc/{}/stat", self.child.id()))?;
         let fields: Vec<&str> = text.rsplit(')').next().unwrap_or_default().split_whitespace().collect();
@@ -91,15 +91,15 @@ impl Process {
         Ok((ticks(11)? + ticks(12)?) / TICKS)
     }
 
-    /// Kilobytes of memory that it has.
+    /// Resident memory, kilobytes.
     pub fn kilobytes(&self) -> Result<f64, Failure> {
         let text = std::fs::read_to_string(format!("/proc/{}/status", self.child.id()))?;
         let line = text.lines().find_map(|line| line.strip_prefix("VmRSS:")).ok_or("no size")?;
         Ok(line.trim().trim_end_matches(" kB").parse()?)
     }
 
-    /// Share of poses that were in the server for at most a millisecond, and the seconds that 99 % of them have not
-    /// passed.
+    /// Share of poses that stayed in the server for at most 1.05 ms, and an upper bound of the 99th percentile in
+    /// seconds.
     pub fn residence(&self) -> Result<(f64, f64), Failure> {
         let mut stream = TcpStream::connect(self.listens.address)?;
         let request = format!("GET /metrics HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n", self.listens.address);

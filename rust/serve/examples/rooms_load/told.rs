@@ -1,4 +1,4 @@
-//! The measured figures, as JSON.
+//! Prints the measurements as JSON.
 
 use std::time::Instant;
 
@@ -9,22 +9,22 @@ use crate::options::Load;
 use crate::pose::pose;
 use crate::user::Seen;
 
-/// Bytes of `ack` and of `settled`.
+/// Sizes of `ack` and `settled` in bytes.
 const ACK: usize = HEAD + 6;
 const SETTLED: usize = HEAD + 4;
-/// Bytes that WebSocket adds to a short message of a user and of the server.
+/// Header bytes that WebSocket adds to a short message of a user, and of the server.
 const FROM_USER: usize = 6;
 const FROM_SERVER: usize = 2;
 
-/// Figures of the server's process while users are measured.
+/// Resources used by the server's process during the measurement.
 pub struct Took {
     pub cpu_seconds: f64,
-    /// Kilobytes of a user, and of the whole process at each look.
+    /// Kilobytes per user, and of the whole process at each sample.
     pub kilobytes_per_user: f64,
     pub kilobytes: Vec<f64>,
 }
 
-/// Figures; times are in milliseconds.
+/// Measurements as JSON; times are in milliseconds.
 pub fn figures(load: &Load, seen: &[Seen], took: &Took, (within, bound): (f64, f64)) -> Value {
     let sum = |pick: fn(&Seen) -> usize| seen.iter().map(pick).sum::<usize>() as f64;
     let poses = sum(|each| each.poses);
@@ -43,7 +43,7 @@ pub fn figures(load: &Load, seen: &[Seen], took: &Took, (within, bound): (f64, f
         "kilobytes": took.kilobytes,
         "bytes_up": sum(|each| each.sent) / poses,
         "bytes_down": sum(|each| each.received) / poses,
-        // If every frame is a message of its own.
+        // The closed form assumes one frame per message.
         "closed_form_up": pose + FROM_USER + others * (ACK + FROM_USER),
         "closed_form_down": others * (pose + 2 + FROM_SERVER) + SETTLED + FROM_SERVER,
     })

@@ -11,10 +11,10 @@ use crate::options::Load;
 use crate::pose::pose;
 use crate::server::Listens;
 
-/// Time before anything is counted.
+/// Warm-up time that is not measured.
 pub const WARM: Duration = Duration::from_secs(1);
 
-/// Times in microseconds, and bytes of messages with their heads.
+/// Times in microseconds, and bytes of messages with their headers.
 #[derive(Default)]
 pub struct Seen {
     pub round_trips: Vec<u32>,
@@ -25,7 +25,7 @@ pub struct Seen {
     pub received: usize,
 }
 
-/// Send poses and acknowledge those of others until the time is over, also by one connection after the other.
+/// Sends poses and acknowledges those of others until the time is over, rejoining if the load asks for it.
 pub async fn play(
     load: &Load,
     number: usize,
@@ -36,7 +36,7 @@ pub async fn play(
     let begun = Tick::now();
     let end = begun + WARM + Duration::from_secs_f64(load.seconds);
     let mut visit = Visit { warm: begun + WARM, epoch, seen: Seen::default(), times: Vec::new(), settled: 0 };
-    // Users leave one after the other.
+    // Departures are spread evenly over the stay.
     let mut stay = load.stay.mul_f64((number + 1) as f64 / load.users as f64);
     loop {
         let until = Tick::now().checked_add(stay).map_or(end, |leaves| leaves.min(end));
@@ -49,15 +49,15 @@ pub async fn play(
     }
 }
 
-/// A user while it is in the room.
+/// State of a user during one stay in the room.
 struct Visit {
-    /// When counting begins.
+    /// Start of the measurement.
     warm: Tick,
     epoch: Instant,
     seen: Seen,
-    /// When each pose was sent.
+    /// Send time of each pose.
     times: Vec<Tick>,
-    /// So many of them are settled.
+    /// Number of settled poses.
     settled: usize,
 }
 
@@ -93,7 +93,7 @@ impl Visit {
         Ok(())
     }
 
-    /// Read a message's frames, and acknowledge its poses.
+    /// Reads the frames of a message and acknowledges its poses.
     async fn heard(&mut self, mut message: &[u8], line: &mut Line) -> Result<(), Failure> {
         let (now, mut acknowledged) = (Tick::now(), Vec::new());
         while !message.is_empty() {
@@ -104,7 +104,7 @@ impl Visit {
                     self.seen.ways.extend((now >= self.warm).then_some(way as u32));
                     acknowledged.push(FromUser::Ack { user, sequence: pose.sequence });
                 }
-                // Datagrams may overtake each other.
+                // Datagrams can overtake each other.
                 FromServer::Settled { sequence } if sequence as usize >= self.settled => {
                     let last = sequence as usize + 1;
                     let counted = self.times[self.settled..last].iter().filter(|time| **time >= self.warm);

@@ -1,4 +1,4 @@
-//! A user's connection by WebSocket.
+//! WebSocket connection of a user.
 
 use std::net::SocketAddr;
 
@@ -12,7 +12,7 @@ use tokio_tungstenite::{WebSocketStream, client_async};
 
 use crate::failure::Failure;
 
-/// One connection, and bytes of its messages with their heads.
+/// A WebSocket, with the bytes of its messages including headers.
 pub struct Socket {
     stream: WebSocketStream<TcpStream>,
     pub sent: usize,
@@ -31,7 +31,7 @@ impl Socket {
         Ok(socket)
     }
 
-    /// Send frames as one message.
+    /// Sends frames as one message.
     pub async fn send(&mut self, frames: &[FromUser<'_>]) -> Result<(), Failure> {
         let mut message = Vec::new();
         frames.iter().for_each(|frame| frame.write(&mut message));
@@ -39,17 +39,17 @@ impl Socket {
     }
 
     pub async fn send_bytes(&mut self, message: Vec<u8>) -> Result<(), Failure> {
-        // The key that masks it has four bytes.
+        // The masking key adds four bytes.
         self.sent += message.len() + 4 + if message.len() < 126 { 2 } else { 4 };
         Ok(self.stream.send(Message::binary(message)).await?)
     }
 
-    /// Send bytes that belong to no message that is whole.
+    /// Sends raw bytes of an incomplete message.
     pub async fn send_raw(&mut self, bytes: &[u8]) -> Result<(), Failure> {
         Ok(self.stream.get_mut().write_all(bytes).await?)
     }
 
-    /// The next message.
+    /// Receives the next message.
     pub async fn receive(&mut self) -> Result<Vec<u8>, Failure> {
         let message = self.stream.next().await.ok_or("the server ended")??;
         self.received += message.len() + if message.len() < 126 { 2 } else { 4 };

@@ -1,28 +1,28 @@
-//! Counts of what became of requests for regions.
+//! Counters of requests for regions.
 
-/// Counts since the start, and what is there now.
+/// Counters since the start, and current gauges.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Figures {
-    /// Regions that are waited for.
+    /// Regions with waiting clients.
     pub waiting: u64,
     /// Bytes of regions on disk.
     pub cached_bytes: u64,
     /// Requests whose region was complete.
     pub found: u64,
-    /// Requests that wait for a region together with others.
+    /// Requests that joined others waiting for the same region.
     pub shared: u64,
-    /// Requests that were not taken.
+    /// Rejected requests.
     pub refused: u64,
-    /// Regions that were made.
+    /// Completed regions.
     pub made: u64,
-    /// Regions that could not be made.
+    /// Failed regions.
     pub failed: u64,
-    /// Regions that nobody waited for any more.
+    /// Regions abandoned by all clients.
     pub left: u64,
 }
 
 impl Figures {
-    /// Counts of requests by their outcomes.
+    /// Request counters by outcome.
     pub fn outcomes(&self) -> [(&'static str, u64); 6] {
         [
             ("found", self.found),

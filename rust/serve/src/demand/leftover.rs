@@ -1,14 +1,14 @@
-//! Files of complete regions that their manifests do not list: coarse maps, which clients that are slower than the
-//! makers fetch after full ones are made.
+//! Coarse maps of complete regions, which manifests do not list: slow clients may fetch them after the full maps are
+//! made.
 
 use std::collections::{HashMap, VecDeque};
 
 use bytes::Bytes;
 
-/// Bytes of them that are kept, a few dozen regions' worth.
+/// Greatest total size in bytes, a few dozen regions' worth.
 const BUDGET: usize = 32 << 20;
 
-/// Files by name, of the regions that were completed last.
+/// Unlisted files by name, of the most recently completed regions.
 #[derive(Default)]
 pub struct Leftover {
     /// Oldest first.
@@ -17,7 +17,7 @@ pub struct Leftover {
 }
 
 impl Leftover {
-    /// Add what is left of a region; the oldest go when there is no room for all.
+    /// Adds the unlisted files of a region; evicts the oldest ones if the budget is exceeded.
     pub fn add(&mut self, files: HashMap<String, Bytes>) {
         self.bytes += size(&files);
         self.regions.push_back(files);
@@ -26,7 +26,7 @@ impl Leftover {
         }
     }
 
-    /// The content of a file.
+    /// Content of a file.
     pub fn file(&self, name: &str) -> Option<Bytes> {
         self.regions.iter().find_map(|files| files.get(name).cloned())
     }

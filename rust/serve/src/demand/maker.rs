@@ -1,4 +1,4 @@
-//! Makers of regions, which a binding implements.
+//! Traits for making regions, implemented by the binding.
 
 use std::sync::Arc;
 
@@ -6,30 +6,30 @@ use bytes::Bytes;
 
 use super::place::Place;
 
-/// A part of a region that is ready.
+/// A finished part of a region.
 #[derive(Clone, Debug)]
 pub struct Part {
-    /// 0 for what comes first; what comes next of the region is of this stage or of a later one.
+    /// Stage of the part, from 0; later parts of the region have this stage or a later one.
     pub stage: u8,
-    /// The part as a line of JSON, with its newline.
+    /// Announcement of the part: a line of JSON with its newline.
     pub line: Bytes,
     /// Content of files by name; the last part has the region's manifest.
     pub files: Vec<(String, Bytes)>,
-    /// Stage of the part that comes next; none after the last one.
+    /// Stage of the next part; none after the last part.
     pub next: Option<u8>,
 }
 
 /// Makes regions of one scene.
 pub trait Maker: Send + Sync {
-    /// Begin to make the region of a place; nothing is made yet.
+    /// Begins the region of a place without computing anything yet.
     fn begin(&self, place: Place) -> Result<Box<dyn Making>, String>;
 }
 
-/// A region in the making.
+/// A region in progress.
 pub trait Making: Send {
-    /// Make the next part. `is_wanted` is asked several times a second; the work ends with an error when it says no.
+    /// Makes the next part. Calls `is_wanted` several times a second and ends with an error once it returns false.
     fn next(&mut self, is_wanted: &Wanted) -> Result<Part, String>;
 }
 
-/// Tells whether somebody waits for a region.
+/// Tells whether a client still waits for a region.
 pub type Wanted = Arc<dyn Fn() -> bool + Send + Sync>;

@@ -1,7 +1,7 @@
-//! Regions of a scene, made when somebody asks for them.
+//! Regions of a scene, made on request.
 //!
-//! A request waits in a queue that shares the work between clients. A place that several ask for is made once; all of
-//! them get its parts as they are ready. Work that nobody waits for ends. Regions that are complete are kept on disk.
+//! Requests wait in a queue that is fair between clients. A region that several clients request is made once; all of
+//! them get its parts as they become ready. Abandoned work is cancelled. Complete regions are cached on disk.
 
 mod cache;
 mod figures;

@@ -1,14 +1,14 @@
-//! Places that regions are made for.
+//! Positions for which regions are made.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// Greatest coordinate of a place, metres: that of scenes.
+/// Greatest coordinate, metres, as for scenes.
 const FARTHEST: f64 = 1e12;
 /// Greatest length of a coordinate's text.
 const LONGEST: usize = 40;
 
-/// A position in the world, metres. Its text, three numbers with commas between them, is its name in URLs and on disk.
+/// A world position, metres. Its text, three comma-separated numbers, is its name in URLs and on disk.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place(pub [f64; 3]);
 
@@ -34,7 +34,7 @@ impl FromStr for Place {
     }
 }
 
-/// A finite number of plain digits; "inf", "nan" and numbers beyond those of scenes are none.
+/// Parses a finite number of plain characters; rejects "inf", "nan" and numbers out of range.
 fn coordinate(text: &str) -> Option<f64> {
     let is_plain = text.len() <= LONGEST && text.bytes().all(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte));
     let value: f64 = if is_plain { text.parse().ok()? } else { return None };

@@ -1,20 +1,20 @@
-//! Which of the regions that wait is worked on next: early stages before late ones, then the client that had least.
+//! Scheduling of waiting regions: early stages before late ones, then the client that has used the least time.
 
 use std::collections::HashMap;
 use std::hash::Hash;
 use std::time::Duration;
 
-/// Work that waits.
+/// A waiting work item.
 pub struct Waiting<Work, Client> {
     /// Stage of the part that it makes next.
     pub stage: u8,
-    /// Number of its request: lower ones came earlier.
+    /// Request number, ascending with time.
     pub number: u64,
     pub clients: Vec<Client>,
     pub work: Work,
 }
 
-/// Work that waits, and how much work each client has had.
+/// Waiting work, and the time used by each client.
 pub struct Queue<Work, Client> {
     waiting: Vec<Waiting<Work, Client>>,
     had: HashMap<Client, Duration>,
@@ -34,7 +34,7 @@ impl<Work, Client: Copy + Eq + Hash> Queue<Work, Client> {
         self.waiting.push(waiting);
     }
 
-    /// Another client waits for work that is here; `is_it` finds it.
+    /// Adds a client to the waiting work that `is_it` finds.
     pub fn join(&mut self, client: Client, is_it: impl Fn(&Work) -> bool) {
         self.know(client);
         if let Some(found) = self.waiting.iter_mut().find(|each| is_it(&each.work)) {
@@ -42,7 +42,7 @@ impl<Work, Client: Copy + Eq + Hash> Queue<Work, Client> {
         }
     }
 
-    /// A client waits no more for work that is here; returns the work if no other one does.
+    /// Removes a client from waiting work; returns the work if no client is left.
     pub fn leave(&mut self, client: Client, is_it: impl Fn(&Work) -> bool) -> Option<Work> {
         let place = self.waiting.iter().position(|each| is_it(&each.work))?;
         let clients = &mut self.waiting[place].clients;
@@ -50,36 +50,36 @@ impl<Work, Client: Copy + Eq + Hash> Queue<Work, Client> {
         if clients.is_empty() { Some(self.waiting.remove(place).work) } else { None }
     }
 
-    /// Take what is next, if there is any up to a stage.
+    /// Removes and returns the next work of at most a stage.
     pub fn take(&mut self, last_stage: u8) -> Option<Waiting<Work, Client>> {
         let place = self.order().into_iter().find(|place| self.waiting[*place].stage <= last_stage)?;
         Some(self.waiting.remove(place))
     }
 
-    /// Count work for the clients that waited for it, a share for each.
+    /// Charges used time in equal shares to the clients that waited for it.
     pub fn charge(&mut self, clients: &[Client], took: Duration) {
         for client in clients {
             *self.had.entry(*client).or_default() += took / u32::try_from(clients.len()).unwrap_or(u32::MAX);
         }
     }
 
-    /// How much waiting work comes before one; `is_it` finds that.
+    /// Number of waiting items before the one that `is_it` finds.
     pub fn position(&self, is_it: impl Fn(&Work) -> bool) -> Option<usize> {
         self.order().into_iter().position(|place| is_it(&self.waiting[place].work))
     }
 
-    /// Forget what clients have had that are gone: the next time they begin as new ones.
+    /// Discards the used time of clients that are gone.
     pub fn forget(&mut self, is_gone: impl Fn(&Client) -> bool) {
         self.had.retain(|client, _| !is_gone(client));
     }
 
-    /// A client that comes has had as much as the one that had least, so that nobody gains by being away.
+    /// Starts a new client with the least time of all clients, so that absence gives no advantage.
     fn know(&mut self, client: Client) {
         let least = self.had.values().min().copied().unwrap_or_default();
         self.had.entry(client).or_insert(least);
     }
 
-    /// Places of what waits in the order in which it is taken.
+    /// Indices of waiting work in the order of service.
     fn order(&self) -> Vec<usize> {
         let had = |place: usize| self.waiting[place].clients.iter().filter_map(|client| self.had.get(client)).min();
         let mut places: Vec<usize> = (0..self.waiting.len()).collect();

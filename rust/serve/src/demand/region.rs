@@ -1,4 +1,4 @@
-//! A region that is waited for: its parts so far, for all who wait.
+//! A region in progress: its parts so far, shared by all waiting clients.
 
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -13,18 +13,18 @@ use super::place::Place;
 /// How the work on a region ended.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome {
-    /// All parts are there.
+    /// All parts are ready.
     Complete,
-    /// The reason why there will be no more parts.
+    /// No more parts follow, for this reason.
     Failed(String),
 }
 
-/// Parts that a client has not been told of yet.
+/// Parts that a client has not received yet.
 #[derive(Debug)]
 pub struct News {
-    /// JSON of parts, each with its newline.
+    /// JSON lines of parts, each with its newline.
     pub lines: Vec<Bytes>,
-    /// How it ended; none while there is more to come.
+    /// Outcome; none while more parts follow.
     pub outcome: Option<Outcome>,
 }
 
@@ -35,23 +35,23 @@ struct Ready {
     outcome: Option<Outcome>,
 }
 
-/// A region in the making.
+/// A region in progress.
 pub struct Region {
-    /// The centre.
+    /// Centre.
     pub place: Place,
     ready: Mutex<Ready>,
-    /// Counts changes.
+    /// Change counter.
     changes: watch::Sender<u64>,
     is_abandoned: AtomicBool,
 }
 
 impl Region {
-    /// A region of which nothing is ready.
+    /// Creates a region without parts.
     pub fn new(place: Place) -> Self {
         Region { place, ready: Mutex::default(), changes: watch::Sender::new(0), is_abandoned: AtomicBool::new(false) }
     }
 
-    /// Add a part.
+    /// Adds a part.
     pub fn add(&self, part: Part) {
         let mut ready = self.ready();
         ready.lines.push(part.line);
@@ -60,49 +60,49 @@ impl Region {
         self.touch();
     }
 
-    /// The work has ended.
+    /// Records the outcome.
     pub fn end(&self, outcome: Outcome) {
         self.ready().outcome = Some(outcome);
         self.touch();
     }
 
-    /// Nobody waits any more.
+    /// Marks the region as abandoned by all clients.
     pub fn abandon(&self) {
         self.is_abandoned.store(true, Ordering::Release);
     }
 
-    /// Whether somebody waits.
+    /// Whether a client still waits.
     pub fn is_wanted(&self) -> bool {
         !self.is_abandoned.load(Ordering::Acquire)
     }
 
-    /// Wake those who wait, because something has changed that they tell of.
+    /// Notifies waiting clients of a change.
     pub fn touch(&self) {
         self.changes.send_modify(|count| *count += 1);
     }
 
-    /// Is told of changes.
+    /// Subscribes to changes.
     pub fn watch(&self) -> watch::Receiver<u64> {
         self.changes.subscribe()
     }
 
-    /// Parts after so many lines.
+    /// Parts after the first `lines` ones.
     pub fn since(&self, lines: usize) -> News {
         let ready = self.ready();
         News { lines: ready.lines.get(lines..).unwrap_or_default().to_vec(), outcome: ready.outcome.clone() }
     }
 
-    /// The content of a file that is ready.
+    /// Content of a finished file.
     pub fn file(&self, name: &str) -> Option<Bytes> {
         self.ready().files.get(name).cloned()
     }
 
-    /// All files that are ready.
+    /// All finished files.
     pub fn files(&self) -> HashMap<String, Bytes> {
         self.ready().files.clone()
     }
 
-    /// Bytes of all files.
+    /// Total size of all files, bytes.
     pub fn bytes(&self) -> u64 {
         self.ready().files.values().map(|data| data.len() as u64).sum()
     }

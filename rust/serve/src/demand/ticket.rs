@@ -1,4 +1,4 @@
-//! A client that waits for a region.
+//! A client's wait for a region.
 
 use std::net::IpAddr;
 use std::sync::Arc;
@@ -11,18 +11,18 @@ use super::place::Place;
 use super::region::{Outcome, Region};
 use super::workers::Shared;
 
-/// News of a region that is being made.
+/// Progress of a region.
 #[derive(Debug)]
 pub enum Event {
-    /// So many others come first.
+    /// Number of regions ahead in the queue.
     Before(usize),
-    /// JSON of parts that are ready.
+    /// JSON lines of finished parts.
     Lines(Vec<Bytes>),
-    /// There will be no more news.
+    /// The last event.
     End(Outcome),
 }
 
-/// A client's place among those who wait for a region; it is given up when this is dropped.
+/// A client's interest in a region; given up on drop.
 pub struct Ticket {
     shared: Arc<Shared>,
     region: Arc<Region>,
@@ -38,10 +38,10 @@ impl Ticket {
         Ticket { shared, region, client, changes, told: 0, before: None }
     }
 
-    /// Wait for news.
+    /// Waits for the next event.
     pub async fn event(&mut self) -> Event {
         loop {
-            // Before looking, so that no change in between is missed.
+            // Marked as seen before reading, so that no later change is missed.
             self.changes.borrow_and_update();
             let news = self.region.since(self.told);
             if !news.lines.is_empty() {
@@ -64,7 +64,7 @@ impl Ticket {
         }
     }
 
-    /// Wait until the region is complete.
+    /// Waits until the region is complete.
     pub async fn whole(mut self) -> Result<Whole, String> {
         loop {
             match self.event().await {
@@ -75,7 +75,7 @@ impl Ticket {
         }
     }
 
-    /// The place of the region.
+    /// Centre of the region.
     pub fn place(&self) -> Place {
         self.region.place
     }

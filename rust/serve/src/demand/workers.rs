@@ -1,4 +1,4 @@
-//! Regions that clients wait for, and the work of the threads that make them.
+//! Regions in progress, and the threads that make them.
 
 use std::collections::{HashMap, VecDeque};
 use std::net::IpAddr;
@@ -15,31 +15,31 @@ use super::place::Place;
 use super::queue::{Queue, Waiting};
 use super::region::{Outcome, Region};
 
-/// State that requests and threads share.
+/// State shared by requests and threads.
 pub struct Shared {
     maker: Box<dyn Maker>,
     pub cache: Option<Cache>,
-    /// Bytes of complete regions that stay in memory because the disk does not take them.
+    /// Bytes of complete regions that may stay in memory because they cannot be written to disk.
     memory: u64,
     state: Mutex<State>,
     wake: Condvar,
     is_closing: AtomicBool,
 }
 
-/// Regions that are waited for, and complete ones that are in memory.
+/// Regions in progress, and complete ones in memory.
 #[derive(Default)]
 pub struct State {
-    /// By place.
+    /// Regions in progress by place.
     pub entries: HashMap<String, Entry>,
     queue: Queue<Work, IpAddr>,
-    /// Complete regions that the disk did not take, oldest first.
+    /// Complete regions that could not be written to disk, oldest first.
     pub in_memory: VecDeque<Arc<Region>>,
     pub leftover: Leftover,
     requests: u64,
     pub figures: Figures,
 }
 
-/// A region that is waited for.
+/// A region in progress, and its waiting clients.
 pub struct Entry {
     pub region: Arc<Region>,
     pub clients: Vec<IpAddr>,
@@ -51,7 +51,7 @@ struct Work {
 }
 
 impl State {
-    /// Note that a client waits for a region, which begins to be made if it was not.
+    /// Adds a client to a region, which is queued if it is new.
     pub fn add(&mut self, client: IpAddr, key: String, place: Place) -> Arc<Region> {
         if let Some(entry) = self.entries.get_mut(&key) {
             entry.clients.push(client);
@@ -69,12 +69,12 @@ impl State {
         region
     }
 
-    /// The entry of a region, unless nobody waits for it any more.
+    /// Entry of a region, unless it was abandoned.
     fn entry(&self, region: &Arc<Region>) -> Option<&Entry> {
         self.entries.get(&region.place.to_string()).filter(|entry| Arc::ptr_eq(&entry.region, region))
     }
 
-    /// Note that a client waits no more; what was to be done for it alone.
+    /// Removes a client from a region; returns the queued work if no client is left.
     fn leave(&mut self, client: IpAddr, region: &Arc<Region>) -> Option<Work> {
         let key = region.place.to_string();
         let entry = self.entries.get_mut(&key).filter(|entry| Arc::ptr_eq(&entry.region, region))?;
@@ -109,18 +109,18 @@ impl Shared {
         }
     }
 
-    /// Number of regions that are worked on before one that waits.
+    /// Number of regions ahead of a queued one.
     pub fn position(&self, region: &Arc<Region>) -> Option<usize> {
         self.state().queue.position(|work| Arc::ptr_eq(&work.region, region))
     }
 
-    /// A client waits no more for a region.
+    /// Removes a client that no longer waits for a region.
     pub fn leave(&self, client: IpAddr, region: &Arc<Region>) {
         let mut state = self.state();
         let over = state.leave(client, region);
         state.touch_all();
         drop(state);
-        // A maker may take its time to end.
+        // Dropped without the lock, because a maker may take time to stop.
         drop(over);
     }
 
@@ -132,21 +132,21 @@ impl Shared {
         self.is_closing.load(Ordering::Acquire)
     }
 
-    /// Wake the threads, because there is work.
+    /// Wakes the threads, because there is work.
     pub fn wake(&self) {
         self.wake.notify_all();
     }
 
-    /// Tell the threads to end.
+    /// Tells the threads to stop.
     pub fn close(&self) {
-        // With the lock: a thread that has looked and not yet waits would never hear of it.
+        // Under the lock, so that a thread between its check and its wait does not miss the wake-up.
         let state = self.state();
         self.is_closing.store(true, Ordering::Release);
         drop(state);
         self.wake();
     }
 
-    /// Make part after part until the server ends.
+    /// Makes parts until the server shuts down.
     pub fn work(self: &Arc<Self>, last_stage: u8) {
         while let Some(Waiting { stage: _, number, clients, mut work }) = self.next(last_stage) {
             let started = Instant::now();
@@ -178,13 +178,13 @@ impl Shared {
             }
             state.touch_all();
             drop(state);
-            // A maker may take its time to end.
+            // Dropped without the lock, because a maker may take time to stop.
             drop(over);
             self.wake();
         }
     }
 
-    /// Wait for work; none when the server ends.
+    /// Waits for work; none at shutdown.
     fn next(&self, last_stage: u8) -> Option<Waiting<Work, IpAddr>> {
         let mut state = self.state();
         loop {
@@ -216,7 +216,7 @@ impl Shared {
         Ok(part)
     }
 
-    /// Keep a complete region on the disk, or in memory if that does not take it, and tell that it is complete.
+    /// Stores a complete region on disk, or in memory if that fails, and records that it is complete.
     fn keep(&self, region: &Arc<Region>) {
         let kept = self.cache.as_ref().map(|cache| cache.keep(&region.place.to_string(), &region.files()));
         if let Some(Err(error)) = &kept {
@@ -237,7 +237,7 @@ impl Shared {
         self.end(region, Outcome::Complete);
     }
 
-    /// Tell those who wait how it ended; who asks now is not one of them.
+    /// Records the outcome for all waiting clients; a new request starts a new region.
     fn end(&self, region: &Arc<Region>, outcome: Outcome) {
         let mut state = self.state();
         if state.entry(region).is_some() {

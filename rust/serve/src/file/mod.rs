@@ -1,4 +1,4 @@
-//! Files on disk as bodies of answers. A thread that may wait for the disk helps only where the system would wait.
+//! Files on disk as response bodies. Blocking threads are used only for reads that would wait for the disk.
 
 use std::fs::File;
 use std::io;
@@ -12,13 +12,13 @@ use futures_util::stream;
 
 use crate::open;
 
-/// Bytes that are read at once.
+/// Bytes per read.
 const PIECE: u64 = 1 << 18;
 
-/// A file that is open and has the length that it should have.
+/// An open file whose size has been checked.
 pub struct Opened(Arc<File>);
 
-/// Open a file that has so many bytes.
+/// Opens a file and checks its size.
 pub async fn open(path: &Path, bytes: u64) -> io::Result<Opened> {
     let file = match open::open_now(path) {
         Some(opened) => opened?,
@@ -36,7 +36,7 @@ pub async fn open(path: &Path, bytes: u64) -> io::Result<Opened> {
 }
 
 impl Opened {
-    /// Some bytes.
+    /// Reads a range of bytes.
     pub async fn bytes(&self, part: Range<u64>) -> io::Result<Bytes> {
         let count = usize::try_from(part.end - part.start).map_err(io::Error::other)?;
         let mut data = vec![0; count];
@@ -55,7 +55,7 @@ impl Opened {
         in_thread(rest).await
     }
 
-    /// A body of some bytes; those that fit are read now, so that an error is told in the answer's head.
+    /// Creates a body from a range. The first piece is read at once, so that an error can still set the status code.
     pub async fn body(self, part: Range<u64>) -> io::Result<Body> {
         let first = self.bytes(piece(&part)).await?;
         if first.len() as u64 == part.end - part.start {
@@ -66,7 +66,7 @@ impl Opened {
     }
 }
 
-/// The next part of a body: a piece that has been read, or one of the rest.
+/// State of the stream: the file, the piece that was read already, and the remaining range.
 type State = (Opened, Option<Bytes>, Range<u64>);
 
 async fn next((file, first, rest): State) -> Option<(io::Result<Bytes>, State)> {
@@ -84,7 +84,7 @@ async fn next((file, first, rest): State) -> Option<(io::Result<Bytes>, State)> 
     }
 }
 
-/// The first bytes of a part that are read at once.
+/// First piece of a range.
 fn piece(part: &Range<u64>) -> Range<u64> {
     part.start..part.end.min(part.start + PIECE)
 }

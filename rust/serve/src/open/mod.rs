@@ -1,25 +1,25 @@
-//! Opens files without following links, whether in a file's place or above it: a link may lead anywhere.
+//! Opens files without following links, in the file's place or in a folder above: a link may lead anywhere.
 
 use std::fs::{self, File};
 use std::io;
 use std::path::Path;
 
-/// Open a file by its whole path. It may wait for the disk.
+/// Opens a file by its absolute path. May wait for the disk.
 pub fn open(path: &Path) -> io::Result<File> {
     system::open(path).unwrap_or_else(|| open_checked(path))
 }
 
-/// Open a file if the system has its path in memory; none if that is not known.
+/// Opens a file if its path is in the kernel's cache; none if unknown.
 pub fn open_now(path: &Path) -> Option<io::Result<File>> {
     system::open_now(path)
 }
 
-/// Read bytes that the system has in memory; none if it would wait for the disk.
+/// Reads bytes from the page cache; none if that would wait for the disk.
 pub fn read_now(file: &File, into: &mut [u8], place: u64) -> Option<usize> {
     system::read_now(file, into, place)
 }
 
-/// For systems that cannot refuse links on the way: each folder is looked at first.
+/// Fallback for systems that cannot refuse links in a path: checks each folder first.
 fn open_checked(path: &Path) -> io::Result<File> {
     for above in path.ancestors().filter(|above| !above.as_os_str().is_empty()) {
         if fs::symlink_metadata(above)?.is_symlink() {
@@ -42,7 +42,7 @@ mod system {
     use rustix::fs::{CWD, Mode, OFlags, ResolveFlags, openat2};
     use rustix::io::{Errno, ReadWriteFlags, preadv2};
 
-    /// None where the kernel, or what confines the process, does not know the call.
+    /// None if the kernel or a sandbox does not support the call.
     pub fn open(path: &Path) -> Option<io::Result<File>> {
         match resolved(path, ResolveFlags::empty()) {
             Err(Errno::NOSYS | Errno::PERM) => None,
@@ -57,7 +57,7 @@ mod system {
         }
     }
 
-    /// A pipe in the place of a file must not be waited for.
+    /// Non-blocking, so that opening a pipe in place of a file does not hang.
     fn resolved(path: &Path, how: ResolveFlags) -> Result<File, Errno> {
         let flags = OFlags::RDONLY | OFlags::CLOEXEC | OFlags::NOCTTY | OFlags::NONBLOCK;
         openat2(CWD, path, flags, Mode::empty(), how | ResolveFlags::NO_SYMLINKS).map(File::from)

@@ -5,7 +5,7 @@ use super::*;
 
 type Open = fn(&Path) -> io::Result<File>;
 
-/// By the system's call, by the way for other systems, and without waiting.
+/// The system's call, the fallback for other systems, and the non-blocking call.
 const WAYS: [Open; 3] = [open, open_checked, |path| open_now(path).unwrap_or_else(|| open(path))];
 
 #[test]

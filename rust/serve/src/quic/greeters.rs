@@ -1,4 +1,4 @@
-//! Places of connections that have no session yet.
+//! Limits on connections before their session starts.
 
 use std::net::IpAddr;
 use std::sync::Arc;
@@ -7,40 +7,40 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 
 use crate::clients::{Clients, Entered, counted};
 
-/// Connections that have no session yet, of all clients and of one.
+/// Greatest number of connections without a session, in total and per client.
 pub const GREETINGS: usize = 64;
 const PER_CLIENT: usize = 16;
-/// So many of them may be of clients that have not shown that their address is theirs, and so many of one address:
-/// whoever forges packets takes no more from the one whose address they bear.
+/// Greatest number of these from clients with unvalidated addresses, in total and per address: forged packets
+/// must not exhaust the limit of the address that they claim.
 const UNPROVEN: usize = 16;
 const UNPROVEN_PER_CLIENT: usize = 1;
 
-/// All such places, and who has them.
+/// Counts of connections without a session.
 pub struct Greeters {
     open: Arc<Semaphore>,
     proven: Arc<Clients>,
     unproven: Arc<Clients>,
 }
 
-/// A connection's place until it has a session.
+/// A counted connection without a session.
 pub type Greeter = (Entered, OwnedSemaphorePermit);
 
-/// The answer to a connection that asks for a place.
+/// Result of a request for admission.
 pub enum Found {
     Place(Greeter),
-    /// There is one once the client has shown that its address is its own.
+    /// Admission is possible once the client has validated its address.
     Unproven,
     Full,
 }
 
 impl Greeters {
-    /// All places are free.
+    /// Creates the counters.
     pub fn new() -> Self {
         let [proven, unproven] = Default::default();
         Greeters { open: Arc::new(Semaphore::new(GREETINGS)), proven, unproven }
     }
 
-    /// Find a place for a client, which has shown or not that its address is its own.
+    /// Admits a client, whose address may be validated or not.
     pub fn find(&self, client: IpAddr, is_proven: bool) -> Found {
         let client = counted(client);
         let entered = if is_proven {

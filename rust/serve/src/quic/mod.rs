@@ -1,4 +1,4 @@
-//! Listens for sessions of WebTransport, over QUIC, and keeps them within the limits of connections.
+//! Accepts WebTransport sessions over QUIC, within the limits on connections.
 
 mod greeters;
 
@@ -29,32 +29,32 @@ use crate::tls::Current;
 use crate::webtransport::session::{self, Asking, Broken, Link};
 use greeters::{Found, GREETINGS, Greeters};
 
-/// Ports that are tried after that of TCP; then any that is free.
+/// Number of ports to try after the TCP port; then any free port is used.
 const PORTS: u16 = 16;
-/// Bytes of a stream that wait until they are read, and those that are written and have not arrived.
+/// Receive window of a stream, and send window of a connection, bytes.
 const WINDOW: u32 = 1 << 15;
-/// Streams that a client opens in one direction: settings, and two of tables for headers.
+/// Unidirectional streams of a client: control stream, and two for QPACK.
 const ONE_WAY: u32 = 3;
-/// And in both: the request for a session, and the stream of its frames.
+/// Bidirectional streams: the request for a session, and the stream of frames.
 const TWO_WAY: u32 = 2;
-/// Bytes of datagrams that wait until they are read; older ones make place.
+/// Receive buffer for datagrams, bytes; the oldest ones are dropped.
 const READ: usize = 1 << 14;
-/// Bytes that QUIC has of a datagram beside its own.
+/// Bytes that QUIC adds to a buffered datagram.
 const AROUND: usize = 64;
-/// Bytes of connections that nobody has taken up yet.
+/// Buffer for connections that are not accepted yet, bytes.
 const UNTAKEN: u64 = 1 << 20;
 
-/// Takes connections of QUIC.
+/// Accepts QUIC connections.
 pub struct Listener {
     endpoint: Endpoint,
-    /// The port of HTTP, by which pages name their origin.
+    /// HTTP port, which is part of the pages' origin.
     port: u16,
     limits: Limits,
 }
 
 impl Listener {
-    /// Listen at an address of TCP, with the server's certificate if an authority has signed it, else with one that
-    /// pages know by its hash.
+    /// Binds a UDP socket for a TCP address. Uses the server's certificate if an authority has signed it, else a
+    /// self-signed one that pages pin by its hash.
     pub fn bind(address: SocketAddr, limits: Limits, current: Option<&Arc<Current>>) -> io::Result<(Self, Offer)> {
         let socket = socket(address)?;
         let signed = current.filter(|current| !current.identity().is_self_signed);
@@ -71,7 +71,7 @@ impl Listener {
         Ok((Listener { endpoint, port: address.port(), limits }, offer))
     }
 
-    /// Take connections until the server ends.
+    /// Accepts connections until shutdown.
     pub async fn listen(self: Arc<Self>, shared: Arc<Shared>, gate: Gate, mut ends: Ends) {
         let greeters = Greeters::new();
         loop {
@@ -84,7 +84,7 @@ impl Listener {
             let greeter = match greeters.find(client, incoming.remote_address_validated()) {
                 Found::Place(greeter) => Some(greeter),
                 Found::Unproven => {
-                    // One that has been asked already is not asked again.
+                    // A retry fails only for clients that were asked before.
                     let _ = incoming.retry();
                     continue;
                 }
@@ -111,12 +111,12 @@ impl Listener {
         self.endpoint.set_server_config(None);
     }
 
-    /// Wait until the last packets of connections that have ended are sent.
+    /// Waits until the last packets of closed connections are sent.
     pub async fn finish(&self) {
         self.endpoint.wait_idle().await;
     }
 
-    /// Take up a connection and let it into a room; the reason if it is not.
+    /// Accepts a connection and admits it to a room; an error is the reason for rejection.
     async fn greet(
         &self,
         shared: &Shared,
@@ -141,7 +141,7 @@ impl Listener {
         }
     }
 
-    /// Answer a connection's request for a session.
+    /// Responds to a connection's request for a session.
     async fn enter(
         &self,
         shared: &Shared,
@@ -166,7 +166,7 @@ impl Listener {
         }
     }
 
-    /// Call the server as the origin of its own pages does: by the port of HTTP, which need not be that of datagrams.
+    /// Replaces the Host header by the pages' host: the HTTP port may differ from the UDP port.
     fn rename(&self, headers: &mut HeaderMap, is_encrypted: bool) {
         let named = headers.get(header::HOST).and_then(|named| named.to_str().ok()).unwrap_or_default();
         let name = router::without_port(named);
@@ -178,16 +178,16 @@ impl Listener {
     }
 }
 
-/// Serve a user of a room as long as its session lasts.
+/// Serves a user of a room during its session.
 async fn follow(session: Session, link: Link, silence: Duration, client: IpAddr, ends: Ends) {
     let outbox = Arc::clone(&session.outbox);
     let served = rooms::serve_datagrams(session, link, silence);
-    // Rooms tell those who are in them; a user who has not said hello is in none.
+    // The room notifies its users; the outbox reaches also those who have not sent hello.
     let reason = watched(served, ends, |_| outbox.end(rooms::ending())).await;
     tracing::debug!(%client, reason = reason.name(), "a user's session has ended");
 }
 
-/// A socket of UDP at an address of TCP, or at the next port that is free.
+/// Binds a UDP socket at a TCP address, or at the next free port.
 fn socket(address: SocketAddr) -> io::Result<UdpSocket> {
     let ports = (0..=PORTS).filter_map(|further| address.port().checked_add(further)).chain([0]);
     let mut taken = io::ErrorKind::AddrInUse.into();
@@ -200,7 +200,7 @@ fn socket(address: SocketAddr) -> io::Result<UdpSocket> {
     Err(taken)
 }
 
-/// How connections are encrypted, and how much each may have.
+/// TLS and transport settings of connections.
 fn config(resolver: Arc<dyn ResolvesServerCert>, limits: Limits) -> Result<ServerConfig, Box<dyn Error + Send + Sync>> {
     let builder = rustls::ServerConfig::builder_with_provider(Arc::new(ring::default_provider()));
     let builder = builder.with_protocol_versions(&[&rustls::version::TLS13])?.with_no_client_auth();

@@ -1,4 +1,4 @@
-//! Connections of QUIC that ask for a session as they should, or not, by the certificate of an authority.
+//! QUIC connections with valid and invalid session requests, and a certificate signed by an authority.
 
 use std::net::{Ipv4Addr, SocketAddr};
 use std::path::PathBuf;
@@ -18,7 +18,7 @@ use crate::rooms::Limits;
 use crate::rooms::tests::support::{HANGS, HOURS, Numbers, answering, limits, start_within};
 use crate::webtransport::{session, trial, wire};
 
-/// A server whose certificate an authority has signed, and a client that trusts it.
+/// A server with a signed certificate, and a client that trusts its authority.
 struct Bench {
     server: Server,
     endpoint: Endpoint,
@@ -47,7 +47,7 @@ impl Bench {
         timeout(HANGS, connecting.expect("an address")).await.expect("an answer")
     }
 
-    /// Send these bytes on the first stream of a connection.
+    /// Sends bytes on the first stream of a new connection.
     async fn send(&self, bytes: &[u8]) -> (Connection, SendStream, RecvStream) {
         let connection = self.connect().await.expect("a connection");
         let (mut send, receive) = connection.open_bi().await.expect("a stream");
@@ -55,7 +55,7 @@ impl Bench {
         (connection, send, receive)
     }
 
-    /// The status of the answer to a request.
+    /// Status of the response to a request.
     async fn status(&self, path: &str, origin: &str) -> (String, Connection, SendStream) {
         let (connection, send, mut receive) = self.send(&request(path, origin)).await;
         let mut answer = [0; 10];
@@ -65,7 +65,7 @@ impl Bench {
     }
 }
 
-/// Files of a certificate that an authority has signed and of its key, and the authority.
+/// Files of a signed certificate and its key, and the authority.
 fn certified(folder: PathBuf) -> ((PathBuf, PathBuf), CertificateDer<'static>) {
     let pair = || KeyPair::generate().expect("a key");
     let mut asked = CertificateParams::new(Vec::new()).expect("no names");
@@ -112,7 +112,7 @@ async fn requests_are_answered_with_their_codes() {
         ("/rooms/hall", "https://evil.example", "403"),
         ("/rooms/a/b", "", "404"),
         ("/elsewhere", "", "404"),
-        // The other places of rooms.
+        // Fills the remaining connection slots of rooms.
         ("/rooms/1", "", "200"),
         ("/rooms/2", "", "200"),
         ("/rooms/3", "", "200"),
@@ -144,7 +144,7 @@ async fn what_asks_for_no_session_is_closed() {
     ];
     for _ in 0..40 {
         let mut changed = request("/rooms/hall", "https://localhost");
-        // Its kind stays, and its length.
+        // The first four bytes, with type and length, stay.
         for _ in 0..1 + numbers.below(3) {
             let at = 4 + numbers.below(changed.len() as u64 - 4) as usize;
             changed[at] = numbers.below(256) as u8;
@@ -194,13 +194,13 @@ async fn connections_that_ask_for_nothing_are_few_and_end() {
     idle.pop().expect("one").close(0u32.into(), b"");
     while bench.connect().await.is_err() {}
     let short = Bench::new(Limits { hello: Duration::from_secs(2), ..limits() }, crate::Limits::default());
-    // On a busy machine the time may be over before the handshake is, or before the stream is there.
+    // On a busy machine the timeout may expire before the handshake ends or the stream opens.
     let connection = loop {
         if let Ok(connection) = short.connect().await {
             break connection;
         }
     };
-    // A stream whose kind never comes.
+    // A stream whose type never arrives.
     if let Ok(mut open) = connection.open_uni().await {
         let _ = open.write_all(&[0x40]).await;
     }

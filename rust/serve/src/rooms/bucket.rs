@@ -1,8 +1,8 @@
-//! How much a user may send in a time.
+//! Rate limit of a user's traffic.
 
 use std::time::Instant;
 
-/// An amount that refills with time up to a most, and that what is sent is taken from.
+/// Token bucket: an amount that refills over time up to a maximum.
 pub struct Bucket {
     rate: f64,
     most: f64,
@@ -11,19 +11,19 @@ pub struct Bucket {
 }
 
 impl Bucket {
-    /// Refill so much a second, up to a most.
+    /// Creates a full bucket that refills by `rate` per second up to `most`.
     pub fn new(rate: f64, most: f64, now: Instant) -> Self {
         Bucket { rate, most, left: most, at: now }
     }
 
-    /// Take an amount; false if there is less, which is owed then.
+    /// Takes an amount; false if less is left. The balance can become negative.
     pub fn take(&mut self, amount: f64, now: Instant) -> bool {
         self.refill(now);
         self.left -= amount;
         self.left >= 0.0
     }
 
-    /// Take an amount, or nothing if there is less; whether it was taken.
+    /// Takes an amount only if it is left; returns whether it was taken.
     pub fn take_if(&mut self, amount: f64, now: Instant) -> bool {
         self.refill(now);
         let is_there = self.left >= amount;

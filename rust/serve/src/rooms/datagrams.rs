@@ -1,4 +1,4 @@
-//! WebTransport as the way of a user's frames: what must arrive by a stream, what a later one replaces by datagrams.
+//! WebTransport transport of a user's frames: reliable frames on a stream, replaceable ones in datagrams.
 
 use std::future::{Future, poll_fn};
 use std::pin::{Pin, pin};
@@ -18,39 +18,39 @@ use super::session::Session;
 use crate::limits::{READ, ROW};
 use crate::webtransport::session::{Link, datagram, payload};
 
-/// Most bytes of a datagram's frames; few networks take larger packets.
+/// Greatest size of a datagram's frames in bytes; few networks carry larger packets.
 pub const DATAGRAM: usize = 1200;
-/// Time after which the bytes of a user without a stream are counted again.
+/// Interval at which the received bytes of a user without a stream are counted.
 const COUNTED: Duration = Duration::from_millis(100);
 
 type Incoming = Pin<Box<dyn Stream<Item = Result<Bytes, ConnectionError>> + Send>>;
 type Sending = Pin<Box<dyn Future<Output = Result<(), SendDatagramError>> + Send>>;
 
-/// One connection.
+/// WebTransport connection of a user.
 struct Way {
     link: Link,
     send: SendStream,
     receive: RecvStream,
     incoming: Incoming,
     session: Session,
-    /// Bytes of the stream that are no whole frame yet.
+    /// Received bytes of an incomplete frame of the stream.
     came: BytesMut,
-    /// Bytes that the stream has not taken yet, and when the poses among them were read.
+    /// Bytes that the stream has not accepted yet, and the arrival times of the poses among them.
     written: BytesMut,
     read: Vec<std::time::Instant>,
-    /// A datagram that waits for place; it wakes this connection, and is made anew then.
+    /// Datagram that waits for buffer space; it wakes this task, and is composed anew then.
     waiting: Option<Sending>,
-    /// Bytes that had come by the network.
+    /// Number of bytes received so far.
     heard: u64,
-    /// When the stream took a byte last.
+    /// Time of the stream's last progress.
     moved: Instant,
     begun: Instant,
-    /// Time in which a user who reads takes a byte.
+    /// Timeout for a user who does not read.
     silence: Duration,
     clock: Pin<Box<Sleep>>,
 }
 
-/// Serve a user whose session of WebTransport has begun. Why it ended.
+/// Serves a user whose WebTransport session has begun; returns the reason for its end.
 pub async fn serve(mut session: Session, link: Link, silence: Duration) -> Reason {
     let rooms = Arc::clone(&session.rooms);
     rooms.figures.datagrams.inc();
@@ -70,7 +70,7 @@ pub async fn serve(mut session: Session, link: Link, silence: Duration) -> Reaso
     end.reason
 }
 
-/// Wait until the user has opened its stream, or until the end.
+/// Waits until the user opens its stream, or until the end.
 async fn opened(
     session: &mut Session,
     link: &Link,
@@ -78,7 +78,7 @@ async fn opened(
     heard: &mut u64,
 ) -> Result<(SendStream, RecvStream), End> {
     let mut streams = pin!(timeout_at(until, link.stream()));
-    // Nothing wakes this connection when datagrams come, which nobody reads yet.
+    // Arriving datagrams do not wake this task, because nothing reads them yet.
     let mut clock = interval(COUNTED);
     poll_fn(|context| {
         while clock.poll_tick(context).is_ready() {
@@ -97,7 +97,7 @@ async fn opened(
     .await
 }
 
-/// Serve a user until the end; what is left to tell the user by.
+/// Serves a user until the end; also returns the channel for the final message.
 async fn follow(
     session: Session,
     link: Link,
@@ -136,7 +136,7 @@ async fn follow(
 
 impl Way {
     fn poll(&mut self, context: &mut Context<'_>) -> Poll<End> {
-        // Before looking, so that nothing that is added in between is missed.
+        // Registered before polling, so that no frame added meanwhile is missed.
         self.session.outbox.register(context.waker());
         let end = match self.poll_end(context) {
             Err(end) => Some(end),
@@ -146,10 +146,10 @@ impl Way {
         end.map_or(Poll::Pending, Poll::Ready)
     }
 
-    /// All that there is to do now; ready when the user has ended the session.
+    /// Does all work that is possible now; ready when the user has ended the session.
     fn poll_end(&mut self, context: &mut Context<'_>) -> Result<Poll<()>, End> {
         count(&mut self.session, &self.link.connection, &mut self.heard)?;
-        // Those that came before a hello are dropped.
+        // Datagrams that arrive before hello are dropped.
         self.read_datagrams(context)?;
         self.read_stream(context)?;
         if self.link.poll_ended(context).is_ready() {
@@ -178,7 +178,7 @@ impl Way {
         Ok(())
     }
 
-    /// Take the whole frames of the bytes that have come. Each counts as a message.
+    /// Processes the complete frames of the received bytes. Each counts as a message.
     fn take_frames(&mut self) -> Result<(), End> {
         let most = self.session.rooms.limits.message_bytes;
         while let Some(head) = self.came.first_chunk::<HEAD>() {
@@ -206,7 +206,7 @@ impl Way {
         Ok(())
     }
 
-    /// Find out whether the user is silent or does not read. No frame waits for this clock.
+    /// Checks the timeouts for silence and for not reading. Frames are not delayed by this timer.
     fn look_at_clock(&mut self, context: &mut Context<'_>) -> Result<(), End> {
         let limits = self.session.rooms.limits;
         while self.clock.as_mut().poll(context).is_ready() {
@@ -218,19 +218,19 @@ impl Way {
                 return Err(End::new(Reason::Slow, "expected a user who reads"));
             }
             let deadline = if self.session.is_in() { self.moved + self.silence } else { self.begun + limits.hello };
-            // Also looks from time to time at how much has come that was for nobody.
+            // Periodic wake-ups also count received bytes that were not for any reader.
             let next = now + limits.ping;
             self.clock.as_mut().reset(if deadline > now { next.min(deadline) } else { next });
         }
         Ok(())
     }
 
-    /// Write what must arrive, whenever the stream has taken what was before.
+    /// Writes reliable frames as soon as the stream has accepted the previous ones.
     fn write_stream(&mut self, context: &mut Context<'_>) -> Result<(), End> {
         loop {
             while !self.written.is_empty() {
                 match Pin::new(&mut self.send).poll_write(context, &self.written) {
-                    // The end does not wait for a user who does not read.
+                    // A user who does not read must not delay the end.
                     Poll::Pending => return self.session.outbox.ended().map_or(Ok(()), Err),
                     Poll::Ready(Ok(length)) => self.written.advance(length),
                     Poll::Ready(Err(WriteError::ConnectionLost(error))) => return Err(lost(error)),
@@ -248,8 +248,8 @@ impl Way {
         }
     }
 
-    /// Send the newest poses as datagrams as long as the connection takes them: while it does not, newer ones take the
-    /// places of those that wait.
+    /// Sends the newest poses as datagrams while the connection accepts them; otherwise newer poses replace waiting
+    /// ones.
     fn write_datagrams(&mut self, context: &mut Context<'_>) -> Result<(), End> {
         self.waiting = None;
         loop {
@@ -268,7 +268,7 @@ impl Way {
                     let outbox = Arc::clone(&self.session.outbox);
                     self.wrote(outbox.sent(&passing));
                 }
-                // The network has begun to take smaller packets in between.
+                // The path MTU has shrunk meanwhile; the loop composes a smaller datagram.
                 Poll::Ready(Err(SendDatagramError::TooLarge)) => {}
                 Poll::Ready(Err(SendDatagramError::ConnectionLost(error))) => return Err(lost(error)),
                 Poll::Ready(Err(_)) => return Err(gone()),
@@ -276,30 +276,30 @@ impl Way {
         }
     }
 
-    /// Poses were written that were read then.
+    /// Records that poses were written; `read` has their arrival times.
     fn wrote(&self, read: impl ExactSizeIterator<Item = std::time::Instant>) {
         let now = std::time::Instant::now();
         self.session.rooms.figures.written(read.map(|read| now.saturating_duration_since(read)));
     }
 }
 
-/// Count the bytes that came by the network beyond those heard before, heads of packets included.
+/// Counts newly received network bytes, including packet headers.
 fn count(session: &mut Session, connection: &Connection, heard: &mut u64) -> Result<(), End> {
     let all = connection.stats().udp_rx.bytes;
     let came = all - std::mem::replace(heard, all);
     session.took(usize::try_from(came).unwrap_or(usize::MAX), std::time::Instant::now())
 }
 
-/// The part of a connection by which its end is told.
+/// Parts of a connection needed for the final message.
 struct Told {
     link: Link,
-    /// The stream, and the rest of a frame that it has a part of.
+    /// The stream, and the rest of a partly written frame.
     stream: Option<(SendStream, BytesMut)>,
 }
 
 impl Told {
-    /// Tell a user why its connection ends, and wait until it has ended the session, so that what was written arrives.
-    /// Nothing that the user sends meanwhile is read.
+    /// Sends the reason and waits until the user has ended the session, so that all written data arrive. Data from the
+    /// user are no longer read.
     async fn farewell(&mut self, end: &End) {
         if end.reason == Reason::Gone || self.link.connection.close_reason().is_some() {
             return;
@@ -308,20 +308,20 @@ impl Told {
             if end.reason != Reason::Bye {
                 FromServer::Refused { code: end.reason.code(), sentence: &end.sentence }.write(rest);
             }
-            // It arrives before the session's end is told.
+            // The stream is acknowledged before the session is ended.
             if send.write_all(rest).await.is_ok() && send.finish().is_ok() {
                 let _ = send.stopped().await;
             }
         }
         if self.link.end(end.reason.close_code(), end.reason.name()).await.is_ok() {
             poll_fn(|context| self.link.poll_ended(context)).await;
-            // A browser forgets the code if the connection is closed before it has done so itself.
+            // A browser loses the close code if the connection is closed before it has closed it itself.
             self.link.connection.closed().await;
         }
     }
 }
 
-/// Why a connection's stream was not opened as it should be.
+/// End for a connection whose stream was not opened properly.
 fn broken(connection: &Connection) -> End {
     match connection.close_reason() {
         Some(error) => lost(error),
@@ -329,7 +329,7 @@ fn broken(connection: &Connection) -> End {
     }
 }
 
-/// Why an error ends a connection.
+/// End for a connection error.
 fn lost(error: ConnectionError) -> End {
     match error {
         ConnectionError::TimedOut => End::new(Reason::Silent, "expected an answer to a ping"),

@@ -1,4 +1,4 @@
-//! Counts of rooms, for Prometheus.
+//! Metrics of rooms, for Prometheus.
 
 use std::time::Duration;
 
@@ -11,15 +11,15 @@ use prometheus_client::registry::{Registry, Unit};
 
 use super::reason::Reason;
 
-/// Counts of all rooms.
+/// Metrics of all rooms.
 pub struct Figures {
-    /// Users who are there.
+    /// Number of users in rooms.
     pub users: Gauge,
-    /// Rooms that somebody is in.
+    /// Number of rooms with users.
     pub rooms: Gauge,
-    /// Connections of WebTransport.
+    /// Number of WebTransport connections.
     pub datagrams: Gauge,
-    /// Poses that were older than one that was sent, beyond a user's rate, or overwritten by a newer one.
+    /// Poses that arrived out of order, exceeded a user's rate, or were replaced by a newer one.
     pub dropped: Counter,
     forwarded: Counter,
     poses: Family<Outcome, Counter>,
@@ -38,19 +38,19 @@ struct Closed {
 }
 
 impl Figures {
-    /// Nothing has happened yet.
+    /// Creates metrics that are zero.
     pub fn new() -> Self {
         let poses = Family::<Outcome, Counter>::default();
         let [forwarded, dropped] =
             ["forwarded", "dropped"].map(|outcome| poses.get_or_create_owned(&Outcome { outcome }));
-        // From 8 microseconds to a quarter of a second, by factors of two.
+        // 16 buckets from 8 µs to 0.25 s, by factors of two.
         let residence = Histogram::new(exponential_buckets(8e-6, 2.0, 16));
         let closes = Family::default();
         let [users, rooms, datagrams] = [(); 3].map(|()| Gauge::default());
         Figures { users, rooms, datagrams, dropped, forwarded, poses, closes, residence }
     }
 
-    /// Let a registry tell them.
+    /// Registers the metrics.
     pub fn register(&self, registry: &mut Registry) {
         registry.register("rooms", "Rooms that somebody is in", self.rooms.clone());
         registry.register("room_users", "Users who are in rooms", self.users.clone());
@@ -66,13 +66,13 @@ impl Figures {
         );
     }
 
-    /// Poses were written that had been read so long before.
+    /// Counts written poses with their residence times.
     pub fn written(&self, ages: impl ExactSizeIterator<Item = Duration>) {
         self.forwarded.inc_by(ages.len() as u64);
         ages.for_each(|age| self.residence.observe(age.as_secs_f64()));
     }
 
-    /// A connection has ended.
+    /// Counts a closed connection.
     pub fn closed(&self, reason: Reason) {
         self.closes.get_or_create(&Closed { reason: reason.name() }).inc();
     }

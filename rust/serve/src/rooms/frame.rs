@@ -1,19 +1,19 @@
-//! Frames of rooms as bytes, little-endian: a kind, the length of the body in 16 bits, and the body. The table in
-//! docs/rooms.md has every field.
+//! Binary frames of rooms, little-endian: a kind, the body's length in 16 bits, and the body. docs/rooms.md specifies
+//! every field.
 
 use bytes::{Buf, BufMut};
 
 use super::pose::Pose;
 
-/// Version of all frames.
+/// Version of the frame format.
 pub const VERSION: u8 = 1;
-/// Most bytes of a user's name.
+/// Greatest size of a user's name, bytes.
 pub const NAME: usize = 64;
-/// Most bytes of what is said.
+/// Greatest payload of `say`, bytes.
 pub const SAY: usize = 1 << 12;
-/// Most bytes of a signal.
+/// Greatest payload of a signal, bytes.
 pub const SIGNAL: usize = 1 << 14;
-/// Bytes of a frame before its body.
+/// Size of a frame's header, bytes.
 pub const HEAD: usize = 3;
 
 const HELLO: u8 = 1;
@@ -22,7 +22,7 @@ const ACK: u8 = 3;
 const SAID: u8 = 4;
 const SIGNALLED: u8 = 5;
 const BYE: u8 = 6;
-/// Kinds of the server's frames have this bit.
+/// Bit that marks the server's frames.
 const SERVER: u8 = 0x80;
 const WELCOME: u8 = SERVER | 1;
 const POSED: u8 = SERVER | POSE;
@@ -33,21 +33,21 @@ const JOINED: u8 = SERVER | 6;
 const LEFT: u8 = SERVER | 7;
 const REFUSED: u8 = SERVER | 8;
 
-/// Why bytes are no frame.
+/// Reason why bytes are not a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fault {
-    /// They are none of this version; a sentence.
+    /// Malformed; with a description.
     Frame(&'static str),
-    /// They are one of another version.
+    /// A frame of another version.
     Version(u8),
 }
 
-/// Whom a user says something to.
+/// Recipients of a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum To {
-    /// Others of its group.
+    /// Other users of the sender's group.
     Group,
-    /// Others of its room.
+    /// Other users of the room.
     Room,
 }
 
@@ -55,17 +55,17 @@ pub enum To {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[expect(missing_docs, reason = "a kind tells of its fields")]
 pub enum FromUser<'a> {
-    /// The first one: which group the user joins, its name, and the ticket of its last time, or nothing.
+    /// First frame: the user's group, its name, and the ticket of its previous connection, or nothing.
     Hello { group: u16, name: &'a str, ticket: &'a [u8] },
-    /// Where the user is.
+    /// Pose of the user.
     Pose(Pose),
-    /// The user has another one's pose of this number, and needs none before.
+    /// Acknowledges another user's pose with this number and all earlier ones.
     Ack { user: u16, sequence: u32 },
-    /// To others, in order.
+    /// Message to others, delivered in order.
     Say { to: To, payload: &'a [u8] },
-    /// To one user.
+    /// Message to one user.
     Signal { user: u16, payload: &'a [u8] },
-    /// The user leaves.
+    /// Departure of the user.
     Bye,
 }
 
@@ -73,28 +73,28 @@ pub enum FromUser<'a> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[expect(missing_docs, reason = "a kind tells of its fields")]
 pub enum FromServer<'a> {
-    /// The user's number, how many others are there (`joined` of each follows), and a ticket for the next time.
+    /// The user's number, the number of other users (a `joined` frame for each follows), and a ticket for reconnection.
     Welcome { user: u16, others: u16, ticket: &'a [u8] },
-    /// A user is there.
+    /// A user is in the room.
     Joined { user: u16, group: u16, name: &'a str },
-    /// A user is not there any more.
+    /// A user has left the room.
     Left { user: u16 },
-    /// Where a user of the group is.
+    /// Pose of a user of the group.
     Pose { user: u16, pose: Pose },
-    /// A user says something.
+    /// Message of a user.
     Say { user: u16, to: To, payload: &'a [u8] },
-    /// A user's signal.
+    /// Signal of a user.
     Signal { user: u16, payload: &'a [u8] },
-    /// All others of the group have acknowledged this pose of the user, or a later one.
+    /// All other users of the group have acknowledged this pose of the user, or a later one.
     Settled { sequence: u32 },
-    /// The connection ends; the reason's number, and a sentence.
+    /// End of the connection, with the reason's code and a description.
     Refused { code: u8, sentence: &'a str },
 }
 
 const SHORT: Fault = Fault::Frame("a frame is too short");
 
 impl<'a> FromUser<'a> {
-    /// Read the first frame of some bytes; the rest of them.
+    /// Reads the first frame; also returns the remaining bytes.
     pub fn read(bytes: &'a [u8]) -> Result<(Self, &'a [u8]), Fault> {
         let (kind, mut body, rest) = split(bytes)?;
         let frame = match kind {
@@ -117,7 +117,7 @@ impl<'a> FromUser<'a> {
         if body.is_empty() { Ok((frame, rest)) } else { Err(Fault::Frame("a frame is too long")) }
     }
 
-    /// Write it; names and payloads are no longer than they may be.
+    /// Writes the frame; names and payloads must not exceed their limits.
     pub fn write(&self, out: &mut impl BufMut) {
         match *self {
             FromUser::Hello { group, name, ticket } => {
@@ -152,7 +152,7 @@ impl<'a> FromUser<'a> {
 }
 
 impl<'a> FromServer<'a> {
-    /// Read the first frame of some bytes; the rest of them.
+    /// Reads the first frame; also returns the remaining bytes.
     pub fn read(bytes: &'a [u8]) -> Result<(Self, &'a [u8]), Fault> {
         let (kind, mut body, rest) = split(bytes)?;
         let frame = match kind {
@@ -185,7 +185,7 @@ impl<'a> FromServer<'a> {
         if body.is_empty() { Ok((frame, rest)) } else { Err(Fault::Frame("a frame is too long")) }
     }
 
-    /// Bytes that it takes, with its head.
+    /// Size of the frame with its header, bytes.
     pub fn bytes(&self) -> usize {
         HEAD + match self {
             FromServer::Welcome { ticket, .. } => 2 + 2 + 1 + ticket.len(),
@@ -199,7 +199,7 @@ impl<'a> FromServer<'a> {
         }
     }
 
-    /// Write it; names and payloads are no longer than they may be.
+    /// Writes the frame; names and payloads must not exceed their limits.
     pub fn write(&self, out: &mut impl BufMut) {
         let start = |out: &mut _, kind| head(out, kind, self.bytes() - HEAD);
         match *self {
@@ -248,7 +248,7 @@ impl<'a> FromServer<'a> {
     }
 }
 
-/// Kind and body of the first frame, and the bytes behind it.
+/// Splits off the kind and body of the first frame; also returns the remaining bytes.
 fn split(mut bytes: &[u8]) -> Result<(u8, &[u8], &[u8]), Fault> {
     let kind = bytes.try_get_u8().map_err(|_| SHORT)?;
     let length = usize::from(number(&mut bytes)?);
@@ -273,13 +273,13 @@ fn to(body: &mut &[u8]) -> Result<To, Fault> {
     }
 }
 
-/// All that is left of a body.
+/// Takes the rest of a body, of at most `most` bytes.
 fn payload<'a>(body: &mut &'a [u8], most: usize) -> Result<&'a [u8], Fault> {
     let all = std::mem::take(body);
     if all.len() <= most { Ok(all) } else { Err(Fault::Frame("a payload is too long")) }
 }
 
-/// So many bytes as the first one tells.
+/// Takes a byte string with a one-byte length prefix.
 fn counted<'a>(body: &mut &'a [u8]) -> Result<&'a [u8], Fault> {
     let length = body.try_get_u8().map_err(|_| SHORT)?;
     let (taken, rest) = body.split_at_checked(usize::from(length)).ok_or(SHORT)?;
@@ -292,7 +292,7 @@ fn put_counted(out: &mut impl BufMut, bytes: &[u8]) {
     out.put_slice(bytes);
 }
 
-/// Whether a character is one of Unicode's format characters (Cf), which show nothing or turn the order of others.
+/// Whether a character is a Unicode format character (Cf): invisible, or changing the direction of text.
 fn is_format(each: char) -> bool {
     matches!(each,
         '\u{ad}' | '\u{600}'..='\u{605}' | '\u{61c}' | '\u{6dd}' | '\u{70f}' | '\u{890}'..='\u{891}' | '\u{8e2}'

@@ -15,18 +15,18 @@ use super::reason::{End, Reason};
 use super::room::{By, Joining, Room};
 use super::token::Key;
 
-/// The rooms of a server, which begin with their first user and end with their last.
+/// Rooms of a server; a room exists while it has users.
 pub struct Rooms {
     /// Limits of rooms and users.
     pub limits: Limits,
-    /// Pages may exchange files among themselves.
+    /// Whether pages may exchange files among themselves.
     pub(super) peers: bool,
-    /// Users may connect by WebTransport.
+    /// Whether users may connect by WebTransport.
     datagrams: bool,
     pub(super) figures: Arc<Figures>,
-    /// Signs tokens, if users need one.
+    /// Key that signs tokens; none if users need no token.
     pub(super) entry: Option<Key>,
-    /// Signs tickets.
+    /// Key that signs tickets.
     back: Key,
     places: Places,
     state: Mutex<State>,
@@ -38,7 +38,7 @@ struct State {
     is_closed: bool,
 }
 
-/// A user's place in a room; it is given up when this is dropped.
+/// A user's seat in a room; given up on drop.
 pub struct Seat {
     rooms: Arc<Rooms>,
     name: String,
@@ -49,7 +49,7 @@ pub struct Seat {
 }
 
 impl Rooms {
-    /// No room yet. With a key users need a token, and tickets last beyond the server's end.
+    /// Creates the rooms of a server. With a key, users need a token, and tickets stay valid after a restart.
     pub fn new(limits: Limits, key: Option<Key>) -> Result<Self, String> {
         let back = match &key {
             Some(key) => key.clone(),
@@ -58,7 +58,7 @@ impl Rooms {
         Self::with(limits, key, back)
     }
 
-    /// No room yet. Users need no token; the key signs tickets, which last beyond the server's end.
+    /// Creates rooms without tokens; the key signs tickets, which stay valid after a restart.
     pub fn open(limits: Limits, key: Key) -> Result<Self, String> {
         Self::with(limits, None, key)
     }
@@ -69,12 +69,12 @@ impl Rooms {
         Ok(Rooms { limits, peers: true, datagrams: true, figures, entry, back, places, state: Mutex::default() })
     }
 
-    /// The same rooms; pages take files from the server alone.
+    /// Lets pages load files from the server only.
     pub fn without_peers(self) -> Self {
         Rooms { peers: false, ..self }
     }
 
-    /// The same rooms; users connect by WebSocket alone.
+    /// Lets users connect by WebSocket only.
     pub fn without_datagrams(self) -> Self {
         Rooms { datagrams: false, ..self }
     }
@@ -89,24 +89,24 @@ impl Rooms {
         self.entry.is_some()
     }
 
-    /// Count a client's socket; none if it has as many as it may, or all have.
+    /// Counts a client's connection; none if its limit, or the limit `all` for all clients, is reached.
     pub(crate) fn place(&self, client: IpAddr, all: usize) -> Option<Place> {
         self.places.socket(client, self.limits, all)
     }
 
-    /// Let nobody in from now on, and end all connections.
+    /// Rejects new users and ends all connections.
     pub fn close(&self) {
         let mut state = self.state();
         state.is_closed = true;
         state.rooms.values().for_each(|room| room.end(&ending()));
     }
 
-    /// Let a registry tell the counts.
+    /// Registers the metrics.
     pub(crate) fn register(&self, registry: &mut Registry) {
         self.figures.register(registry);
     }
 
-    /// Let a user into a room, which begins with its first user. `ticket` is one of its last time, or nothing.
+    /// Admits a user to a room, which its first user creates. `ticket` is that of the previous connection, or empty.
     pub(super) fn join(
         rooms: &Arc<Self>,
         name: &str,
@@ -149,7 +149,7 @@ impl Rooms {
 }
 
 impl Seat {
-    /// Who sends.
+    /// Identity of the sender.
     pub fn by(&self) -> By<'_> {
         By { user: self.user, outbox: &self.outbox }
     }
@@ -166,12 +166,12 @@ impl Drop for Seat {
     }
 }
 
-/// The end of every connection when the server ends.
+/// End of every connection at shutdown.
 pub fn ending() -> End {
     End::new(Reason::Ending, "the server ends")
 }
 
-/// Bytes that nobody can guess.
+/// Cryptographically secure random bytes.
 pub fn random<const COUNT: usize>() -> Result<[u8; COUNT], String> {
     let mut bytes = [0; COUNT];
     let filled = ring::default_provider().secure_random.fill(&mut bytes);

@@ -1,58 +1,59 @@
-//! How much rooms and their users may have.
+//! Limits on rooms and their users.
 
 use std::time::Duration;
 
 use super::frame::{HEAD, NAME};
 use super::token::TICKET;
 
-/// Most bytes of `welcome`.
+/// Greatest size of `welcome`, bytes.
 const WELCOME: usize = HEAD + 2 + 2 + 1 + TICKET;
-/// Most bytes of `joined`.
+/// Greatest size of `joined`, bytes.
 const JOINED: usize = HEAD + 2 + 2 + 1 + NAME;
 
 /// Limits of a server's rooms and of each user.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
-    /// Rooms at the same time.
+    /// Greatest number of rooms.
     pub rooms: usize,
-    /// Users of a room at the same time.
+    /// Greatest number of users in a room.
     pub users: usize,
-    /// Sockets of one client at the same time. Programs on this machine, such as a proxy, may have all.
+    /// Greatest number of connections per client. Local programs, such as a proxy, are exempt.
     pub sockets_per_client: usize,
-    /// Rooms at the same time that one client has begun. Programs on this machine may begin all.
+    /// Greatest number of existing rooms that one client has created. Local programs are exempt.
     pub rooms_per_client: usize,
-    /// Bytes of a message that a user sends.
+    /// Greatest size of a user's message, bytes.
     pub message_bytes: usize,
-    /// Bytes that wait for a user, besides the poses; who lets more wait is closed.
+    /// Greatest size of a user's queue in bytes, without poses; a user whose queue exceeds it is disconnected.
     pub queue_bytes: usize,
-    /// Messages that a user sends in a second.
+    /// Messages per second that a user may send.
     pub messages_per_second: f64,
-    /// Bytes that a user sends in a second, counted where they come in: with the heads of messages.
+    /// Bytes per second that a user may send, counted on arrival, with message headers.
     pub bytes_per_second: f64,
-    /// Bytes a second that a user says and signals to others.
+    /// Bytes per second that a user may send by `say` and `signal`.
     pub said_bytes_per_second: f64,
-    /// Poses a second that are passed on; those beyond are dropped. As many may say besides that none follows.
+    /// Poses per second that are forwarded; others are dropped. The same limit applies separately to final poses
+    /// (`stops`).
     pub poses_per_second: f64,
-    /// So much time's worth of messages, of bytes and of poses may come at once; who sends more is closed.
+    /// Burst of messages, bytes and poses as a duration at the limit; users who exceed it are disconnected.
     pub burst: Duration,
-    /// Time from the beginning of a connection until its user is in the room.
+    /// Timeout from the start of a connection to the user's entry.
     pub hello: Duration,
-    /// Time without a byte from a user after which it is sent a ping, and again each time that it has passed.
+    /// Time without a byte from a user before a ping is sent, and between further pings.
     pub ping: Duration,
-    /// Time without a byte from a user, pongs included, after which it is gone.
+    /// Time without a byte from a user, pongs included, before it is disconnected.
     pub silence: Duration,
-    /// Time that a connection which the server ends gets to read the reason.
+    /// Time for a disconnected user to read the reason.
     pub linger: Duration,
 }
 
 impl Limits {
-    /// Whether the limits fit together; a sentence if they do not.
+    /// Checks that the limits are consistent; an error describes a conflict.
     pub fn check(&self) -> Result<(), String> {
         let most = usize::from(u16::MAX) - 1;
         if !(1..=most).contains(&self.users) {
             return Err(format!("users: expected 1 to {most}, got {}", self.users));
         }
-        // A user who joins is told of itself and of all others at once.
+        // A new user receives `welcome` and a `joined` frame for each other user at once.
         let first = WELCOME + JOINED * self.users;
         if self.queue_bytes < first {
             let (users, got) = (self.users, self.queue_bytes);

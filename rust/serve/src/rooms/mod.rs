@@ -1,7 +1,7 @@
 //! Rooms: users of one scene see each other's heads, hands and pointers.
 //!
-//! `socket` and `datagrams` are the ways by which a user's frames come and go; both use `session` and `outbox`. docs/rooms.md
-//! describes the frames and the rules.
+//! `socket` and `datagrams` are the transports of a user's frames; both use `session` and `outbox`. docs/rooms.md
+//! specifies the frames and the rules.
 
 pub(crate) mod about;
 mod bucket;

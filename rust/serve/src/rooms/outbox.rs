@@ -1,4 +1,4 @@
-//! All that waits for a user: the newest pose of each other user, and all else in order.
+//! Queue of frames for a user: the newest pose of each other user, and all other frames in order.
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::task::Waker;
@@ -11,42 +11,42 @@ use super::frame::FromServer;
 use super::pose::Pose;
 use super::reason::{End, Reason};
 
-/// Bytes of memory that an empty queue keeps.
+/// Capacity in bytes that an empty queue keeps.
 const KEPT: usize = 1 << 12;
-/// Part of a queue that one sender may fill.
+/// Divisor of the queue's limit: share that one sender may fill.
 const SHARE: usize = 4;
 
-/// All that waits for one user, in bounded memory. Whoever writes to the user is woken and takes all of it.
+/// Queue of frames for one user, in bounded memory. Additions wake the user's writer, which takes all of it.
 pub struct Outbox {
     pending: Mutex<Pending>,
     writer: AtomicWaker,
-    /// Most bytes of frames that wait or are on their way, without poses.
+    /// Greatest number of bytes queued or in flight, without poses.
     most: usize,
-    /// Time for which the sender answers for a full share; after it, the user who does not read does.
+    /// Time during which a full share is the sender's fault; later it is that of the user who does not read.
     burst: Duration,
 }
 
 #[derive(Default)]
 struct Pending {
-    /// Frames that must arrive, in order.
+    /// Reliable frames, in order.
     queue: Vec<u8>,
-    /// When the first of them was added that came of a sender.
+    /// Time at which the first frame of a sender was queued.
     since: Option<Instant>,
-    /// Bytes of each sender in the queue.
+    /// Queued bytes of each sender.
     shares: Vec<(u16, usize)>,
-    /// Bytes of such frames that were taken and that the user's socket has not taken yet.
+    /// Bytes taken from the queue that the socket has not accepted yet.
     on_way: usize,
-    /// At most one pose of each user.
+    /// At most one pose per user.
     poses: Vec<Waiting>,
     settled: Option<Settled>,
     end: Option<End>,
 }
 
-/// The number up to which poses are settled.
+/// Number up to which poses are settled.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Settled {
     sequence: u32,
-    /// No later one may follow.
+    /// Whether no later number may follow.
     is_last: bool,
 }
 
@@ -56,44 +56,44 @@ struct Waiting {
     read: Instant,
 }
 
-/// Which of what waits is taken.
+/// Selection of queued frames.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Part {
-    /// All of it.
+    /// All frames.
     All,
-    /// All that must arrive, without poses and settled numbers that a later one will replace.
+    /// Reliable frames only, without poses and settled numbers that later ones will replace.
     Lasting,
 }
 
-/// Poses and a settled number as a datagram that may be sent.
+/// Poses and a settled number that fit into a datagram.
 #[derive(Default)]
 pub struct Passing {
-    /// Its frames; none if nothing waits.
+    /// Encoded frames; empty if nothing is queued.
     pub bytes: BytesMut,
-    /// Users and numbers of the poses, and when they were read.
+    /// Users and numbers of the poses, with their arrival times.
     poses: Vec<(u16, u32, Instant)>,
     settled: Option<u32>,
 }
 
-/// The outcome of a writer's look at what waits.
+/// Result of `Outbox::take`.
 #[derive(Debug, PartialEq)]
 pub enum Taken {
-    /// There is nothing.
+    /// The queue is empty.
     Nothing,
-    /// Frames, which are one message.
+    /// Frames were taken as one message.
     Message,
     /// The connection ends.
     End(End),
 }
 
 impl Outbox {
-    /// An empty one that takes so many bytes of frames besides poses. Who fills its share of them faster than in the
-    /// time of a burst sends too much.
+    /// Creates an empty queue with a limit in bytes, not counting poses. A sender that fills its share within the time
+    /// of a burst is disconnected.
     pub fn new(most: usize, burst: Duration) -> Self {
         Outbox { pending: Mutex::default(), writer: AtomicWaker::new(), most, burst }
     }
 
-    /// Add a frame that must arrive. Who lets too many bytes wait is ended.
+    /// Queues a reliable frame. Disconnects the user if the queue exceeds its limit.
     pub fn add(&self, frame: &FromServer<'_>) {
         let mut pending = self.pending();
         self.put(&mut pending, frame);
@@ -101,8 +101,8 @@ impl Outbox {
         self.writer.wake();
     }
 
-    /// Add a frame that came of another user then. An error if the sender's share is full and what waits has not waited
-    /// long: later it is the user who does not read.
+    /// Queues a frame from another user at a time. An error if the sender's share is full and the queue is younger than
+    /// a burst; later the user counts as one who does not read.
     pub fn add_from(&self, sender: u16, frame: &FromServer<'_>, now: Instant) -> Result<(), End> {
         let mut pending = self.pending();
         if pending.end.is_some() {
@@ -133,7 +133,7 @@ impl Outbox {
         }
     }
 
-    /// Add a pose, which was read then, in the place of an older one of the same user. Whether there was one.
+    /// Queues a pose with its arrival time, replacing an older one of the same user. Returns whether it replaced one.
     pub fn add_pose(&self, user: u16, pose: Pose, read: Instant) -> bool {
         let mut pending = self.pending();
         if pending.end.is_some() {
@@ -143,7 +143,7 @@ impl Outbox {
         let older = pending.poses.iter_mut().find(|waiting| waiting.user == user);
         let is_overwritten = older.is_some();
         match older {
-            // A wish for acknowledgement is settled by a later pose alone if that pose is acknowledged, too.
+            // A replaced pose that needs acknowledgement is settled only if the new one is acknowledged, too.
             Some(older) => {
                 let is_acknowledged = older.pose.is_acknowledged || new.pose.is_acknowledged;
                 *older = Waiting { pose: Pose { is_acknowledged, ..new.pose }, ..new };
@@ -155,7 +155,7 @@ impl Outbox {
         is_overwritten
     }
 
-    /// Add that poses are settled up to a number; `is_last` if no later one may follow.
+    /// Queues the number up to which poses are settled; `is_last` if no later one may follow.
     pub fn add_settled(&self, sequence: u32, is_last: bool) {
         let mut pending = self.pending();
         if pending.end.is_none() {
@@ -165,12 +165,12 @@ impl Outbox {
         self.writer.wake();
     }
 
-    /// Forget the pose of a user who has left.
+    /// Removes the pose of a user who has left.
     pub fn forget(&self, user: u16) {
         self.pending().poses.retain(|waiting| waiting.user != user);
     }
 
-    /// End the connection, and forget all that waits. The first reason counts.
+    /// Ends the connection and discards the queue. The first reason is kept.
     pub fn end(&self, end: End) {
         let mut pending = self.pending();
         if pending.end.is_none() {
@@ -180,18 +180,18 @@ impl Outbox {
         self.writer.wake();
     }
 
-    /// The end, if it has come.
+    /// End of the connection, if any.
     pub fn ended(&self) -> Option<End> {
         self.pending().end.clone()
     }
 
-    /// Wake this when something is added.
+    /// Registers the task to wake when something is added.
     pub fn register(&self, writer: &Waker) {
         self.writer.register(writer);
     }
 
-    /// Take what waits, or a part of it, as one message: frames in order, then poses, whose times of reading come with them.
-    /// All that was taken before has been written.
+    /// Takes queued frames as one message: reliable frames in order, then poses; appends the poses' arrival times to
+    /// `read`. All frames taken before have been written.
     pub fn take(&self, part: Part, message: &mut BytesMut, read: &mut Vec<Instant>) -> Taken {
         let mut pending = self.pending();
         if let Some(end) = &pending.end {
@@ -199,7 +199,7 @@ impl Outbox {
         }
         pending.on_way = pending.queue.len();
         message.extend_from_slice(&pending.queue);
-        // A burst's memory is given back.
+        // The memory of a burst is released.
         if pending.queue.capacity() > KEPT {
             pending.queue = Vec::new();
         }
@@ -220,7 +220,7 @@ impl Outbox {
         if message.is_empty() { Taken::Nothing } else { Taken::Message }
     }
 
-    /// As many poses and settled numbers, those that last apart, as so many bytes can hold. They wait until they are sent.
+    /// Composes a datagram of at most `most` bytes from replaceable frames, which stay queued until `sent`.
     pub fn passing(&self, most: usize) -> Passing {
         let (pending, mut passing) = (self.pending(), Passing::default());
         let fits = |passing: &Passing, frame: &FromServer<'_>| passing.bytes.len() + frame.bytes() <= most;
@@ -242,7 +242,7 @@ impl Outbox {
         passing
     }
 
-    /// A datagram was sent: what is in it waits no longer, but newer poses do. When its poses were read.
+    /// Removes the frames of a sent datagram, but not newer ones; returns the arrival times of its poses.
     pub fn sent(&self, passing: &Passing) -> impl ExactSizeIterator<Item = Instant> {
         let mut pending = self.pending();
         let is_sent = |waiting: &Waiting| {

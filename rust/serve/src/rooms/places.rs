@@ -1,4 +1,4 @@
-//! How many sockets clients have, and how many rooms they have begun.
+//! Numbers of connections and of created rooms per client.
 
 use std::net::IpAddr;
 use std::sync::Arc;
@@ -6,14 +6,14 @@ use std::sync::Arc;
 use super::limits::Limits;
 use crate::clients::{Clients, Entered, counted};
 
-/// Sockets and rooms by the addresses of clients.
+/// Connections and rooms by client address.
 #[derive(Debug, Default)]
 pub struct Places {
     sockets: Arc<Clients>,
     rooms: Arc<Clients>,
 }
 
-/// A client's socket; it counts until the last copy is dropped.
+/// A client's connection; counted until the last clone is dropped.
 #[derive(Clone, Debug)]
 pub struct Place {
     client: IpAddr,
@@ -21,14 +21,14 @@ pub struct Place {
 }
 
 impl Places {
-    /// A socket of a client; none if it has as many as it may, or all have.
+    /// Counts a connection of a client; none if its limit, or the limit `all` for all clients, is reached.
     pub fn socket(&self, client: IpAddr, limits: Limits, all: usize) -> Option<Place> {
         let client = counted(client);
         let socket = Clients::enter_among(&self.sockets, client, limits.sockets_per_client, all)?;
         Some(Place { client, _socket: Arc::new(socket) })
     }
 
-    /// A room that a client begins; none if it has begun as many as it may of those that are there.
+    /// Counts a room that a client creates; none if too many rooms that it created still exist.
     pub fn room(&self, place: &Place, limits: Limits) -> Option<Entered> {
         Clients::enter(&self.rooms, place.client, limits.rooms_per_client)
     }

@@ -1,44 +1,44 @@
-//! Where a user's head, hands and pointer are, as bytes.
+//! Binary format of a pose: a user's head, hands and pointer.
 
 use bytes::{Buf, BufMut};
 
-/// Most bytes of a pose.
+/// Greatest size of a pose, bytes.
 pub const MOST: usize = LEAST + 2 * PLACED + 4;
-/// Bytes of a pose without hands and pointer.
+/// Size of a pose without hands and pointer, bytes.
 const LEAST: usize = 4 + 8 + 1 + PLACED;
-/// Bytes of a position and a rotation.
+/// Size of a position and a rotation, bytes.
 const PLACED: usize = 3 * 4 + 4 * 2;
 /// Greatest coordinate, and greatest length of a pointer, metres.
 const FARTHEST: f32 = 1e6;
-/// Squares of the least and the greatest length of a rotation; rounding to 16 bits changes it by 1e-4 at most.
+/// Range of a rotation's squared length; rounding to 16 bits changes the length by at most 1e-4.
 const UNIT: std::ops::RangeInclusive<f32> = 0.81..=1.21;
-/// The number that 1 is in a rotation.
+/// Integer that represents 1 in a rotation.
 const ONE: f32 = 32767.0;
 
-/// A sentence on bytes that end too early.
+/// Error for truncated bytes.
 const SHORT: &str = "a pose is too short";
 
-/// Flag: the group's users are to acknowledge this pose.
+/// Flag: users of the group acknowledge this pose.
 const ACKNOWLEDGED: u8 = 1;
 /// Flag: no pose follows until the user moves again.
 const STOPS: u8 = 1 << 1;
 /// Flags of the hands.
 const HANDS: [u8; 2] = [1 << 2, 1 << 3];
-/// Place of the pointer's two flags.
+/// Bit position of the pointer's two flags.
 const POINTER: u8 = 4;
-/// Flags that have a meaning.
+/// Mask of all defined flags.
 const KNOWN: u8 = 0b11_1111;
 
-/// A position and a rotation.
+/// Position and rotation of a head or a hand.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placed {
-    /// Metres from the scene's origin.
+    /// Position in metres from the scene's origin.
     pub position: [f32; 3],
     /// Unit quaternion (x, y, z, w), in units of 1/32767.
     pub rotation: [i16; 4],
 }
 
-/// The begin of a pointer's ray.
+/// Origin of a pointer's ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Begin {
     /// The head.
@@ -49,33 +49,33 @@ pub enum Begin {
     Right,
 }
 
-/// A user's pose.
+/// Pose of a user.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
-    /// Its number; each is greater than those before.
+    /// Sequence number, greater than all earlier ones.
     pub sequence: u32,
-    /// The user's clock, in microseconds from any begin.
+    /// The user's clock, in microseconds from an arbitrary start.
     pub clock: u64,
-    /// The group's users are to acknowledge it.
+    /// Whether users of the group acknowledge it.
     pub is_acknowledged: bool,
-    /// No pose follows until the user moves again: who extrapolates stays at this one.
+    /// Whether no pose follows until the user moves again, so that extrapolation stops here.
     pub stops: bool,
     /// The head.
     pub head: Placed,
-    /// The left and the right hand.
+    /// Left and right hand.
     pub hands: [Option<Placed>; 2],
-    /// The pointer's ray, along −z of its begin, and its length in metres.
+    /// Origin of the pointer's ray, which points along its −z, and its length in metres.
     pub pointer: Option<(Begin, f32)>,
 }
 
 impl Pose {
-    /// Bytes that it takes.
+    /// Encoded size, bytes.
     pub fn bytes(&self) -> usize {
         let hands = self.hands.iter().flatten().count();
         LEAST + hands * PLACED + self.pointer.map_or(0, |_| 4)
     }
 
-    /// Read a pose that takes all of these bytes; a sentence if they are none.
+    /// Decodes a pose that fills all bytes; an error describes the fault.
     pub fn read(mut body: &[u8]) -> Result<Self, &'static str> {
         let short = |_| SHORT;
         let sequence = body.try_get_u32_le().map_err(short)?;
@@ -116,7 +116,7 @@ impl Pose {
         Ok(Pose { sequence, clock, is_acknowledged, stops, head, hands, pointer })
     }
 
-    /// Write it.
+    /// Encodes the pose.
     pub fn write(&self, out: &mut impl BufMut) {
         let [left, right] = self.hands.map(|hand| hand.is_some());
         let set = [(self.is_acknowledged, ACKNOWLEDGED), (self.stops, STOPS), (left, HANDS[0]), (right, HANDS[1])];
@@ -144,7 +144,7 @@ fn placed(body: &mut &[u8]) -> Result<Placed, &'static str> {
     for value in &mut rotation {
         *value = body.try_get_i16_le().map_err(short)?;
     }
-    // Not-a-number is in no range.
+    // NaN fails the comparison.
     if !position.iter().all(|value| (-FARTHEST..=FARTHEST).contains(value)) {
         return Err("a position is none");
     }

@@ -1,34 +1,34 @@
-//! Why a user's connection ends.
+//! Reasons for the end of a user's connection.
 
-/// Close code of WebSocket for a connection that its user ended.
+/// WebSocket close code for a connection that its user ended.
 const NORMAL: u16 = 1000;
-/// Close codes of applications begin here; that of a reason is so many higher than the reason's own.
+/// First application-defined close code; a reason's code is added to it.
 const OWN: u16 = 4000;
 
-/// Why a connection ends.
+/// Reason for the end of a connection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Reason {
-    /// The user said so.
+    /// The user has left.
     Bye,
-    /// The connection broke off.
+    /// The connection broke.
     Gone,
-    /// The user speaks another version.
+    /// The user's frames have another version.
     Version,
-    /// The user sent what is no message, or one that is too large.
+    /// The user sent an invalid or too large message.
     Frame,
-    /// The user has no token, or one that is not valid here.
+    /// The user's token is missing or invalid here.
     Token,
-    /// The room, or the server, has as many as it may.
+    /// The room or the server is full.
     Full,
-    /// The user sends too much.
+    /// The user sent too much.
     Flood,
     /// The user reads too slowly.
     Slow,
-    /// Nothing was heard of the user.
+    /// The user timed out.
     Silent,
-    /// The user has come back by another connection.
+    /// The user has reconnected.
     Replaced,
-    /// The server ends.
+    /// The server is shutting down.
     Ending,
 }
 
@@ -48,12 +48,12 @@ impl Reason {
         Reason::Ending,
     ];
 
-    /// Its number in a frame.
+    /// Code in a frame.
     pub fn code(self) -> u8 {
         self as u8
     }
 
-    /// Its name in counts.
+    /// Name in metrics.
     pub fn name(self) -> &'static str {
         match self {
             Reason::Bye => "bye",
@@ -70,29 +70,29 @@ impl Reason {
         }
     }
 
-    /// Its close code of WebSocket.
+    /// WebSocket close code.
     pub fn close_code(self) -> u16 {
         if self == Reason::Bye { NORMAL } else { OWN + u16::from(self.code()) }
     }
 }
 
-/// The end of a connection: why, and in a sentence for who was ended.
+/// End of a connection: the reason, and a sentence for the user.
 #[derive(Clone, Debug, PartialEq)]
 pub struct End {
-    /// Why.
+    /// Reason.
     pub reason: Reason,
-    /// The sentence, which names what was expected.
+    /// Sentence that says what was expected.
     pub sentence: String,
 }
 
 impl End {
-    /// An end for a reason, with its sentence.
+    /// Creates an end with a reason and a sentence.
     pub fn new(reason: Reason, sentence: impl Into<String>) -> Self {
         End { reason, sentence: sentence.into() }
     }
 }
 
-/// The end of a connection that broke off.
+/// End of a broken connection.
 pub fn gone() -> End {
     End::new(Reason::Gone, "the connection broke off")
 }

@@ -1,4 +1,4 @@
-//! One room: its users, and what they send each other.
+//! One room: its users, and the frames that they send each other.
 
 use std::collections::{BTreeMap, HashMap};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -13,7 +13,7 @@ use super::settle::Settling;
 use super::token::Number;
 use crate::clients::Entered;
 
-/// A room that somebody is in.
+/// A room with users.
 pub struct Room {
     state: Mutex<State>,
     figures: Arc<Figures>,
@@ -23,9 +23,9 @@ pub struct Room {
 #[derive(Default)]
 struct State {
     users: BTreeMap<u16, User>,
-    /// Users of each group with what waits for them.
+    /// Users of each group with their outboxes.
     groups: HashMap<u16, Vec<(u16, Arc<Outbox>)>>,
-    /// The last number that was given.
+    /// Last assigned number.
     last: u16,
 }
 
@@ -36,32 +36,32 @@ struct User {
     token: Option<Number>,
     outbox: Arc<Outbox>,
     settling: Settling,
-    /// Its last pose said that none follows, until it moves again.
+    /// Whether its last pose was final (`stops`).
     rests: bool,
 }
 
-/// Who sends: a number, and the connection that has it unless the user has come back by another one.
+/// Sender of a frame: its number and its connection's outbox, which differs if the user has reconnected.
 #[derive(Clone, Copy)]
 pub struct By<'a> {
-    /// The user's number.
+    /// Number of the user.
     pub user: u16,
-    /// The connection's outbox.
+    /// Outbox of the connection.
     pub outbox: &'a Arc<Outbox>,
 }
 
-/// Who wants to join.
+/// Request to join a room.
 pub struct Joining<'a> {
-    /// The group, which is of the user's choice.
+    /// Group, chosen by the user.
     pub group: u16,
-    /// The name that others are told.
+    /// Name that others see.
     pub name: &'a str,
-    /// The number of the user's token.
+    /// Number of the user's token.
     pub token: Option<Number>,
-    /// Number and identity of a user who comes back.
+    /// Number and identity of a reconnecting user.
     pub back: Option<(u16, u64)>,
-    /// Tells users of the same number apart, unless the user comes back.
+    /// Random value that distinguishes users with the same number; a reconnecting user keeps its own.
     pub identity: u64,
-    /// Where frames wait for the user.
+    /// Queue of frames for the user.
     pub outbox: Arc<Outbox>,
 }
 
@@ -72,17 +72,18 @@ impl By<'_> {
 }
 
 impl Room {
-    /// An empty room that a client has begun; the first user's number follows this one.
+    /// Creates an empty room for a client; the first user gets the number after `last`.
     pub fn new(last: u16, figures: Arc<Figures>, begun: Entered) -> Self {
         Room { state: Mutex::new(State { last, ..State::default() }), figures, _begun: begun }
     }
 
-    /// Whether nobody is there.
+    /// Whether the room has no users.
     pub fn is_empty(&self) -> bool {
         self.state().users.is_empty()
     }
 
-    /// Let a user in, and tell all. `welcome` gives the ticket of a number and an identity. The user's number.
+    /// Admits a user and notifies all. `welcome` makes the ticket for a number and an identity. Returns the user's
+    /// number.
     pub fn join<Ticket: AsRef<[u8]>>(
         &self,
         joining: &Joining<'_>,
@@ -91,7 +92,7 @@ impl Room {
     ) -> Result<u16, End> {
         let mut state = self.state();
         let has_token = |user: &User| joining.token.is_some() && user.token == joining.token;
-        // A ticket is proof that a token was not overheard: it ends whoever else uses the token.
+        // A ticket proves that the token was not intercepted, so its owner replaces all other users of the token.
         let replaced: Vec<u16> = joining.back.map_or_else(Vec::new, |back| {
             let is_old = |(user, present): &(&u16, &User)| (**user, present.identity) == back || has_token(present);
             state.users.iter().filter(is_old).map(|(user, _)| *user).collect()
@@ -115,7 +116,7 @@ impl Room {
         Ok(user)
     }
 
-    /// A user's connection has ended. The number may be that of a user who came back by another one.
+    /// Removes a user, unless its number belongs to a newer connection of the same user.
     pub fn leave(&self, by: By<'_>) {
         let mut state = self.state();
         if state.has(by) {
@@ -124,7 +125,7 @@ impl Room {
         }
     }
 
-    /// Forward a user's pose, which was read then, to the group.
+    /// Forwards a user's pose, with its arrival time, to the group.
     pub fn pose(&self, by: By<'_>, pose: Pose, read: Instant) {
         let mut state = self.state();
         let State { users, groups, .. } = &mut *state;
@@ -142,7 +143,7 @@ impl Room {
         }
     }
 
-    /// A user has acknowledged a pose of another one. Users who are not of its group are ignored.
+    /// Processes an acknowledgement of another user's pose. Users outside that user's group are ignored.
     pub fn acknowledge(&self, by: By<'_>, user: u16, sequence: u32) {
         let mut state = self.state();
         if !state.has(by) {
@@ -154,7 +155,7 @@ impl Room {
         }
     }
 
-    /// Tell others what a user says; all get it in the same order. An error if the user says too much.
+    /// Sends a message to others, in the same order for all. An error if the sender exceeds its share.
     pub fn say(&self, by: By<'_>, to: To, payload: &[u8], now: Instant) -> Result<(), End> {
         let state = self.state();
         let Some(user) = state.users.get(&by.user).filter(|user| by.is(user)) else { return Ok(()) };
@@ -169,14 +170,14 @@ impl Room {
         }
     }
 
-    /// Pass a signal to a user; to one who is not there, nothing. An error if the user signals too much.
+    /// Sends a signal to a user, if present. An error if the sender exceeds its share.
     pub fn signal(&self, by: By<'_>, to: u16, payload: &[u8], now: Instant) -> Result<(), End> {
         let state = self.state();
         let to = state.users.get(&to).filter(|_| state.has(by));
         to.map_or(Ok(()), |to| to.outbox.add_from(by.user, &FromServer::Signal { user: by.user, payload }, now))
     }
 
-    /// End all connections.
+    /// Ends all connections.
     pub fn end(&self, end: &End) {
         self.state().users.values().for_each(|user| user.outbox.end(end.clone()));
     }
@@ -187,7 +188,7 @@ impl Room {
 }
 
 impl State {
-    /// A number that nobody has, and that was not given for longest. Rooms have fewer users than there are numbers.
+    /// Finds the next free number in cyclic order. Rooms have fewer users than there are numbers.
     fn unused(&mut self) -> u16 {
         loop {
             self.last = self.last.wrapping_add(1);
@@ -197,7 +198,7 @@ impl State {
         }
     }
 
-    /// Tell a user who is about to enter of itself and of who is there.
+    /// Queues `welcome` and a `joined` frame of each present user for a new user.
     fn welcome(&self, user: u16, joining: &Joining<'_>, ticket: &[u8]) {
         joining.outbox.add(&FromServer::Welcome { user, others: self.users.len() as u16, ticket });
         for (other, found) in &self.users {
@@ -221,7 +222,7 @@ impl State {
         self.users.insert(user, User { group, name, identity, token, outbox, settling, rests: false });
     }
 
-    /// Let a user out, and tell others. What waits for it.
+    /// Removes a user and notifies the others. Returns its outbox.
     fn leave(&mut self, user: u16) -> Option<Arc<Outbox>> {
         let gone = self.users.remove(&user)?;
         if let Some(peers) = self.groups.get_mut(&gone.group) {

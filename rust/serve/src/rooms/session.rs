@@ -1,4 +1,4 @@
-//! A user's connection, by whatever way its messages come and go.
+//! A user's connection, independent of its transport.
 
 use std::sync::Arc;
 use std::time::{Instant, SystemTime};
@@ -13,29 +13,29 @@ use super::pose::Pose;
 use super::reason::{End, Reason};
 use super::room::Joining;
 
-/// Part of others' queues that a user may fill at once by `say` and `signal`.
+/// Divisor of the queue's limit: burst that a user may send by `say` and `signal`.
 const BURST: usize = 4;
-/// Bytes that a frame has around its payload when it comes to others.
+/// Header bytes of a forwarded payload.
 const AROUND: usize = HEAD + 2 + 1;
-/// Bytes for which a shorter frame counts.
+/// Least size in bytes that a message counts as.
 const LEAST: usize = 64;
 
-/// A connection to a room: without a place in it until the first frame has come.
+/// Connection of a user to a room; it has a seat after its first frame.
 pub struct Session {
     pub rooms: Arc<Rooms>,
     entering: Entering,
-    /// Where frames wait for the user.
+    /// Queue of frames for the user.
     pub outbox: Arc<Outbox>,
     seat: Option<Seat>,
     messages: Bucket,
     bytes: Bucket,
     said: Bucket,
     poses: Bucket,
-    /// Poses that no other follows for a time.
+    /// Limit on final poses (`stops`).
     rests: Bucket,
 }
 
-/// Where a connection leads, as its address says.
+/// Room and token of a connection, from its address.
 #[derive(Clone, Debug)]
 pub struct Entering {
     room: String,
@@ -44,14 +44,14 @@ pub struct Entering {
 }
 
 impl Entering {
-    /// A room by its name, and a user's token.
+    /// Creates it from the name of the room and the user's token.
     pub fn new(room: &str, token: Option<&str>, place: Place) -> Self {
         Entering { room: room.to_owned(), token: token.map(str::to_owned), place }
     }
 }
 
 impl Session {
-    /// A connection that begins now.
+    /// Creates the session of a new connection.
     pub fn new(rooms: Arc<Rooms>, entering: Entering, now: Instant) -> Self {
         let limits = rooms.limits;
         let outbox = Arc::new(Outbox::new(limits.queue_bytes, limits.burst));
@@ -67,25 +67,25 @@ impl Session {
         self.seat.is_some()
     }
 
-    /// Count the end and give up the seat, before the user is told: it may enter again as soon as it is. Others hear of
-    /// the end although the user may not read it.
+    /// Counts the end and gives up the seat. This precedes the notification, so that the user can rejoin at once; the
+    /// others are notified even if the user does not read.
     pub fn end(self, reason: Reason) {
         self.rooms.figures.closed(reason);
     }
 
-    /// So many bytes have come.
+    /// Counts received bytes.
     pub fn took(&mut self, bytes: usize, now: Instant) -> Result<(), End> {
         let sentence = || format!("expected at most {} bytes a second", self.rooms.limits.bytes_per_second);
         if self.bytes.take(bytes as f64, now) { Ok(()) } else { Err(End::new(Reason::Flood, sentence())) }
     }
 
-    /// A message without frames, such as a ping, has come.
+    /// Counts a message without frames, such as a ping.
     pub fn counted(&mut self, now: Instant) -> Result<(), End> {
         let sentence = || format!("expected at most {} messages a second", self.rooms.limits.messages_per_second);
         if self.messages.take(1.0, now) { Ok(()) } else { Err(End::new(Reason::Flood, sentence())) }
     }
 
-    /// A message of frames has come.
+    /// Processes a message of frames.
     pub fn message(&mut self, mut bytes: &[u8], now: Instant) -> Result<(), End> {
         self.counted(now)?;
         while !bytes.is_empty() {
@@ -96,8 +96,8 @@ impl Session {
         Ok(())
     }
 
-    /// A datagram has come, which may hold poses and acknowledgements. Those of a user who is not in the room yet are
-    /// dropped: a datagram may come before the hello.
+    /// Processes a datagram of poses and acknowledgements. It is dropped if the user is not in the room, because
+    /// datagrams can arrive before hello.
     pub fn datagram(&mut self, mut bytes: &[u8], now: Instant) -> Result<(), End> {
         self.counted(now)?;
         while self.is_in() && !bytes.is_empty() {
@@ -133,8 +133,8 @@ impl Session {
         Ok(())
     }
 
-    /// Whether a pose is passed on. Each wakes all others of the group, so that those beyond a rate are dropped: a later
-    /// one replaces them. One that no other follows must arrive, so that too many of them are an end.
+    /// Whether a pose is forwarded. Each pose wakes the whole group, so poses beyond the rate are dropped, as later
+    /// ones replace them. Final poses (`stops`) must arrive, so too many of them end the connection.
     fn moves(&mut self, pose: &Pose, now: Instant) -> Result<bool, End> {
         if !pose.stops {
             return Ok(self.poses.take_if(1.0, now));
@@ -143,7 +143,7 @@ impl Session {
         if self.rests.take(1.0, now) { Ok(true) } else { Err(End::new(Reason::Flood, sentence())) }
     }
 
-    /// Others have to take what a user says, so that it has a lower rate than poses.
+    /// Counts the payload bytes of `say` and `signal`, whose rate is lower because all recipients must receive them.
     fn says(&mut self, payload: &[u8], now: Instant) -> Result<(), End> {
         let sentence = || {
             let Limits { said_bytes_per_second: rate, queue_bytes, .. } = self.rooms.limits;
@@ -153,7 +153,7 @@ impl Session {
         if self.said.take(bytes, now) { Ok(()) } else { Err(End::new(Reason::Flood, sentence())) }
     }
 
-    /// The first frame takes a place in the room.
+    /// Processes the first frame: takes a seat in the room.
     fn enter(&mut self, first: FromUser<'_>) -> Result<(), End> {
         let FromUser::Hello { group, name, ticket } = first else {
             return Err(End::new(Reason::Frame, "expected hello first"));

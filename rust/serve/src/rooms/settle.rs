@@ -1,24 +1,24 @@
-//! Which poses of a user all others of its group have acknowledged: the round trip of the paper's Eq. 3,
-//! D_i = T_is + max over j != i of (T_sj + T_js) + T_si, ends when the last of them has.
+//! Tracks which of a user's poses all others of its group have acknowledged. The round trip of the paper's Eq. 3,
+//! D_i = T_is + max over j != i of (T_sj + T_js) + T_si, ends with the last acknowledgement.
 
 /// Acknowledgements of one user's poses.
 #[derive(Default)]
 pub struct Settling {
-    /// Greatest number of a pose that the user sent.
+    /// Greatest number that the user has sent.
     sent: Option<u32>,
-    /// Greatest number that the user was told.
+    /// Greatest number that the user was notified of.
     told: Option<u32>,
-    /// Others of the group, and the greatest number that each has acknowledged.
+    /// Other users of the group, with the greatest number that each has acknowledged.
     peers: Vec<(u16, Option<u32>)>,
 }
 
 impl Settling {
-    /// The user's group has these others.
+    /// Creates the state for a group with other users.
     pub fn new(peers: impl Iterator<Item = u16>) -> Self {
         Settling { sent: None, told: None, peers: peers.map(|peer| (peer, None)).collect() }
     }
 
-    /// The user has sent a pose. False if it is not newer than those before.
+    /// Records a sent pose. False if it is not newer than all earlier ones.
     pub fn send(&mut self, sequence: u32) -> bool {
         let is_newer = self.sent.is_none_or(|sent| sequence > sent);
         if is_newer {
@@ -27,18 +27,18 @@ impl Settling {
         is_newer
     }
 
-    /// Another user has joined the group; it has acknowledged nothing.
+    /// Adds a user to the group, without acknowledgements.
     pub fn join(&mut self, peer: u16) {
         self.peers.push((peer, None));
     }
 
-    /// Another user has left the group and does not count any more; the number that settles by it.
+    /// Removes a user from the group; returns the number that this settles.
     pub fn leave(&mut self, peer: u16) -> Option<u32> {
         self.peers.retain(|(number, _)| *number != peer);
         self.settle()
     }
 
-    /// Another user has acknowledged a pose; the number that settles by it. Numbers that were not sent do not count.
+    /// Records an acknowledgement; returns the number that it settles. Numbers that were never sent are ignored.
     pub fn acknowledge(&mut self, peer: u16, sequence: u32) -> Option<u32> {
         let sent = self.sent.filter(|sent| sequence <= *sent);
         let entry = self.peers.iter_mut().find(|(number, _)| *number == peer)?;
@@ -47,7 +47,7 @@ impl Settling {
         self.settle()
     }
 
-    /// The least number that the others have acknowledged, if it has risen.
+    /// Least number that all others have acknowledged, if it has grown.
     fn settle(&mut self) -> Option<u32> {
         // None is less than every number.
         let least = self.peers.iter().map(|(_, sequence)| *sequence).min().flatten();

@@ -1,4 +1,4 @@
-//! WebSocket as the way of a user's messages.
+//! WebSocket transport of a user's messages.
 
 use std::future::poll_fn;
 use std::io;
@@ -21,32 +21,32 @@ use super::session::Session;
 use super::tap::Tap;
 use crate::limits::{READ, ROW};
 
-/// One connection.
+/// WebSocket connection of a user.
 struct Socket<S> {
     stream: WebSocketStream<Tap<S>>,
     session: Session,
-    /// Messages that wait become one here.
+    /// Buffer for joining queued frames to a message.
     message: BytesMut,
-    /// When the poses of the message that is on its way were read.
+    /// Arrival times of the poses in the message being written.
     read: Vec<std::time::Instant>,
-    /// The stream has not taken all of the last message yet.
+    /// Whether the stream has not accepted all of the last message yet.
     is_writing: bool,
     is_ping_due: bool,
     begun: Instant,
-    /// When the last byte came.
+    /// Time of the last received byte.
     heard: Instant,
-    /// When the last ping was sent.
+    /// Time of the last ping.
     pinged: Instant,
     clock: Pin<Box<Sleep>>,
 }
 
-/// Serve a user whose connection has become a WebSocket; these bytes came with its request. Why it ended.
+/// Serves a user over a new WebSocket; `came` arrived with its request. Returns the reason for the end.
 pub async fn serve<S>(session: Session, stream: S, came: Bytes) -> Reason
 where
     S: AsyncRead + AsyncWrite + Unpin,
 {
     let (limits, now) = (session.rooms.limits, Instant::now());
-    // One message of all that may wait, and answers to pings.
+    // One message of a full queue, and pongs.
     let most = 2 * limits.queue_bytes + limits.users * (HEAD + 2 + pose::MOST);
     let config = WebSocketConfig::default()
         .read_buffer_size(READ)
@@ -69,9 +69,9 @@ where
 
 impl<S: AsyncRead + AsyncWrite + Unpin> Socket<S> {
     fn poll(&mut self, context: &mut Context<'_>) -> Poll<End> {
-        // Before looking, so that nothing that is added in between is missed.
+        // Registered before polling, so that no frame added meanwhile is missed.
         self.session.outbox.register(context.waker());
-        // Before the clock: bytes may have come while the process did not run.
+        // Read before the timer is checked: bytes may have arrived while the process was suspended.
         if let Poll::Ready(end) = self.poll_read(context) {
             return Poll::Ready(end);
         }
@@ -81,7 +81,7 @@ impl<S: AsyncRead + AsyncWrite + Unpin> Socket<S> {
         self.poll_write(context)
     }
 
-    /// Find out when a user is silent. No message waits for this clock.
+    /// Checks the timeouts for silence. Messages are not delayed by this timer.
     fn poll_clock(&mut self, context: &mut Context<'_>) -> Poll<End> {
         let limits = self.session.rooms.limits;
         loop {
@@ -128,12 +128,12 @@ impl<S: AsyncRead + AsyncWrite + Unpin> Socket<S> {
         Poll::Pending
     }
 
-    /// Write all that waits, as one message whenever the stream has taken the one before.
+    /// Writes all queued frames as one message as soon as the stream has accepted the previous one.
     fn poll_write(&mut self, context: &mut Context<'_>) -> Poll<End> {
         loop {
             if self.is_writing {
                 match Pin::new(&mut self.stream).poll_flush(context) {
-                    // The end does not wait for a user who does not read.
+                    // A user who does not read must not delay the end.
                     Poll::Pending => return self.session.outbox.ended().map_or(Poll::Pending, Poll::Ready),
                     Poll::Ready(Err(error)) => return Poll::Ready(lost(error)),
                     Poll::Ready(Ok(())) => {}
@@ -143,7 +143,7 @@ impl<S: AsyncRead + AsyncWrite + Unpin> Socket<S> {
                 let ages = self.read.drain(..).map(|read| now.saturating_duration_since(read));
                 self.session.rooms.figures.written(ages);
             }
-            // First, as there may always be something that waits.
+            // The ping goes first, because the queue may never be empty.
             let message = if std::mem::take(&mut self.is_ping_due) {
                 Message::Ping(Bytes::new())
             } else {
@@ -161,7 +161,7 @@ impl<S: AsyncRead + AsyncWrite + Unpin> Socket<S> {
     }
 }
 
-/// A message that was read, none while none has come, or why there are no more.
+/// Received message, none if there is none yet, or the end.
 fn ready_or(polled: Poll<Option<Result<Message, Error>>>) -> Result<Option<Message>, End> {
     match polled {
         Poll::Pending => Ok(None),
@@ -171,7 +171,7 @@ fn ready_or(polled: Poll<Option<Result<Message, Error>>>) -> Result<Option<Messa
     }
 }
 
-/// Why an error ends a connection.
+/// End for a WebSocket error.
 fn lost(error: Error) -> End {
     use tokio_tungstenite::tungstenite::error::ProtocolError;
     match error {
@@ -185,8 +185,8 @@ fn lost(error: Error) -> End {
     }
 }
 
-/// Tell a user why its connection ends, and wait until it has closed it, so that what was written arrives. So many
-/// bytes are read meanwhile.
+/// Sends the reason and waits until the user has closed the connection, so that all written data arrive. Reads at
+/// most `most` bytes meanwhile.
 async fn farewell<S>(mut stream: WebSocketStream<Tap<S>>, end: &End, most: usize) -> Result<(), Error>
 where
     S: AsyncRead + AsyncWrite + Unpin,
@@ -194,7 +194,7 @@ where
     let mut left = if end.reason == Reason::Flood { 0 } else { most };
     let is_told = end.reason != Reason::Gone && say_why(&mut stream, end).await.is_ok();
     if !is_told {
-        // A user who has begun to close can be told nothing more, but its close is answered.
+        // After the user's close frame nothing more can be sent, but the reply must be flushed.
         let _ = poll_fn(|context| Pin::new(&mut stream).poll_flush(context)).await;
     }
     if is_told {
@@ -203,11 +203,11 @@ where
     let tap = stream.get_mut();
     poll_fn(|context| Pin::new(&mut *tap).poll_shutdown(context)).await?;
     let is_closed = poll_fn(|context| poll_drained(tap, context, &mut left)).await?;
-    // To read on would be work for who sends too much; the time to read the reason ends this.
+    // Not reading limits the work for a flooding user; the caller's timeout ends this.
     if is_closed { Ok(()) } else { std::future::pending().await }
 }
 
-/// Read messages until the user has closed the WebSocket, or until no byte is left to read.
+/// Reads messages until the user has closed the WebSocket, or until `left` bytes are read.
 fn poll_closed<S>(stream: &mut WebSocketStream<Tap<S>>, context: &mut Context<'_>, left: &mut usize) -> Poll<()>
 where
     S: AsyncRead + AsyncWrite + Unpin,
@@ -222,7 +222,7 @@ where
     Poll::Ready(())
 }
 
-/// Read until the user has closed its side, or until no byte is left to read; whether it has.
+/// Reads until the user has closed its side, or until `left` bytes are read; returns whether it has closed.
 fn poll_drained<S>(tap: &mut Tap<S>, context: &mut Context<'_>, left: &mut usize) -> Poll<io::Result<bool>>
 where
     S: AsyncRead + AsyncWrite + Unpin,

@@ -1,4 +1,4 @@
-//! A stream that counts the bytes that come.
+//! A stream that counts received bytes.
 
 use std::io;
 use std::pin::Pin;
@@ -6,19 +6,19 @@ use std::task::{Context, Poll};
 
 use tokio::io::{AsyncRead, AsyncWrite, ReadBuf};
 
-/// A stream, and how many bytes came of it.
+/// A stream, and the number of bytes received from it.
 pub struct Tap<S> {
     stream: S,
     came: usize,
 }
 
 impl<S> Tap<S> {
-    /// No byte has come of a stream yet.
+    /// Wraps a stream.
     pub fn new(stream: S) -> Self {
         Tap { stream, came: 0 }
     }
 
-    /// Bytes that came since this was asked last.
+    /// Bytes received since the last call.
     pub fn came(&mut self) -> usize {
         std::mem::take(&mut self.came)
     }

@@ -1,33 +1,33 @@
-//! Tokens, which let a user into a room, and tickets, which give a user its number back.
+//! Tokens, which admit a user to a room, and tickets, which restore a user's number.
 
 use std::fmt::Write;
 
 use hmac::{Hmac, KeyInit, Mac};
 use sha2::Sha256;
 
-/// Fewest bytes of a key.
+/// Least size of a key, bytes.
 const KEY: usize = 16;
-/// Bytes of a token's own number.
+/// Size of a token's unique number, bytes.
 const NUMBER: usize = 16;
-/// Bytes of a token's code.
+/// Size of a token's signature, bytes.
 const CODE: usize = 32;
-/// Bytes of a ticket's code.
+/// Size of a ticket's truncated signature, bytes.
 const SHORT: usize = 16;
-/// Bytes of a ticket.
+/// Size of a ticket, bytes.
 pub const TICKET: usize = 2 + 8 + SHORT;
-/// Signed bytes begin with their purpose, so that a ticket is no token.
+/// Prefixes of signed bytes (domain separation), so that a ticket is not a valid token.
 const ENTRY: &[u8] = b"nearfar room token 1\0";
 const RETURN: &[u8] = b"nearfar return ticket 2\0";
 
-/// A token's own number; two connections cannot use it at the same time.
+/// Unique number of a token; only one connection can use it at a time.
 pub type Number = [u8; NUMBER];
 
-/// Signs tokens and tickets.
+/// Key that signs tokens and tickets (HMAC-SHA-256).
 #[derive(Clone)]
 pub struct Key(Hmac<Sha256>);
 
 impl Key {
-    /// A key of secret bytes.
+    /// Creates a key from secret bytes.
     pub fn new(secret: &[u8]) -> Result<Self, String> {
         if secret.len() < KEY {
             return Err(format!("expected a key of {KEY} bytes or more, got {}", secret.len()));
@@ -35,7 +35,8 @@ impl Key {
         Hmac::new_from_slice(secret).map(Key).map_err(|error| error.to_string())
     }
 
-    /// A token for a room that ends then, in seconds since 1970. Each needs another number, which nobody can guess.
+    /// Creates a token for a room that expires at `ends`, in seconds since 1970. Numbers must be unique and
+    /// unpredictable.
     pub fn token(&self, room: &str, ends: u64, number: Number) -> String {
         let mut text = format!("{ends}.");
         put_hex(&mut text, &number);
@@ -44,7 +45,7 @@ impl Key {
         text
     }
 
-    /// The number of a token that lets into a room now, in seconds since 1970; or why it does not.
+    /// Checks a token for a room at a time in seconds since 1970; returns its number, or the reason for refusal.
     pub fn check(&self, room: &str, now: u64, token: &str) -> Result<Number, &'static str> {
         const WRONG: &str = "expected a token that was made for this room";
         let mut parts = token.split('.');
@@ -56,12 +57,12 @@ impl Key {
         let ends: u64 = ends.parse().ok().filter(|_| is_number).ok_or(WRONG)?;
         let number: Number = from_hex(number).ok_or(WRONG)?;
         let code: [u8; CODE] = from_hex(code).ok_or(WRONG)?;
-        // Compares in constant time.
+        // Constant-time comparison.
         self.entry(room, ends, &number).verify_slice(&code).map_err(|_| WRONG)?;
         if now < ends { Ok(number) } else { Err("expected a token that has not ended") }
     }
 
-    /// A ticket of a room for a user's number and identity, which is of use with the user's token alone.
+    /// Creates a ticket for a user's number and identity in a room; it is valid only with the user's token.
     pub fn ticket(&self, room: &str, token: Option<&Number>, user: u16, identity: u64) -> [u8; TICKET] {
         let mut ticket = [0; TICKET];
         ticket[..2].copy_from_slice(&user.to_le_bytes());
@@ -71,7 +72,7 @@ impl Key {
         ticket
     }
 
-    /// The user's number and identity of a ticket, if it is one of this room and of this token.
+    /// User number and identity of a ticket, if it is valid for this room and token.
     pub fn back_to(&self, room: &str, token: Option<&Number>, ticket: &[u8]) -> Option<(u16, u64)> {
         let ticket: &[u8; TICKET] = ticket.try_into().ok()?;
         self.back(room, token, &ticket[..10]).verify_truncated_left(&ticket[10..]).ok()?;
@@ -80,7 +81,7 @@ impl Key {
     }
 
     fn entry(&self, room: &str, ends: u64, number: &Number) -> Hmac<Sha256> {
-        // The room's name is last: all before it has a fixed length, so that no two inputs are the same bytes.
+        // The room's name comes last, after fields of fixed length, so that different inputs never have equal bytes.
         self.0.clone().chain_update(ENTRY).chain_update(ends.to_le_bytes()).chain_update(number).chain_update(room)
     }
 

@@ -1,4 +1,4 @@
-//! The request by which a connection becomes the WebSocket of a room, or a session of WebTransport.
+//! Requests that upgrade a connection to a room's WebSocket, or start a WebTransport session.
 
 use axum::body::Body;
 use axum::http::header::{self, HeaderValue};
@@ -11,18 +11,18 @@ use super::places::Place;
 use super::session::Entering;
 use crate::respond;
 
-/// Most bytes of a room's name.
+/// Greatest size of a room's name, bytes.
 const NAME: usize = 64;
 
-/// The name of a room, if a decoded path without its leading slash leads to one.
+/// Name of the room in a decoded path without its leading slash; none if the path is not that of a room.
 pub fn room(path: &str) -> Option<&str> {
     let name = path.strip_prefix(about::PATH)?.strip_prefix('/')?;
     let is_name = (1..=NAME).contains(&name.len()) && !name.contains(|each: char| each.is_control() || each == '/');
     is_name.then_some(name)
 }
 
-/// Answer a request for a room: that the connection becomes a WebSocket, with an extension that says where it leads; or
-/// why it does not.
+/// Handles a request for a room: switches to WebSocket, with an `Entering` extension in the response, or refuses with
+/// a reason.
 pub fn answer<B>(
     room: &str,
     door: Door<'_>,
@@ -51,7 +51,7 @@ pub fn answer<B>(
     }
 }
 
-/// Answer a request for a session of WebTransport: where it leads, or the status by which it is refused.
+/// Handles a request for a WebTransport session; returns the room to enter, or the status of the refusal.
 pub fn session<B>(
     room: &str,
     door: Door<'_>,

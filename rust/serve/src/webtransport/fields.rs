@@ -1,9 +1,9 @@
-//! Heads of requests and answers as bytes (QPACK, RFC 9204), without the table that a connection may build up: the
-//! server's settings allow none.
+//! Header fields of requests and responses (QPACK, RFC 9204), without a dynamic table: the server's settings allow
+//! none.
 
 use httlib_huffman::DecoderSpeed;
 
-/// Fields of a request that the server looks at.
+/// Header fields of a request that the server uses.
 #[derive(Debug, Default, PartialEq)]
 pub struct Fields {
     pub method: Option<String>,
@@ -14,8 +14,7 @@ pub struct Fields {
     pub origin: Option<String>,
 }
 
-/// Part of the table of fields that all connections know: those that a request for a session can use. A number that is
-/// missing here is that of a field which nobody looks at.
+/// Entries of QPACK's static table that a session request can use. Fields with other indices are ignored.
 const KNOWN: [(u64, &str, &str); 12] = [
     (0, ":authority", ""),
     (1, ":path", "/"),
@@ -30,36 +29,36 @@ const KNOWN: [(u64, &str, &str); 12] = [
     (23, ":scheme", "https"),
     (90, "origin", ""),
 ];
-/// The greatest number in that table.
+/// Greatest index of the static table.
 const LAST: u64 = 98;
 
-/// The fields of a request; none if the bytes break the rules.
+/// Decodes the fields of a request; none if the bytes are invalid.
 pub fn read(mut bytes: &[u8]) -> Option<Fields> {
     let mut fields = Fields::default();
-    // How many entries of the connection's own table are needed: none. Then its base, which is of no meaning.
+    // Required insert count, which must be 0, then the base, which is irrelevant.
     if integer(&mut bytes, 8)? != 0 {
         return None;
     }
     integer(&mut bytes, 7)?;
     while let Some(first) = bytes.first().copied() {
         match first {
-            // A field of the known table.
+            // Indexed field line, static table.
             0xc0.. => {
                 let (name, value) = known(integer(&mut bytes, 6)?)?;
                 fields.set(name.as_bytes(), value.to_owned())?;
             }
-            // A name of the known table, and a value.
+            // Literal field line with a name of the static table.
             0x50..0x60 | 0x70..0x80 => {
                 let (name, _) = known(integer(&mut bytes, 4)?)?;
                 let value = text(&mut bytes, 7)?;
                 fields.set(name.as_bytes(), String::from_utf8(value).ok()?)?;
             }
-            // A name and a value.
+            // Literal field line with a literal name.
             0x20..0x40 => {
                 let (name, value) = (text(&mut bytes, 3)?, text(&mut bytes, 7)?);
                 fields.set(&name, String::from_utf8(value).ok()?)?;
             }
-            // The connection's own table.
+            // Dynamic table.
             _ => return None,
         }
     }
@@ -67,7 +66,7 @@ pub fn read(mut bytes: &[u8]) -> Option<Fields> {
 }
 
 impl Fields {
-    /// A field has come; none if it has come before.
+    /// Stores a field; none if it is a duplicate.
     fn set(&mut self, name: &[u8], value: String) -> Option<()> {
         let field = match name {
             b":method" => &mut self.method,
@@ -82,9 +81,9 @@ impl Fields {
     }
 }
 
-/// The head of an answer with a status code.
+/// Header block of a response with a status code.
 pub fn answer(status: u16) -> Vec<u8> {
-    // A name of the known table, number 24, and a value in plain letters of three bytes.
+    // Name 24 of the static table (`:status`), and a plain value of three bytes.
     let mut bytes = vec![0, 0, 0x5f, 24 - 15, 3];
     bytes.extend_from_slice(status.to_string().as_bytes());
     bytes
@@ -95,7 +94,7 @@ fn known(number: u64) -> Option<(&'static str, &'static str)> {
     (number <= LAST).then(|| found.map_or(("", ""), |(_, name, value)| (*name, *value)))
 }
 
-/// An integer of which the first byte has so many bits (RFC 7541, 5.1).
+/// Decodes a prefixed integer with `bits` bits in its first byte (RFC 7541, 5.1).
 fn integer(bytes: &mut &[u8], bits: u32) -> Option<u64> {
     let most = (1 << bits) - 1;
     let mut next = || {
@@ -108,7 +107,7 @@ fn integer(bytes: &mut &[u8], bits: u32) -> Option<u64> {
         return Some(first);
     }
     let mut value = most;
-    // No length or number that can be used needs more.
+    // No valid length or index needs more bytes.
     for shift in [0, 7, 14] {
         let byte = next()?;
         value += (byte & 0x7f) << shift;
@@ -119,7 +118,7 @@ fn integer(bytes: &mut &[u8], bits: u32) -> Option<u64> {
     None
 }
 
-/// Bytes with their length, of which the first byte has so many bits, after a bit that tells whether they are compressed.
+/// Decodes a string: a Huffman flag, its length as a prefixed integer with `bits` bits, and its bytes.
 fn text(bytes: &mut &[u8], bits: u32) -> Option<Vec<u8>> {
     let is_compressed = bytes.first()? >> bits & 1 == 1;
     let length = usize::try_from(integer(bytes, bits)?).ok()?;
@@ -151,7 +150,7 @@ mod tests {
         bytes.extend_from_slice(b":protocol");
         bytes.push(12);
         bytes.extend_from_slice(b"webtransport");
-        // A field of the known table that nobody looks at, and the origin, compressed as in RFC 7541, C.4.1.
+        // An unused field of the static table, and the origin, Huffman-coded as in RFC 7541, C.4.1.
         bytes.extend_from_slice(&[0xc0 | 29, 0x5f, 90 - 15, 0x8c]);
         bytes.extend_from_slice(&[0xf1, 0xe3, 0xc2, 0xe5, 0xf2, 0x3a, 0x6b, 0xa0, 0xab, 0x90, 0xf4, 0xff]);
         let expected = Fields {
@@ -196,7 +195,7 @@ mod tests {
         };
         for _ in 0..20_000 {
             let mut bytes: Vec<u8> = (0..below(60)).map(|_| below(256) as u8).collect();
-            // Most begin as they should.
+            // Most have a valid beginning.
             if let (Some(begin), true) = (bytes.get_mut(..2), below(4) > 0) {
                 begin.fill(0);
             }

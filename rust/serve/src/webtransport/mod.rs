@@ -1,4 +1,4 @@
-//! WebTransport over a connection of QUIC: the requests and frames of HTTP/3 that a session needs.
+//! WebTransport over a QUIC connection: the subset of HTTP/3 that a session needs.
 
 mod fields;
 pub mod session;

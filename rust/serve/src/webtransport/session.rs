@@ -1,4 +1,4 @@
-//! A session of WebTransport over a connection of QUIC: one for each connection, at its first stream.
+//! WebTransport session over a QUIC connection: one per connection, on its first stream.
 
 use std::task::{Context, Poll, ready};
 use std::time::Duration;
@@ -14,45 +14,45 @@ use super::fields::{self, Fields};
 use super::wire::{self, frame};
 use crate::limits::{READ, ROW};
 
-/// Most bytes of a request's head.
+/// Greatest size of a request's header block, bytes.
 const HEAD: u64 = 1 << 12;
-/// Code by which a side closes a connection that has done what it should.
+/// HTTP/3 code for closing a connection without an error.
 const NO_ERROR: VarInt = VarInt::from_u32(0x100);
-/// Code by which the server closes one that breaks the rules of HTTP/3.
+/// HTTP/3 code for closing a connection after a protocol violation.
 const PROTOCOL_ERROR: VarInt = VarInt::from_u32(0x101);
-/// Fewest bytes of a datagram that a client must take, so that a pose always fits.
+/// Least datagram size in bytes that a client must accept, so that a pose always fits.
 const DATAGRAM: usize = 256;
-/// The session's number, that of its stream, as it stands before streams and datagrams of the session.
+/// Session ID: the ID of its stream; it precedes the session's streams and datagrams.
 const NUMBER: u64 = 0;
-/// Frames that may come before a request's head.
+/// Greatest number of frames before a request's headers.
 const BEFORE: usize = 16;
 
-/// A request for a session that waits for its answer.
+/// A session request that awaits its response.
 pub struct Asking {
     connection: Connection,
     send: SendStream,
     receive: RecvStream,
     control: SendStream,
-    /// The request, with `Host` and `Origin` as HTTP/1.1 has them.
+    /// The request, with `Host` and `Origin` as in HTTP/1.1.
     pub request: Request<()>,
 }
 
 /// A session.
 pub struct Link {
-    /// The connection that it has for itself.
+    /// Connection, used only by this session.
     pub connection: Connection,
     send: SendStream,
     receive: RecvStream,
-    /// Its end would be that of the connection.
+    /// Kept open, because closing the control stream closes the connection.
     _control: SendStream,
 }
 
-/// Why there is no session: a side broke off, or broke the rules.
+/// No session was established: the connection broke, or the client violated the protocol.
 #[derive(Debug)]
 pub struct Broken;
 
 impl Asking {
-    /// Read a connection's request; errors close it.
+    /// Reads a connection's request; closes the connection on errors.
     pub async fn read(connection: &Connection) -> Result<Self, Broken> {
         let asking = read(connection).await;
         if asking.is_err() {
@@ -61,14 +61,14 @@ impl Asking {
         asking
     }
 
-    /// Begin the session.
+    /// Accepts the session.
     pub async fn accept(mut self) -> Result<Link, Broken> {
         self.answer(StatusCode::OK).await?;
         let Asking { connection, send, receive, control, .. } = self;
         Ok(Link { connection, send, receive, _control: control })
     }
 
-    /// Tell that there is none, and close the connection when the answer has come, or after some time.
+    /// Refuses the session, and closes the connection once the response has arrived, or after the timeout `most`.
     pub async fn refuse(mut self, status: StatusCode, most: Duration) {
         let told = async {
             self.answer(status).await?;
@@ -87,14 +87,14 @@ impl Asking {
 }
 
 impl Link {
-    /// The stream by which the user's frames come and go. It is the first one that the client opens in the session.
+    /// Stream of the user's frames: the first one that the client opens in the session.
     pub async fn stream(&self) -> Result<(SendStream, RecvStream), Broken> {
         let (send, mut receive) = self.connection.accept_bi().await.map_err(|_| Broken)?;
         let is_own = number(&mut receive).await? == frame::STREAM && number(&mut receive).await? == NUMBER;
         if is_own { Ok((send, receive)) } else { Err(Broken) }
     }
 
-    /// Wait until the client has ended the session; what else it tells of the session is of no meaning here.
+    /// Waits until the client has ended the session; other capsules are ignored.
     pub fn poll_ended(&mut self, context: &mut Context<'_>) -> Poll<()> {
         let mut rest = [0; READ];
         for _ in 0..ROW {
@@ -106,29 +106,29 @@ impl Link {
         Poll::Pending
     }
 
-    /// Most bytes of a datagram's payload that the connection takes, none if it takes no datagrams.
+    /// Greatest payload of a datagram in bytes; 0 if the connection supports none.
     pub fn most(&self) -> usize {
         self.connection.max_datagram_size().map_or(0, |most| most.saturating_sub(1))
     }
 
-    /// Tell the client the end of the session.
+    /// Sends the end of the session to the client.
     pub async fn end(&mut self, code: u16, reason: &str) -> Result<(), Broken> {
         self.send.write_all(&wire::close(code.into(), reason)).await.map_err(|_| Broken)?;
         self.send.finish().map_err(|_| Broken)
     }
 
-    /// Close the connection.
+    /// Closes the connection.
     pub fn close(&self, code: u16, reason: &str) {
         self.connection.close(VarInt::from_u32(code.into()), reason.as_bytes());
     }
 }
 
-/// Close a connection that asks for no session.
+/// Closes a connection without a valid session request.
 pub fn break_off(connection: &Connection) {
     connection.close(PROTOCOL_ERROR, b"expected a request for a session of WebTransport");
 }
 
-/// A datagram as it goes over the connection.
+/// Encodes a datagram with its session ID.
 pub fn datagram(payload: &[u8]) -> Bytes {
     let mut bytes = BytesMut::with_capacity(1 + payload.len());
     wire::put_number(&mut bytes, NUMBER);
@@ -136,7 +136,7 @@ pub fn datagram(payload: &[u8]) -> Bytes {
     bytes.freeze()
 }
 
-/// The payload of one that has come; none if it is of another session, which there is not.
+/// Payload of a received datagram; none if it belongs to another session.
 pub fn payload(mut datagram: &[u8]) -> Option<&[u8]> {
     (wire::number(&mut datagram)? == NUMBER).then_some(datagram)
 }
@@ -144,7 +144,7 @@ pub fn payload(mut datagram: &[u8]) -> Option<&[u8]> {
 async fn read(connection: &Connection) -> Result<Asking, Broken> {
     let mut control = connection.open_uni().await.map_err(|_| Broken)?;
     control.write_all(&wire::settings()).await.map_err(|_| Broken)?;
-    // The client's own settings are not read: with no table for headers, they would change nothing.
+    // The client's settings are not read: without a dynamic table they have no effect.
     let (send, mut receive) = connection.accept_bi().await.map_err(|_| Broken)?;
     let request = asked(&mut receive).await?;
     if connection.max_datagram_size().is_none_or(|most| most < DATAGRAM) {
@@ -153,13 +153,13 @@ async fn read(connection: &Connection) -> Result<Asking, Broken> {
     Ok(Asking { connection: connection.clone(), send, receive, control, request })
 }
 
-/// The request for a session with which a connection's first stream begins.
+/// Reads the session request at the start of a connection's first stream.
 pub async fn asked(receive: &mut (impl AsyncRead + Unpin)) -> Result<Request<()>, Broken> {
     let fields = fields::read(&head(receive).await?).ok_or(Broken)?;
     request(fields).ok_or(Broken)
 }
 
-/// The body of the first frame that is a head; others before it are of no meaning.
+/// Body of the first HEADERS frame; unknown frames before it are ignored.
 async fn head(receive: &mut (impl AsyncRead + Unpin)) -> Result<Vec<u8>, Broken> {
     for _ in 0..=BEFORE {
         let (kind, length) = (number(receive).await?, number(receive).await?);
@@ -185,7 +185,7 @@ async fn number(receive: &mut (impl AsyncRead + Unpin)) -> Result<u64, Broken> {
     wire::number(&mut &bytes[..length]).ok_or(Broken)
 }
 
-/// The request of these fields, if it is one for a session.
+/// Converts header fields to a request; none if it is not for a session.
 fn request(fields: Fields) -> Option<Request<()>> {
     let is = |field: &Option<String>, expected| field.as_deref() == Some(expected);
     if !(is(&fields.method, "CONNECT") && is(&fields.scheme, "https") && is(&fields.protocol, "webtransport")) {

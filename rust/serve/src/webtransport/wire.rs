@@ -1,8 +1,8 @@
-//! Numbers and frames of HTTP/3 and WebTransport as bytes (RFC 9000, 16; RFC 9114, 7; draft-ietf-webtrans-http3).
+//! Varints, frames and capsules of HTTP/3 and WebTransport (RFC 9000, 16; RFC 9114, 7; draft-ietf-webtrans-http3).
 
 use bytes::{Buf, BufMut};
 
-/// A number whose first two bits tell its bytes; none if some are missing.
+/// Reads a varint, whose first two bits encode its length; none if bytes are missing.
 pub fn number(bytes: &mut &[u8]) -> Option<u64> {
     let first = *bytes.first()?;
     let length = length_of(first);
@@ -13,12 +13,12 @@ pub fn number(bytes: &mut &[u8]) -> Option<u64> {
     Some(number & (u64::MAX >> (64 - 8 * length + 2)))
 }
 
-/// Bytes of a number that begins with this one.
+/// Length of a varint by its first byte.
 pub fn length_of(first: u8) -> usize {
     1 << (first >> 6)
 }
 
-/// Write a number in as few bytes as it needs.
+/// Writes a varint in its shortest form.
 pub fn put_number(out: &mut impl BufMut, number: u64) {
     match number {
         0..0x40 => out.put_u8(number as u8),
@@ -28,34 +28,34 @@ pub fn put_number(out: &mut impl BufMut, number: u64) {
     }
 }
 
-/// Kinds of frames.
+/// Frame types.
 pub mod frame {
-    /// The body of an answer, here capsules.
+    /// Body of a response; here it holds capsules.
     pub const DATA: u64 = 0;
-    /// The head of a request or of an answer.
+    /// Headers of a request or a response.
     pub const HEADERS: u64 = 1;
-    /// The abilities of a side.
+    /// Settings of an endpoint.
     pub const SETTINGS: u64 = 4;
-    /// The rest of the stream is one of WebTransport; the number of its session follows.
+    /// Turns the rest of the stream into a WebTransport stream; the session ID follows.
     pub const STREAM: u64 = 0x41;
 }
 
-/// The kind of a stream by which a side tells its settings.
+/// Type of the control stream.
 const CONTROL: u64 = 0;
-/// Settings with their values: no table for headers, requests that become sessions, datagrams, sessions of
-/// WebTransport under both of its names.
+/// Settings and values: no dynamic table, no blocked streams, extended CONNECT, datagrams, and WebTransport under both
+/// of its codes.
 const SETTINGS: [(u64, u64); 6] = [(1, 0), (7, 0), (8, 1), (0x33, 1), (0x2b60_3742, 1), (0xc671_706a, 1)];
-/// The kind of a capsule that ends a session.
+/// Type of the capsule that ends a session.
 const CLOSE: u64 = 0x2843;
 
-/// The bytes of a frame.
+/// Writes a frame.
 pub fn put_frame(out: &mut Vec<u8>, kind: u64, body: &[u8]) {
     put_number(out, kind);
     put_number(out, body.len() as u64);
     out.put_slice(body);
 }
 
-/// The begin of the stream by which the server tells its settings.
+/// Beginning of the control stream, with the server's settings.
 pub fn settings() -> Vec<u8> {
     let (mut out, mut body) = (Vec::new(), Vec::new());
     for (name, value) in SETTINGS {
@@ -67,7 +67,7 @@ pub fn settings() -> Vec<u8> {
     out
 }
 
-/// The frame by which a session ends, with a code and a short reason.
+/// Frame that ends a session with a code and a short reason.
 pub fn close(code: u32, reason: &str) -> Vec<u8> {
     let (mut out, mut capsule) = (Vec::new(), Vec::new());
     put_number(&mut capsule, CLOSE);
@@ -82,7 +82,7 @@ pub fn close(code: u32, reason: &str) -> Vec<u8> {
 mod tests {
     use super::*;
 
-    /// The examples of RFC 9000, A.1.
+    /// Examples of RFC 9000, A.1.
     #[test]
     fn numbers_are_those_of_the_specification() {
         for (bytes, expected) in [

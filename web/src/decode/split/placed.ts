@@ -1,17 +1,17 @@
-/** Splits large triangles of meshes with placements: those of each placement for themselves, where it is near enough. */
+/** Splits large triangles of meshes with placements, separately for each placement that is near enough. */
 import { chosenRows } from '../pieces';
 import { ROWS } from '../placements';
 import type { Arrays } from '../surfaces';
 import type { Rule } from './rule';
 import { type Budget, largeTriangles, splitArrays } from './triangles';
 
-/** Triangles of a mesh, for all of some placements or, without placements, where they lie. */
+/** Triangles of a mesh, for several placements or, without placements, already placed. */
 export interface Part {
   readonly arrays: Arrays;
   readonly placements: Float32Array | null;
 }
 
-/** Parts that show a mesh in all its placements; one with the same arrays if no triangle is large anywhere. */
+/** Parts that show a mesh in all its placements; one part with the same arrays if no triangle is large anywhere. */
 export function splitPlaced(mesh: Arrays, placements: Float32Array, rule: Rule, budget: Budget): Part[] {
   const ball = ballOf(mesh);
   const large = new Set<number>();
@@ -33,7 +33,7 @@ export function splitPlaced(mesh: Arrays, placements: Float32Array, rule: Rule, 
   return parts;
 }
 
-/** Meshes of the same attributes and material as one. */
+/** Merges meshes of the same attributes and material. */
 function together(meshes: readonly Arrays[]): Arrays {
   const [first] = meshes as readonly [Arrays];
   const indices = new Uint32Array(meshes.reduce((sum, mesh) => sum + mesh.indices.length, 0));
@@ -62,7 +62,7 @@ function together(meshes: readonly Arrays[]): Arrays {
   };
 }
 
-/** A ball around a mesh, and its longest edge. */
+/** Bounding sphere of a mesh, and its longest edge. */
 interface Ball {
   readonly center: readonly [number, number, number];
   readonly radius: number;
@@ -89,7 +89,7 @@ function ballOf({ positions, indices }: Arrays): Ball {
 
 type Triple = [number, number, number];
 
-/** Whether nothing of a mesh is large in a placement. */
+/** Whether no triangle of a mesh is large in a placement. */
 function isHarmless({ center, radius, longest }: Ball, rows: Float32Array, rule: Rule): boolean {
   const [x, y, z] = pointOf(center, rows);
   const stretch = stretchOf(rows);
@@ -98,7 +98,7 @@ function isHarmless({ center, radius, longest }: Ball, rows: Float32Array, rule:
   return rule.isHarmless(longest * stretch, [Math.max(level - around, 0), level + around], Math.max(away - around, 0));
 }
 
-/** A bound of how much a placement stretches lengths: of an ordinary one, its greatest scale. */
+/** Upper bound of a placement's stretch of lengths; for placements without shear, the greatest scale. */
 function stretchOf(rows: Float32Array): number {
   const at = (row: number, column: number): number => rows[4 * row + column] as number;
   const dot = (i: number, j: number): number => at(0, i) * at(0, j) + at(1, i) * at(1, j) + at(2, i) * at(2, j);
@@ -113,7 +113,7 @@ function pointOf([x, y, z]: readonly [number, number, number], rows: Float32Arra
   }) as Triple;
 }
 
-/** A mesh in one placement; normals go by the cofactors of the matrix, as in the shader. */
+/** A mesh in one placement; normals are transformed by the cofactor matrix, as in the shader. */
 function placed(mesh: Arrays, rows: Float32Array): Arrays {
   const at = (row: number, column: number): number => rows[4 * (row % 3) + (column % 3)] as number;
   const turned = new Float32Array(ROWS);

@@ -1,52 +1,55 @@
 /**
- * Where edges of large triangles are cut. A vertex shader morphs corners and keeps sides straight, so long sides are
- * shown in the wrong place. The rule depends on the two ends of an edge alone: all triangles at an edge cut it alike,
- * and no crack opens.
+ * Rule for cutting edges of large triangles. A vertex shader morphs vertices and keeps edges straight, so long edges
+ * are shown in the wrong place. The rule depends only on the two ends of an edge: all triangles at an edge cut it
+ * alike, and no crack opens.
  *
  * All positions are relative to the centre O. With v = U−O, |v| ≤ u, A = |P−U|, B = |P−O|, the weight w of the user's
  * view, κ = w(1−w) and d the direction in which P is shown,
  *
  *   Q − U = (P−O) − w v + κ(A−B)(d_O − d_U) + a part along d and of higher order in u/D,
  *
- * of which P−O is linear. Seen from D = B − u, the second derivatives of the other terms are at most those of `formAt`
- * (rust/core/src/tessellate/bound.rs derives them, with greater factors, which were never reached); a side of length ℓ
+ * where P−O is linear. Seen from D = B − u, the second derivatives of the other terms are at most those of `formAt`
+ * (rust/core/src/tessellate/bound.rs derives them, with greater factors, which were never reached); an edge of length ℓ
  * is off by a sixth of them times ℓ². The weight falls from 1 at nR to 0 at R, so its slope W = 1/((1−n)R) changes
- * there: a side whose distances from the axis differ by c is off by W c/4 times u/D, wherever R lies as it grows. So
- * sides are cut at circles about the axis, of which c is the distance; the radii at which R rests are among them.
+ * there: an edge whose distances from the axis differ by c is off by W c/4 times u/D, wherever R is during growth. So
+ * edges are cut at circles about the axis with spacing c; the radii at which R rests are among them.
  */
 import type { Growth } from '../messages';
 
 export interface Rule {
-  /** Share of the way from a to b at which their edge is cut, 0 for nowhere. Callers order the ends consistently. */
+  /** Share of the way from a to b at which their edge is cut, 0 for no cut. Callers order the ends consistently. */
   share(a: Vector, b: Vector): number;
   /** Whether no edge up to a length is cut, by the distances of its points from the axis and the least one from O. */
   isHarmless(longest: number, rho: readonly [nearest: number, farthest: number], distance: number): boolean;
-  /** Radius beyond which no edge is cut: there all is shown as O sees it, and flat things stay flat. */
+  /** Radius beyond which no edge is cut: everything there is shown as O sees it, so flat surfaces stay flat. */
   readonly outer: number;
 }
 
-/** Of what no triangle is large. */
+/** Growth for which no triangle is large. */
 export const NOTHING_GROWS: Growth = { radii: [], nearShare: 0.5, reach: 0 };
 
 export type Vector = readonly [number, number, number];
 
-/** Error where R rests, radians: half a pixel of a picture of 75° that is 1,080 pixels high. */
+/** Error where R rests, radians: half a pixel of a picture of 75° with 1,080 rows. */
 export const TOLERANCE = 7e-4;
 /** Share of the error for edges along the radius; the rest is for their lengths. */
 const RANGE_SHARE = 0.3;
-/** Users for whom the error is bounded where R rests, as a share of a point's distance from the axis. */
+/**
+ * Greatest distance of users for whom the error is bounded where R rests, as a share of a point's distance from the
+ * axis.
+ */
 const AT_REST = 0.1;
 /** Greatest share of the first radius for which `reach` counts. */
 const MOST_REACH = 0.35;
-/** Least D as a share of B: what is nearer to the user than to the centre is not cut more finely. */
+/** Least D as a share of B: points nearer to the user than to the centre are not cut more finely. */
 const CLEAREST = 0.75;
-/** Shares of ρ for which c is not too great, whatever the user: while R grows, and where it rests. */
+/** Shares of ρ up to which c is acceptable for every user: while R grows, and where it rests. */
 const [WIDEST, WIDEST_AT_REST] = [0.03, 0.004] as const;
-/** Shortest edge that is cut, and how far it may reach beyond a circle, as shares of its distance from the axis. */
+/** Shortest edge that is cut, and tolerated overshoot of a circle, as shares of its distance from the axis. */
 const [SHORTEST, MISSED] = [0.002, 5e-4] as const;
-/** Part of the first radius at which distances from the axis count at least. */
+/** Share of the first radius that is the least distance from the axis in the bounds. */
 const CORE = 1 / 8;
-/** Points of a triangle may be nearer to the axis and to O than its edge by this factor. */
+/** Factor by which points of a triangle may be nearer to the axis and to O than its edge. */
 const SPREAD = 1.1;
 
 export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLERANCE): Rule {
@@ -118,7 +121,7 @@ export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLE
       if (!isFlat && range > atRest(rho, distance, u)) {
         const circles = range > growing(rho, distance) ? bands : kinks;
         const at = cutAt(circles, [a[0], a[2]], [dx, dz], [nearest, farthest]);
-        // An edge that passes the outermost circle by so little is all but beyond it.
+        // An edge that overshoots the outermost circle only slightly is practically beyond it.
         if (at > 0 || farthest > outer * (1 + MISSED)) return at;
       }
       const [along, across, any] = formAt(rho, distance, u, isFlat);
@@ -134,7 +137,7 @@ function clear(distance: number, u: number): number {
   return Math.max(distance - u, CLEAREST * distance, 1e-9);
 }
 
-/** All of some ascending radii, and others between them, so that neighbours are at most so far apart. */
+/** Ascending radii, with others in between so that neighbours are at most `apart` from each other. */
 function bandsOf(radii: readonly number[], apart: (rho: number) => number): number[] {
   return radii.flatMap((start, number) => {
     const end = radii[number + 1] ?? start;
@@ -143,13 +146,13 @@ function bandsOf(radii: readonly number[], apart: (rho: number) => number): numb
       rho += apart(rho);
       steps.push(rho - start);
     }
-    // The last step would pass the end: all are made smaller, because a narrow band would need narrow triangles.
+    // The last step would pass the end; all steps are scaled down, because a narrow band would need narrow triangles.
     const share = (end - start) / (steps.at(-1) || 1);
     return steps.slice(0, Math.max(steps.length - 1, 1)).map((step) => start + share * step);
   });
 }
 
-/** Distance of the origin from a segment from `from` along `by`. */
+/** Distance of the origin from a segment that starts at `from` and extends by `by`. */
 function segmentDistance([x, y, z]: Vector, [dx, dy, dz]: Vector): number {
   const squared = dx * dx + dy * dy + dz * dz;
   const share = squared > 0 ? Math.min(Math.max(-(x * dx + y * dy + z * dz) / squared, 0), 1) : 0;
@@ -157,7 +160,7 @@ function segmentDistance([x, y, z]: Vector, [dx, dy, dz]: Vector): number {
 }
 
 /**
- * Where a segment in the ground plane crosses one of the circles that it passes: the one whose number has the most
+ * Crossing of a segment in the ground plane with one of the circles that it passes: the one whose number has the most
  * factors of two, so that edges of a triangle are cut at the same circle. 0 if it passes none.
  */
 function cutAt(
@@ -178,7 +181,7 @@ function cutAt(
   return shares.sort((a, b) => Math.abs(a - 0.5) - Math.abs(b - 0.5))[0] ?? 0;
 }
 
-/** How many of some ascending numbers are below another one. */
+/** Number of entries of an ascending list below a value. */
 function countBelow(numbers: readonly number[], value: number): number {
   let [low, high] = [0, numbers.length];
   while (low < high) {

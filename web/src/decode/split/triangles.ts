@@ -1,16 +1,16 @@
-/** Splits the triangles of a mesh; attributes of new vertices are those of the source's sides, linearly. */
+/** Splits the triangles of a mesh; attributes of new vertices are interpolated linearly. */
 import type { Arrays } from '../surfaces';
 import type { Rule, Vector } from './rule';
 
-/** Triangles that may still be made; below 0 the work is given up. */
+/** Remaining number of triangles that may be made; below 0 the work is aborted. */
 export interface Budget {
   left: number;
 }
 
-/** Cuts one after the other, at most: rounding could make an edge reappear. */
+/** Greatest depth of cuts, because rounding could make an edge reappear. */
 const DEEPEST = 192;
 
-/** The same surface in triangles that the morph may move corner by corner; the same arrays if none is too large. */
+/** The same surface in triangles small enough for a per-vertex morph; the same arrays if none is too large. */
 export function splitArrays(whole: Arrays, rule: Rule, budget: Budget): Arrays {
   const chosen = largeTriangles(whole, rule);
   if (chosen.length === 0) return whole;
@@ -33,7 +33,7 @@ export function splitArrays(whole: Arrays, rule: Rule, budget: Budget): Arrays {
   return mesh.made() > 0 ? mesh.finished(corners) : whole;
 }
 
-/** Numbers of the triangles that have an edge that may be cut. */
+/** Indices of the triangles with an edge that may be cut. */
 export function largeTriangles({ positions, indices }: Arrays, rule: Rule): number[] {
   const found: number[] = [];
   for (let n = 0; n < indices.length; n += 3) {
@@ -62,7 +62,7 @@ function lengthOf(positions: Float32Array, i: number, j: number): number {
 
 type Corners = readonly [number, number, number];
 
-/** Rows of an attribute that grow. */
+/** Growing rows of an attribute. */
 interface Rows {
   readonly width: number;
   readonly source: Float32Array | Uint16Array;
@@ -77,7 +77,7 @@ function createMesh(whole: Arrays, rule: Rule) {
   const uvs = whole.uvs && rows(whole.uvs, 2);
   const colors = whole.colors && rows(whole.colors, 4);
   const attributes = [positions, normals, uvs, colors].filter((each) => each !== null);
-  /** New vertices by the numbers of their edges' ends; −1 where an edge stays whole. */
+  /** New vertices by the indices of their edges' ends; −1 for uncut edges. */
   const cuts = new Map<number, number>();
   let next = count;
 
@@ -89,7 +89,7 @@ function createMesh(whole: Arrays, rule: Rule) {
     return [value(positions, vertex, 0), value(positions, vertex, 1), value(positions, vertex, 2)];
   }
 
-  /** The vertex at which an edge is cut, −1 for none. */
+  /** Vertex at which an edge is cut, −1 for none. */
   function cut(i: number, j: number): number {
     const key = i < j ? i * 2 ** 26 + j : j * 2 ** 26 + i;
     const known = cuts.get(key);
@@ -103,7 +103,7 @@ function createMesh(whole: Arrays, rule: Rule) {
     return made;
   }
 
-  /** A vertex that is a mean of others with weights; −1 if it would be one of them. */
+  /** Adds a weighted mean of vertices; −1 if it would coincide with one of them. */
   function add(parts: readonly (readonly [vertex: number, weight: number])[]): number {
     const [[base]] = parts as [readonly [number, number]];
     const mean = (each: Rows, column: number): number => {
@@ -120,7 +120,7 @@ function createMesh(whole: Arrays, rule: Rule) {
     return next++;
   }
 
-  /** A point of a triangle around the whole cylinder, none of whose edges is cut; −1 for others. */
+  /** Interior vertex of a triangle that surrounds the whole cylinder and has no cut edge; −1 for other triangles. */
   function inside(corners: Corners): number {
     const [a, b, c] = corners.map(point) as [Vector, Vector, Vector];
     if ([a, b, c].some(([x, , z]) => Math.hypot(x, z) < rule.outer)) return -1;
@@ -131,7 +131,7 @@ function createMesh(whole: Arrays, rule: Rule) {
   }
 
   return {
-    /** Split a triangle; `made` takes the parts one by one, and may end the work. */
+    /** Splits a triangle; `made` receives the parts one by one and may abort by returning false. */
     split(triangle: Corners, made: (a: number, b: number, c: number) => boolean): void {
       const rest: (readonly [...Corners, number])[] = [[...triangle, 0]];
       for (let part = rest.pop(); part; part = rest.pop()) {
@@ -151,9 +151,9 @@ function createMesh(whole: Arrays, rule: Rule) {
         }
       }
     },
-    /** How many vertices are new. */
+    /** Number of new vertices. */
     made: (): number => next - count,
-    /** The arrays with the new vertices and these corners. */
+    /** Arrays with the new vertices and the given indices. */
     finished(corners: readonly number[]): Arrays {
       const joined = <T extends Float32Array | Uint16Array>(each: Rows): T => {
         const Type = each.source.constructor as new (size: number) => T;

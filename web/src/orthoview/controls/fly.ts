@@ -1,4 +1,4 @@
-/** Flying along the view, aside, up and down, at a speed that grows with the height. */
+/** Flying along the view, sideways, up and down, at a speed proportional to the height. */
 import { type Drive, together } from '../../control/drive';
 import { readPads } from '../../control/gamepad';
 import { createKeys, isElsewhere } from '../../control/keys';
@@ -6,19 +6,19 @@ import { createPointers, type Thumb } from '../../control/pointers';
 import type { Pose } from '../../control/pose';
 import { ahead, bounded, moved, rightOf, STEEPEST, type Vector } from '../../control/vector';
 
-/** Metres a second for each metre above the ground, and the least height that counts, metres. */
+/** Metres per second for each metre above the ground, and least height that counts, metres. */
 const [SPEED, LOWEST] = [0.6, 3] as const;
-/** Factor with Shift; powers of two by which the wheel changes the speed, and those for a pixel of it. */
+/** Factor with Shift; greatest exponent (powers of two) of the wheel's speed factor, and exponent per wheel pixel. */
 const [HASTE, FASTEST, WHEEL] = [4, 5, 0.004] as const;
-/** Radians a second. */
+/** Turning speed, radians per second. */
 const TURN = 1.2;
-/** Longest time that one update stands for, seconds: a tab that was hidden goes on where it was. */
+/** Longest time per update, seconds: a page that was hidden continues where it was. */
 const LONGEST = 0.25;
 
-/** By the place of a key: up is positive. */
+/** Vertical direction by physical key code; up is positive. */
 const RISE: Readonly<Record<string, number>> = { KeyE: 1, Space: 1, KeyQ: -1, KeyC: -1 };
 
-/** The pose after some seconds of wishes, of which `rise` is up. `ground` is the height at which the world begins, metres. */
+/** Pose after some seconds of commands; `rise` is upward. `ground` is the height of the world's bottom, metres. */
 export function flown(pose: Pose, wishes: Drive, rise: number, power: number, ground: number, seconds: number): Pose {
   const yaw = pose.yaw + TURN * wishes.turn * seconds;
   const pitch = bounded(pose.pitch + TURN * wishes.look * seconds, -STEEPEST, STEEPEST);
@@ -31,14 +31,14 @@ export function flown(pose: Pose, wishes: Drive, rise: number, power: number, gr
 
 export interface Fly {
   readonly pose: Pose;
-  /** Power of two of the speed. */
+  /** Speed exponent, as a power of two. */
   readonly power: number;
-  /** The pose after some seconds more. */
+  /** Pose after further seconds. */
   update(seconds: number): Pose;
   setPose(pose: Pose): void;
 }
 
-/** Let an element, which should be focusable, steer a pose. */
+/** Controls a pose by input on an element, which should be focusable. */
 export function createFly(
   element: HTMLElement,
   start: Pose,
@@ -66,7 +66,7 @@ export function createFly(
   window.addEventListener('keydown', (event) => {
     if (!Object.hasOwn(RISE, event.code) || isElsewhere(event)) return;
     held.add(event.code);
-    // The space bar presses buttons, else.
+    // Otherwise the space bar presses buttons.
     if (!(event.target instanceof HTMLButtonElement)) event.preventDefault();
   });
   window.addEventListener('keyup', ({ code }) => held.delete(code));
@@ -102,7 +102,7 @@ export function createFly(
 }
 
 function padsOf(): readonly (Gamepad | null)[] {
-  // Pages without https or with a policy against gamepads have none.
+  // Pages without https, or with a policy against gamepads, throw here.
   try {
     return navigator.getGamepads?.() ?? [];
   } catch {

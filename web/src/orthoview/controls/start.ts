@@ -1,11 +1,11 @@
-/** Where a viewer begins who comes without a link. */
+/** Start pose without a link. */
 import type { Pose } from '../../control/pose';
 import type { Layout } from '../store/layout';
 
-/** Distance from the middle in widths of the world, and the angle by which the view looks down, radians. */
+/** Distance from the centre in widths of the world, and downward angle of the view, radians. */
 const [AWAY, DOWN] = [0.55, 0.45] as const;
 
-/** From the south, above the world, towards its middle. */
+/** Pose south of and above the world, looking at its centre. */
 export function startOf({ origin, cell, counts }: Layout): Pose {
   const middle = origin.map((low, axis) => low + (cell * (counts[axis] as number)) / 2) as [number, number, number];
   const away = AWAY * cell * Math.max(counts[0], counts[2]);

@@ -1,7 +1,7 @@
 /** Perspective cameras. */
 import type { Triple } from '../store/layout';
 
-/** Tangents of the angles from the axis to the picture's sides; those to the left and down are below 0. */
+/** Tangents of the angles from the axis to the picture's sides; left and down are negative. */
 export interface Fov {
   readonly left: number;
   readonly right: number;
@@ -11,17 +11,17 @@ export interface Fov {
 
 export interface Camera {
   readonly position: Triple;
-  /** World directions of the picture's right and upper side, and of what lies behind the camera: unit vectors. */
+  /** World directions of the picture's right and upper side, and backwards from the camera: unit vectors. */
   readonly right: Triple;
   readonly up: Triple;
   readonly back: Triple;
   readonly fov: Fov;
-  /** Pixels. */
+  /** Size in pixels. */
   readonly width: number;
   readonly height: number;
 }
 
-/** A camera of a pose: radians, yaw to the left, pitch up, and the whole vertical angle. */
+/** Camera from a pose: radians, yaw to the left, pitch up, and the full vertical field of view. */
 export function cameraOf(
   { position, yaw, pitch }: { readonly position: Triple; readonly yaw: number; readonly pitch: number },
   angle: number,
@@ -42,7 +42,7 @@ export function cameraOf(
   };
 }
 
-/** The direction through a place in the picture, pixels from its upper left; its part along the axis is 1. */
+/** Direction through a position in the picture, pixels from its upper left; its component along the axis is 1. */
 export function directionAt({ right, up, back, fov, width, height }: Camera, x: number, y: number): Triple {
   const across = fov.left + ((fov.right - fov.left) * x) / width;
   const above = fov.up + ((fov.down - fov.up) * y) / height;
@@ -65,7 +65,7 @@ export function cross(a: Triple, b: Triple): Triple {
   return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 }
 
-/** The same direction with a length of 1; up for a vector of length 0. */
+/** Unit vector of the same direction; up for a zero vector. */
 export function unit(vector: Triple): Triple {
   const length = Math.sqrt(dot(vector, vector));
   return length > 0 ? [vector[0] / length, vector[1] / length, vector[2] / length] : [0, 1, 0];

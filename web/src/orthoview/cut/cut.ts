@@ -1,4 +1,4 @@
-/** Cuts through the octree: which cells a viewer sees at which level, from which directions. */
+/** Cuts through the octree: the cells, levels and directions that a viewer needs. */
 import { cornerOf, sideAt, subtreeOf, type Triple } from '../store/layout';
 import { type Camera, dot, pixelSize, unit } from './camera';
 import { type Cells, childrenOf } from './cells';
@@ -13,35 +13,35 @@ export interface Settings {
   readonly error: number;
   /** Whether cells outside of the picture count, too. */
   readonly isAround: boolean;
-  /** Whether leaves so near that their views are too coarse are drawn as geometry, where the tree has it. */
+  /** Whether leaves that are too near for their views are drawn as geometry, if the tree has it. */
   readonly geometry: boolean;
   /** Degrees by which the viewer's direction is raised before a cell's views are chosen. */
   readonly lift: number;
 }
 
-/** A cell that is drawn. */
+/** A drawn cell. */
 export interface Drawn {
   readonly level: number;
   readonly place: Triple;
   /** Distance of its nearest point, metres. */
   readonly distance: number;
   readonly isInPicture: boolean;
-  /** Numbers of the directions that it is drawn from, the nearest one first. */
+  /** Numbers of its directions, the nearest one first. */
   readonly directions: readonly number[];
 }
 
 export interface Cut {
-  /** The nearest ones first. */
+  /** Drawn cells, the nearest ones first. */
   readonly cells: readonly Drawn[];
-  /** Leaves that are drawn as geometry, the nearest ones first; their directions stand in until it has come. */
+  /** Leaves drawn as geometry, the nearest ones first; their views are shown until it has arrived. */
   readonly leaves: readonly Drawn[];
-  /** Distance from which on leaves are as fine as wanted, metres; cells of level k from 2ᵏ times as far. */
+  /** Distance from which leaves are fine enough, metres; cells of level k from 2ᵏ times as far. */
   readonly reach: number;
-  /** Subtrees that are not known, in whose place the cells above are drawn. */
+  /** Unknown subtrees, in whose place coarser cells are drawn. */
   readonly unknown: readonly { readonly tier: number; readonly place: Triple }[];
 }
 
-/** Cut a tree for a viewer, with the subtrees that are known. */
+/** Cuts a tree for a viewer, with the known subtrees. */
 export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
   const { layout } = cells;
   const pitch = (layout.cell * widest(layout.directions)) / layout.size;
@@ -73,7 +73,7 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
     else if (!refine(level - 1, place, lies)) draw(drawn);
   }
 
-  /** The records of a leaf's guests tell where their geometry is. */
+  /** Requires the records of a leaf's guests, which locate their geometry. */
   function meet(leaf: Triple): void {
     for (const guest of cells.guestsOf(leaf)) {
       const { tier, place } = subtreeOf(layout, 0, guest);
@@ -81,7 +81,7 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
     }
   }
 
-  /** Visit the children of a cell; false if they are not known. */
+  /** Visits the children of a cell; false if they are unknown. */
   function refine(level: number, parent: Triple, lies: Side): boolean {
     const children = childrenOf(parent).map((place) => ({ place, cell: cells.at(level, place) }));
     for (const { place, cell } of children) {
@@ -116,14 +116,14 @@ function distanceOf(eye: Triple, corner: Triple, side: number): number {
   return Math.sqrt(dot(along, along));
 }
 
-/** The direction from a cell's middle to the viewer. */
+/** Direction from a cell's centre to the viewer. */
 function towardOf(eye: Triple, center: Triple): Triple {
   return unit([eye[0] - center[0], eye[1] - center[1], eye[2] - center[2]]);
 }
 
 /**
- * Of the directions of a mask those nearest to the raised one. All that are equally high are equally near to the zenith:
- * then those nearest to the viewer's own direction; of equally near ones the first.
+ * Directions of a mask that are nearest to the raised direction. Equally high directions are equally near to the
+ * zenith; then those nearest to the viewer's own direction count; of equally near ones the first.
  */
 function nearest(units: readonly Triple[], raised: Triple, toward: Triple, mask: number, most: number): number[] {
   const shown = units
@@ -135,7 +135,7 @@ function nearest(units: readonly Triple[], raised: Triple, toward: Triple, mask:
     .map(({ number }) => number);
 }
 
-/** The views of a cell that shows something: as many as are wanted and there. */
+/** Number of views of a non-empty cell: the requested number, if available. */
 export function countOf(mask: number, { views }: Pick<Settings, 'views'>): number {
   let [count, left] = [0, mask];
   for (; left !== 0; left &= left - 1) count += 1;

@@ -1,11 +1,11 @@
-/** The axes of the views of a direction. */
+/** Axes of a direction's views. */
 import type { Triple } from '../store/layout';
 import { cross, unit } from './camera';
 
 export interface Frame {
   /** Unit vectors to the right, upwards and towards the viewer. */
   readonly axes: readonly [Triple, Triple, Triple];
-  /** Extents of a cube of side 1 along them. */
+  /** Extents of a unit cube along the axes. */
   readonly extents: Triple;
 }
 
@@ -20,7 +20,7 @@ export function frameOf(toward: Triple): Frame {
   return { axes: [unit(axes[0]), unit(axes[1]), unit(axes[2])], extents };
 }
 
-/** Width or height of the widest view of a cell, in sides of it. */
+/** Width or height of a cell's widest view, as a multiple of the cell's side. */
 export function widest(directions: readonly Triple[]): number {
   return Math.max(...directions.flatMap((direction) => frameOf(direction).extents.slice(0, 2)));
 }

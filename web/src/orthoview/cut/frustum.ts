@@ -1,8 +1,8 @@
-/** The half-spaces that a picture shows. */
+/** View frustum as half-spaces. */
 import type { Triple } from '../store/layout';
 import { type Camera, cross, directionAt, dot, unit } from './camera';
 
-/** How a box lies to a frustum. */
+/** Position of a box relative to a frustum. */
 export type Side = 'outside' | 'across' | 'inside';
 
 /** A half-space n·x + d ≥ 0. */
@@ -11,7 +11,7 @@ interface Plane {
   readonly offset: number;
 }
 
-/** The half-spaces of a picture's sides, and that before the camera. */
+/** Half-spaces of a picture's sides, and the one in front of the camera. */
 export function frustumOf(camera: Camera): readonly Plane[] {
   const { position, width, height } = camera;
   const middle = directionAt(camera, width / 2, height / 2);
@@ -34,7 +34,7 @@ export function frustumOf(camera: Camera): readonly Plane[] {
   return [...sides, plane([-camera.back[0], -camera.back[1], -camera.back[2]], position)];
 }
 
-/** How a cube lies to it: outside of one half-space, or inside of all of them. */
+/** Position of a cube: outside of one half-space, across one, or inside of all. */
 export function sideOf(planes: readonly Plane[], center: Triple, side: number): Side {
   let found: Side = 'inside';
   for (const { normal, offset } of planes) {

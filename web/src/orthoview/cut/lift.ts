@@ -1,10 +1,10 @@
-/** Directions of viewers, raised towards the zenith. */
+/** Raising of viewers' directions towards the zenith. */
 import type { Triple } from '../store/layout';
 
-/** Sine of the angle from straight down within which a direction has no side to be raised on. */
+/** Sine of the angle from straight down within which a direction cannot be raised to a side. */
 const STRAIGHT = 1e-9;
 
-/** A function that turns unit vectors by an angle in degrees towards +y, at most to +y. One straight down stays. */
+/** Function that rotates unit vectors by an angle in degrees towards +y, at most to +y. Straight down stays. */
 export function liftOf(degrees: number): (way: Triple) => Triple {
   const angle = (degrees * Math.PI) / 180;
   const [sine, cosine] = [Math.sin(angle), Math.cos(angle)];

@@ -7,9 +7,9 @@ import type { Cut, Settings } from './cut';
 
 export type ToCutter =
   | { readonly kind: 'open'; readonly base: string }
-  /** Look from here, until another camera comes: the cut comes at once, and again when more of the tree is known. */
+  /** Sets the camera: the cut is sent at once, and again whenever more of the tree is known. */
   | { readonly kind: 'look'; readonly camera: Camera; readonly settings: Settings }
-  /** Read again what failed. */
+  /** Retries failed reads. */
   | { readonly kind: 'retry' };
 
 export type FromCutter =
@@ -22,8 +22,8 @@ export type FromCutter =
     }
   | { readonly kind: 'learned'; readonly subtree: Subtree }
   | { readonly kind: 'cut'; readonly cut: Cut }
-  /** The cells around the viewer, so coarse that they are few: what is shown first where a viewer turns. */
+  /** Coarse cells all around the viewer, which are few: shown first when a viewer turns. */
   | { readonly kind: 'base'; readonly cut: Cut }
   | { readonly kind: 'received'; readonly bytes: number }
-  /** `isFatal`: there is nothing to show. */
+  /** `isFatal` if nothing can be shown. */
   | { readonly kind: 'failed'; readonly failure: Failure; readonly isFatal: boolean };

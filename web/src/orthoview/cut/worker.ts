@@ -1,4 +1,4 @@
-/** A worker that reads what a store tells of its cells, and cuts the tree for where the viewer is. */
+/** Worker that reads a store's records of cells, and cuts the tree for the viewer. */
 import { failureOf, isPassing } from '../store/error';
 import { createFiles } from '../store/files';
 import { nameOf, type Triple } from '../store/layout';
@@ -8,9 +8,9 @@ import { Cells } from './cells';
 import { type Cut, cut, type Settings } from './cut';
 import type { FromCutter, ToCutter } from './messages';
 
-/** How much coarser the finest cells are that are kept all around. */
+/** Factor by which the base cells, which are kept all around, are coarser. */
 const COARSER = 6;
-/** Milliseconds after which a subtree that failed is asked for again. */
+/** Milliseconds before a failed subtree is requested again. */
 const AGAIN = 3000;
 
 let records: Records | null = null;
@@ -57,13 +57,13 @@ function look(): void {
   ask(found);
 }
 
-/** Coarse cells all around, those of all levels above them first. */
+/** Coarse cells all around, from the coarsest level down. */
 function baseOf(known: Cells, camera: Camera, settings: Settings): Cut {
   const cuts = Array.from({ length: known.layout.levels }, (_, finer) => {
     const error = settings.error * COARSER * 2 ** (known.layout.levels - 1 - finer);
     return cut(known, camera, { ...settings, error, isAround: true, geometry: false });
   });
-  // At this one nothing but the whole world is drawn.
+  // With this error only the root cell is drawn.
   const whole = cut(known, camera, { ...settings, error: Number.MAX_VALUE, isAround: true, geometry: false });
   const finest = cuts.at(-1) ?? whole;
   return { ...finest, cells: [whole, ...cuts].flatMap(({ cells: drawn }) => drawn) };

@@ -1,11 +1,11 @@
-/** Zarr's codecs of a store, with the checks that zarrita leaves out. */
+/** Codecs of a Zarr store, with the checks that zarrita omits. */
 import { decompress } from 'fzstd';
 import * as zarr from 'zarrita';
 import { damaged } from '../store/error';
 import type { Bytes } from '../store/files';
 import { xxh64 } from './xxh64';
 
-/** Polynomial of CRC32C (Castagnoli), its bits reversed. */
+/** Polynomial of CRC32C (Castagnoli), bit-reversed. */
 const CASTAGNOLI = 0x82f6_3b78;
 const TABLE = Uint32Array.from({ length: 256 }, (_, byte) => {
   let sum = byte;
@@ -19,7 +19,7 @@ export function crc32c(bytes: Uint8Array): number {
   return ~sum >>> 0;
 }
 
-/** The bytes before a checksum; an error if it is not theirs. */
+/** Bytes in front of a checksum; throws if it is wrong. */
 function unsummed(bytes: Uint8Array): Uint8Array {
   const data = bytes.subarray(0, -4);
   const sum = new DataView(bytes.buffer, bytes.byteOffset + data.length).getUint32(0, true);
@@ -27,10 +27,10 @@ function unsummed(bytes: Uint8Array): Uint8Array {
   return data;
 }
 
-/** Greatest number of bytes that a chunk may unpack to: a damaged one may state any. */
+/** Greatest decompressed size of a chunk in bytes, because a damaged one may state any. */
 const MOST = 4096 * 4096 * 4;
 
-/** Number of bytes that the header of a frame of Zstandard states (RFC 8878, 3.1.1.1); null if it states none. */
+/** Content size in the header of a Zstandard frame (RFC 8878, 3.1.1.1); null if it is absent. */
 export function statedSize(frame: Uint8Array): number | null {
   const view = new DataView(frame.buffer, frame.byteOffset, frame.byteLength);
   const flags = view.getUint8(4);
@@ -41,13 +41,13 @@ export function statedSize(frame: Uint8Array): number | null {
   return kind === 2 ? view.getUint32(at, true) : Number(view.getBigUint64(at, true));
 }
 
-/** The content of a frame of Zstandard that has a checksum. */
+/** Content of a Zstandard frame with a checksum. */
 export function unpacked(frame: Uint8Array): Uint8Array {
   const size = frame.length < 18 ? null : statedSize(frame);
   if (size === null || size > MOST) throw damaged('a chunk', `its header states ${size} bytes`);
   const found = decompress(frame, new Uint8Array(size));
   const sum = new DataView(frame.buffer, frame.byteOffset + frame.length - 4).getUint32(0, true);
-  // fzstd leaves it out.
+  // fzstd does not verify the checksum.
   if (found.length !== size || Number(xxh64(found) & 0xffff_ffffn) !== sum)
     throw damaged('a chunk', 'its checksum is wrong');
   return found;
@@ -61,12 +61,12 @@ function encode(): never {
   throw new Error('stores are only read here');
 }
 
-/** zarrita's type of the registry knows no codecs between arrays and bytes. */
+/** Registers a codec; zarrita's registry type lacks codecs between arrays and bytes. */
 function register(name: string, fromConfig: (config: unknown, meta: Meta) => object): void {
   zarr.registry.set(name, async () => ({ fromConfig }) as never);
 }
 
-/** Register the codecs with zarrita. */
+/** Registers the codecs with zarrita. */
 export function registerCodecs(): void {
   register('zstd', () => ({ kind: 'bytes_to_bytes', encode, decode: unpacked }));
   register('crc32c', () => ({
@@ -82,7 +82,7 @@ export function registerCodecs(): void {
   }));
 }
 
-/** Red, green and blue of a WebP file; such files have no alpha, so that a canvas changes nothing. */
+/** RGB of a WebP file; such files have no alpha, so drawing to a canvas is lossless. */
 async function pixelsOf(bytes: Bytes, shape: readonly number[]): Promise<Uint8Array> {
   const image = await createImageBitmap(new Blob([bytes]), { colorSpaceConversion: 'none', premultiplyAlpha: 'none' });
   const { width, height } = image;

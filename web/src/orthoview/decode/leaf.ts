@@ -1,4 +1,4 @@
-/** Reads the geometry of leaves: GLB files, and the textures that they share. */
+/** Reads the geometry of leaves: GLB files, and shared textures. */
 import { at, entries, type Glb, openGlb } from '../../decode/glb';
 import { pictureOf } from '../../decode/images';
 import type { Material } from '../../decode/messages';
@@ -10,12 +10,12 @@ import type { Bytes, Files } from '../store/files';
 import type { Triple } from '../store/layout';
 import type { Shard } from '../store/records';
 
-/** Triangles of one material, and where they are. */
+/** Placed triangles of one material. */
 export interface Piece {
-  /** World place that placements are relative to, metres. */
+  /** World position that placements are relative to, metres. */
   readonly origin: Triple;
   readonly positions: Float32Array;
-  /** Unit vectors, or null where faces are flat. */
+  /** Unit vectors, or null for flat shading. */
   readonly normals: Float32Array | null;
   readonly uvs: Float32Array | null;
   readonly colors: Uint16Array | null;
@@ -27,14 +27,14 @@ export interface Piece {
   readonly glow: ImageBitmap | null;
 }
 
-/** Bytes of the arrays of a file at most: a leaf has a small part of it. */
+/** Greatest size of a file's arrays, bytes; a leaf has a small part of it. */
 const MOST_BYTES = 2 ** 28;
 const PICTURE = /^(?:\.\.\/)+(images\/([0-9a-f]{16}\.webp))$/;
 
-/** Bytes of textures that are kept: leaves share them. */
+/** Size of the texture cache in bytes; leaves share textures. */
 const KEPT = 1 << 25;
 
-/** Reads textures once, as long as not too many others were read since. */
+/** Texture cache, cleared when it is full. */
 export class Textures {
   readonly #kept = new Map<string, Promise<Bytes>>();
   #bytes = 0;
@@ -44,7 +44,7 @@ export class Textures {
   read(path: string, version: string): Promise<Bytes> {
     const found = this.#kept.get(path);
     if (found) return found;
-    // Other leaves may wait for the same texture: it is read even if nobody wants this leaf any more.
+    // Other leaves may wait for the same texture, so it is read even if this leaf is no longer needed.
     const content = contentOf(this.files, path, version, undefined, undefined);
     this.#kept.set(path, content);
     content.then(
@@ -54,7 +54,7 @@ export class Textures {
     return content;
   }
 
-  /** Forget all when they are too many: they are read again, mostly from the browser's cache. */
+  /** Clears a full cache; textures are then mostly read from the browser's cache. */
   #trim(more: number): void {
     this.#bytes += more;
     if (this.#bytes <= KEPT) return;
@@ -63,7 +63,7 @@ export class Textures {
   }
 }
 
-/** The pieces of the files of a leaf. */
+/** Pieces of the files of a leaf. */
 export async function readLeaf(
   files: Files,
   textures: Textures,
@@ -72,7 +72,7 @@ export async function readLeaf(
 ): Promise<Piece[]> {
   const parts = await Promise.all(
     listed.map(async ([path, size, version]) => {
-      // As a part, so that no server packs again what is packed.
+      // A range request, so that no server compresses compressed data again.
       const bytes = await contentOf(files, path, version, [0, size], signal);
       const digest = await sha256(bytes);
       if (bytes.length !== size || (digest !== null && !digest.startsWith(version)))
@@ -83,7 +83,7 @@ export async function readLeaf(
   return parts.flat();
 }
 
-/** Buffers that are sent without a copy. */
+/** Buffers to transfer without copying. */
 export function buffersOf(pieces: readonly Piece[]): Transferable[] {
   const arrays = pieces.flatMap((piece) => [
     piece.positions,
@@ -126,7 +126,7 @@ async function piecesOf(textures: Textures, path: string, bytes: Bytes, signal: 
     const picture = async (name: string | null): Promise<ImageBitmap | null> => {
       if (name === null) return null;
       const place = pictures.get(name.slice(FOLDER.length));
-      // Its name is a hash of what it shows.
+      // Its name is a hash of its content.
       return pictureOf(name, await textures.read(folder + place, name.slice(FOLDER.length, -5)));
     };
     const pieces: Piece[] = [];
@@ -146,7 +146,7 @@ async function piecesOf(textures: Textures, path: string, bytes: Bytes, signal: 
   }
 }
 
-/** Places of the textures below the folder of geometry, by their names. */
+/** Paths of textures below the geometry folder, by their names. */
 function picturesOf({ document }: Glb): Map<string, string> {
   const found = entries(document.images, 'images').map(({ uri }): readonly [string, string] => {
     const [, place, name] = PICTURE.exec(String(uri)) ?? [];
@@ -156,7 +156,7 @@ function picturesOf({ document }: Glb): Map<string, string> {
   return new Map(found);
 }
 
-/** A file whose textures have the names that readers of materials expect. */
+/** Rewrites texture URIs to the names that readers of materials expect. */
 function withNames(glb: Glb): Glb {
   const images = entries(glb.document.images, 'images').map(({ uri }) => ({ uri: String(uri).replace(PICTURE, '$2') }));
   return { ...glb, document: { ...glb.document, images } };

@@ -1,14 +1,14 @@
-/** A view's pixels as splats, in parts that are culled as a whole. */
+/** Packs a view's pixels as splats, in parts that are culled as a whole. */
 import { CONNECTION_BITS, type Layout } from '../store/layout';
 
-/** Numbers of 32 bits of a splat. */
+/** 32-bit words per splat. */
 export const WORDS = 3;
 /** Parts along each axis of a view. */
 const PARTS = 4;
-/** Greatest number of connected neighbours of a ball; all neighbours. */
+/** Greatest number of connected neighbours of a ball; number of all neighbours. */
 const [MOST_OF_BALL, ALL] = [4, 8] as const;
 
-/** Splats [first, first + count), and the columns, rows and depth steps that they take; `high` is exclusive. */
+/** Splats [first, first + count), and their range of columns, rows and depth steps; `high` is exclusive. */
 export interface Part {
   readonly first: number;
   readonly count: number;
@@ -17,9 +17,9 @@ export interface Part {
 }
 
 /**
- * The pixels of a view that show a surface, three words each:
- * 24 bits of colour and 8 upper ones of the depth; 24 bits of the normal and 8 lower ones of the depth;
- * 12 bits each of column and row, whether it is a surfel (bit 24), and whether all neighbours are connected (bit 25).
+ * Non-empty pixels of a view, three words each: 24 bits of colour and the 8 upper bits of the depth; 24 bits of the
+ * normal and the 8 lower bits of the depth; 12 bits each of column and row, whether it is a surfel (bit 24), and
+ * whether all neighbours are connected (bit 25).
  */
 export interface Splats {
   readonly words: Uint32Array<ArrayBuffer>;
@@ -80,7 +80,7 @@ function shownOf(depth: Numbers): number {
   return count;
 }
 
-/** Both numbers of a normal in 24 bits; those of 8 bits as they are. */
+/** Both components of a normal in 24 bits; 8-bit components are unchanged. */
 function normalOf(normal: Numbers, pixel: number, bits: number): number {
   if (bits === 16) return (normal[2 * pixel] as number) | ((normal[2 * pixel + 1] as number) << 12);
   const [high, middle, low] = [normal[3 * pixel], normal[3 * pixel + 1], normal[3 * pixel + 2]] as [
@@ -91,7 +91,7 @@ function normalOf(normal: Numbers, pixel: number, bits: number): number {
   return (high << 4) | (middle >> 4) | ((((middle & 15) << 8) | low) << 12);
 }
 
-/** Number of neighbours that are connected with each pixel. */
+/** Number of connected neighbours of each pixel. */
 function neighboursOf(depth: Numbers, size: number): Uint8Array {
   const counts = new Uint8Array(size * size);
   const steps = [1, size, size + 1, size - 1];
@@ -99,7 +99,7 @@ function neighboursOf(depth: Numbers, size: number): Uint8Array {
     for (let x = 0; x < size; x++, pixel++) {
       const bits = (depth[pixel] as number) & 15;
       for (let bit = 0; bit < 4; bit++) {
-        // Bits that lead out of the picture are none of ours.
+        // Bits that point outside of the picture are ignored.
         const isOut = (bit !== 1 && (bit === 3 ? x === 0 : x === size - 1)) || (bit > 0 && y === size - 1);
         if (!((bits >> bit) & 1) || isOut) continue;
         const other = pixel + (steps[bit] as number);

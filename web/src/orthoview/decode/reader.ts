@@ -9,20 +9,20 @@ import { type Piece, readLeaf, Textures } from './leaf';
 import { pack, type Splats } from './pack';
 import { Shards } from './shards';
 
-/** A view to be read, or with the direction `GEOMETRY` a leaf's geometry. */
+/** A requested view or, with the direction `GEOMETRY`, a leaf's geometry. */
 export interface Wanted {
   readonly level: number;
   readonly place: Triple;
   readonly direction: number;
   readonly generation: number;
-  /** The shards that have its chunks, a second layer has none where the tree needs none; or the files of geometry. */
+  /** Shards with its chunks, including those of a second layer if there is one; or the files of geometry. */
   readonly shards: readonly Shard[];
 }
 
 type Values = Uint8Array | Uint16Array | Uint32Array;
 
 export interface Reader {
-  /** The splats of a view's layers; those that show nothing are left out. */
+  /** Splats of a view's layers; empty layers are omitted. */
   read(wanted: Wanted, signal: AbortSignal): Promise<Splats[]>;
   leaf(wanted: Wanted, signal: AbortSignal): Promise<Piece[]>;
 }
@@ -48,7 +48,7 @@ export function createReader(base: URL, layout: Layout, receive: (bytes: number)
       return data as Values;
     } catch (reason) {
       if (signal.aborted || reason instanceof StoreError) throw reason;
-      // Complaints of zarrita's codecs.
+      // Errors of zarrita's codecs.
       const why = reason instanceof Error && reason.cause instanceof Error ? reason.cause.message : String(reason);
       throw damaged(name, `the chunk of the cell ${place.join(', ')}: ${why}`);
     }

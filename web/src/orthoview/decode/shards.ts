@@ -1,11 +1,11 @@
-/** A store as zarrita reads it: arrays whose metadata follow from the layout, and parts of shards. */
+/** A store for zarrita: array metadata derived from the layout, and byte ranges of shards. */
 import { CONNECTION_BITS, BEHIND, type Layout, shardSide } from '../store/layout';
 import { StoreError } from '../store/error';
 import type { Bytes, Files } from '../store/files';
 
-/** Shards of at most so many bytes are read as a whole: an index alone has 8 kB. */
+/** Size in bytes up to which shards are read as a whole: an index alone has 8 kB. */
 const SMALL = 1 << 16;
-/** Bytes of whole shards that are kept. */
+/** Size of the cache of whole shards, bytes. */
 const KEPT = 1 << 25;
 
 /** Size and version of shards, by their paths with the folders of their generations. */
@@ -14,18 +14,18 @@ export type Known = ReadonlyMap<string, { readonly size: number; readonly versio
 type Range = { readonly offset: number; readonly length: number } | { readonly suffixLength: number };
 
 export class Shards {
-  /** Whole shards: small ones, and those of servers that send no parts. */
+  /** Whole shards: small ones, and those of servers without range requests. */
   readonly #whole = new Map<string, Promise<Bytes>>();
   #bytes = 0;
 
   constructor(
     readonly files: Files,
     readonly layout: Layout,
-    /** Those of the views that are being read. */
+    /** Shards of the views that are being read. */
     readonly known: Known,
   ) {}
 
-  /** Metadata of an array or, which zarrita asks for in no sharded store, a chunk. */
+  /** Metadata of an array; undefined for chunks, which zarrita never requests in sharded stores. */
   get(key: string): Promise<Bytes | undefined> {
     const found = /^\/(?:nearfar\/generations\/\d+\/)?(\d+)\/[a-z_]+\/([a-z_]+)\/zarr\.json$/.exec(key);
     if (!found) return Promise.resolve(undefined);
@@ -41,13 +41,13 @@ export class Shards {
     if (!shard) throw new StoreError('gone', `${path}: no record lists this shard`);
     const [first, length] =
       'offset' in range ? [range.offset, range.length] : [shard.size - range.suffixLength, range.suffixLength];
-    // A chunk of length 0 stands in updates for one that is there no more.
+    // In updates, a chunk of length 0 marks a removed one.
     if (length === 0) return undefined;
     if (first < 0 || first + length > shard.size)
       throw new StoreError('damaged', `${path}: its index leads beyond its end`);
     const whole = this.#whole.get(path) ?? (shard.size <= SMALL ? this.#keep(path, this.#read(path, shard)) : null);
     if (whole) return cut(await whole, first, length);
-    // Others may wait for the same index, which zarrita reads once.
+    // Not aborted for an index: zarrita reads it once for all waiting requests.
     const signal = 'offset' in range ? options.signal : undefined;
     const found = await this.files.read({ path, version: shard.version, part: [first, length], signal });
     if (!found) throw gone(path);
@@ -57,7 +57,7 @@ export class Shards {
   }
 
   async #read(path: string, { size, version }: { size: number; version: string }): Promise<Bytes> {
-    // As a part, so that no server packs again what is packed.
+    // A range request, so that no server compresses compressed data again.
     const found = await this.files.read({ path, version, part: [0, size] });
     if (!found) throw gone(path);
     if (found.bytes.length !== size)
@@ -86,12 +86,12 @@ function gone(path: string): StoreError {
   return new StoreError('gone', `${path}: the shard is gone`);
 }
 
-/** A part of a shard, as a copy: what keeps the part should not keep the shard. */
+/** Copies a part of a shard, so that the part does not keep the shard in memory. */
 function cut(whole: Bytes, first: number, length: number): Bytes {
   return whole.slice(first, first + length);
 }
 
-/** Metadata of an array, as the build writes them. */
+/** Metadata of an array, identical to those that the build writes. */
 function metadataOf(layout: Layout, level: number, channel: string): object {
   const kind = channel.replace(BEHIND, '');
   const [side, { size }] = [shardSide(layout, level), layout];

@@ -1,4 +1,4 @@
-/** A worker that reads and decodes views. */
+/** Worker that reads and decodes views. */
 import { failureOf } from '../store/error';
 import { GEOMETRY } from '../store/layout';
 import { buffersOf } from './leaf';

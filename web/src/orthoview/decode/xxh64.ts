@@ -1,4 +1,4 @@
-/** XXH64 with seed 0, whose lower 32 bits are the checksum of Zstandard's frames (xxHash specification 0.1.1). */
+/** XXH64 with seed 0, whose lower 32 bits are the checksum of Zstandard frames (xxHash specification 0.1.1). */
 
 const [P1, P2, P3, P4, P5] = [
   0x9e37_79b1_85eb_ca87n,
@@ -38,7 +38,7 @@ export function xxh64(bytes: Uint8Array): bigint {
   return sum ^ (sum >> 32n);
 }
 
-/** A lane's sum over all stripes, in numbers of 32 bits: those of 64 take ten times as long. */
+/** A lane's sum over all stripes, in 32-bit arithmetic: 64-bit BigInts take ten times as long. */
 function striped(view: DataView, start: bigint, first: number, end: number): bigint {
   let [high, low] = [Number(start >> 32n), Number(start & 0xffff_ffffn)];
   for (let at = first; at < end; at += STRIPE) {
@@ -49,7 +49,7 @@ function striped(view: DataView, start: bigint, first: number, end: number): big
     low = (low >>> 0) + (Math.imul(inputLow, 0x27d4_eb4f) >>> 0);
     high = (high + upper + (low > 0xffff_ffff ? 1 : 0)) >>> 0;
     low >>>= 0;
-    // Turned by 31 bits.
+    // Rotated by 31 bits.
     [high, low] = [((high << 31) | (low >>> 1)) >>> 0, ((low << 31) | (high >>> 1)) >>> 0];
     // × P1
     product = upperOf(low, 0x85eb_ca87);
@@ -60,7 +60,7 @@ function striped(view: DataView, start: bigint, first: number, end: number): big
   return (BigInt(high) << 32n) | BigInt(low);
 }
 
-/** The upper 32 bits of a product of two numbers of 32 bits. */
+/** Upper 32 bits of the product of two 32-bit numbers. */
 function upperOf(a: number, b: number): number {
   const [a0, a1, b0, b1] = [a & 0xffff, a >>> 16, b & 0xffff, b >>> 16];
   const middle = a0 * b1 + a1 * b0 + ((a0 * b0) >>> 16);

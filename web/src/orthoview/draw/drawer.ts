@@ -1,15 +1,15 @@
-/** The drawers that the page can use, as it uses them. */
+/** Common interface of the page's drawers. */
 import type { Camera } from '../cut/camera';
 import type { Piece } from '../decode/leaf';
 import type { Splats } from '../decode/pack';
 import type { Box, Model } from '../splats/sight';
 
-/** Something that lies on the GPU. */
+/** A resource on the GPU. */
 export interface Held {
   readonly bytes: number;
 }
 
-/** A layer of a view that is drawn, of which a box may bound the splats' middles. */
+/** A drawn layer of a view; `box` may bound the splats' centres. */
 export interface Item<Layer> {
   readonly layer: Layer;
   readonly box: Box | null;
@@ -18,9 +18,9 @@ export interface Item<Layer> {
 export interface Drawn {
   /** Splats of parts that reach into the picture. */
   readonly splats: number;
-  /** Of the geometry. */
+  /** Triangles of the geometry. */
   readonly triangles: number;
-  /** Of splats, light and geometry. */
+  /** Draw calls for splats, lighting and geometry. */
   readonly calls: number;
 }
 
@@ -30,15 +30,15 @@ export interface Drawer<Layer extends Held, Mesh extends Held> {
   drop(layer: Layer): void;
   uploadMesh(piece: Piece): Mesh;
   dropMesh(mesh: Mesh): void;
-  /** Draw meshes and layers with `grid` × `grid` samples for each pixel; the nearest ones should come first. */
+  /** Draws meshes and layers with `grid` × `grid` samples per pixel; the nearest ones should come first. */
   draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, grid: number): Drawn;
-  /** Whether the last picture is there, and not only asked for. */
+  /** Whether the GPU has finished the last picture. */
   readonly isDone: boolean;
-  /** Wait until it is. */
+  /** Waits until the GPU has finished the last picture. */
   finish(): Promise<void>;
   /**
-   * Splats of parts that do not lie behind others, of the last picture that is there; a part counts once for each band of
-   * rows. Null where hidden parts are drawn, too.
+   * Splats of unoccluded parts in the last finished picture; a part counts once for each band of rows. Null if occluded
+   * parts are drawn, too.
    */
   readonly unhidden: number | null;
 }

@@ -1,20 +1,20 @@
-/** Requests for views: the most wanted first, cancelled when nobody wants them, asked again if that may help. */
+/** Requests for views: highest priority first, cancelled when no longer wanted, retried if that may help. */
 import { type Failure, isPassing } from '../store/error';
 
-/** Seconds until a view that failed is asked for again: doubled each time. */
+/** Least and greatest delay before a failed view is requested again, seconds; the delay doubles each time. */
 const [SOONEST, LATEST] = [1, 30] as const;
 
-/** Stands for all failures that pass: a server that is gone fails for each view. */
+/** Key of all temporary failures: an unreachable server fails for each view. */
 const PASSING = '';
 
 export interface QueueSettings<Job> {
-  /** Views that are asked for at once. */
+  /** Number of concurrent requests. */
   readonly atOnce: number;
   send(id: number, job: Job): void;
   cancel(id: number): void;
-  /** A view failed; told once for each message, and once for all that may help themselves. */
+  /** Called when a view failed: once per message, and once for all temporary failures. */
   failed(failure: Failure): void;
-  /** A view has come after some failed in passing. */
+  /** Called when a view arrives after temporary failures. */
   recovered(): void;
   now(): number;
 }
@@ -32,7 +32,7 @@ interface Failed {
 
 export class Queue<Job> {
   readonly #running = new Map<number, Running<Job>>();
-  /** Names of views that failed, and when they are asked for again. */
+  /** Failed views by name, with the time of their next request. */
   readonly #failed = new Map<string, Failed>();
   readonly #told = new Set<string>();
   #wanted = new Map<string, Job>();
@@ -40,12 +40,12 @@ export class Queue<Job> {
 
   constructor(readonly settings: QueueSettings<Job>) {}
 
-  /** Number of views that are waited for, without those that failed for good. */
+  /** Number of outstanding views, without those that failed permanently. */
   get waiting(): number {
     return [...this.#wanted.keys()].filter((name) => this.#failed.get(name)?.again !== Number.POSITIVE_INFINITY).length;
   }
 
-  /** From now on want these views and no others, the first one most. */
+  /** Replaces the wanted views; the first one has the highest priority. */
   want(wanted: Map<string, Job>): void {
     this.#wanted = wanted;
     for (const [id, running] of this.#running) {
@@ -56,7 +56,7 @@ export class Queue<Job> {
     this.fill();
   }
 
-  /** Ask for what is wanted, as far as there is room. */
+  /** Requests wanted views up to the limit of concurrent requests. */
   fill(): void {
     const busy = new Set([...this.#running.values()].map(({ name }) => name));
     const now = this.settings.now();
@@ -69,7 +69,7 @@ export class Queue<Job> {
     }
   }
 
-  /** A view has come; null if nobody knows it. */
+  /** Records that a view has arrived; returns its job, null if it is unknown. */
   done(id: number): Job | null {
     const found = this.#end(id);
     if (found) {
@@ -80,13 +80,13 @@ export class Queue<Job> {
     return found?.job ?? null;
   }
 
-  /** A request has ended because nobody wanted it. */
+  /** Records that a request was cancelled. */
   cancelled(id: number): void {
     this.#end(id);
     this.fill();
   }
 
-  /** A view failed; the job, if it is not asked for again. */
+  /** Records that a view failed; returns the job if it is not requested again. */
   failed(id: number, failure: Failure): Job | null {
     const found = this.#end(id);
     if (found) {
@@ -101,7 +101,7 @@ export class Queue<Job> {
     return isPassing(failure) ? null : (found?.job ?? null);
   }
 
-  /** Ask again for all that failed. */
+  /** Requests all failed views again. */
   retry(): void {
     this.#failed.clear();
     this.#told.clear();

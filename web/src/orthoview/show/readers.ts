@@ -1,4 +1,4 @@
-/** Workers that read views, as functions. */
+/** Interface to the workers that read views. */
 import type { Piece } from '../decode/leaf';
 import type { FromReader, ToReader } from '../decode/messages';
 import type { Splats } from '../decode/pack';
@@ -19,7 +19,7 @@ export interface Readers {
   cancel(id: number): void;
 }
 
-/** Start workers for the store at an address. */
+/** Starts workers for the store at an address. */
 export function startReaders(script: URL, count: number, base: URL, layout: Layout, listener: Listener): Readers {
   const ids = new Map<number, Worker>();
   const workers = Array.from({ length: count }, () => new Worker(script, { type: 'module' }));
@@ -57,7 +57,7 @@ export function startReaders(script: URL, count: number, base: URL, layout: Layo
   }
   return {
     read(id, wanted) {
-      // Views of one shard go to one worker, which reads its index once; so do leaves, which share textures.
+      // Views of one shard go to one worker, which reads the shard's index once; so do all leaves: they share textures.
       const group = wanted.direction === GEOMETRY ? '' : (wanted.shards[0]?.[0] ?? '');
       const worker = workers[hash(group) % workers.length] as Worker;
       ids.set(id, worker);
@@ -74,7 +74,7 @@ function send(worker: Worker, message: ToReader): void {
   worker.postMessage(message);
 }
 
-/** FNV-1a. */
+/** FNV-1a hash. */
 function hash(text: string): number {
   let sum = 0x811c_9dc5;
   for (let at = 0; at < text.length; at++) sum = Math.imul(sum ^ text.charCodeAt(at), 0x0100_0193);

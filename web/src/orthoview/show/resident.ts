@@ -1,4 +1,4 @@
-/** Views, or leaves, on the GPU, those that were used last kept within a number of bytes. */
+/** Cache of views or leaves on the GPU with a limit of bytes; the least recently used are evicted. */
 import { nameOf, type Triple } from '../store/layout';
 
 interface Kept<Layer> {
@@ -7,15 +7,15 @@ interface Kept<Layer> {
   readonly direction: number;
   readonly layers: readonly Layer[];
   readonly bytes: number;
-  /** Number of the picture that showed it last. */
+  /** Index of the picture that last used it. */
   used: number;
 }
 
-/** A view has layers, and a leaf, whose direction is `GEOMETRY`, has pieces. */
+/** Cache of views, which have layers, or of leaves, which have direction `GEOMETRY` and pieces. */
 export class Resident<Layer extends { readonly bytes: number }> {
-  /** In the order of their last use. */
+  /** Views by name, least recently used first. */
   readonly #views = new Map<string, Kept<Layer>>();
-  /** By cell. */
+  /** Directions by cell name. */
   readonly #directions = new Map<string, number[]>();
   #picture = 0;
   bytes = 0;
@@ -38,17 +38,17 @@ export class Resident<Layer extends { readonly bytes: number }> {
     this.bytes += bytes;
   }
 
-  /** Directions of a cell whose views are there, the one that came last at the end. */
+  /** Directions of a cell's loaded views, the latest one last. */
   there(level: number, place: Triple): readonly number[] {
     return this.#directions.get(nameOf(level, place)) ?? [];
   }
 
-  /** Begin a picture. */
+  /** Begins a picture. */
   begin(): void {
     this.#picture += 1;
   }
 
-  /** The layers of a view for the picture that has begun. */
+  /** Returns the layers of a view and marks it as used by the current picture. */
   use(level: number, place: Triple, direction: number): readonly Layer[] {
     const name = `${nameOf(level, place)}/${direction}`;
     const view = this.#views.get(name);
@@ -61,7 +61,7 @@ export class Resident<Layer extends { readonly bytes: number }> {
     return view.layers;
   }
 
-  /** Drop the views that were used the longest ago, none that the picture shows and none that `isKept` names. */
+  /** Evicts least recently used views, except those that the picture uses or `isKept` selects. */
   trim(isKept: (level: number, place: Triple) => boolean): void {
     for (const [name, view] of this.#views) {
       if (this.bytes <= this.most) break;

@@ -1,22 +1,22 @@
-/** Which views a picture is drawn from while others are still missing: never a hole where a coarser view is there. */
+/** Choice of stand-ins for missing views: no hole where a coarser view is loaded. */
 import { above, type Cells, childrenOf } from '../cut/cells';
 import { countOf, type Cut, type Drawn } from '../cut/cut';
 import { nameOf, type Triple } from '../store/layout';
 import type { Box } from '../splats/sight';
 
-/** Levels below a cell on which its descendants are looked for. */
+/** Number of levels below a cell that are searched for its descendants. */
 const DEEP = 3;
 
-/** A view that is drawn. */
+/** View that is drawn. */
 export interface Shown {
   readonly level: number;
   readonly place: Triple;
   readonly direction: number;
-  /** The cell for which it stands in, outside of which it is not drawn; null for all of it. */
+  /** Cell for which it stands in, to which drawing is limited; null for no limit. */
   readonly box: Box | null;
 }
 
-/** A view that is missing. */
+/** View that is missing. */
 export interface Missing {
   readonly level: number;
   readonly place: Triple;
@@ -25,23 +25,23 @@ export interface Missing {
 
 export interface Choice {
   readonly shown: readonly Shown[];
-  /** Leaves whose geometry is drawn, and those whose geometry is missing. */
+  /** Leaves whose geometry is drawn, then those whose geometry is missing. */
   readonly near: readonly Triple[];
   readonly coming: readonly Triple[];
   readonly missing: readonly Missing[];
-  /** Cells of which nothing at all is there. */
+  /** Number of cells for which nothing is loaded. */
   readonly holes: number;
 }
 
-/** The directions of a cell whose views are there, the one that came last at the end. */
+/** Directions of a cell's loaded views, the latest one last. */
 export type There = (level: number, place: Triple) => readonly number[];
 
-/** Whether a leaf's geometry is there; `never` if it cannot be drawn. */
+/** State of a leaf's geometry; `never` if it cannot be drawn. */
 export type Near = (place: Triple) => 'there' | 'coming' | 'never';
 
 /**
- * Choose for each cell of a cut its own views, else those of the cells below it, else those of a cell above it. So
- * do leaves that are to be geometry, until theirs and that of their guests is there.
+ * Chooses for each cell of a cut its own views, or those of the cells below it, or those of a cell above it. Leaves
+ * that are to be drawn as geometry are treated alike until it is loaded, with that of their guests.
  */
 export function choose(cut: Cut, cells: Cells, there: There, views: number, near: Near): Choice {
   const shown: Shown[] = [];
@@ -53,13 +53,13 @@ export function choose(cut: Cut, cells: Cells, there: There, views: number, near
   const all = (level: number, place: Triple, box: Box | null = null): Shown[] =>
     there(level, place).map((direction) => ({ level, place, direction, box }));
 
-  /** Whether as many views are there as a cell is drawn from; after a turn others than those that are wanted. */
+  /** Whether enough views are loaded to draw a cell; after a turn they may differ from the wanted ones. */
   const isFull = (level: number, place: Triple): boolean => {
     const mask = cells.at(level, place)?.mask ?? 0;
     return mask !== 0 && there(level, place).length >= countOf(mask, { views });
   };
 
-  /** The cells below that cover a cell; null if they do not. */
+  /** Returns the views of the cells below that cover a cell; null if they do not. */
   function below(level: number, place: Triple, depth: number): Shown[] | null {
     if (level === 0 || depth === 0) return null;
     const found: Shown[] = [];
@@ -74,7 +74,7 @@ export function choose(cut: Cut, cells: Cells, there: There, views: number, near
     return found;
   }
 
-  /** The nearest cell above of which something is there, full ones before others. */
+  /** Returns the views of the nearest cell above with any loaded, fully loaded cells first. */
   function standIn(cell: Drawn): Shown[] {
     let some: Shown[] = [];
     for (let level = cell.level + 1; level < cells.layout.levels; level++) {
@@ -120,13 +120,13 @@ export function choose(cut: Cut, cells: Cells, there: There, views: number, near
   return { shown: unique(shown), near: [...leaves.values()], coming: [...coming.values()], missing, holes };
 }
 
-/** The wanted directions that are there, and of the others those that came last. */
+/** Returns the wanted directions that are loaded, completed with the latest others. */
 function fill(own: readonly number[], have: ReadonlySet<number>, count: number): number[] {
   const others = [...have].filter((direction) => !own.includes(direction));
   return [...own, ...others.slice(others.length - (count - own.length))];
 }
 
-/** Several cells may have the same cells below them or above. */
+/** Removes duplicates: several cells may have the same cells above them or below. */
 function unique(shown: readonly Shown[]): Shown[] {
   const found = new Map<string, Shown>();
   for (const each of shown) {

@@ -1,4 +1,4 @@
-/** Chooses what draws. */
+/** Choice of the graphics back end. */
 import { WebglDrawer } from '../draw/webgl/drawer';
 import { deviceOf } from '../draw/webgpu/device';
 import type { WebgpuDrawer } from '../draw/webgpu/drawer';
@@ -8,17 +8,17 @@ import { type Stock, stockOf } from './stock';
 export type Graphics = 'webgl' | 'webgpu';
 
 export interface StartSettings {
-  /** The graphics that draw; null for WebGPU where it is, else WebGL 2. */
+  /** Requested back end; null for WebGPU if available, else WebGL 2. */
   readonly graphics: Graphics | null;
-  /** The script that draws by WebGPU, which is read where it is used. */
+  /** Script of the WebGPU back end, loaded on demand. */
   readonly script: URL;
-  /** Bytes of views. */
+  /** Limit of bytes for views. */
   readonly bytes: number;
-  /** The graphics are gone, if that is fatal, or have too little memory. */
+  /** Called if the graphics fail: fatal if the device is lost, not fatal if memory is short. */
   failed(message: string, isFatal: boolean): void;
 }
 
-/** A stock of a tree that is drawn on a canvas. */
+/** Creates the stock of a tree that is drawn on a canvas. */
 export async function startStock(
   canvas: HTMLCanvasElement,
   layout: Layout,
@@ -29,7 +29,7 @@ export async function startStock(
   return { stock: stockOf(layout, new WebglDrawer(canvas, layout), bytes), graphics: 'webgl' };
 }
 
-/** A drawer by WebGPU; null where it cannot be had, unless it was asked for by name. */
+/** Returns a WebGPU drawer; null if none is available, an error if WebGPU was requested by name. */
 async function startWebgpu(
   canvas: HTMLCanvasElement,
   layout: Layout,

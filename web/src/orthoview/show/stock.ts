@@ -1,4 +1,4 @@
-/** The part of a tree that lies on the GPU, and pictures of it. */
+/** Part of a tree that is on the GPU, and pictures of it. */
 import type { Camera } from '../cut/camera';
 import type { Piece } from '../decode/leaf';
 import type { Splats } from '../decode/pack';
@@ -8,23 +8,23 @@ import { GEOMETRY, type Layout, nameOf, type Triple } from '../store/layout';
 import { Resident } from './resident';
 import type { Choice } from './stand_in';
 
-/** Cells and leaves that stay, if possible, though the picture does not show them. */
+/** Cells and leaves that are evicted last although the picture does not show them. */
 export interface Kept {
   /** Names of cells. */
   readonly cells: ReadonlySet<string>;
   readonly leaves: ReadonlySet<string>;
 }
 
-/** Views and geometry, whatever draws them. */
+/** Views and geometry on the GPU, independent of the back end. */
 export interface Stock {
   addView(level: number, place: Triple, direction: number, layers: readonly Splats[]): void;
   addLeaf(place: Triple, pieces: readonly Piece[]): void;
-  /** Directions of a cell whose views are there, the one that came last at the end. */
+  /** Directions of a cell's loaded views, the latest one last. */
   there(level: number, place: Triple): readonly number[];
-  /** Whether a leaf's geometry is there. */
+  /** Whether a leaf's geometry is loaded. */
   hasLeaf(place: Triple): boolean;
   draw(choice: Choice, camera: Camera, grid: number, kept: Kept): Drawn;
-  /** Bytes, and number of views. */
+  /** Bytes on the GPU; number of views. */
   readonly bytes: number;
   readonly views: number;
   readonly isDone: boolean;
@@ -32,7 +32,7 @@ export interface Stock {
   readonly unhidden: number | null;
 }
 
-/** A stock of so many bytes of views, and a quarter of it of geometry. */
+/** Creates a stock that is limited to this many bytes of views and a quarter as many of geometry. */
 export function stockOf<Layer extends Held, Mesh extends Held>(
   layout: Layout,
   drawer: Drawer<Layer, Mesh>,

@@ -1,4 +1,4 @@
-/** Draws a tree for wherever the viewer is: asks for the cut and its views, and shows what has come. */
+/** Viewer of a tree: requests the cut for the camera and its views, and draws what is loaded. */
 import { Cells } from '../cut/cells';
 import type { Camera } from '../cut/camera';
 import type { Cut, Settings } from '../cut/cut';
@@ -27,52 +27,52 @@ import type { Stock } from './stock';
 export interface ViewerSettings {
   readonly base: URL;
   readonly scripts: { readonly cutter: URL; readonly reader: URL; readonly webgpu: URL };
-  /** Views of a cell, and the greatest width of their pixels in pixels of the picture. */
+  /** Views per cell, and the greatest width of their pixels in pixels of the picture. */
   readonly views: number;
   readonly error: number;
-  /** Whether leaves that are nearer than their views are fine are drawn as geometry. */
+  /** Whether leaves too near for the resolution of their views are drawn as geometry. */
   readonly geometry: boolean;
   /** Degrees by which directions are raised before views are chosen. */
   readonly lift: number;
   /** Samples along each axis of a pixel. */
   readonly grid: number;
-  /** The graphics that draw; null for those that are there. */
+  /** Back end; null for the best one available. */
   readonly graphics: Graphics | null;
-  /** Bytes of the GPU that views may take, and a quarter of it geometry; those of one picture may take more. */
+  /** Limit of bytes for views on the GPU, and a quarter of it for geometry; those of one picture may exceed it. */
   readonly bytes: number;
   readonly workers: number;
   opened(layout: Layout): void;
   received(bytes: number): void;
   failed(failure: Failure, isFatal: boolean): void;
-  /** The server answers again. */
+  /** Called when the server answers again. */
   recovered(): void;
 }
 
-/** Views that are asked for at once, for each worker: while some are decoded, others are on their way. */
+/** Concurrent requests per worker: some views are decoded while others are being received. */
 const AT_ONCE = 6;
-/** Folder of a later generation. */
+/** Path prefix of a generation after the first. */
 const GENERATION = /^nearfar\/generations\/\d+\//;
-/** Milliseconds between pictures that only new views change, and the part of the time that these pictures may take. */
+/** Milliseconds between pictures that change only by new views, and the share of the time that they may take. */
 const [PAUSE, SHARE] = [50, 0.5] as const;
 
 export interface Facts {
-  /** Views that the picture shows, those among them that stand in for others, and those that are waited for. */
+  /** Views in the picture; stand-ins among them; outstanding requests. */
   readonly views: number;
   readonly standIns: number;
   readonly waiting: number;
-  /** Cells of which nothing is there. */
+  /** Number of cells for which nothing is loaded. */
   readonly holes: number;
-  /** Splats of parts that reach into the picture, and those of the last one that was there which no others hide. */
+  /** Splats of parts within the picture, and the unoccluded ones in the last finished picture. */
   readonly splats: number;
   readonly unhidden: number | null;
-  /** Leaves that are drawn as geometry, with their guests, and their triangles. */
+  /** Leaves drawn as geometry, with their guests; their triangles. */
   readonly leaves: number;
   readonly triangles: number;
   readonly calls: number;
-  /** Bytes and views on the GPU. */
+  /** Bytes on the GPU; number of views. */
   readonly bytes: number;
   readonly kept: number;
-  /** All views of the cut for this camera have come. */
+  /** Whether all views of the cut for this camera are loaded. */
   readonly isComplete: boolean;
   readonly graphics: Graphics | null;
 }
@@ -103,7 +103,7 @@ export class Viewer {
   readonly #cutter: Worker;
   readonly #queue: Queue<Wanted>;
   readonly #shards = new Map<string, Shard>();
-  /** Files of geometry by their paths below a generation's folder, the newest ones. */
+  /** Newest geometry files by their paths below a generation's folder. */
   readonly #files = new Map<string, Shard>();
   /** Names of leaves whose geometry cannot be drawn. */
   readonly #without = new Set<string>();
@@ -112,13 +112,13 @@ export class Viewer {
   #cut: Cut | null = null;
   #base: Cut | null = null;
   #camera: Camera | null = null;
-  /** The camera that the cut is for is on its way to the worker or back. */
+  /** Whether a cut is requested from the worker and has not arrived. */
   #isAsked = false;
   #isStale = false;
-  /** The camera has changed since the last picture, or what it could show. */
+  /** Whether the camera has changed since the last picture; whether its content has. */
   #hasMoved = true;
   #isDirty = true;
-  /** When the last picture was begun and was there, milliseconds. */
+  /** Begin and end of the last picture, milliseconds. */
   #begin = 0;
   #end = 0;
   #isDrawing = false;
@@ -144,7 +144,7 @@ export class Viewer {
     this.#tell({ kind: 'open', base: settings.base.href });
   }
 
-  /** Look from a camera; true if a picture was drawn, false if the last one still does or is being drawn. */
+  /** Sets the camera; returns whether a picture was drawn: not if the last one is current or unfinished. */
   frame(camera: Camera): boolean {
     if (!this.#tree) return false;
     if (!this.#camera || !isSame(this.#camera, camera)) {
@@ -152,7 +152,7 @@ export class Viewer {
       this.#isStale = this.#hasMoved = true;
     }
     if (this.#isStale && !this.#isAsked) this.#look(camera);
-    // Failed views may be due again.
+    // Failed views may be due for a retry.
     this.#queue.fill();
     if (!this.#cut || !this.#isDone(this.#tree.stock)) return false;
     const isDue = performance.now() - this.#end >= Math.max(PAUSE, this.took / SHARE - this.took);
@@ -165,12 +165,12 @@ export class Viewer {
     return { ...this.#facts, unhidden: this.#tree?.stock.unhidden ?? null };
   }
 
-  /** Milliseconds that the last picture took. */
+  /** Duration of the last picture, milliseconds. */
   get took(): number {
     return Math.max(this.#end - this.#begin, 0);
   }
 
-  /** Draw the last picture again; the milliseconds until it is there. */
+  /** Draws the last picture again; returns the milliseconds until the GPU has finished it. */
   async time(): Promise<number> {
     if (!this.#camera || !this.#tree) return 0;
     const { stock } = this.#tree;
@@ -181,7 +181,7 @@ export class Viewer {
     return performance.now() - begin;
   }
 
-  /** Whether the graphics are done with the last picture: others would only pile up. */
+  /** Whether the GPU has finished the last picture: otherwise pictures would queue up. */
   #isDone(stock: Stock): boolean {
     if (!this.#isDrawing) return true;
     if (!stock.isDone) return false;
@@ -190,7 +190,7 @@ export class Viewer {
     return true;
   }
 
-  /** Ask again for all that failed. */
+  /** Requests everything that failed again. */
   retry(): void {
     this.#without.clear();
     this.#queue.retry();
@@ -264,7 +264,7 @@ export class Viewer {
     this.#settings.opened(layout);
   }
 
-  /** Bring something to the GPU, where it may have no room. */
+  /** Uploads data to the GPU, which may have no memory for it. */
   #add(add: (stock: Stock) => void): void {
     try {
       if (this.#tree) add(this.#tree.stock);
@@ -273,7 +273,7 @@ export class Viewer {
     }
   }
 
-  /** The stock of whatever draws; null if nothing does. */
+  /** Returns the stock of the first back end that works; null if none does. */
   async #stock(layout: Layout, bytes: number): Promise<Pick<Tree, 'stock' | 'graphics'> | null> {
     const failed = (message: string, isFatal: boolean): void =>
       this.#settings.failed({ kind: 'other', message }, isFatal);
@@ -308,7 +308,7 @@ export class Viewer {
     return cells.knows(tier, subtree) && this.#filesOf(place).length === 0 ? 'there' : 'coming';
   }
 
-  /** The files of a leaf's geometry, as far as it has some. */
+  /** Files of a leaf's geometry, if it has any. */
   #filesOf(place: Triple): Shard[] {
     const { layout } = (this.#tree as Tree).cells;
     const files = geometryOf(layout, place).map((name) => this.#files.get(name));
@@ -342,7 +342,7 @@ export class Viewer {
     };
   }
 
-  /** Ask for what is missing: coarse cells of the picture, then the cut, the nearest first, then other coarse cells. */
+  /** Requests missing views: coarse cells in the picture, then the cut, nearest first, then other coarse cells. */
   #want(): void {
     const wanted = new Map<string, Wanted>();
     const coarse = (isInPicture: boolean): Cut | null =>
@@ -350,7 +350,7 @@ export class Viewer {
     for (const cut of [coarse(true), this.#cut, coarse(false)]) {
       if (!cut) continue;
       const { coming, missing } = this.#choose(cut);
-      // Leaves have few bytes, and take the most of the picture.
+      // Leaves are small files that cover most of the picture.
       const leaves = coming.map((place) => ({ level: 0, place, direction: GEOMETRY }));
       for (const { level, place, direction } of [...leaves, ...missing]) {
         const name = `${nameOf(level, place)}/${direction}`;

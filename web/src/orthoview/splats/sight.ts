@@ -1,32 +1,32 @@
-/** A view before a camera: the linear functions of its pixels and depth steps, and which of its parts are seen. */
+/** View in front of a camera: linear functions of its pixels and depth steps, and the visibility of its parts. */
 import { type Camera, directionAt, dot } from '../cut/camera';
 import { type Frame, frameOf } from '../cut/directions';
 import type { Part } from '../decode/pack';
 import { cornerOf, type Layout, sideAt, stepsOf, type Triple } from '../store/layout';
 
-/** Factor of the radius of surfels that not all neighbours are connected with, and their squared radius in pixels. */
+/** Radius factor of surfels that are not connected with all neighbours; squared radius of surfels in pixels. */
 export const [BORDER, SQUARED_RADIUS] = [1.27, 0.5] as const;
 /** Least cosine between a surfel's normal and the direction of its view. */
 export const LEAST_COSINE = 0.25;
-/** Least distances of a view's splats within which the place of a part in the picture is not bounded. */
+/** Multiple of a view's least distance below which the bounds of a part in the picture are not computed. */
 const CLOSE = 8;
-/** Vectors of four numbers that the shader has of a view. */
+/** Number of four-component vectors per view in the shader. */
 export const VECTORS = 10;
 
-/** A cell whose box bounds the splats' middles. */
+/** Cell that bounds the centres of the splats. */
 export interface Box {
   readonly level: number;
   readonly place: Triple;
 }
 
-/** The part that stays the same for all cameras. */
+/** Data of a view that do not depend on the camera. */
 export interface Model {
   readonly frame: Frame;
   /** Extents of a pixel and of a depth step, metres. */
   readonly pitch: Triple;
-  /** World place of the corner of the first pixel, at the front. */
+  /** World position of the corner of the first pixel, at the front. */
   readonly start: Triple;
-  /** Steps by a column, a row and a depth step, metres. */
+  /** Vectors of one column, one row and one depth step, metres. */
   readonly steps: readonly [Triple, Triple, Triple];
   readonly normalBits: number;
 }
@@ -59,9 +59,9 @@ export function modelOf(layout: Layout, level: number, place: Triple, direction:
 /** Three linear functions (X, Y, W) of points: a point is shown at X/W, Y/W, and W is its distance along the axis. */
 export interface Projector {
   readonly eye: Triple;
-  /** Their gradients, pixels and metres. */
+  /** Gradients of the functions, pixels and metres. */
   readonly rows: readonly [Triple, Triple, Triple];
-  /** The direction through the picture's upper left corner, and its changes by a pixel to the right and down. */
+  /** Direction through the picture's upper left corner, and its changes by a pixel to the right and down. */
   readonly rays: readonly [Triple, Triple, Triple];
   readonly width: number;
   readonly height: number;
@@ -85,12 +85,12 @@ export function projectorOf(camera: Camera): Projector {
 }
 
 export interface Sight {
-  /** The functions at the corner of the first pixel, at the front, and their changes by a column, a row and a step. */
+  /** Functions at the corner of the first pixel, at the front; their changes per column, row and depth step. */
   readonly start: Triple;
   readonly steps: readonly [Triple, Triple, Triple];
-  /** Least W of splats that are shown: nearer ones would cover the whole picture. */
+  /** Least W of visible splats: nearer ones would cover the whole picture. */
   readonly least: number;
-  /** Columns, rows and depth steps by which splats reach beyond their pixels. */
+  /** Columns, rows and depth steps by which splats extend beyond their pixels. */
   readonly margin: Triple;
 }
 
@@ -109,20 +109,20 @@ export function sightOf(model: Model, { eye, rows }: Projector): Sight {
   };
 }
 
-/** Radius of a ball, which bounds its pixel, metres. */
+/** Radius of a ball, the bounding circle of its pixel, metres. */
 function ballOf({ pitch }: Model): number {
   return Math.hypot(pitch[0], pitch[1]) / 2;
 }
 
-/** The part of a picture that may show a part of a view: first columns and rows, and those after the last. */
+/** Bounds of a part of a view in the picture: first column and row, and those after the last. */
 export interface Seen {
   readonly low: readonly [number, number];
   readonly high: readonly [number, number];
-  /** 1/W of its nearest point; infinite where that is too near. */
+  /** 1/W of its nearest point; infinite if that is too near. */
   readonly nearness: number;
 }
 
-/** Where a picture may show a part of a view; null where it does not. */
+/** Computes the bounds of a part in the picture; null if it is not visible. */
 export function seenOf(
   { start, steps, least, margin }: Sight,
   { low, high }: Part,
@@ -143,7 +143,7 @@ export function seenOf(
       (at[1] as number) * steps[1][of] +
       (at[2] as number) * steps[2][of];
     const [x, y, w] = [value(0), value(1), value(2)];
-    // A pixel more on each side, for that of a splat's middle. As products, so that corners behind the eye count right.
+    // One pixel of margin for that of a splat's centre. Products keep the comparison right for corners behind the eye.
     left &&= x < -w;
     right &&= x > (width + 1) * w;
     above &&= y < -w;
@@ -157,7 +157,7 @@ export function seenOf(
   }
   if (left || right || above || below || behind) return null;
   const nearness = nearest < least ? Number.POSITIVE_INFINITY : 1 / nearest;
-  // So near, an ellipse of the derivative at a splat's middle may reach far beyond the part.
+  // At this distance the ellipse from the derivative at a splat's centre may extend far beyond the part.
   if (nearest < CLOSE * least) return { low: [0, 0], high: [width, height], nearness };
   return {
     low: [Math.max(Math.floor(from[0]) - 1, 0), Math.max(Math.floor(from[1]) - 1, 0)],
@@ -166,11 +166,11 @@ export function seenOf(
   };
 }
 
-/** Whether the middles of a part's splats may lie in a box. */
+/** Whether the centres of a part's splats may lie in a box. */
 export function isIn(rows: readonly Row[], { low, high }: Part): boolean {
   return rows.every(([a, b, c, d]) => {
     const ends = [a, b, c].map((factor, axis) => {
-      // A splat's middle lies half a pixel and half a step behind its least numbers.
+      // A splat's centre lies half a pixel and half a depth step behind its least coordinates.
       const [from, to] = [factor * (low[axis] as number), factor * (high[axis] as number)];
       return [Math.min(from, to), Math.max(from, to)] as const;
     });
@@ -179,10 +179,10 @@ export function isIn(rows: readonly Row[], { low, high }: Part): boolean {
   });
 }
 
-/** A linear function of columns, rows and depth steps that is from 0 to 1 in a box. */
+/** Linear function of columns, rows and depth steps that is between 0 and 1 in a box. */
 export type Row = readonly [number, number, number, number];
 
-/** Such functions along the world's axes; three that are always 0.5 without a box. */
+/** Functions of a box along the world's axes; constant functions of 0.5 without a box. */
 export function rowsOf(model: Model, layout: Layout, box: Box | null): readonly Row[] {
   if (!box) return [0, 1, 2].map(() => [0, 0, 0, 0.5] as const);
   const side = sideAt(layout, box.level);
@@ -198,7 +198,7 @@ export function rowsOf(model: Model, layout: Layout, box: Box | null): readonly 
   });
 }
 
-/** Write the numbers of a view for the shader; `target` has four for each of `VECTORS`. */
+/** Writes the numbers of a view for the shader; `target` holds `VECTORS` vectors of four numbers. */
 export function writeView(target: Float32Array, model: Model, sight: Sight, rows: readonly Row[]): void {
   const { frame, pitch } = model;
   const [right, up, toward] = frame.axes;

@@ -1,6 +1,6 @@
-/** Why a part of a store cannot be shown. */
+/** Errors of the parts of a store. */
 
-/** `gone`: the server has no such file. `refused`: it answers with an error. `unreachable`: it does not answer. */
+/** `gone`: the server has no such file. `refused`: it returns an error. `unreachable`: it does not answer. */
 export type Kind = 'gone' | 'refused' | 'unreachable' | 'damaged' | 'newer';
 
 export class StoreError extends Error {
@@ -17,7 +17,7 @@ export function damaged(file: string, reason: string): StoreError {
   return new StoreError('damaged', `${file}: ${reason}`);
 }
 
-/** A worker's account of an error: classes do not survive messages. */
+/** Description of an error in a message from a worker: classes cannot be cloned. */
 export interface Failure {
   readonly kind: Kind | 'other';
   readonly message: string;
@@ -28,7 +28,7 @@ export function failureOf(reason: unknown): Failure {
   return { kind: 'other', message: reason instanceof Error ? reason.message : String(reason) };
 }
 
-/** Whether asking again later may help. */
+/** Whether a retry may help. */
 export function isPassing({ kind }: Failure): boolean {
   return kind === 'refused' || kind === 'unreachable';
 }

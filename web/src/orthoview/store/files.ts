@@ -1,34 +1,34 @@
-/** Files of a store behind an address: whole ones and parts. */
+/** Files of a store at an address: whole files and byte ranges. */
 import { StoreError } from './error';
 
 export type Bytes = Uint8Array<ArrayBuffer>;
 
-/** Milliseconds in which a file must have come. */
+/** Timeout of a request, milliseconds. */
 const LONGEST = 60_000;
 
-/** A file or a part of it, as it lies in the store. */
+/** File or byte range, as stored. */
 export interface Asked {
   /** Path below the store. */
   readonly path: string;
-  /** Tells versions of a file apart, so that no cache mixes them; empty for files that may change. */
+  /** Version of a file's content as a cache key; empty for files that may change. */
   readonly version?: string;
-  /** First byte and length; all of it by default. */
+  /** First byte and length; the whole file by default. */
   readonly part?: readonly [number, number];
   readonly signal?: AbortSignal | undefined;
 }
 
 export interface Answered {
   readonly bytes: Bytes;
-  /** The server has sent the whole file although a part was asked for. */
+  /** Whether the server has sent the whole file although a range was requested. */
   readonly isWhole: boolean;
 }
 
 export interface Files {
-  /** The content; null where the server has no such file. */
+  /** Returns the content; null if the server has no such file. */
   read(asked: Asked): Promise<Answered | null>;
 }
 
-/** The files below an address, which ends with a slash. `receive` is told of the bytes that come. */
+/** Creates access to files below an address, which ends with a slash. `receive` is called with received bytes. */
 export function createFiles(base: URL, receive: (bytes: number) => void): Files {
   return {
     async read({ path, version = '', part, signal }) {
@@ -36,9 +36,9 @@ export function createFiles(base: URL, receive: (bytes: number) => void): Files 
       url.search = base.search;
       if (version) url.searchParams.set('v', version);
       const init: RequestInit = { signal: limited(signal) };
-      // A range of one part from a first byte on: browsers ask other hosts for no permission for it.
+      // A single range with a first byte needs no CORS preflight request.
       if (part) init.headers = { Range: `bytes=${part[0]}-${part[0] + part[1] - 1}` };
-      // Documents that may have changed are asked for again.
+      // Documents that may have changed are revalidated.
       if (!version) init.cache = 'no-cache';
       const response = await answered(() => fetch(url, init), path, signal);
       if (response.status === 404 || response.status === 410) return null;
@@ -57,7 +57,7 @@ function limited(signal: AbortSignal | undefined): AbortSignal {
   return signal ? AbortSignal.any([signal, longest]) : longest;
 }
 
-/** An error that tells of the file, but for requests that nobody wants any more. */
+/** Turns an error into one that names the file; aborted requests keep theirs. */
 async function answered<T>(ask: () => Promise<T>, path: string, signal: AbortSignal | undefined): Promise<T> {
   try {
     return await ask();

@@ -1,4 +1,4 @@
-/** Cells, directions and format of a tree of orthoviews, as its store's attributes say. */
+/** Cells, directions and format of a tree of orthoviews, from the attributes of its store. */
 import { damaged } from './error';
 
 export type Triple = readonly [number, number, number];
@@ -9,13 +9,13 @@ export type Channel = (typeof CHANNELS)[number];
 /** Prefix of the second layer's channels. */
 export const BEHIND = 'behind_';
 
-/** Bits below a depth's: connected with the neighbour to the right, below, below to the right, below to the left. */
+/** Lowest bits of a depth: connections with the neighbour to the right, below, below right and below left. */
 export const CONNECTION_BITS = 4;
 
-/** Folder of a store for what Zarr does not know. */
+/** Folder of a store for data outside Zarr. */
 export const FOLDER = 'nearfar';
 
-/** Stands in the place of a direction for the geometry of a leaf. */
+/** Value of a direction that denotes the geometry of a leaf. */
 export const GEOMETRY = -1;
 
 export interface Layout {
@@ -25,7 +25,7 @@ export interface Layout {
   readonly cell: number;
   /** Number of leaves along each axis. */
   readonly counts: Triple;
-  /** Level 0 has the leaves, the last one a single cell. */
+  /** Number of levels: level 0 has the leaves, the last one a single cell. */
   readonly levels: number;
   readonly directions: readonly Triple[];
   /** Names of the directions, such as `px_py`. */
@@ -33,7 +33,7 @@ export interface Layout {
   /** Width and height of a view, pixels. */
   readonly size: number;
   readonly depthBits: number;
-  /** Bits of both of a normal's numbers. */
+  /** Bits of both components of a normal. */
   readonly normalBits: number;
   /** Levels of a subtree. */
   readonly subtree: number;
@@ -43,7 +43,7 @@ export interface Layout {
   readonly geometry: boolean;
 }
 
-/** The layout of a group's attribute; an error for what cannot be drawn. */
+/** Parses the layout from a group's attributes; throws an error if it cannot be drawn. */
 export function parseLayout(described: unknown): Layout {
   const from = fields(described, 'layout');
   const layout: Layout = {
@@ -72,7 +72,7 @@ export function parseLayout(described: unknown): Layout {
   return layout;
 }
 
-/** Number of steps of a depth: such that sixths of a range are whole steps. */
+/** Number of steps of a depth: a multiple of 6. */
 export function stepsOf({ depthBits }: Layout): number {
   return Math.floor((2 ** depthBits - 1) / 6) * 6;
 }
@@ -88,31 +88,31 @@ export function cornerOf(layout: Layout, level: number, [x, y, z]: Triple): Trip
   return [a + x * side, b + y * side, c + z * side];
 }
 
-/** Cells of a level's shards along each axis. */
+/** Number of cells of a level's shard along each axis. */
 export function shardSide({ subtree }: Layout, level: number): number {
   return 2 ** (subtree - (level % subtree));
 }
 
-/** Tier and place of the subtree that has a cell; the place is that of its shards, too. */
+/** Tier and place of the subtree that contains a cell; the place is also that of its shards. */
 export function subtreeOf(layout: Layout, level: number, [x, y, z]: Triple): { tier: number; place: Triple } {
   const side = shardSide(layout, level);
   const place: Triple = [Math.floor(x / side), Math.floor(y / side), Math.floor(z / side)];
   return { tier: Math.floor(level / layout.subtree), place };
 }
 
-/** Numbers of cells of a subtree's levels, the lowest one first. */
+/** Numbers of cells per level of a subtree, lowest level first. */
 export function shapesOf(layout: Layout, tier: number): number[] {
   const lowest = tier * layout.subtree;
   const count = Math.min(layout.subtree, layout.levels - lowest);
   return Array.from({ length: count }, (_, level) => shardSide(layout, lowest + level) ** 3);
 }
 
-/** A name for a cell. */
+/** Name of a cell. */
 export function nameOf(level: number, [x, y, z]: Triple): string {
   return `${level}/${x}/${y}/${z}`;
 }
 
-/** Folder of a generation below the store, with a slash at its end; the first one is the store itself. */
+/** Folder of a generation below the store, with a slash at its end; empty for the first one. */
 export function overlay(generation: number): string {
   return generation === 0 ? '' : `${FOLDER}/generations/${generation}/`;
 }
@@ -127,12 +127,12 @@ export function shardOf(layout: Layout, level: number, place: Triple, array: str
   return `${array}/c/${subtreeOf(layout, level, place).place.join('/')}/0/0/0`;
 }
 
-/** Paths of the files of a leaf's geometry, of what stands and of what moves, below the generation's folder. */
+/** Paths of the files of a leaf's static and moving geometry, below the generation's folder. */
 export function geometryOf({ levels }: Layout, place: Triple): readonly string[] {
   return ['content', 'moving'].map((folder) => `geometry/${folder}/${levels - 1}/${place.join('/')}.glb`);
 }
 
-/** The channels of all layers. */
+/** Channels of all layers. */
 export function channelsOf({ layers }: Layout): readonly string[] {
   return layers === 2 ? [...CHANNELS, ...CHANNELS.map((channel) => BEHIND + channel)] : CHANNELS;
 }

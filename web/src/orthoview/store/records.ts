@@ -1,4 +1,4 @@
-/** The documents of a store: its layout, its generations, and which cells of a subtree show something. */
+/** Documents of a store: its layout, its generations, and the visible directions of a subtree's cells. */
 import { sha256 } from '../../hex';
 import { damaged, StoreError } from './error';
 import type { Bytes, Files } from './files';
@@ -16,37 +16,37 @@ import {
 } from './layout';
 import { checked, documentOf, numbersOf, rowsOf } from './unpack';
 
-/** Stands for a cell that is as in the generations before. */
+/** Value for a cell that is unchanged since the generations before. */
 const AS_BEFORE = 0x8000_0000;
 
 const VERSION = 1;
 
-/** Path, with the folder of its generation, of a shard or a file of geometry, its size and the begin of its SHA-256. */
+/** Path of a shard or a geometry file, with its generation's folder; its size; the prefix of its SHA-256. */
 export type Shard = readonly [path: string, size: number, version: string];
 
-/** The cells of a subtree, as its records tell. */
+/** Cells of a subtree from its record. */
 export interface Subtree {
   readonly tier: number;
   readonly place: Triple;
-  /** For each level, the lowest one first, the bits of the directions from which cells show something, z fastest. */
+  /** Per level, lowest first: bits of the directions in which cells show something, z fastest. */
   readonly masks: readonly Uint32Array[];
-  /** Number of the generation in which each of these cells was computed. */
+  /** Index of the generation in which each of these cells was computed. */
   readonly generations: readonly Uint16Array[];
   readonly shards: readonly Shard[];
-  /** Files of the leaves' geometry in the first generation. */
+  /** Geometry files of the leaves in the first generation. */
   readonly geometry: readonly Shard[];
-  /** By the names of leaves the other leaves to which triangles belong that reach into them. */
+  /** Guests by the name of a leaf: other leaves with triangles that extend into it. */
   readonly guests: ReadonlyMap<string, readonly Triple[]>;
 }
 
 export interface Records {
   readonly layout: Layout;
   readonly generation: number;
-  /** Shards of all generations but the first one. */
+  /** Shards of all generations after the first. */
   readonly shards: readonly Shard[];
-  /** Files of geometry of the same, the newest ones first; one of 0 bytes stands for one that is there no more. */
+  /** Geometry files of these generations, newest first; a size of 0 marks a removed file. */
   readonly geometry: readonly Shard[];
-  /** Read a subtree, given by its tier and its place. */
+  /** Reads the subtree at a tier and a place. */
   subtree(tier: number, place: Triple): Promise<Subtree>;
 }
 
@@ -55,7 +55,7 @@ interface Overlay {
   readonly cells: Readonly<Record<string, unknown>>;
 }
 
-/** Open a complete store. */
+/** Opens a complete store. */
 export async function openRecords(files: Files): Promise<Records> {
   const attributes = await attributesOf(files);
   const layout = parseLayout(attributes['layout']);
@@ -69,7 +69,7 @@ export async function openRecords(files: Files): Promise<Records> {
   );
   const overlays: Overlay[] = [];
   const [shards, geometry]: [Shard[], Shard[]] = [[], []];
-  // The newest one first.
+  // Newest first.
   for (let number = generation; number > 0; number--) {
     const path = `${overlay(number)}generation.json`;
     const found = await document(files, path, 'orthoview_generation');
@@ -179,7 +179,7 @@ async function masksOf(
   return masks;
 }
 
-/** Leaves of a subtree, by their numbers in it and by their places, and their guests. */
+/** Leaves of a subtree, by index in it and by place, and their guests. */
 async function guestsOf(
   text: unknown,
   layout: Layout,
@@ -214,7 +214,7 @@ function shardsOf(listed: unknown, folder: string, file: string): Shard[] {
   });
 }
 
-/** The part of a hash that stands in addresses. */
+/** Prefix of a hash for addresses. */
 function versionOf(digest: string): string {
   return digest.slice(0, 16);
 }

@@ -1,19 +1,19 @@
-/** Checks and packed numbers of a store's documents. */
+/** Validation and decompression of a store's documents. */
 import { damaged, StoreError } from './error';
 import { fields } from './layout';
 import type { Bytes } from './files';
 
-/** Bytes to which a text of guests unpacks at most. */
+/** Greatest decompressed size of a list of guests. */
 const MOST_BYTES = 2 ** 26;
 
-/** Little-endian uint32 numbers of base64 of zlib; `length` of them are expected. */
+/** Decodes little-endian uint32 numbers from base64 of zlib; throws an error if there are not `length`. */
 export async function numbersOf(text: unknown, length: number, file: string): Promise<Uint32Array> {
   const found = await unpacked(text, 4 * length, 'views', file);
   if (found.length !== 4 * length) throw damaged(file, `views: expected ${4 * length} bytes, got ${found.length}`);
   return wordsOf(found);
 }
 
-/** The same, rows of so many numbers: as many as there are. */
+/** Decodes rows of `width` numbers in the same encoding, of any count. */
 export async function rowsOf(text: unknown, width: number, file: string): Promise<Uint32Array> {
   const found = await unpacked(text, MOST_BYTES, 'guests', file);
   if (found.length % (4 * width) !== 0) throw damaged(file, `guests: expected rows, got ${found.length} bytes`);
@@ -25,7 +25,7 @@ function wordsOf(bytes: Bytes): Uint32Array {
   return Uint32Array.from({ length: bytes.length / 4 }, (_, at) => view.getUint32(4 * at, true));
 }
 
-/** No more than is expected: a damaged text may unpack to any length. */
+/** Decompresses at most the expected size: damaged data may decompress to any length. */
 async function unpacked(text: unknown, most: number, what: string, file: string): Promise<Bytes> {
   const packed = bytesOf(text, what, file);
   const parts: Uint8Array[] = [];
@@ -59,7 +59,7 @@ function bytesOf(text: unknown, what: string, file: string): Bytes {
   }
 }
 
-/** The object of a JSON document of a kind and a version. */
+/** Parses a JSON document and checks its kind and version. */
 export function documentOf(
   bytes: Bytes,
   file: string,
@@ -75,7 +75,7 @@ export function documentOf(
   return checked(fields(found, file), file, kind, version);
 }
 
-/** The same object, if it says that it is of a kind and a version. */
+/** Returns the object if its kind and version match. */
 export function checked(
   found: Readonly<Record<string, unknown>>,
   file: string,

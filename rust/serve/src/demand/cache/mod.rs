@@ -1,8 +1,8 @@
-//! Complete regions on disk, up to a number of bytes: those that were not used for longest go first.
+//! Disk cache of complete regions with a limit in bytes; evicts the least recently used region.
 //!
-//! `at/` has the manifest of each region by its place, `files/` the files of all of them by their content. A manifest is
-//! written after its files, so that what is there is complete, whenever the machine stops. A file is compared with its
-//! hash before it is used for the first time.
+//! `at/` has the manifest of each region, named by its place; `files/` has the files of all regions, named by their
+//! content. A manifest is written after its files, so that listed files are complete even after a crash. A file is
+//! checked against its hash before its first use.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::fs::{self, File, TryLockError};
@@ -17,41 +17,41 @@ use sha2::{Digest, Sha256};
 use super::Region;
 use crate::open::open;
 
-/// Names of documents in regions, and of the folders of a cache.
+/// Names of a region's documents and of the cache's folders.
 const MANIFEST: &str = "manifest.json";
 const TILESET: &str = "tileset.json";
 const FILES: &str = "files";
 const PLACES: &str = "at";
 const LOCK: &str = "lock";
-/// End of the names of files that are not complete.
+/// Suffix of incomplete files.
 const ASIDE: &str = ".part";
-/// Hexadecimal digits of the hash of a manifest or a tileset in its name.
+/// Number of hexadecimal digits of a hash in the name of a manifest or a tileset.
 const DIGITS: usize = 16;
 
-/// A region that is complete.
+/// A complete region.
 #[derive(Clone)]
 pub enum Whole {
-    /// One that is not on disk.
+    /// Region that is not on disk.
     InMemory(Arc<Region>),
-    /// The manifest of one that is on disk.
+    /// Manifest of a region on disk.
     Manifest(Bytes),
 }
 
 /// A file of a region.
 #[derive(Clone)]
 pub enum Kept {
-    /// Its content.
+    /// Content in memory.
     Content(Bytes),
-    /// A file on disk with its size in bytes.
+    /// Path and size in bytes.
     OnDisk(PathBuf, u64),
 }
 
-/// Regions on disk.
+/// Cache of regions on disk.
 pub struct Cache {
     folder: PathBuf,
     budget: u64,
     index: Mutex<Index>,
-    /// Held locked, because a second server would remove what this one has not finished writing.
+    /// Locked while the cache is open: a second server would remove files that are being written.
     lock: File,
 }
 
@@ -77,13 +77,12 @@ struct Stored {
 }
 
 impl Cache {
-    /// Open the cache of a scene, whose folder is made if it is not there, and tidy it up. None if another server has
-    /// it open.
+    /// Opens the cache of a scene and cleans it up; creates the folder if necessary. None if another server uses it.
     pub fn open(folder: &Path, budget: u64) -> io::Result<Option<Self>> {
         for name in [FILES, PLACES] {
             fs::create_dir_all(folder.join(name))?;
         }
-        // Links on the way to it were meant; later ones are not followed.
+        // Links in the given path are resolved here; files below it are opened without following links.
         let folder = &fs::canonicalize(folder)?;
         let lock = File::create(folder.join(LOCK))?;
         match lock.try_lock() {
@@ -91,7 +90,7 @@ impl Cache {
                 tracing::warn!(folder = %folder.display(), "another server uses this cache: regions stay in memory");
                 return Ok(None);
             }
-            // Some file systems have no locks.
+            // Some file systems do not support locks.
             Ok(()) | Err(TryLockError::Error(_)) => {}
         }
         let cache = Cache { folder: folder.to_path_buf(), budget, index: Mutex::default(), lock };
@@ -106,7 +105,7 @@ impl Cache {
         Ok(Some(cache))
     }
 
-    /// The manifest of a place, if its region is here and undamaged.
+    /// Manifest of a place, if its region is cached and undamaged.
     pub fn find(&self, key: &str) -> Option<Bytes> {
         let mut index = self.index();
         for name in index.places.get(key)?.files.clone() {
@@ -122,25 +121,25 @@ impl Cache {
             return None;
         };
         entry.used = SystemTime::now();
-        // The order of use outlives the server; if it cannot be written, the older one does.
+        // The modification time stores the last use across restarts; a failure to write it is harmless.
         let _ = File::options().append(true).open(&entry.manifest).and_then(|file| file.set_modified(entry.used));
         Some(manifest.into())
     }
 
-    /// A file of a region that is here.
+    /// A file of a cached region.
     pub fn file(&self, name: &str) -> Option<Kept> {
         let bytes = self.checked(&mut self.index(), name)?;
         Some(Kept::OnDisk(self.path_of(name), bytes))
     }
 
-    /// The tileset of a region that is here, which its manifest describes.
+    /// Tileset of a cached region, found by its manifest.
     pub fn tileset(&self, manifest: &[u8]) -> Option<Kept> {
         let listed = listed(manifest)?;
         self.file(&listed.iter().find(|file| file.document() == TILESET)?.name)
     }
 
-    /// The size of a file, which is compared with its hash the first time. A damaged one goes, with all regions that
-    /// need it.
+    /// Size of a file, checked against its hash at first use. A damaged file is removed with all regions that need
+    /// it.
     fn checked(&self, index: &mut Index, name: &str) -> Option<u64> {
         let stored = index.files.get_mut(name)?;
         let path = self.path_of(name);
@@ -154,7 +153,7 @@ impl Cache {
         None
     }
 
-    /// Keep a region: its manifest, and the files that it lists.
+    /// Stores a region: its manifest, and the files that it lists.
     pub fn keep(&self, key: &str, content: &HashMap<String, Bytes>) -> io::Result<()> {
         let wrong = |what: &str| io::Error::new(io::ErrorKind::InvalidData, format!("{what} of a region is missing"));
         let manifest = content.get(MANIFEST).ok_or_else(|| wrong("the manifest"))?;
@@ -168,7 +167,7 @@ impl Cache {
         });
         if let Err(error) = written.and_then(|()| write_whole(&path, manifest)) {
             for file in new {
-                // On a full disk they would take room for nothing.
+                // Incomplete regions must not fill a full disk.
                 let _ = fs::remove_file(self.path_of(&file.name));
             }
             return Err(error);
@@ -178,9 +177,9 @@ impl Cache {
         self.trim(Some(key))
     }
 
-    /// Leave the folder to other servers; nothing more is kept.
+    /// Unlocks the folder for other servers.
     pub fn close(&self) {
-        // It is unlocked at the latest when the process ends.
+        // The lock is released at process exit at the latest.
         let _ = self.lock.unlock();
     }
 
@@ -197,7 +196,7 @@ impl Cache {
         self.folder.join(name)
     }
 
-    /// Take up a manifest that an earlier run has left; none if it or one of its files is not as it should be.
+    /// Registers a manifest of an earlier run; none if it or one of its files is missing or damaged.
     fn read_entry(&self, path: &Path) -> Option<()> {
         let name = path.file_name()?.to_str()?.strip_suffix(".json")?;
         let (key, _) = name.rsplit_once('.')?;
@@ -212,7 +211,7 @@ impl Cache {
         Some(())
     }
 
-    /// Remove files that no manifest lists: what was not complete when an earlier run ended.
+    /// Removes unlisted files: incomplete ones of an earlier run.
     fn remove_strangers(&self) -> io::Result<()> {
         let known: HashSet<String> = self.index().files.keys().cloned().collect();
         for found in fs::read_dir(self.folder.join(FILES))? {
@@ -225,7 +224,7 @@ impl Cache {
         Ok(())
     }
 
-    /// Remove what was not used for longest, but one place, until the rest fits the budget.
+    /// Evicts the least recently used regions, except `but`, until the rest fits the budget.
     fn trim(&self, but: Option<&str>) -> io::Result<()> {
         let mut index = self.index();
         while index.bytes() > self.budget {
@@ -238,7 +237,7 @@ impl Cache {
 
     fn remove(&self, index: &mut Index, key: &str) -> io::Result<()> {
         let Some(entry) = index.places.remove(key) else { return Ok(()) };
-        // First the manifest: what it lists may be missing then.
+        // The manifest is removed first, because its files may be missing afterwards.
         gone(fs::remove_file(&entry.manifest))?;
         for name in entry.files {
             let Some(stored) = index.files.get_mut(&name) else { continue };
@@ -251,7 +250,7 @@ impl Cache {
         Ok(())
     }
 
-    /// Remove a damaged file and all regions that need it.
+    /// Removes a damaged file with all regions that need it.
     fn drop_users(&self, index: &mut Index, name: &str) {
         let needs = |entry: &Entry| entry.files.iter().any(|file| file == name);
         let keys: Vec<String> =
@@ -282,20 +281,20 @@ impl Index {
 
 /// A file that a manifest lists, or its tileset.
 struct Listed {
-    /// Name below the folder.
+    /// Path below the cache's folder.
     name: String,
     bytes: u64,
     sha256: String,
 }
 
 impl Listed {
-    /// Name of its content in a region.
+    /// Name of the file within its region.
     fn document(&self) -> &str {
         if self.name.ends_with(TILESET) { TILESET } else { &self.name }
     }
 }
 
-/// Each file that a manifest lists, and its tileset; none if it is no manifest.
+/// All files that a manifest lists, and its tileset; none if the manifest is invalid.
 fn listed(manifest: &[u8]) -> Option<Vec<Listed>> {
     #[derive(serde::Deserialize)]
     struct Described {
@@ -309,7 +308,7 @@ fn listed(manifest: &[u8]) -> Option<Vec<Listed>> {
     }
     let Manifest { mut files, tileset } = serde_json::from_slice(manifest).ok()?;
     if let Some(tileset) = tileset {
-        // Regions have tilesets of one name and different contents.
+        // Tilesets of regions have the same name but different contents.
         files.insert(format!("{FILES}/{}.{TILESET}", tileset.sha256.get(..DIGITS)?), tileset);
     }
     let is_plain = |name: &str| {
@@ -324,7 +323,7 @@ fn listed(manifest: &[u8]) -> Option<Vec<Listed>> {
         .collect()
 }
 
-/// Whether the name of a manifest's file tells its hash.
+/// Whether a manifest's file name contains its hash.
 fn is_named(path: &Path, manifest: &[u8]) -> bool {
     path.to_string_lossy().ends_with(&format!(".{}.json", &hash(manifest)[..DIGITS]))
 }
@@ -347,7 +346,7 @@ fn hash(data: &[u8]) -> String {
     Sha256::digest(data).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// Write a file aside and give it its name. Hashes tell if a disk lost some of it.
+/// Writes a file under a temporary name and renames it. Hashes detect data lost by the disk.
 fn write_whole(path: &Path, data: &[u8]) -> io::Result<()> {
     let mut aside = path.as_os_str().to_owned();
     aside.push(ASIDE);
@@ -359,7 +358,7 @@ fn write_whole(path: &Path, data: &[u8]) -> io::Result<()> {
     named
 }
 
-/// A file that is not there need not be removed.
+/// A missing file need not be removed.
 fn gone(removed: io::Result<()>) -> io::Result<()> {
     match removed {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),

@@ -65,13 +65,13 @@ fn regions_share_files_and_the_longest_unused_go_first() {
     cache.keep("2,0,0", &region(&[("shared.bin", &long), ("other.glb", "second")])).unwrap();
     assert!(cache.bytes() < 2000, "{}", cache.bytes());
     assert!(cache.find("1,0,0").is_some());
-    // Too much: the second one was not used since the first one was.
+    // Over the budget: the second region is the least recently used one.
     cache.keep("3,0,0", &region(&[("large.bin", &"y".repeat(2600))])).unwrap();
     assert!(cache.find("2,0,0").is_none() && cache.find("1,0,0").is_some() && cache.find("3,0,0").is_some());
     assert!(cache.file("files/other.glb").is_none() && cache.file("files/shared.bin").is_some());
     assert_eq!(fs::read_dir(folder.path().join("files")).unwrap().count(), 3);
     assert!(cache.bytes() <= 4000);
-    // A smaller budget holds from the start on.
+    // A smaller budget applies when the cache is opened.
     drop(cache);
     let cache = open(folder.path(), 100);
     assert_eq!((cache.bytes(), fs::read_dir(folder.path().join("files")).unwrap().count()), (0, 0));
@@ -108,7 +108,7 @@ fn what_is_damaged_or_not_complete_is_not_used() {
         assert!(cache.find("1,2,3").is_none(), "{name}");
         assert!(cache.file("files/a.glb").is_none() || name == "missing", "{name}");
         assert!(!folder.path().join("files/half.glb.part").exists(), "{name}");
-        // It is made anew, also if it is damaged while the server runs.
+        // A damaged region is made again, also if the damage happens while the server runs.
         cache.keep("1,2,3", &content).unwrap();
         if !["changed", "manifest changed"].contains(&name) {
             damage(folder.path());
@@ -159,7 +159,7 @@ fn a_region_that_the_disk_does_not_take_leaves_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let cache = open(folder.path(), 1 << 20);
     let content = region(&[("a.glb", "geometry"), ("b.bin", "numbers")]);
-    // A folder in the place of the file is an error whoever writes.
+    // A folder in place of the file makes writing fail for every user, root included.
     fs::create_dir(folder.path().join("files/b.bin")).unwrap();
     cache.keep("1,2,3", &content).unwrap_err();
     assert!(cache.find("1,2,3").is_none());

@@ -12,19 +12,20 @@ use super::region::Outcome;
 use super::ticket::Ticket;
 use super::workers::Shared;
 
-/// Steps of heights, metres: eyes of many heights share regions.
+/// Height step of region centres, metres: users of slightly different eye heights share regions.
 const HEIGHT_STEP: f64 = 0.125;
 
-/// How much work is taken.
+/// Limits on the work.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
-    /// Threads; the first one makes only first stages, so that a new client never waits for a late stage of others.
+    /// Number of threads; the first one makes only first stages, so that new clients never wait for others' late
+    /// stages.
     pub workers: usize,
-    /// Regions that are waited for, at most.
+    /// Greatest number of regions in progress.
     pub regions: usize,
-    /// Regions that one client may wait for.
+    /// Greatest number of regions in progress per client.
     pub per_client: usize,
-    /// Bytes of complete regions that stay in memory because the disk does not take them.
+    /// Bytes of complete regions that may stay in memory because they cannot be written to disk.
     pub memory: u64,
 }
 
@@ -34,26 +35,26 @@ impl Default for Limits {
     }
 }
 
-/// Why a request is not taken.
+/// Reason for rejecting a request.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Refusal {
-    /// The client waits for as many regions as it may.
+    /// The client waits for its greatest number of regions.
     TooManyOfClient(usize),
-    /// The server has as many requests as it may.
+    /// The server has its greatest number of regions in progress.
     TooMany(usize),
-    /// The server ends.
+    /// The server is shutting down.
     Closing,
 }
 
-/// How a request is served.
+/// Response to a request.
 pub enum Answer {
     /// The region is complete.
     Whole(Whole),
-    /// It is being made.
+    /// The region is in progress.
     Coming(Ticket),
 }
 
-/// Makes regions for clients.
+/// Makes regions on request.
 pub struct Demand {
     shared: Arc<Shared>,
     grid: f64,
@@ -62,7 +63,7 @@ pub struct Demand {
 }
 
 impl Demand {
-    /// Start the threads. Places move to a horizontal grid with a spacing in metres.
+    /// Starts the threads. Centres are snapped to a horizontal grid with a spacing in metres.
     pub fn start(maker: Box<dyn Maker>, grid: f64, cache: Option<Cache>, limits: Limits) -> std::io::Result<Self> {
         let shared = Arc::new(Shared::new(maker, cache, limits.memory));
         let demand = Demand { shared, grid, limits, threads: Mutex::default() };
@@ -76,13 +77,13 @@ impl Demand {
         Ok(demand)
     }
 
-    /// The place whose region serves a place (`nf.stream.snap`, of heights too).
+    /// Snaps a place to the region's centre, as `nf.stream.snap` does, and its height to steps.
     fn snapped(&self, Place([x, y, z]): Place) -> Place {
         let nearest = |value: f64, step: f64| step * (value / step).round_ties_even();
         Place([nearest(x, self.grid), nearest(y, HEIGHT_STEP), nearest(z, self.grid)])
     }
 
-    /// Ask for the region of a place.
+    /// Requests the region of a place.
     pub fn ask(&self, client: IpAddr, place: Place) -> Result<Answer, Refusal> {
         let place = self.snapped(place);
         let key = place.to_string();
@@ -116,7 +117,7 @@ impl Demand {
         Ok(Answer::Coming(Ticket::new(Arc::clone(&self.shared), region, client)))
     }
 
-    /// The content of a file of a region that is being made or complete.
+    /// Content of a file of a region that is in progress or complete.
     pub fn file(&self, name: &str) -> Option<Kept> {
         let state = self.shared.state();
         let in_memory = state.entries.values().map(|entry| &entry.region).chain(&state.in_memory);
@@ -125,17 +126,17 @@ impl Demand {
         found.map(Kept::Content).or_else(|| self.shared.cache.as_ref()?.file(name))
     }
 
-    /// The tileset of a region on disk, by its manifest.
+    /// Tileset of a region on disk, found by its manifest.
     pub fn tileset(&self, manifest: &[u8]) -> Option<Kept> {
         self.shared.cache.as_ref()?.tileset(manifest)
     }
 
-    /// Regions that are waited for.
+    /// Number of regions in progress.
     pub fn waiting(&self) -> usize {
         self.shared.state().entries.len()
     }
 
-    /// Counts of requests by outcome, and of regions that are there.
+    /// Request counters by outcome, and current gauges.
     pub fn figures(&self) -> Figures {
         let mut figures = self.shared.state().figures;
         figures.waiting = self.waiting() as u64;
@@ -143,12 +144,12 @@ impl Demand {
         figures
     }
 
-    /// Take no more requests, stop the work and wait until it has stopped.
+    /// Rejects further requests, cancels the work and waits until it has stopped.
     pub fn close(&self) {
         self.shared.close();
         let threads = std::mem::take(&mut *self.threads.lock().unwrap_or_else(PoisonError::into_inner));
         for thread in threads {
-            // A maker's panic is caught where it happens.
+            // Panics of a maker are caught in the thread.
             let _ = thread.join();
         }
         if let Some(cache) = &self.shared.cache {

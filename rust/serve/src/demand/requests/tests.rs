@@ -11,10 +11,10 @@ use super::*;
 const ANN: IpAddr = IpAddr::V4(std::net::Ipv4Addr::new(127, 0, 0, 1));
 const BOB: IpAddr = IpAddr::V4(std::net::Ipv4Addr::new(127, 0, 0, 2));
 
-/// Makes two stages of one part each; each part waits until the test lets it be made.
+/// Makes two stages of one part each; each part waits for a permit of the test.
 struct Stepped {
     begun: Arc<AtomicUsize>,
-    /// Places and stages of parts in the order in which their making begins.
+    /// Places and stages of parts, in the order in which they are started.
     log: Sender<(Place, u8)>,
     permits: Arc<Mutex<Receiver<()>>>,
 }
@@ -84,7 +84,7 @@ fn coming(answer: Result<Answer, Refusal>) -> Ticket {
     }
 }
 
-/// Events up to the end.
+/// Collects the lines up to the outcome.
 async fn all(mut ticket: Ticket) -> (Vec<Bytes>, Outcome) {
     let mut lines = Vec::new();
     loop {
@@ -110,7 +110,7 @@ async fn a_place_that_several_ask_for_is_made_once_and_told_to_all() {
         assert_eq!(outcome, Outcome::Complete);
     }
     assert_eq!(kitchen.begun.load(Ordering::SeqCst), 1);
-    // Without a disk it stays in memory.
+    // Without a disk cache it stays in memory.
     assert!(matches!(kitchen.demand.ask(ANN, Place([4.0, 1.7, 0.0])), Ok(Answer::Whole(Whole::InMemory(_)))));
     assert!(kitchen.demand.file("files/4-0").is_some() && kitchen.demand.file("files/5-0").is_none());
 }
@@ -153,7 +153,7 @@ async fn one_thread_is_left_for_first_stages() {
     let first = coming(kitchen.demand.ask(ANN, Place([0.0; 3])));
     assert_eq!(kitchen.log.recv().unwrap().1, 0);
     kitchen.permit.send(()).unwrap();
-    // Its late stage takes a thread, and begins no second one.
+    // Its late stage occupies the other thread, so the first thread stays free.
     assert_eq!(kitchen.log.recv().unwrap(), (Place([0.0; 3]), 1));
     let second = coming(kitchen.demand.ask(ANN, Place([10.0, 0.0, 0.0])));
     assert_eq!(kitchen.log.recv().unwrap(), (Place([10.0, 0.0, 0.0]), 0));
@@ -176,10 +176,10 @@ async fn work_ends_when_the_last_client_leaves() {
     drop(second);
     drop(waiting);
     assert_eq!(kitchen.demand.waiting(), 0);
-    // The thread is free for others, without a permit for what was given up; what waited is never begun.
+    // The thread becomes free without a permit for the abandoned part; abandoned waiting work is never started.
     let other = coming(kitchen.demand.ask(ANN, Place([20.0, 0.0, 0.0])));
     assert_eq!(kitchen.log.recv().unwrap(), (Place([20.0, 0.0, 0.0]), 0));
-    // Who asks again gets it.
+    // A repeated request is served.
     let again = coming(kitchen.demand.ask(ANN, Place([0.0; 3])));
     for _ in 0..4 {
         kitchen.permit.send(()).unwrap();
@@ -195,7 +195,7 @@ async fn requests_are_bounded_for_each_client_and_in_all() {
     let at = |x: i32| Place([f64::from(x) * 10.0, 0.0, 0.0]);
     let _held = [coming(kitchen.demand.ask(ANN, at(0))), coming(kitchen.demand.ask(ANN, at(1)))];
     assert_eq!(kitchen.demand.ask(ANN, at(2)).err(), Some(Refusal::TooManyOfClient(2)));
-    // Joining others takes no more work.
+    // Joining an existing region adds no work.
     let _other = coming(kitchen.demand.ask(BOB, at(3)));
     let _shared = coming(kitchen.demand.ask(ANN, at(3)));
     assert_eq!(kitchen.demand.ask(BOB, at(4)).err(), Some(Refusal::TooMany(3)));
@@ -248,7 +248,7 @@ async fn a_server_that_ends_stops_the_work_and_tells() {
     assert_eq!(kitchen.demand.ask(ANN, Place([0.0; 3])).err(), Some(Refusal::Closing));
 }
 
-/// Threads may be about to wait when the server ends: they must hear of it all the same.
+/// A thread that is about to wait when the server shuts down must still be woken.
 #[test]
 fn a_server_that_ends_at_once_ends() {
     for _ in 0..5_000 {

@@ -1,4 +1,4 @@
-//! The answer to pages that ask for the rooms.
+//! Responses to pages that ask for the capabilities of rooms.
 
 use std::sync::Arc;
 
@@ -9,7 +9,7 @@ use super::support::{answering, limits, start};
 use crate::rooms::Rooms;
 use crate::{Answering, HeaderValue, Server};
 
-/// The head and the body of the answer to a page.
+/// Head and body of the response to a page.
 pub async fn told(server: &Server, target: &str, headers: &str) -> (String, String) {
     let mut stream = TcpStream::connect(server.address()).await.expect("a connection");
     let request = format!("GET {target} HTTP/1.1\r\nHost: localhost:80\r\nConnection: close\r\n{headers}\r\n");

@@ -1,4 +1,4 @@
-//! Time that passes without messages, by a clock that the tests turn.
+//! Timeouts, tested with a virtual clock.
 
 use std::pin::pin;
 use std::sync::Arc;
@@ -20,19 +20,19 @@ use crate::rooms::{Entering, Limits, Reason, Rooms, Session, serve};
 
 const SECOND: Duration = Duration::from_secs(1);
 
-/// A user's connection within this process, and why it ends.
+/// A user's connection within this process, and the task that returns the reason for its end.
 async fn user(limits: Limits) -> (User<DuplexStream>, JoinHandle<Reason>) {
     let (user, served, _) = watched_user(limits).await;
     (user, served)
 }
 
-/// The same with its outbox.
+/// Like `user`, with its outbox.
 async fn watched_user(limits: Limits) -> (User<DuplexStream>, JoinHandle<Reason>, Arc<Outbox>) {
     let (user, serving, outbox) = apart(limits).await;
     (user, tokio::spawn(serving), outbox)
 }
 
-/// The same, but the connection runs when the test says so.
+/// Like `watched_user`, but the test drives the connection's future.
 async fn apart(limits: Limits) -> (User<DuplexStream>, impl Future<Output = Reason>, Arc<Outbox>) {
     let rooms = Arc::new(Rooms::new(limits, None).expect("there are random bytes"));
     let (near, far) = duplex(1 << 12);
@@ -71,7 +71,7 @@ async fn who_answers_no_ping_is_ended() {
     let (mut user, served) = user(limits()).await;
     user.hello(0, "", &[]).await;
     let begun = Instant::now();
-    // It does not look at its socket, so no ping is answered.
+    // The user does not poll its socket, so no ping is answered.
     while !served.is_finished() {
         tokio::time::sleep(SECOND / 10).await;
     }
@@ -87,7 +87,7 @@ async fn who_answers_pings_stays() {
     user.hello(0, "", &[]).await;
     let (begun, mut pings) = (Instant::now(), 0);
     while begun.elapsed() < 3600 * SECOND {
-        // Reading answers.
+        // Polling the socket answers pings.
         match timeout(60 * SECOND, user.socket.next()).await.expect("a ping").expect("the connection lives") {
             Ok(Message::Ping(_)) => pings += 1,
             other => panic!("{other:?}"),
@@ -115,14 +115,14 @@ async fn who_floods_is_not_read_on() {
     user.hello(0, "", &[]).await;
     while user.socket.send(Message::binary(Vec::new())).await.is_ok() && !user.is_ended().await {}
     let begun = Instant::now();
-    // More than the stream holds.
+    // More bytes than the stream can buffer.
     let more = user.socket.get_mut().write_all(&[0; 1 << 14]).await;
     assert!(more.is_err(), "it is taken");
     assert!(begun.elapsed() >= limits.linger - SECOND, "{:?}", begun.elapsed());
     assert_eq!(served.await.expect("it ended"), Reason::Flood);
 }
 
-/// A user in a room whose stream is full, so that nothing more can be written to it, and a frame that waits behind.
+/// A user whose stream is full, so that nothing more can be written, with another frame queued.
 async fn blocked(limits: Limits) -> (User<DuplexStream>, JoinHandle<Reason>, Arc<Outbox>) {
     let (mut user, served, outbox) = watched_user(limits).await;
     user.hello(0, "", &[]).await;
@@ -148,12 +148,12 @@ async fn answers_to_pings_that_are_not_read_do_not_grow_for_ever() {
     let limits = Limits { queue_bytes: 2000, users: 2, silence: 100 * SECOND, ..limits() };
     let (mut user, served, _) = watched_user(limits).await;
     user.hello(0, "", &[]).await;
-    // It sends pings and reads nothing: the stream holds 4 KiB of answers, the connection 4 KiB.
+    // It sends pings and reads nothing: the stream buffers 4 KiB of pongs, the connection 4 KiB.
     for _ in 0..10_000 {
         user.socket.get_mut().write_all(&[0x89, 0x80, 0, 0, 0, 0]).await.expect("it is read");
     }
     tokio::time::sleep(11 * SECOND).await;
-    // It reads all that was written and finds the answers that were kept, and no more.
+    // It reads all that was written: only the buffered pongs.
     let mut answers = 0;
     let reason = loop {
         match timeout(SECOND, user.socket.next()).await {
@@ -173,7 +173,7 @@ async fn after_a_refusal_no_more_is_read_than_a_message() {
     let (mut user, served) = user(limits).await;
     user.hello(0, "", &[]).await;
     user.send_bytes(vec![0xff; 100]).await;
-    // The message's frames are whole, so that it could be read on for ever.
+    // The frames are well-formed, so the server could read on for ever.
     let frame = [&[0x82, 0xfe, 4, 0, 0, 0, 0, 0][..], &[0; 1024]].concat();
     let mut taken = 0;
     while timeout(SECOND, user.socket.get_mut().write_all(&frame)).await.is_ok_and(|result| result.is_ok()) {

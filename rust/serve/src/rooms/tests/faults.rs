@@ -1,4 +1,4 @@
-//! Users who misbehave: they are closed with a reason, and others notice nothing but that they left.
+//! Misbehaving users: they are disconnected with a reason, and others only see that they left.
 
 use std::time::Duration;
 
@@ -12,7 +12,7 @@ use crate::rooms::frame::{FromServer, FromUser, To};
 use crate::rooms::pose::{Placed, Pose};
 use crate::rooms::{Limits, Reason};
 
-/// Two users of the intruder's group, whose poses come while it misbehaves.
+/// Two users of the intruder's group, who exchange poses while it misbehaves.
 struct Witnesses(User, User, u32);
 
 impl Witnesses {
@@ -20,7 +20,7 @@ impl Witnesses {
         Witnesses(join(server, "hall", 1, "").await, join(server, "hall", 1, "").await, 0)
     }
 
-    /// They see each other, and that this user has left.
+    /// Both see that this user has left, and still see each other.
     async fn see_that_left(&mut self, user: u16) {
         for witness in [&mut self.0, &mut self.1] {
             witness.until(|frame| (frame == FromServer::Left { user }).then_some(())).await;
@@ -94,7 +94,7 @@ async fn nobody_is_in_a_room_before_hello() {
 async fn who_vanishes_within_a_message_has_left() {
     let server = server(limits(), None);
     let mut witnesses = Witnesses::new(&server).await;
-    // A message of 100 bytes begins, of which 3 come; another one begins in fragments.
+    // Three bytes of a message of 100 bytes; and the first fragment of another message.
     for beginning in [[0x82, 0x80 | 100, 1, 2, 3, 4, 5, 6, 7], [0x02, 0x80 | 3, 1, 2, 3, 4, 5, 6, 7]] {
         let mut user = join(&server, "hall", 1, "intruder").await;
         user.socket.get_mut().write_all(&beginning).await.expect("sent");
@@ -109,7 +109,7 @@ async fn broken_framing_ends_its_sender_alone() {
     let server = server(limits(), None);
     let mut witnesses = Witnesses::new(&server).await;
     for wrong in [
-        // Not masked; reserved bits; an unknown kind; a continuation of nothing; a long ping; 2^63 bytes.
+        // Unmasked frame; reserved bits; unknown opcode; continuation without a start; long ping; 2^63 bytes.
         &[0x82, 3, 6, 0, 0][..],
         &[0xf2, 0x83, 0, 0, 0, 0, 6, 0, 0],
         &[0x8b, 0x80, 0, 0, 0, 0],
@@ -148,7 +148,7 @@ async fn who_sends_too_much_is_ended() {
         let server = server(limits, None);
         let mut witness = join(&server, "hall", 1, "").await;
         let mut user = join(&server, "hall", 1, "").await;
-        // The connection may end while it is written to.
+        // The connection may end during the writes.
         for _ in 0..60 {
             let _ = user.socket.send(message.clone()).await;
         }

@@ -1,4 +1,4 @@
-//! Frames as bytes.
+//! Encoding and decoding of frames.
 
 use super::support::pose;
 use crate::rooms::frame::{Fault, FromServer, FromUser, HEAD, To};
@@ -64,7 +64,7 @@ fn written<T>(frames: &[T], write: impl Fn(&T, &mut Vec<u8>)) -> Vec<Vec<u8>> {
     frames.iter().map(bytes).collect()
 }
 
-/// The first frame of some bytes as it is written again, and the rest.
+/// Reads the first frame and writes it again; also returns the rest.
 fn again(bytes: &[u8], of_user: bool) -> Result<(Vec<u8>, &[u8]), Fault> {
     let mut out = Vec::new();
     let rest = if of_user {
@@ -114,7 +114,7 @@ fn every_truncation_is_refused() {
         for frame in frames {
             for length in 0..frame.len() {
                 assert!(again(&frame[..length], of_user).is_err(), "{length} bytes of {frame:?}");
-                // The length in the head says that the body is shorter.
+                // Header with a matching, shorter length.
                 let mut short = frame[..length.max(HEAD)].to_vec();
                 let body = (short.len() - HEAD) as u16;
                 short[1..HEAD].copy_from_slice(&body.to_le_bytes());

@@ -1,4 +1,4 @@
-//! How a connection becomes one of a room.
+//! Handshake of a connection to a room.
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -31,7 +31,7 @@ fn answering(origin: Option<&'static str>, has_rooms: bool) -> Answering {
     }
 }
 
-/// The code of the answer to a request for a room.
+/// Status code of the response to a request for a room.
 async fn code(server: &Server, target: &str, headers: &[&str]) -> u16 {
     let mut stream = TcpStream::connect(server.address()).await.expect("a connection");
     let request = format!("GET {target} HTTP/1.1\r\n{}\r\n\r\n", headers.join("\r\n"));
@@ -102,7 +102,7 @@ async fn a_name_that_the_server_was_not_told_proves_nothing_without_a_key() {
         let page = [&program[..], &[&*origin]].concat();
         assert_eq!(code(&server, "/rooms/hall", &page).await, expected, "{host} {has_key} {allowed:?}");
     }
-    // Whoever has a token may come of any page, if files are for all.
+    // A user with a token may come from any page, if files are public.
     let rooms = Some(Arc::new(Rooms::new(limits(), Key::new(&[1; 16]).ok()).expect("limits that fit")));
     let server = start(Answering { rooms, ..answering(Some("*"), false) }, None);
     let page = [&ASKS[..], &["Origin: https://any.example"]].concat();
@@ -121,7 +121,7 @@ async fn rooms_leave_connections_to_files() {
     assert_eq!(code(&server, "/healthz", &ASKS[..1]).await, 200);
     let leaves = users.pop().expect("three users");
     drop(leaves);
-    // Its place is free when its connection has ended.
+    // The slot becomes free when the connection has ended.
     while code(&server, "/rooms/hall", &ASKS).await != 101 {}
 }
 
@@ -148,7 +148,7 @@ fn one_client_has_so_many_sockets_and_begins_so_many_rooms() {
     assert!(enter("second", &two).is_ok());
 }
 
-/// A user by itself in a room, whose frames come so many seconds after a begin.
+/// A single user of a room, and a function that sends its frames some seconds after the start.
 fn alone(limits: Limits) -> (Arc<Rooms>, impl FnMut(u64, FromUser<'_>) -> Result<(), End>) {
     let (rooms, begin) = (Arc::new(Rooms::new(limits, None).expect("they fit")), Instant::now());
     let place = rooms.place([10, 0, 0, 1].into(), 100).expect("there is place");
@@ -267,7 +267,7 @@ async fn frames_that_come_with_the_request_are_read() {
     let mut frames = Vec::new();
     FromUser::Hello { group: 1, name: "early", ticket: &[] }.write(&mut frames);
     FromUser::Pose(pose(1)).write(&mut frames);
-    // Masked by zeros.
+    // Masking key of zeros.
     let head = [0x82, 0x80 | frames.len() as u8, 0, 0, 0, 0];
     let request = format!("GET /rooms/hall HTTP/1.1\r\n{}\r\n\r\n", ASKS.join("\r\n"));
     stream.write_all(&[request.as_bytes(), &head, &frames].concat()).await.expect("sent");
@@ -291,7 +291,7 @@ async fn sockets_are_encrypted_where_the_server_is() {
     let mut trusted = RootCertStore::empty();
     trusted.add(CertificateDer::from_pem_slice(certificate.as_bytes()).expect("a certificate")).expect("trusted");
     let mut config = ClientConfig::builder().with_root_certificates(trusted).with_no_client_auth();
-    // As browsers ask for a WebSocket.
+    // ALPN of browsers for a WebSocket.
     config.alpn_protocols = vec![b"http/1.1".to_vec()];
     let connector = TlsConnector::from(Arc::new(config));
     let mut users = Vec::new();
@@ -299,7 +299,7 @@ async fn sockets_are_encrypted_where_the_server_is() {
         let stream = TcpStream::connect(server.address()).await.expect("a connection");
         let name = ServerName::try_from("laptop.local").expect("a name");
         let stream = connector.connect(name, stream).await.expect("a handshake");
-        // A page that the server's certificate proves to be its own.
+        // Page whose host is listed in the server's certificate.
         let mut request = "wss://laptop.local/rooms/hall".into_client_request().expect("a request");
         request.headers_mut().insert("origin", HeaderValue::from_static("https://laptop.local"));
         let mut user = User::new(client_async(request, stream).await.expect("a socket").0);

@@ -1,4 +1,4 @@
-//! Users who have left: their seats are free before they are told so, and the same token lets them in again at once.
+//! Departures: a seat is free before its user is notified, so the same token can rejoin at once.
 
 use std::collections::HashMap;
 use std::net::{Ipv4Addr, SocketAddr};
@@ -17,19 +17,19 @@ use crate::rooms::frame::FromUser;
 use crate::rooms::{Datagrams, Key, Reason};
 
 const ROUNDS: u8 = 40;
-/// Time by which a slow way is slower.
+/// Additional delay of a slow path.
 const LATE: Duration = Duration::from_millis(5);
 
 fn key() -> Key {
     Key::new(&[1; 16]).expect("a key")
 }
 
-/// The path to the room with one of many tokens.
+/// Path to the room with one of many tokens.
 fn path(number: u8) -> String {
     format!("/rooms/hall?token={}", key().token("hall", u64::MAX, [number; 16]))
 }
 
-/// Read until the server has sent a close.
+/// Reads until the server sends a close frame.
 async fn until_closed(user: &mut User) {
     loop {
         let message = timeout(HANGS, user.socket.next()).await.expect("a message").expect("no end before the close");
@@ -44,7 +44,7 @@ async fn a_seat_is_free_when_the_server_closes_the_socket() {
     let server = server(limits(), Some(key()));
     for round in 0..ROUNDS {
         let mut user = connect(server.address(), &path(0)).await.expect("a connection");
-        // Also without having waited for the welcome.
+        // Also without waiting for the welcome.
         if round % 2 == 0 {
             user.hello(0, "", &[]).await;
         } else {
@@ -57,7 +57,7 @@ async fn a_seat_is_free_when_the_server_closes_the_socket() {
             user.socket.send(Message::Close(None)).await.expect("the server reads");
         }
         until_closed(&mut user).await;
-        // The old connection is still there, and the server has not read what answers its close.
+        // The old connection still exists; the server has not read the reply to its close frame.
         let mut again = connect(server.address(), &path(0)).await.expect("a connection");
         again.hello(0, "", &[]).await;
         again.send(&[FromUser::Bye]).await;
@@ -87,7 +87,7 @@ async fn a_seat_is_free_when_the_server_ends_the_session_of_a_slow_way() {
     join_all(rounds).await;
 }
 
-/// The port of a way to another port, on which packets to the server are late.
+/// Port of a UDP relay to another port that delays packets to the server.
 async fn slow_way(port: u16) -> u16 {
     let local = SocketAddr::from((Ipv4Addr::LOCALHOST, 0));
     let near = Arc::new(UdpSocket::bind(local).await.expect("a socket"));

@@ -1,4 +1,4 @@
-//! All that waits for a user, and how much a user may send.
+//! Outbox of a user, and rate limits.
 
 use std::time::{Duration, Instant};
 
@@ -13,7 +13,7 @@ use crate::rooms::reason::{End, Reason};
 
 const BURST: Duration = Duration::from_secs(2);
 
-/// All that waits, as bytes of frames.
+/// All queued frames, encoded.
 fn taken(outbox: &Outbox) -> Vec<Vec<u8>> {
     let (mut message, mut read) = (BytesMut::new(), Vec::new());
     match outbox.take(Part::All, &mut message, &mut read) {
@@ -46,7 +46,7 @@ fn newer_poses_overwrite_and_all_else_stays_in_order() {
     let expected = [
         FromServer::Left { user: 9 },
         FromServer::Left { user: 8 },
-        // The pose that was overwritten was to be acknowledged, so this one is.
+        // The replaced pose needed acknowledgement, so this one does, too.
         FromServer::Pose { user: 1, pose: asking(2) },
         FromServer::Pose { user: 2, pose: pose(7) },
         FromServer::Settled { sequence: 4 },
@@ -95,7 +95,7 @@ fn what_a_later_one_replaces_is_sent_apart_from_what_must_arrive() {
     let passing = outbox.passing(1000);
     let frames = [FromServer::Settled { sequence: 4 }, FromServer::Pose { user: 1, pose: pose(1) }];
     assert_eq!(split(&passing.bytes), bytes(&frames));
-    // It waits until it is sent; what comes meanwhile takes its place.
+    // Frames stay queued until sent; newer ones replace them.
     outbox.add_pose(1, pose(2), now);
     outbox.add_settled(5, false);
     assert_eq!(outbox.sent(&passing).len(), 1);
@@ -136,14 +136,14 @@ fn who_lets_too_much_wait_is_ended_and_holds_nothing() {
     let (outbox, frame) = (Outbox::new(20, BURST), FromServer::Left { user: 1 });
     (0..3).for_each(|_| outbox.add(&frame));
     let _ = taken(&outbox);
-    // Frames on their way count, too.
+    // Frames in flight count, too.
     outbox.add(&frame);
     outbox.add(&frame);
     let (mut message, mut read) = (BytesMut::new(), Vec::new());
     let end = outbox.take(Part::All, &mut message, &mut read);
     assert!(matches!(&end, Taken::End(End { reason: Reason::Slow, .. })), "{end:?}");
     assert!(message.is_empty());
-    // The first reason stays.
+    // The first reason is kept.
     outbox.end(End::new(Reason::Ending, ""));
     outbox.add_pose(1, pose(1), Instant::now());
     assert_eq!(outbox.take(Part::All, &mut message, &mut read), end);
@@ -161,7 +161,7 @@ fn who_fills_its_share_at_once_sends_too_much_and_its_receiver_stays() {
     assert!(add(2, Duration::ZERO).is_ok(), "shares are apart");
     assert_eq!(taken(&outbox).len(), 3);
     assert!(add(1, Duration::ZERO).is_ok(), "all was taken");
-    // Who does not read for longer than a burst is ended itself, not those who speak.
+    // A user who does not read for longer than a burst is disconnected itself, not the senders.
     assert!((0..10).all(|_| add(1, BURST).is_ok()));
     assert_eq!(outbox.ended().map(|end| end.reason), Some(Reason::Slow));
 }
@@ -187,6 +187,6 @@ fn a_bucket_refills_with_time_up_to_its_burst() {
     assert!(bucket.take(9.0, at(1.0)));
     assert!(!bucket.take(21.0, at(100.0)), "it holds two seconds' worth");
     assert!(bucket.take(20.0, at(200.0)));
-    // A clock that goes back gives nothing.
+    // A clock that goes back refills nothing.
     assert!(!bucket.take(1.0, at(100.0)));
 }

@@ -1,4 +1,4 @@
-//! Who is told of what, with a server on this machine.
+//! Distribution of frames: who receives what, with a server on this machine.
 
 use std::time::Duration;
 
@@ -11,7 +11,7 @@ use crate::Server;
 use crate::rooms::frame::{FromServer, FromUser, To};
 use crate::rooms::{Limits, Reason};
 
-/// The counts as text.
+/// Metrics of the server as text.
 async fn counts(server: &Server) -> String {
     let mut stream = TcpStream::connect(server.address()).await.expect("a connection");
     let request = "GET /metrics HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n";
@@ -64,7 +64,7 @@ async fn poses_go_to_the_group_and_have_the_number_that_the_server_gave() {
     sender.send(&[FromUser::Pose(pose(1)), FromUser::Say { to: To::Room, payload: b"end" }]).await;
     assert_eq!(friend.pose_of(sender.number).await, pose(1));
     let (user, to) = (sender.number, To::Room);
-    // Nothing came before it but those who joined.
+    // Only `joined` frames came before it.
     let frame = stranger.until(|frame| (!matches!(frame, FromServer::Joined { .. })).then(|| format!("{frame:?}")));
     assert_eq!(frame.await, format!("{:?}", FromServer::Say { user, to, payload: b"end" }));
     let other = join(&server, "yard", 1, "late").await;
@@ -90,7 +90,7 @@ async fn what_is_said_comes_to_the_group_or_the_room_in_order() {
             assert_eq!(stranger.until(said).await, round);
         }
     }
-    // The sender does not hear itself.
+    // The sender does not receive its own message.
     friend.send(&[FromUser::Say { to: To::Group, payload: b"answer" }]).await;
     let first = sender.until(|frame| if let FromServer::Say { user, .. } = frame { Some(user) } else { None }).await;
     assert_eq!(first, friend.number);
@@ -133,14 +133,14 @@ async fn a_pose_settles_when_the_last_of_the_group_has_acknowledged_it_or_left()
     }
     one.send(&[FromUser::Ack { user, sequence: 1 }, FromUser::Say { to: To::Group, payload: b"" }]).await;
     assert_eq!(sender.until(settled).await, 0, "one of two has acknowledged it");
-    // Those who are not of the group, who lie about what was sent or about whom, settle nothing.
+    // Acknowledgements by users outside the group, of unsent poses or of unknown users settle nothing.
     stranger.send(&[FromUser::Ack { user, sequence: 1 }, FromUser::Say { to: To::Room, payload: b"" }]).await;
     assert_eq!(sender.until(settled).await, 0);
     let lies = [FromUser::Ack { user, sequence: 2 }, FromUser::Ack { user: 31_000, sequence: 1 }];
     two.send(&lies).await;
     two.send(&[FromUser::Ack { user, sequence: 1 }]).await;
     assert_eq!(sender.until(settled).await, 1);
-    // A later pose settles those before it that were not acknowledged, and who leaves is not waited for.
+    // A later pose settles earlier ones without acknowledgements, and a user who leaves is not waited for.
     for sequence in 2..=4 {
         sender.send(&[FromUser::Pose(asking(sequence))]).await;
     }
@@ -184,12 +184,12 @@ async fn counts_tell_of_rooms() {
         sender.send(&[FromUser::Pose(asking(sequence))]).await;
     }
     while friend.pose_of(sender.number).await.sequence < 6 {}
-    // The pose was written before it was read here, and counted before the next message is written.
+    // The pose was written before it arrived here, and is counted before the next message is written.
     sender.send(&[FromUser::Say { to: To::Group, payload: b"" }]).await;
     friend.until(|frame| matches!(frame, FromServer::Say { .. }).then_some(())).await;
     drop(leaves);
     let mut text = counts(&server).await;
-    // Connections that have become sockets are connections still: two of them, and the one that asks.
+    // Upgraded connections still count: two of them, and that of the request for metrics.
     while count(&text, "nearfar_connections") > 3.0 {
         text = counts(&server).await;
     }
@@ -204,7 +204,7 @@ async fn counts_tell_of_rooms() {
     assert_eq!(count(&text, "nearfar_room_closes_total{reason=\"bye\"}"), 1.0);
 }
 
-/// A server whose connections have so much time to end, and whose rooms would wait for hours.
+/// A server with this grace period at shutdown, whose rooms have timeouts of hours.
 fn ending_within(grace: Duration) -> Server {
     let rooms = Limits { hello: HOURS, ping: HOURS, silence: 2 * HOURS, linger: HOURS, ..limits() };
     start_within(answering(rooms, None), None, crate::Limits { grace, ..crate::Limits::default() })

@@ -1,4 +1,4 @@
-//! Which connection acts under a user's number.
+//! Authority of a connection over its user's number.
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -24,7 +24,7 @@ fn join(room: &Room, back: Option<(u16, u64)>) -> (u16, Arc<Outbox>) {
     (room.join(&joining, 9, |_, _| [0; 26]).expect("there is place"), outbox)
 }
 
-/// The frames that wait, without those of joining and leaving.
+/// Queued frames, except those about joining and leaving.
 fn sent(outbox: &Outbox) -> Vec<Vec<u8>> {
     let mut message = BytesMut::new();
     assert!(!matches!(outbox.take(Part::All, &mut message, &mut Vec::new()), Taken::End(_)));
@@ -53,7 +53,7 @@ fn a_connection_that_was_replaced_does_nothing() {
     room.pose(By { user: peer, outbox: &hears }, pose(1), now);
     act(&old, 1_000_000);
     assert_eq!(sent(&hears), Vec::<Vec<u8>>::new());
-    // The old one's pose hides none of the user's own, whose first number is less.
+    // The replaced connection's pose does not supersede the user's own lower numbers.
     act(&own, 1);
     assert_eq!(sent(&hears).len(), 5, "say, say, signal, pose, settled");
     room.leave(By { user, outbox: &old });

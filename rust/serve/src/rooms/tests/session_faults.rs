@@ -1,4 +1,4 @@
-//! Users by WebTransport who misbehave, and connections that are none.
+//! Misbehaving WebTransport users, and connections that are not sessions.
 
 use std::time::Duration;
 
@@ -10,10 +10,10 @@ use super::support::{self, HANGS, HOURS, Numbers, User, limits, pose, say_until_
 use crate::rooms::frame::{FromServer, FromUser, To};
 use crate::rooms::{Limits, Reason};
 
-/// A burst that no sender fills a share in.
+/// Burst too short for a sender to fill a share in.
 const MOMENT: Duration = Duration::from_micros(1);
 
-/// Wait until a user has left.
+/// Waits until a user has left.
 async fn sees_that_left(user: &mut User, number: u16) {
     user.until(|frame| (frame == FromServer::Left { user: number }).then_some(())).await;
 }
@@ -83,7 +83,7 @@ async fn who_sends_too_much_is_ended() {
     {
         let server = server(limits, None);
         let mut guest = join(&server, "hall", 1, "").await;
-        // Until they do not go out any more, as the session is closed.
+        // The loop continues after the session is closed and sends fail.
         for _ in 0..500 {
             let _ = guest.connection.send_datagram(&sent);
             tokio::task::yield_now().await;
@@ -104,7 +104,7 @@ async fn who_vanishes_is_gone_and_who_says_nothing_stays() {
     let limits = Limits { ping: Duration::from_millis(300), silence: Duration::from_secs(10), ..limits() };
     let server = server(limits, None);
     let mut witness = join(&server, "hall", 1, "").await;
-    // The client's runtime ends, so that nothing answers any more.
+    // The client's runtime stops, so that nothing answers any more.
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().expect("a runtime");
     let vanished = std::thread::scope(|scope| {
         let vanishes = scope.spawn(|| {
@@ -156,7 +156,7 @@ async fn who_does_not_read_is_ended_and_others_get_all() {
     let mut sender = support::join(&server, "hall", 1, "").await;
     let mut friend = support::join(&server, "hall", 1, "").await;
     say_until_left(&mut sender, &mut friend, slow.number).await;
-    // It reads on to the reason.
+    // It reads on up to the reason.
     let sentence = slow.is_refused(Reason::Slow).await;
     assert!(sentence.ends_with("before 131072 bytes wait for it"), "{sentence}");
 }

@@ -1,4 +1,4 @@
-//! Users by WebTransport, whose sessions the tests hold.
+//! WebTransport users for tests.
 
 use std::collections::VecDeque;
 use std::net::{Ipv4Addr, SocketAddr};
@@ -16,7 +16,7 @@ use crate::rooms::frame::{FromServer, FromUser};
 use crate::rooms::pose::Pose;
 use crate::rooms::{Datagrams, Reason};
 
-/// By which way frames come.
+/// Channel on which a frame arrived.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum By {
     Stream,
@@ -26,17 +26,17 @@ pub enum By {
 /// A user's session.
 pub struct Guest {
     pub connection: Connection,
-    /// Packets go out as long as it is there.
+    /// Keeps the endpoint alive, which sends the packets.
     _endpoint: Endpoint<Client>,
     pub send: SendStream,
     receive: RecvStream,
     came: Vec<u8>,
     frames: VecDeque<(By, Vec<u8>)>,
-    /// The number that the server gave.
+    /// Number that the server assigned.
     pub number: u16,
 }
 
-/// A client that knows the server's certificate.
+/// A client that trusts the server's certificate by its hash.
 pub fn client(datagrams: &Datagrams) -> Endpoint<Client> {
     let [hash] = &datagrams.hashes[..] else { panic!("one hash") };
     let bytes: Vec<String> = hash.as_bytes().chunks(2).map(|pair| String::from_utf8_lossy(pair).into()).collect();
@@ -46,7 +46,7 @@ pub fn client(datagrams: &Datagrams) -> Endpoint<Client> {
     Endpoint::client(config).expect("a socket")
 }
 
-/// Ask for a session.
+/// Requests a session.
 pub async fn ask(
     server: &Server,
     path: &str,
@@ -69,12 +69,12 @@ async fn ask_at(
     Ok((connection, endpoint))
 }
 
-/// Begin a session with its stream, without joining.
+/// Starts a session with its stream, without joining.
 pub async fn connect(server: &Server, path: &str) -> Guest {
     connect_at(server.datagrams().expect("datagrams"), path).await
 }
 
-/// The same where datagrams are taken.
+/// Like `connect`, for given datagram settings.
 pub async fn connect_at(datagrams: Datagrams, path: &str) -> Guest {
     let (connection, endpoint) = ask_at(datagrams, path, None).await.expect("a session");
     let (send, receive) = connection.open_bi().await.expect("a stream").await.expect("a stream");
@@ -82,7 +82,7 @@ pub async fn connect_at(datagrams: Datagrams, path: &str) -> Guest {
     Guest { connection, _endpoint: endpoint, send, receive, came, frames, number: 0 }
 }
 
-/// Join a room.
+/// Joins a room.
 pub async fn join(server: &Server, room: &str, group: u16, name: &str) -> Guest {
     let mut user = connect(server, &format!("/rooms/{room}")).await;
     user.hello(group, name).await;
@@ -90,7 +90,7 @@ pub async fn join(server: &Server, room: &str, group: u16, name: &str) -> Guest 
 }
 
 impl Guest {
-    /// Say hello and wait for the welcome.
+    /// Sends hello and waits for the welcome.
     pub async fn hello(&mut self, group: u16, name: &str) {
         self.say(&[FromUser::Hello { group, name, ticket: &[] }]).await;
         self.number = self
@@ -101,23 +101,23 @@ impl Guest {
             .await;
     }
 
-    /// Send frames by the stream.
+    /// Sends frames on the stream.
     pub async fn say(&mut self, frames: &[FromUser<'_>]) {
         self.send.write_all(&bytes(frames)).await.expect("the server reads");
     }
 
-    /// Send frames as a datagram.
+    /// Sends frames as a datagram.
     pub fn throw(&self, frames: &[FromUser<'_>]) {
         self.connection.send_datagram(bytes(frames)).expect("the server takes datagrams");
     }
 
-    /// The next frame, and by which way it came; none at the end.
+    /// Next frame, and the channel on which it arrived; none at the end.
     pub async fn next(&mut self) -> Option<(By, Vec<u8>)> {
         let mut piece = [0; 4096];
         while self.frames.is_empty() {
             let came = async {
                 tokio::select! {
-                    // Frames that came before the end are read before it.
+                    // Frames that arrived before the end are read first.
                     biased;
                     read = self.receive.read(&mut piece) => read.ok().flatten().map(|length| (By::Stream, length)),
                     datagram = self.connection.receive_datagram() => {
@@ -137,7 +137,7 @@ impl Guest {
         self.frames.pop_front()
     }
 
-    /// Wait for a frame that something can be made of.
+    /// Waits for the first frame that `pick` accepts.
     pub async fn until<T>(&mut self, pick: impl Fn(By, FromServer<'_>) -> Option<T>) -> T {
         loop {
             let (by, bytes) = self.next().await.expect("a frame before the end");
@@ -148,7 +148,7 @@ impl Guest {
         }
     }
 
-    /// The next pose of another user, and its way.
+    /// Next pose of another user, and its channel.
     pub async fn pose_of(&mut self, other: u16) -> (By, Pose) {
         self.until(|by, frame| match frame {
             FromServer::Pose { user, pose } if user == other => Some((by, pose)),
@@ -157,7 +157,8 @@ impl Guest {
         .await
     }
 
-    /// Assert that the server ends the session for a reason, by the stream and by the session's code; its sentence.
+    /// Asserts that the server ends the session for a reason, on the stream and with the session's code; returns the
+    /// sentence.
     pub async fn is_refused(&mut self, reason: Reason) -> String {
         let (code, sentence) = self
             .until(|_, frame| match frame {
@@ -171,7 +172,7 @@ impl Guest {
         sentence
     }
 
-    /// Assert that the session's code is that of a reason.
+    /// Asserts that the session's close code is that of a reason.
     pub async fn is_closed(&self, reason: Reason) {
         let closed = timeout(HANGS, async {
             loop {
@@ -189,7 +190,7 @@ impl Guest {
     }
 }
 
-/// Frames as bytes.
+/// Encodes frames.
 pub fn bytes(frames: &[FromUser<'_>]) -> Vec<u8> {
     let mut out = Vec::new();
     frames.iter().for_each(|frame| frame.write(&mut out));

@@ -1,4 +1,4 @@
-//! Rooms by WebTransport: what comes as datagrams, what by the stream, and who is let in.
+//! Rooms over WebTransport: choice of datagrams or the stream, and admission.
 
 use std::net::UdpSocket;
 use std::sync::Arc;
@@ -24,7 +24,7 @@ async fn users_of_both_ways_see_each_other() {
     assert_eq!(socket.pose_of(guest.number).await, pose(1));
     socket.send(&[FromUser::Pose(pose(7))]).await;
     assert_eq!(guest.pose_of(socket.number).await, (By::Datagram, pose(7)));
-    // The end of a movement must arrive.
+    // The final pose of a movement must arrive.
     let rest = Pose { stops: true, ..pose(2) };
     guest.say(&[FromUser::Pose(rest)]).await;
     assert_eq!(socket.pose_of(guest.number).await, rest);
@@ -67,7 +67,7 @@ async fn an_older_pose_that_comes_late_is_dropped() {
     let mut one = join(&server, "hall", 1, "").await;
     let mut two = support::join(&server, "hall", 1, "").await;
     one.until(|_, frame| matches!(frame, FromServer::Joined { .. }).then_some(())).await;
-    // By the stream, so that the test knows the order.
+    // On the stream, so that the order is known.
     one.say(&[FromUser::Pose(pose(5))]).await;
     assert_eq!(two.pose_of(one.number).await, pose(5));
     one.say(&[FromUser::Pose(pose(4)), FromUser::Pose(pose(6))]).await;
@@ -95,7 +95,7 @@ async fn pages_of_other_origins_and_other_paths_get_no_session() {
             Err(error) => panic!("{error}"),
         }
     }
-    // Files are for all pages, rooms are not: no token is needed.
+    // Files are public, but rooms without tokens are not.
     let origin = Some(HeaderValue::from_static("*"));
     let open = start(Answering { origin, ..answering(limits(), None) }, None);
     assert!(ask(&open, "/rooms/hall", Some("https://any.example")).await.is_err());
@@ -137,7 +137,7 @@ async fn sessions_leave_connections_to_files() {
     }
     assert!(ask(&server, "/rooms/hall", None).await.is_err());
     guests.truncate(2);
-    // The place is free when the connection has ended.
+    // The slot becomes free when the connection has ended.
     while ask(&server, "/rooms/hall", None).await.is_err() {}
 }
 

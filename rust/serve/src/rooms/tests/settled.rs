@@ -1,4 +1,4 @@
-//! Which poses are settled, against a model that looks at all that has happened.
+//! Settled poses, compared with a model that evaluates the whole history.
 
 use super::support::Numbers;
 use crate::rooms::settle::Settling;
@@ -11,7 +11,7 @@ enum Happened {
     Acknowledged(u16, u32),
 }
 
-/// The least, over those who are there, of the greatest number that each has acknowledged since it came.
+/// Least, over the present users, of the greatest number that each has acknowledged since it joined.
 fn least(log: &[Happened]) -> Option<u32> {
     let is_there = |peer: u16| {
         let mut moves = log.iter().filter(|each| matches!(each, Happened::Joined(p) | Happened::Left(p) if *p == peer));

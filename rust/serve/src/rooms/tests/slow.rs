@@ -11,12 +11,12 @@ use crate::Server;
 use crate::rooms::frame::{FromServer, FromUser, To};
 use crate::rooms::{Limits, Reason};
 
-/// Bytes that the system keeps for a user who does not read.
+/// Receive buffer in bytes of a user who does not read.
 const KEPT: u32 = 4096;
-/// A burst that no sender fills a share in.
+/// Burst too short for a sender to fill a share in.
 const MOMENT: Duration = Duration::from_micros(1);
 
-/// A user of a group, whose system keeps few bytes for it.
+/// A user of a group with a small receive buffer.
 async fn slow(server: &Server, group: u16) -> User {
     let socket = TcpSocket::new_v4().expect("a socket");
     socket.set_recv_buffer_size(KEPT).expect("a size");
@@ -45,7 +45,7 @@ async fn who_does_not_read_delays_nobody_and_gets_the_newest_pose_later() {
         (seen, newest) = (seen + 1, sequence);
     }
     assert!(seen < last / 2, "{seen} poses waited for it");
-    // It is a user as before.
+    // The user takes part again as before.
     slow.send(&[FromUser::Pose(pose(1))]).await;
     assert_eq!(friend.pose_of(slow.number).await, pose(1));
 }
@@ -56,7 +56,7 @@ async fn who_lets_too_much_wait_is_ended_and_others_get_all() {
     let mut slow = slow(&server, 1).await;
     let (mut sender, mut friend) = (join(&server, "hall", 1, "").await, join(&server, "hall", 1, "").await);
     say_until_left(&mut sender, &mut friend, slow.number).await;
-    // All that waited for it is gone; it reads on to the reason.
+    // Its queue was discarded; it reads on up to the reason.
     let sentence = slow.is_refused(Reason::Slow).await;
     assert!(sentence.ends_with("before 131072 bytes wait for it"), "{sentence}");
 }
@@ -70,7 +70,7 @@ async fn a_burst_ends_its_sender_and_none_of_those_who_do_not_read_meanwhile() {
     let signal = FromUser::Signal { user: victim.number, payload: &[1; 4000] };
     for frame in [said, signal] {
         let mut sender = join(&server, "hall", 2, "").await;
-        // More than all that may wait for one user; the connection may end while it is written to.
+        // More than one user's queue may hold; the connection may end during the writes.
         for _ in 0..40 {
             let mut message = Vec::new();
             frame.write(&mut message);

@@ -1,4 +1,4 @@
-//! A server with rooms, and users whose connections the tests hold.
+//! Test server with rooms, and test users.
 
 use std::collections::VecDeque;
 use std::net::SocketAddr;
@@ -18,13 +18,13 @@ use crate::rooms::pose::{Placed, Pose};
 use crate::rooms::{Key, Limits, Reason, Rooms};
 use crate::{Answering, Router, Server, Settings};
 
-/// A test that waits longer for a frame hangs.
+/// Timeout after which a test counts as hanging.
 pub const HANGS: Duration = Duration::from_secs(60);
 
 /// Longer than any test.
 pub const HOURS: Duration = Duration::from_secs(10_000);
 
-/// Limits that no test meets but by intent.
+/// Limits that tests exceed only deliberately.
 pub fn limits() -> Limits {
     Limits {
         messages_per_second: 1e9,
@@ -35,28 +35,28 @@ pub fn limits() -> Limits {
     }
 }
 
-/// A server with rooms alone.
+/// A server that has only rooms.
 pub fn server(limits: Limits, key: Option<Key>) -> Server {
     start(answering(limits, key), None)
 }
 
-/// Rooms alone, by any name.
+/// Settings with rooms only, for any host name.
 pub fn answering(limits: Limits, key: Option<Key>) -> Answering {
     let rooms = Some(Arc::new(Rooms::new(limits, key).expect("limits that fit")));
     Answering { sites: [].into(), hosts: None, headers: Vec::new(), origin: None, rooms }
 }
 
-/// A server that answers so, with files of a certificate and its key.
+/// Starts a server with these settings, and files of a certificate and its key.
 pub fn start(answering: Answering, certificate: Option<(PathBuf, PathBuf)>) -> Server {
     start_within(answering, certificate, crate::Limits::default())
 }
 
-/// The same within limits of connections.
+/// Like `start`, with limits on connections.
 pub fn start_within(answering: Answering, certificate: Option<(PathBuf, PathBuf)>, limits: crate::Limits) -> Server {
     start_at(([127, 0, 0, 1], 0).into(), answering, certificate, limits)
 }
 
-/// The same at an address.
+/// Like `start_within`, at an address.
 pub fn start_at(
     address: SocketAddr,
     answering: Answering,
@@ -64,7 +64,7 @@ pub fn start_at(
     limits: crate::Limits,
 ) -> Server {
     let settings = Settings { address, limits, certificate, router: Router::new(answering) };
-    // A server begins where no other tasks run.
+    // Started outside the test's runtime.
     std::thread::spawn(|| Server::start(settings)).join().expect("no panic").expect("it listens")
 }
 
@@ -72,18 +72,18 @@ pub fn start_at(
 pub struct User<S = TcpStream> {
     pub socket: WebSocketStream<S>,
     frames: VecDeque<Vec<u8>>,
-    /// The number that the server gave.
+    /// Number that the server assigned.
     pub number: u16,
     pub ticket: Vec<u8>,
 }
 
-/// Connect to a path without joining.
+/// Connects to a path without joining.
 pub async fn connect(address: SocketAddr, path: &str) -> Result<User, Error> {
     let stream = TcpStream::connect(address).await?;
     over(stream, address, path).await
 }
 
-/// Make a connection a WebSocket.
+/// Upgrades a connection to a WebSocket.
 pub async fn over(stream: TcpStream, address: SocketAddr, path: &str) -> Result<User, Error> {
     stream.set_nodelay(true)?;
     let request = format!("ws://{address}{path}").into_client_request()?;
@@ -91,7 +91,7 @@ pub async fn over(stream: TcpStream, address: SocketAddr, path: &str) -> Result<
     Ok(User::new(socket))
 }
 
-/// Join a room.
+/// Joins a room.
 pub async fn join(server: &Server, room: &str, group: u16, name: &str) -> User {
     let mut user = connect(server.address(), &format!("/rooms/{room}")).await.expect("a connection");
     user.hello(group, name, &[]).await;
@@ -103,7 +103,7 @@ impl<S: tokio::io::AsyncRead + tokio::io::AsyncWrite + Unpin> User<S> {
         User { socket, frames: VecDeque::new(), number: 0, ticket: Vec::new() }
     }
 
-    /// Say hello and wait for the welcome.
+    /// Sends hello and waits for the welcome.
     pub async fn hello(&mut self, group: u16, name: &str, ticket: &[u8]) {
         self.send(&[FromUser::Hello { group, name, ticket }]).await;
         let (number, ticket) = self
@@ -115,7 +115,7 @@ impl<S: tokio::io::AsyncRead + tokio::io::AsyncWrite + Unpin> User<S> {
         (self.number, self.ticket) = (number, ticket);
     }
 
-    /// Send frames as one message.
+    /// Sends frames as one message.
     pub async fn send(&mut self, frames: &[FromUser<'_>]) {
         let mut message = Vec::new();
         frames.iter().for_each(|frame| frame.write(&mut message));
@@ -126,7 +126,7 @@ impl<S: tokio::io::AsyncRead + tokio::io::AsyncWrite + Unpin> User<S> {
         self.socket.send(Message::Binary(message.into())).await.expect("the server reads");
     }
 
-    /// The next frame's bytes; none at the end.
+    /// Next frame, encoded; none at the end.
     pub async fn next(&mut self) -> Option<Vec<u8>> {
         while self.frames.is_empty() {
             match timeout(HANGS, self.socket.next()).await.expect("a frame")? {
@@ -138,7 +138,7 @@ impl<S: tokio::io::AsyncRead + tokio::io::AsyncWrite + Unpin> User<S> {
         self.frames.pop_front()
     }
 
-    /// Whether the server has ended the connection in a second.
+    /// Whether the server ends the connection within a second.
     pub async fn is_ended(&mut self) -> bool {
         matches!(
             timeout(Duration::from_secs(1), self.socket.next()).await,
@@ -146,7 +146,7 @@ impl<S: tokio::io::AsyncRead + tokio::io::AsyncWrite + Unpin> User<S> {
         )
     }
 
-    /// Wait for a frame that something can be made of.
+    /// Waits for the first frame that `pick` accepts.
     pub async fn until<T>(&mut self, pick: impl Fn(FromServer<'_>) -> Option<T>) -> T {
         loop {
             let bytes = self.next().await.expect("a frame before the end");
@@ -157,13 +157,13 @@ impl<S: tokio::io::AsyncRead + tokio::io::AsyncWrite + Unpin> User<S> {
         }
     }
 
-    /// Assert that the next frame is this one.
+    /// Asserts that the next frame equals `expected`.
     pub async fn gets(&mut self, expected: FromServer<'_>) {
         let bytes = self.next().await.expect("a frame before the end");
         assert_eq!(FromServer::read(&bytes).expect("a frame").0, expected);
     }
 
-    /// Assert that the server ends the connection for a reason; its sentence.
+    /// Asserts that the server ends the connection for a reason; returns the sentence.
     pub async fn is_refused(&mut self, reason: Reason) -> String {
         let (code, sentence) = self
             .until(|frame| match frame {
@@ -176,7 +176,7 @@ impl<S: tokio::io::AsyncRead + tokio::io::AsyncWrite + Unpin> User<S> {
         sentence
     }
 
-    /// The next pose of another user.
+    /// Next pose of another user.
     pub async fn pose_of(&mut self, other: u16) -> Pose {
         self.until(|frame| match frame {
             FromServer::Pose { user, pose } if user == other => Some(pose),
@@ -186,7 +186,7 @@ impl<S: tokio::io::AsyncRead + tokio::io::AsyncWrite + Unpin> User<S> {
     }
 }
 
-/// Says message after message to a group until a user has left who does not read; a friend gets all of them in order.
+/// Sends messages to a group until a user who does not read has left; a friend receives all of them in order.
 pub async fn say_until_left(sender: &mut User, friend: &mut User, number: u16) {
     let (mut round, mut has_left) = (0u32, false);
     while !has_left {
@@ -206,7 +206,7 @@ pub async fn say_until_left(sender: &mut User, friend: &mut User, number: u16) {
     }
 }
 
-/// The frames of a message.
+/// Splits a message into frames.
 pub fn split(mut message: &[u8]) -> Vec<Vec<u8>> {
     let mut frames = Vec::new();
     while !message.is_empty() {
@@ -217,23 +217,23 @@ pub fn split(mut message: &[u8]) -> Vec<Vec<u8>> {
     frames
 }
 
-/// A pose of a head alone.
+/// A pose with a head only.
 pub fn pose(sequence: u32) -> Pose {
     let head = Placed { position: [1.0, 1.7, -2.5], rotation: [0, 0, 0, 32767] };
     let (hands, pointer) = ([None; 2], None);
     Pose { sequence, clock: u64::from(sequence) * 13_889, is_acknowledged: false, stops: false, head, hands, pointer }
 }
 
-/// A pose that is to be acknowledged.
+/// A pose that needs acknowledgement.
 pub fn asking(sequence: u32) -> Pose {
     Pose { is_acknowledged: true, ..pose(sequence) }
 }
 
-/// Numbers that look random and are the same in each run.
+/// Pseudorandom numbers, the same in each run.
 pub struct Numbers(pub u64);
 
 impl Numbers {
-    /// A number below another.
+    /// Number below `end`.
     pub fn below(&mut self, end: u64) -> u64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 33) % end

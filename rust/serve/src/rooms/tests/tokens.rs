@@ -1,4 +1,4 @@
-//! Tokens and tickets, by themselves and at the door.
+//! Tokens and tickets, on their own and at admission.
 
 use std::sync::Arc;
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -12,7 +12,7 @@ fn key(byte: u8) -> Key {
     Key::new(&[byte; 16]).expect("a key")
 }
 
-/// A token of an hour.
+/// A token that is valid for an hour.
 fn token(key: &Key, room: &str, number: Number) -> String {
     let now = SystemTime::now().duration_since(UNIX_EPOCH).expect("a time").as_secs();
     key.token(room, now + 3600, number)
@@ -22,7 +22,7 @@ async fn with_token(server: &Server, room: &str, token: &str) -> User {
     connect(server.address(), &format!("/rooms/{room}?a=b&token={token}")).await.expect("a connection")
 }
 
-/// Say hello and see that the door stays closed.
+/// Sends hello and checks that the user is refused.
 async fn is_refused(mut user: User) -> String {
     user.send(&[FromUser::Hello { group: 0, name: "", ticket: &[] }]).await;
     user.is_refused(Reason::Token).await
@@ -102,7 +102,7 @@ async fn a_token_in_use_lets_nobody_else_in() {
     other.hello(0, "two", &[]).await;
     let replay = is_refused(with_token(&server, "hall", &first).await).await;
     assert_eq!(replay, "expected a token that no other connection uses");
-    // Its user may come back with it by another connection, which takes the place of the first one.
+    // Its user can reconnect with its ticket, which replaces the first connection.
     let mut again = with_token(&server, "hall", &first).await;
     again.hello(0, "one", &user.ticket).await;
     assert_eq!(again.number, user.number);
@@ -130,7 +130,7 @@ async fn a_ticket_gives_the_number_back_also_after_a_restart() {
     let mut again = with_token(&second, "hall", &own).await;
     again.hello(0, "one", &user.ticket).await;
     assert_eq!(again.number, user.number);
-    // A full room has place for who is there already.
+    // A full room admits a user who replaces its own connection.
     let mut third = with_token(&second, "hall", &own).await;
     third.hello(0, "one", &again.ticket).await;
     assert_eq!((third.number, &third.ticket), (user.number, &user.ticket));
@@ -158,7 +158,7 @@ async fn a_ticket_of_another_server_or_room_gives_a_new_number() {
     let (server, elsewhere) = (server(limits(), None), server(limits(), None));
     let first = join(&server, "hall", 0, "one").await;
     let mut others = vec![join(&server, "yard", 0, "two").await, join(&elsewhere, "hall", 0, "three").await];
-    // Tickets of other rooms, with the number of a user who is there.
+    // Tickets of other rooms, changed to the number of a present user.
     others.iter_mut().for_each(|other| other.ticket[..2].copy_from_slice(&first.number.to_le_bytes()));
     for other in others {
         let mut user = connect(server.address(), "/rooms/hall").await.expect("a connection");
@@ -181,7 +181,7 @@ async fn a_replayed_token_locks_its_user_out_for_no_longer_than_the_user_is_away
     witness.until(|frame| (frame == FromServer::Left { user: number }).then_some(())).await;
     let mut thief = with_token(&server, "hall", &own).await;
     thief.hello(0, "thief", &[]).await;
-    // Another one's ticket opens nothing.
+    // Another user's ticket is of no use.
     let mut stranger = with_token(&server, "hall", &own).await;
     stranger.send(&[FromUser::Hello { group: 0, name: "", ticket: &witness.ticket }]).await;
     stranger.is_refused(Reason::Token).await;

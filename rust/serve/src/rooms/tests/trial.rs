@@ -1,5 +1,5 @@
-//! Users of a server's rooms who do what some bytes tell them, in one thread and without a network. A user who sees what
-//! no user may see, or whose last pose of a movement gets lost, panics: for tests and for fuzzing.
+//! Users of a server's rooms, controlled by a script of bytes, in one thread without a network. Panics if a user
+//! receives a forbidden frame, or if the final pose of a movement is lost. For tests and fuzzing.
 
 use std::collections::HashMap;
 use std::net::IpAddr;
@@ -14,20 +14,20 @@ use super::pose::{self, Placed, Pose};
 use super::reason::End;
 use super::{Entering, Limits, Rooms, Session};
 
-/// Users at the same time, some more than a room takes, and rooms.
+/// Number of users, some more than a room admits, and users of a room.
 const USERS: usize = 8;
 const ROOM: usize = 5;
-/// Sockets of one client; users come of two.
+/// Greatest number of connections per client; users belong to two clients.
 const SOCKETS: usize = 4;
-/// Most bytes of a datagram: two poses.
+/// Greatest size of a datagram in bytes: two poses.
 const DATAGRAM: usize = 2 * (HEAD + 2 + pose::MOST);
-/// Kinds of the frames that users send by them: poses and acknowledgements.
+/// Kinds of the frames that users send in datagrams: poses and acknowledgements.
 const PASSING: [u8; 2] = [2, 3];
-/// Longest time that passes at once, and one in which all rates recover.
+/// Unit of the time steps (up to 255 of them pass at once), and a time in which all rate limits recover.
 const PAUSE: Duration = Duration::from_millis(2);
 const LONG: Duration = Duration::from_secs(3600);
 
-/// Let users do what these bytes tell them.
+/// Runs a script.
 pub fn run(mut script: &[u8]) {
     let each = Limits::default();
     let queue_bytes = 1 << 15;
@@ -53,19 +53,19 @@ struct Trial {
 struct User {
     session: Option<Session>,
     seen: Seen,
-    /// Of its last time.
+    /// Ticket of the last connection.
     ticket: Vec<u8>,
-    /// Of the last pose that it sent, and the greatest of all.
+    /// Number of the last sent pose, and the greatest number of all.
     sequence: u32,
     most: Option<u32>,
-    /// The greatest of all, if it is that of a pose that no other follows; and the others to whom it must come, each with
-    /// how many times it had connected.
+    /// Greatest number, if it is that of a final pose; and the users who must receive it, each with its connection
+    /// count.
     rest: Option<(u32, Vec<(usize, usize)>)>,
-    /// Its datagrams get lost.
+    /// Whether its datagrams are lost.
     loses: bool,
-    /// It has sent bytes that may be any frames.
+    /// Whether it has sent bytes that may be any frames.
     is_strange: bool,
-    /// How many times it has connected.
+    /// Number of connections so far.
     times: usize,
 }
 
@@ -74,7 +74,7 @@ struct User {
 struct Seen {
     number: Option<u16>,
     group: u16,
-    /// Groups of others, and the sequences of their last poses.
+    /// Groups of other users, and the numbers of their last poses.
     others: HashMap<u16, (u16, Option<u32>)>,
     settled: Option<u32>,
 }
@@ -105,7 +105,7 @@ impl Trial {
                 self.give(who, raw, raw.first().is_some_and(|kind| PASSING.contains(kind)));
             }
             19 | 20 => self.now += PAUSE * u32::from(byte()),
-            // As if the connection broke off.
+            // Simulates a broken connection.
             21 => self.users[who].session = None,
             22 if byte() == 0 => self.rooms.close(),
             23 | 24 => self.users[who].loses = !self.users[who].loses,
@@ -140,7 +140,7 @@ impl Trial {
         let (is_acknowledged, stops) = (flags & 1 == 0, flags & 2 != 0);
         let pose = Pose {
             sequence: user.sequence,
-            // Clocks of users need not agree, nor go on.
+            // Clocks of users need not agree or be monotonic.
             clock: u64::from(flags).wrapping_mul(0x0101_0101_0101_0101),
             is_acknowledged,
             stops,
@@ -155,13 +155,13 @@ impl Trial {
         }
     }
 
-    /// Whether a user is in the room, by steps that tell of what group.
+    /// Whether a user is in the room and has sent only known frames.
     fn is_in(&self, who: usize) -> bool {
         let is_open = |open: &Session| open.is_in() && open.outbox.ended().is_none();
         !self.users[who].is_strange && self.users[who].session.as_ref().is_some_and(is_open)
     }
 
-    /// The others of a user's group who are in the room.
+    /// Other users of a user's group who are in the room.
     fn others(&self, who: usize) -> impl Iterator<Item = usize> {
         let is_other = move |other: &usize| {
             *other != who && self.is_in(*other) && self.users[*other].seen.group == self.users[who].seen.group
@@ -169,8 +169,8 @@ impl Trial {
         (0..USERS).filter(is_other)
     }
 
-    /// Let all users take and acknowledge what waits, without loss. The last pose of each who rests has come to all who
-    /// were there, and is settled unless others have joined since.
+    /// Lets all users receive and acknowledge all queued frames, without loss. Checks that the final pose of each user
+    /// has reached all who were present, and is settled unless others have joined since.
     fn rest(&mut self) {
         self.now += LONG;
         self.users.iter_mut().for_each(|user| user.loses = false);
@@ -217,7 +217,7 @@ impl Trial {
         self.give(who, &message, frames.iter().all(is_passing));
     }
 
-    /// `is_passing` for what goes by a datagram, if the user is by datagrams.
+    /// Delivers bytes; `is_passing` selects a datagram for users with datagrams.
     fn give(&mut self, who: usize, message: &[u8], is_passing: bool) {
         let user = &mut self.users[who];
         let is_passing = is_passing && has_datagrams(who);
@@ -235,7 +235,7 @@ impl Trial {
         }
     }
 
-    /// Take all that waits for a user.
+    /// Receives all queued frames of a user.
     fn look(&mut self, who: usize) {
         let (mut message, mut read) = (BytesMut::new(), Vec::new());
         let User { session, seen, ticket, most, loses, .. } = &mut self.users[who];
@@ -261,7 +261,7 @@ impl Trial {
 }
 
 impl Seen {
-    /// `most` is the greatest sequence of the user's own poses.
+    /// Checks a frame; `most` is the greatest number of the user's own poses.
     fn see(&mut self, frame: FromServer<'_>, most: Option<u32>, ticket: &mut Vec<u8>) {
         assert_eq!(self.number.is_none(), matches!(frame, FromServer::Welcome { .. }), "one welcome, first");
         let group = |user: &u16| self.others.get(user).map(|(group, _)| *group);
@@ -294,12 +294,12 @@ impl Seen {
     }
 }
 
-/// Whether a user is by datagrams: each second one is.
+/// Whether a user has datagrams; every second one does.
 fn has_datagrams(who: usize) -> bool {
     who % 2 == 1
 }
 
-/// Take all datagrams that wait, behind what must arrive, or lose them.
+/// Takes all queued datagrams and appends them to the reliable frames, or loses them.
 fn take_datagrams(outbox: &Outbox, loses: bool, message: &mut BytesMut) {
     loop {
         let passing = outbox.passing(DATAGRAM);

@@ -1,4 +1,4 @@
-//! Users who do anything in any order see nothing that users may not see.
+//! Users who do anything in any order receive only what they may.
 
 use super::support::Numbers;
 use crate::rooms::trial;
@@ -14,22 +14,22 @@ fn whatever_users_do_each_sees_what_it_may() {
 
 #[test]
 fn the_last_pose_of_a_movement_arrives_and_settles_whatever_datagrams_are_lost() {
-    /// Kinds of steps: a pose, an acknowledgement, a look at what waits, and datagrams that begin or cease to get lost.
+    /// Kinds of steps: pose, acknowledgement, receiving, and switching the loss of datagrams.
     const STEPS: [u8; 4] = [4, 11, 31, 23];
     let step = |kind: u8, user: u8| 8 * kind + user;
     let mut numbers = Numbers(9);
     for round in (0..4).cycle().take(500) {
-        // Two, or up to as many as the room takes, connect, and say hello in one group.
+        // Two or more users, up to a full room, connect and say hello in one group.
         let users = 2 + round;
         let mut script: Vec<u8> =
             (0..users).flat_map(|user| [step(0, user), step(2, user), 0, 0, step(31, user)]).collect();
         for count in 0..200 {
-            // All rest at the end.
+            // In the second half no poses are sent.
             let kinds = if count < 100 { &STEPS[..] } else { &STEPS[1..] };
             let kind = kinds[numbers.below(kinds.len() as u64) as usize];
             script.push(step(kind, numbers.below(users.into()) as u8));
             match kind {
-                // By how much its number is greater, and its flags.
+                // Increment of the number, and flags.
                 4 => script.extend([1 + numbers.below(3) as u8, numbers.below(4) as u8]),
                 11 => script.extend([numbers.below(users.into()) as u8, 0]),
                 _ => {}

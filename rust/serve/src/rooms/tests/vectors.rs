@@ -1,4 +1,4 @@
-//! Frames against the vectors that all languages read: `tests/vectors/rooms.json`.
+//! Frames, compared with the test vectors shared by all languages: `tests/vectors/rooms.json`.
 
 use serde_json::Value;
 

@@ -1,12 +1,12 @@
-//! Any bytes as the first stream of a connection and as a datagram: for tests and for fuzzing.
+//! Arbitrary bytes as a connection's first stream and as a datagram, for tests and fuzzing.
 
 use axum::http::header;
 use futures_util::FutureExt;
 
 use super::{session, wire};
 
-/// Read bytes as a request for a session: one that has a path and a host, or none. Numbers among them stay the same when
-/// they are written in as few bytes as they need.
+/// Reads bytes as a session request, which has a path and a host if it is valid. Checks that varints among the bytes
+/// keep their values when they are written in their shortest form.
 pub fn run(bytes: &[u8]) {
     let asked = session::asked(&mut &bytes[..]).now_or_never();
     if let Ok(request) = asked.expect("all bytes are there") {

@@ -1,4 +1,4 @@
-/** Draws views by WebGL 2: their splats as points into samples, and these into the canvas. */
+/** Draws views by WebGL 2: splats as points into a sample buffer, which is then resolved to the canvas. */
 import type { Camera } from '../../cut/camera';
 import type { Piece } from '../../decode/leaf';
 import { type Part, type Splats, WORDS } from '../../decode/pack';
@@ -136,7 +136,7 @@ export class WebglDrawer implements Drawer<Layer, Mesh> {
     for (let n = 0; n < seen.length;) {
       const { first } = seen[n] as Part;
       let end = first;
-      // Parts beside one another in the buffer are one call.
+      // Contiguous parts of the buffer are drawn by one call.
       for (; seen[n]?.first === end; n++) end += (seen[n] as Part).count;
       gl.drawArrays(gl.POINTS, first, end - first);
       splats += end - first;

@@ -1,8 +1,8 @@
-/** Programs and the target of samples in WebGL 2. */
+/** Programs and the sample buffer in WebGL 2. */
 
 export interface Program {
   readonly program: WebGLProgram;
-  /** The place of a uniform. */
+  /** Location of a uniform. */
   at(name: string): WebGLUniformLocation | null;
 }
 
@@ -34,7 +34,7 @@ export function programOf(gl: WebGL2RenderingContext, vertex: string, fragment: 
   };
 }
 
-/** Colours of samples, whose alpha says whether a splat shows them, and their depths. */
+/** Sample buffer: colours, with alpha marking samples of splats, and depths. */
 export interface Target {
   readonly frame: WebGLFramebuffer;
   readonly color: WebGLTexture;
@@ -46,7 +46,7 @@ export interface Target {
 export function targetOf(gl: WebGL2RenderingContext, width: number, height: number): Target {
   const [frame, color, depth] = [gl.createFramebuffer(), gl.createTexture(), gl.createRenderbuffer()];
   gl.bindTexture(gl.TEXTURE_2D, color);
-  // Linear light in 8 bits of sRGB.
+  // Linear light, stored as 8-bit sRGB.
   gl.texStorage2D(gl.TEXTURE_2D, 1, gl.SRGB8_ALPHA8, width, height);
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);

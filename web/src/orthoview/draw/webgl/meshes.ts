@@ -1,4 +1,4 @@
-/** Draws the geometry of near leaves into the samples, by the depth and the light of splats. */
+/** Draws the geometry of near leaves into the samples, with the depth and lighting of splats. */
 import { ROWS } from '../../../decode/placements';
 import type { Piece } from '../../decode/leaf';
 import type { Projector } from '../../splats/sight';
@@ -12,7 +12,7 @@ export interface Mesh {
   readonly material: Piece['material'];
   readonly array: WebGLVertexArrayObject;
   readonly buffers: readonly WebGLBuffer[];
-  /** Of colour and of emission; null for none. */
+  /** Textures of colour and of emission; null for none. */
   readonly textures: readonly (WebGLTexture | null)[];
   readonly kind: number;
   readonly corners: number;
@@ -69,7 +69,7 @@ export class Meshes {
     fill(gl.ELEMENT_ARRAY_BUFFER, piece.indices as ArrayBufferView<ArrayBuffer>);
     gl.bindVertexArray(null);
     const images = [piece.image, piece.glow];
-    // Mipmaps take a third more.
+    // Mipmaps add a third.
     for (const image of images) bytes += image ? Math.ceil((16 * image.width * image.height) / 3) : 0;
     return {
       origin: piece.origin,
@@ -90,7 +90,7 @@ export class Meshes {
     for (const texture of textures) this.#gl.deleteTexture(texture);
   }
 
-  /** Draw meshes into the samples that are bound; depths are `nearest` over distances along the axis. */
+  /** Draws meshes into the bound samples; depths are `nearest` divided by distance along the axis. */
   draw(meshes: readonly Mesh[], { eye, rows, width, height }: Projector, nearest: number): Drawn {
     const [gl, { at, program }] = [this.#gl, this.#program];
     gl.useProgram(program);
@@ -102,7 +102,7 @@ export class Meshes {
     let triangles = 0;
     for (const mesh of meshes) {
       const { origin, material, textures, corners, copies } = mesh;
-      // In float64: only what is near the eye is exact in float32.
+      // In float64: float32 is exact only for points near the eye.
       gl.uniform3f(at('offset'), origin[0] - eye[0], origin[1] - eye[1], origin[2] - eye[2]);
       gl.uniform4fv(at('base'), material.color);
       gl.uniform3fv(at('emission'), material.emission ?? [0, 0, 0]);
@@ -113,7 +113,7 @@ export class Meshes {
         gl.bindTexture(gl.TEXTURE_2D, texture ?? this.#white);
       });
       gl.bindVertexArray(mesh.array);
-      // Stand-ins for arrays that a piece lacks: its faces' normals, and white.
+      // Stand-ins for missing arrays of a piece: face normals, and white.
       gl.vertexAttrib3f(1, 0, 0, 0);
       gl.vertexAttrib4f(3, 1, 1, 1, 1);
       gl.drawElementsInstanced(gl.TRIANGLES, corners, mesh.kind, 0, copies);

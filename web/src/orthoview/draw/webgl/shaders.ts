@@ -120,14 +120,14 @@ void main() {
 }
 `;
 
-/** A triangle that covers the picture. */
+/** Triangle that covers the picture. */
 export const WHOLE_VERTEX = /* glsl */ `${HEAD}
 void main() {
   gl_Position = vec4(float(gl_VertexID & 1) * 4.0 - 1.0, float(gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0);
 }
 `;
 
-/** The mean of a pixel's samples in linear light, before the sky of docs/render.md. */
+/** Mean of a pixel's samples in linear light; empty samples show the sky of docs/render.md. */
 export const RESOLVE_FRAGMENT = /* glsl */ `${HEAD}
 uniform sampler2D samples;
 // Samples along each axis of a pixel.

@@ -1,12 +1,12 @@
-/** Room for views in a few large buffers, so that one call draws many of them. */
+/** Storage for views in a few large buffers, so that one call draws many of them. */
 import type { Held } from '../drawer';
 
-/** Words of 32 bits in a page, at least: 32 MB. */
+/** Least number of 32-bit words in a page: 32 MB. */
 const PAGE = 1 << 23;
-/** Words of which all places are multiples. */
+/** Alignment of all places in words. */
 const UNIT = 64;
 
-/** Words of a page. */
+/** Range of words in a page. */
 export interface Place extends Held {
   readonly page: Page;
   readonly first: number;
@@ -21,7 +21,7 @@ interface Gap {
 export interface Page {
   readonly buffer: GPUBuffer;
   readonly words: number;
-  /** Words that nobody has, by their places. */
+  /** Free ranges of words, sorted by position. */
   readonly gaps: Gap[];
 }
 
@@ -30,7 +30,7 @@ export class Arena {
 
   constructor(readonly device: GPUDevice) {}
 
-  /** Bring words to the GPU. */
+  /** Uploads words to the GPU. */
   put(words: Uint32Array<ArrayBuffer>): Place {
     const wanted = Math.max(Math.ceil(words.length / UNIT), 1) * UNIT;
     const { page, gap } = this.#find(wanted) ?? this.#grow(wanted);
@@ -42,7 +42,7 @@ export class Arena {
     return place;
   }
 
-  /** Leave a place to others. */
+  /** Frees a place. */
   free({ page, first, words }: Place): void {
     const { gaps } = page;
     const next = gaps.findIndex((gap) => gap.first > first);
@@ -51,12 +51,12 @@ export class Arena {
     this.#join(gaps, at);
     this.#join(gaps, at - 1);
     if (gaps[0]?.words !== page.words) return;
-    // Pictures that were asked for keep what they read.
+    // Destroying a buffer does not affect pictures that were submitted before.
     page.buffer.destroy();
     this.#pages.splice(this.#pages.indexOf(page), 1);
   }
 
-  /** One gap of a gap and the next one, if they touch. */
+  /** Merges a gap with the next one if they touch. */
   #join(gaps: Gap[], at: number): void {
     const [one, other] = [gaps[at], gaps[at + 1]];
     if (!one || !other || one.first + one.words !== other.first) return;

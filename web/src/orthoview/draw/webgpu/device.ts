@@ -1,9 +1,9 @@
-/** A device of WebGPU with as much room as its adapter has. */
+/** WebGPU device with the greatest limits of its adapter. */
 
-/** Limits that are asked for: a picture's samples and views lie in few buffers. */
+/** Limits that are raised: samples and views of a picture lie in few buffers. */
 const WANTED = ['maxBufferSize', 'maxStorageBufferBindingSize', 'maxTextureDimension2D'] as const;
 
-/** A device; null where there is none, or only one in software that was not asked for by name. */
+/** Returns a device; null if there is none, or only a software one that was not requested by name. */
 export async function deviceOf(isNamed: boolean): Promise<GPUDevice | null> {
   const adapter = await navigator.gpu?.requestAdapter({ powerPreference: 'high-performance' });
   if (!adapter || (isSoftware(adapter) && !isNamed)) return null;
@@ -11,7 +11,7 @@ export async function deviceOf(isNamed: boolean): Promise<GPUDevice | null> {
   return adapter.requestDevice({ requiredLimits });
 }
 
-/** Older browsers tell it of the adapter itself. */
+/** Older browsers set the flag on the adapter itself. */
 function isSoftware(adapter: GPUAdapter & { readonly isFallbackAdapter?: boolean }): boolean {
   return adapter.info?.isFallbackAdapter ?? adapter.isFallbackAdapter ?? false;
 }

@@ -1,4 +1,4 @@
-/** Draws views by WebGPU: compute shaders raise the samples' depths, and the nearest splats give their colours. */
+/** Draws views with WebGPU: compute shaders raise the depths of samples, and the nearest splats set their colours. */
 import type { Camera } from '../../cut/camera';
 import type { Piece } from '../../decode/leaf';
 import type { Part, Splats } from '../../decode/pack';
@@ -15,7 +15,7 @@ import { type Band, bandsOf, Samples, type Targets, tilesOf } from './samples';
 import { GROUP, ROW } from './splat_shaders';
 import { type Work, workOf } from './work';
 
-/** A layer of a view on the GPU. */
+/** Layer of a view on the GPU. */
 export interface Layer extends Held {
   readonly model: Model;
   readonly parts: readonly Part[];
@@ -26,14 +26,14 @@ export interface Layer extends Held {
 
 interface Picture {
   readonly meshes: readonly Mesh[];
-  /** Of the samples. */
+  /** Projector of the samples. */
   readonly projector: Projector;
   readonly grid: number;
-  /** Of a band, at most. */
+  /** Greatest number of rows of a band. */
   readonly rows: number;
   readonly work: Work<Page>;
   readonly numbers: Numbers;
-  /** The numbers of one call, which an offset chooses. */
+  /** Uniforms of one call, selected by a dynamic offset. */
   readonly bound: GPUBufferBinding;
   readonly views: GPUBuffer;
   readonly parts: GPUBuffer;
@@ -48,15 +48,15 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
   readonly #views: Room;
   readonly #parts: Room;
   readonly #listed: Room;
-  /** Stands for the geometry of pictures that have none. */
+  /** Placeholder for the geometry of pictures without any. */
   readonly #nothing: GPUTexture;
   #done: Promise<void> = Promise.resolve();
-  /** Pictures that are asked for. */
+  /** Number of submitted pictures that are not finished. */
   #coming = 0;
   unhidden: number | null = null;
 
   constructor(
-    /** A canvas's, for the kernels' format. */
+    /** Context of a canvas, for the format of the kernels. */
     readonly context: GPUCanvasContext,
     readonly layout: Layout,
     readonly device: GPUDevice,
@@ -125,7 +125,7 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
     return this.#done;
   }
 
-  /** Record a band's work; returns the triangles of its geometry. */
+  /** Records the commands of a band; returns the number of triangles of its geometry. */
   #drawBand(encoder: GPUCommandEncoder, picture: Picture, band: Band): number {
     const { meshes, projector } = picture;
     const bytes = 4 * projector.width * band.rows;
@@ -174,7 +174,7 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
     return triangles;
   }
 
-  /** First the nearest parts, so that others behind them are left out; then the splats that are seen, and light. */
+  /** Draws the nearest parts first, so that occluded parts are culled; then the visible splats, and their light. */
   #drawSplats(
     encoder: GPUCommandEncoder,
     { projector, work, numbers, bound, views, parts, listed }: Picture,
@@ -233,7 +233,7 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
       this.unhidden = new Uint32Array(count.getMappedRange())[0] ?? 0;
       count.destroy();
     };
-    // A device that is lost tells of it by itself.
+    // The device reports its loss itself.
     this.#done = count.mapAsync(GPUMapMode.READ).then(read, () => undefined).finally(() => (this.#coming -= 1));
   }
 
@@ -243,7 +243,7 @@ export class WebgpuDrawer implements Drawer<Layer, Mesh> {
   }
 }
 
-/** Workgroups in rows, since a row is limited. */
+/** Dispatches workgroups in rows, because the length of a row is limited. */
 function dispatch(pass: GPUComputePassEncoder, groups: number): void {
   pass.dispatchWorkgroups(Math.min(groups, ROW), Math.ceil(groups / ROW));
 }

@@ -1,4 +1,4 @@
-/** Parts of WebGPU that TypeScript's own types lack. */
+/** Parts of WebGPU that TypeScript's own type declarations lack. */
 type Flags<Name extends string> = Readonly<Record<Name, number>>;
 
 declare const GPUBufferUsage: Flags<'COPY_DST' | 'COPY_SRC' | 'INDEX' | 'MAP_READ' | 'STORAGE' | 'UNIFORM' | 'VERTEX'>;

@@ -1,8 +1,8 @@
-/** Pipelines of splats, and how their resources are bound. */
+/** Pipelines of splats and the layouts of their bindings. */
 import { BEGIN, RESOLVE, SPLATS } from './splat_shaders';
 
 export interface Kernels {
-  /** Layouts of what is bound: numbers that calls choose by an offset, alone and with what the pipelines need. */
+  /** Bind group layouts: uniforms at a dynamic offset, alone and together with the resources of each pipeline. */
   readonly numbered: GPUBindGroupLayout;
   readonly splatLayout: GPUBindGroupLayout;
   readonly beginLayout: GPUBindGroupLayout;
@@ -14,7 +14,7 @@ export interface Kernels {
   readonly resolve: GPURenderPipeline;
 }
 
-/** The pipelines of a device for a canvas of a format. */
+/** Creates the pipelines of a device for a canvas of a format. */
 export function kernelsOf(device: GPUDevice, format: GPUTextureFormat): Kernels {
   const layoutOf = (
     visibility: GPUShaderStageFlags,

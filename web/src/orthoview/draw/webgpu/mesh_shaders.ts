@@ -1,4 +1,4 @@
-/** WGSL of the geometry of near leaves, and of textures' smaller levels. */
+/** WGSL of the geometry of near leaves, and of mipmaps. */
 import { LIGHT_WGSL } from '../../../shaders/light';
 import { DRAW } from './splat_shaders';
 
@@ -102,7 +102,7 @@ fn shade(own: Corner) -> @location(0) vec4<f32> {
 }
 `;
 
-/** A level of a texture from the one before it: four texels become one. */
+/** Shader of a mipmap level from the level before it: averages four texels. */
 export const LEVEL = /* wgsl */ `
 @group(0) @binding(0) var finer: texture_2d<f32>;
 @group(0) @binding(1) var smooth_texels: sampler;

@@ -1,4 +1,4 @@
-/** Draws the geometry of near leaves, by the depth and the light of splats. */
+/** Draws the geometry of near leaves, with the depth and lighting of splats. */
 import { ROWS } from '../../../decode/placements';
 import type { Piece } from '../../decode/leaf';
 import type { Triple } from '../../store/layout';
@@ -7,15 +7,15 @@ import { MESHES } from './mesh_shaders';
 import { Room, SLOT } from './room';
 import { Images } from './textures';
 
-/** Of samples: linear light in 8 bits of sRGB, and depths of which the greater ones are nearer. */
+/** Formats of samples: linear light as 8-bit sRGB, and depths that are greater for nearer points. */
 export const [COLOR, DEPTH] = ['rgba8unorm-srgb', 'depth32float'] as const;
 
-/** A piece of geometry on the GPU. */
+/** Piece of geometry on the GPU. */
 export interface Mesh extends Held {
   readonly origin: Triple;
   readonly material: Piece['material'];
   readonly pipeline: GPURenderPipeline;
-  /** Of positions, normals, texture coordinates, colours and placements. */
+  /** Buffers of positions, normals, texture coordinates, colours and placements. */
   readonly buffers: readonly (GPUBuffer | null)[];
   readonly indices: GPUBuffer;
   readonly format: GPUIndexFormat;
@@ -25,14 +25,14 @@ export interface Mesh extends Held {
   readonly group: GPUBindGroup;
 }
 
-/** Formats and strides of the arrays of corners, and one more for placements. */
+/** Formats and strides of the vertex arrays; an array of placements follows them. */
 const ARRAYS = [
   { format: 'float32x3', stride: 12 },
   { format: 'float32x3', stride: 12 },
   { format: 'float32x2', stride: 8 },
   { format: 'unorm16x4', stride: 8 },
 ] as const;
-/** For arrays that a piece lacks: zeros for flat normals and places in images, and white behind them. */
+/** Byte offsets of stand-ins for missing arrays: zeros for normals and texture coordinates, then white. */
 const [ZEROS, WHITE] = [0, 12] as const;
 
 export class Meshes {
@@ -47,7 +47,7 @@ export class Meshes {
 
   constructor(
     readonly device: GPUDevice,
-    /** Of numbers that calls choose by an offset. */
+    /** Layout of uniforms at a dynamic offset. */
     readonly numbered: GPUBindGroupLayout,
   ) {
     this.#module = device.createShaderModule({ label: 'meshes', code: MESHES });
@@ -72,7 +72,7 @@ export class Meshes {
     });
     this.#standIns = this.#filled(new Uint32Array([0, 0, 0, 0xffffffff, 0xffffffff]), GPUBufferUsage.VERTEX);
     this.#numbers = new Room(device, 'meshes', GPUBufferUsage.UNIFORM);
-    // A shader that the browser refuses is told before anything is drawn.
+    // Compiles now, so that shaders rejected by the browser are reported before anything is drawn.
     this.#pipelineOf(true, true, true, true);
   }
 
@@ -83,7 +83,7 @@ export class Meshes {
     const images = [piece.image, piece.glow];
     const arrays = [...buffers, this.#filled(indices, GPUBufferUsage.INDEX)];
     let bytes = arrays.reduce((sum, buffer) => sum + (buffer?.size ?? 0), 0);
-    // Levels take a third more.
+    // Mipmaps add a third.
     for (const image of images) bytes += image ? Math.ceil((16 * image.width * image.height) / 3) : 0;
     const textures = images.map((image) => image && this.#images.of(image));
     return {
@@ -105,7 +105,7 @@ export class Meshes {
     for (const held of [...buffers, indices, ...textures]) held?.destroy();
   }
 
-  /** Draw meshes for a viewer in a pass whose first group has the numbers of the call; returns their triangles. */
+  /** Draws meshes for a viewer in a pass whose first group has the call's uniforms; returns the number of triangles. */
   record(pass: GPURenderPassEncoder, meshes: readonly Mesh[], eye: Triple): number {
     const numbers = new Float32Array((SLOT / 4) * meshes.length);
     meshes.forEach((mesh, n) => numbers.set(numbersOf(mesh, eye), (SLOT / 4) * n));
@@ -137,13 +137,13 @@ export class Meshes {
     return this.device.createBindGroup({ layout: this.#texturesLayout, entries });
   }
 
-  /** The pipeline for pieces that have these arrays. */
+  /** Returns the pipeline for pieces with these arrays. */
   #pipelineOf(...has: readonly boolean[]): GPURenderPipeline {
     const name = has.join();
     const found = this.#pipelines.get(name);
     if (found) return found;
     const corners = ARRAYS.map(({ format, stride }, shaderLocation) => ({
-      // A stride of 0 gives all corners the same.
+      // A stride of 0 gives all vertices the same value.
       arrayStride: has[shaderLocation] ? stride : 0,
       attributes: [{ shaderLocation, offset: 0, format }],
     }));
@@ -169,10 +169,10 @@ export class Meshes {
   }
 }
 
-/** The numbers of a mesh, as the shader reads them. */
+/** Uniforms of a mesh in the layout of the shader. */
 function numbersOf({ origin, material }: Mesh, eye: Triple): number[] {
   const { color, cutoff, emission, isUnlit } = material;
-  // In float64: only what is near the eye is exact in float32.
+  // In float64: float32 is exact only for points near the eye.
   const offset = [origin[0] - eye[0], origin[1] - eye[1], origin[2] - eye[2]];
   return [...offset, cutoff ?? -1, ...color, ...(emission ?? [0, 0, 0]), isUnlit ? 1 : 0];
 }

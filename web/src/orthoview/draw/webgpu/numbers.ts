@@ -1,25 +1,25 @@
-/** The numbers of a picture's calls, as shaders read them. */
+/** Uniforms of a picture's calls in the layout of the shaders. */
 import type { Projector } from '../../splats/sight';
 import { SLOT } from './room';
 import type { Band } from './samples';
 
-/** Numbers that are the same for all calls. */
+/** Uniforms that are the same for all calls. */
 export interface Common {
-  /** Of the samples. */
+  /** Projector of the samples. */
   readonly projector: Projector;
   readonly grid: number;
-  /** Metres at which depths end. */
+  /** Least distance in metres; depths are relative to it. */
   readonly nearest: number;
   /** Number of all parts. */
   readonly parts: number;
 }
 
 export interface Called {
-  /** Parts [first, first + count). */
+  /** First part of the range [first, first + count). */
   readonly first?: number;
   readonly count?: number;
   readonly round?: number;
-  /** Number of the page. */
+  /** Index of the page. */
   readonly page?: number;
 }
 
@@ -29,7 +29,7 @@ export class Numbers {
 
   constructor(
     readonly common: Common,
-    /** Calls, at most. */
+    /** Greatest number of calls. */
     calls: number,
   ) {
     this.#data = new ArrayBuffer(SLOT * calls);
@@ -39,7 +39,7 @@ export class Numbers {
     return new Uint32Array(this.#data);
   }
 
-  /** Add a call; returns where its numbers lie. */
+  /** Adds a call; returns the byte offset of its uniforms. */
   put(band: Band, { first = 0, count = 0, round = 0, page = 0 }: Called): number {
     const { projector, grid, nearest, parts } = this.common;
     const at = SLOT * this.#used;

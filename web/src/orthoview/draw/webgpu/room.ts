@@ -1,9 +1,9 @@
 /** Buffers of numbers that change from picture to picture. */
 
-/** Bytes between numbers that calls choose by an offset. */
+/** Bytes between two sets of uniforms, because dynamic offsets are aligned. */
 export const SLOT = 256;
 
-/** A buffer that grows as needed. */
+/** Buffer that grows as needed. */
 export class Room {
   #buffer: GPUBuffer | null = null;
 
@@ -13,7 +13,7 @@ export class Room {
     readonly usage: GPUBufferUsageFlags,
   ) {}
 
-  /** A buffer of at least so many bytes; what it holds is lost when it grows. */
+  /** Returns a buffer of at least this many bytes; growth loses its content. */
   ofSize(bytes: number): GPUBuffer {
     if (this.#buffer && this.#buffer.size >= bytes) return this.#buffer;
     this.#buffer?.destroy();
@@ -23,7 +23,7 @@ export class Room {
     return this.#buffer;
   }
 
-  /** A buffer that begins with these numbers. */
+  /** Returns a buffer that begins with these numbers. */
   with(numbers: Float32Array<ArrayBuffer> | Uint32Array<ArrayBuffer>): GPUBuffer {
     const buffer = this.ofSize(numbers.byteLength);
     this.device.queue.writeBuffer(buffer, 0, numbers);

@@ -1,19 +1,19 @@
-/** Where a picture's samples lie: all of them at once, or in bands of rows where they are too many. */
+/** Storage of a picture's samples: for all of them at once, or for bands of rows if they are too many. */
 import { COLOR, DEPTH } from './meshes';
 import { Room } from './room';
 import { TILE } from './splat_shaders';
 
-/** Bytes of the depths of a band's samples, and of their colours, at most. */
+/** Greatest number of bytes for the depths of a band's samples, and for their colours. */
 const MOST = 1 << 26;
 
-/** Rows of samples. */
+/** Range of rows of samples. */
 export interface Band {
   readonly number: number;
   readonly first: number;
   readonly rows: number;
 }
 
-/** Bands of whole pixels of a picture. */
+/** Splits a picture into bands of whole pixels. */
 export function bandsOf(device: GPUDevice, width: number, height: number, grid: number): Band[] {
   const { maxStorageBufferBindingSize, maxTextureDimension2D } = device.limits;
   const rows = Math.min(Math.min(maxStorageBufferBindingSize, MOST) / (4 * width), maxTextureDimension2D);
@@ -25,12 +25,12 @@ export function bandsOf(device: GPUDevice, width: number, height: number, grid: 
   }));
 }
 
-/** Tiles that cover samples. */
+/** Number of tiles that cover the samples. */
 export function tilesOf(width: number, rows: number): number {
   return Math.ceil(width / TILE) * Math.ceil(rows / TILE);
 }
 
-/** Textures that geometry is drawn into. */
+/** Render targets of the geometry. */
 export interface Targets {
   readonly color: GPUTexture;
   readonly depth: GPUTexture;
@@ -47,7 +47,7 @@ export class Samples {
     [this.#orders, this.#colors, this.#tiles] = [room('orders'), room('colors'), room('tiles')];
   }
 
-  /** The buffer that begins with the number of splats of parts that are not hidden. */
+  /** Buffer that begins with the number of splats of unoccluded parts. */
   get counts(): GPUBuffer {
     return this.#tiles.ofSize(0);
   }
@@ -59,7 +59,7 @@ export class Samples {
     return { orders: this.#orders.ofSize(bytes), colors: this.#colors.ofSize(bytes), tiles };
   }
 
-  /** Targets for all bands of up to so many rows: a picture's commands must not replace them. */
+  /** Render targets for all bands of at most this many rows: a picture's commands must not replace them. */
   targets(width: number, rows: number): Targets {
     const found = this.#targets;
     if (found && found.color.width === width && found.color.height === rows) return found;

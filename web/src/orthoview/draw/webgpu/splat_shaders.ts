@@ -1,15 +1,15 @@
-/** WGSL of splats: they raise the samples' depths, and then those that are the nearest give their colours. */
+/** WGSL of splats: splats raise the depths of samples, and the nearest splats then set the colours. */
 import { float, LIGHT_WGSL } from '../../../shaders/light';
 import { BORDER, LEAST_COSINE, SQUARED_RADIUS, VECTORS } from '../../splats/sight';
 
-/** Threads of a workgroup, and workgroups in a row of a call. */
+/** Threads per workgroup, and workgroups per row of a dispatch. */
 export const [GROUP, ROW] = [64, 16384] as const;
-/** Width and height of a tile of samples whose farthest depth is known. */
+/** Width and height of a tile of samples whose farthest depth is stored. */
 export const TILE = 16;
-/** Samples of a rectangle around a splat that one thread looks at; the whole group looks at those of larger ones. */
+/** Greatest number of samples around a splat for one thread; the whole workgroup shares larger splats. */
 const MOST = 256;
 
-/** The numbers of a call. */
+/** Uniforms of a call. */
 export const DRAW = /* wgsl */ `
 struct Draw {
   // The camera's gradients of X, Y and W, and the rays through the corner, a sample to the right and one down.
@@ -28,7 +28,7 @@ struct Draw {
 @group(0) @binding(0) var<uniform> draw: Draw;
 `;
 
-/** Depths of samples and the splats that have them; the farthest depths of tiles; light. */
+/** Depths of samples and indices of their splats; the farthest depths of tiles; light. */
 export const SPLATS = /* wgsl */ `
 ${DRAW}
 struct Part {
@@ -331,7 +331,7 @@ fn farthest_of_tiles(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_inv
 }
 `;
 
-/** Depths of the geometry, with which splats begin. */
+/** Initial depths of samples: those of the geometry. */
 export const BEGIN = /* wgsl */ `
 ${DRAW}
 @group(0) @binding(1) var depths: texture_depth_2d;
@@ -348,7 +348,7 @@ fn begin(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_inde
 }
 `;
 
-/** The mean of a pixel's samples in linear light, before the sky of docs/render.md. */
+/** Mean of a pixel's samples in linear light; empty samples show the sky of docs/render.md. */
 export const RESOLVE = /* wgsl */ `
 ${DRAW}
 @group(0) @binding(1) var geometry: texture_2d<f32>;

@@ -1,15 +1,15 @@
-/** A script of its own, which only browsers with WebGPU read. */
+/** Entry point in a separate script that only browsers with WebGPU load. */
 import type { Layout } from '../../store/layout';
 import { WebgpuDrawer } from './drawer';
 import { kernelsOf } from './kernels';
 import { Meshes } from './meshes';
 
-/** The graphics failed: they are gone if that is fatal, and lack memory if not. */
+/** Callback for failures of the graphics: fatal if the device is lost, not fatal if memory is short. */
 export type Failed = (message: string, isFatal: boolean) => void;
 
 const SHORT = 'the graphics have too little memory: ?megabytes= in the address sets how much is used';
 
-/** Draw on a canvas by a device; what the browser cannot do is told before the canvas is taken. */
+/** Starts drawing on a canvas with a device; reports missing features before it takes the canvas. */
 export async function start(
   canvas: HTMLCanvasElement,
   layout: Layout,
@@ -29,7 +29,7 @@ export async function start(
   return new WebgpuDrawer(context, layout, device, kernels, meshes);
 }
 
-/** Tell the first failure, which others follow, and once that memory is short. */
+/** Reports the first failure, because others follow it, and once that memory is short. */
 function tellFailures(device: GPUDevice, failed: Failed): void {
   let [isLost, isShort] = [false, false];
   const lose = (message: string): void => {

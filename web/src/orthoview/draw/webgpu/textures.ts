@@ -1,4 +1,4 @@
-/** Textures with all their levels. */
+/** Textures with all mipmap levels. */
 import { LEVEL } from './mesh_shaders';
 
 const FORMAT: GPUTextureFormat = 'rgba8unorm-srgb';
@@ -6,7 +6,7 @@ const FORMAT: GPUTextureFormat = 'rgba8unorm-srgb';
 export class Images {
   readonly #pipeline: GPURenderPipeline;
   readonly #sampler: GPUSampler;
-  /** One texel, for what has no image. */
+  /** White texture of one texel, for materials without an image. */
   readonly white: GPUTexture;
 
   constructor(readonly device: GPUDevice) {
@@ -22,7 +22,7 @@ export class Images {
     device.queue.writeTexture({ texture: this.white }, new Uint8Array([255, 255, 255, 255]), {}, [1, 1]);
   }
 
-  /** The texture of an image, which is closed. */
+  /** Creates the texture of an image and closes the image. */
   of(image: ImageBitmap): GPUTexture {
     const { width, height } = image;
     const texture = this.#empty(width, height);

@@ -1,4 +1,4 @@
-/** A picture's work as numbers for the shaders: views, their parts, and which parts are drawn by which call. */
+/** Work of a picture as numbers for the shaders: views, their parts, and the call that draws each part. */
 import { type Part, WORDS } from '../../decode/pack';
 import {
   isIn,
@@ -14,43 +14,43 @@ import {
 import type { Layout } from '../../store/layout';
 import type { Item } from '../drawer';
 
-/** Numbers of 32 bits of a part. */
+/** 32-bit words per part. */
 export const PART = 8;
-/** Shares of a picture's splats that are drawn before tiles are looked at again; the last call draws the rest. */
+/** Shares of a picture's splats after which the depths of tiles are updated; the last call draws the rest. */
 const BATCHES = [1 / 16, 1 / 8, 1 / 4, 1 / 2] as const;
 
-/** A layer of a view in a page of words. */
+/** Layer of a view in a page of words. */
 export interface Placed<Page> {
   readonly model: Model;
   readonly parts: readonly Part[];
   readonly page: Page;
-  /** Its first word in the page. */
+  /** Index of its first word in the page. */
   readonly first: number;
 }
 
-/** Parts [first, first + count), whose splats lie in one page. */
+/** Range [first, first + count) of parts whose splats lie in one page. */
 export interface Call<Page> {
   readonly page: Page;
   readonly first: number;
   readonly count: number;
-  /** Whether a batch begins with it. */
+  /** Whether a batch begins with this call. */
   readonly begins: boolean;
 }
 
 export interface Work<Page> {
   readonly views: Float32Array<ArrayBuffer>;
-  /** As the shaders have them, in the order of the calls. */
+  /** Parts in the layout of the shaders, in the order of the calls. */
   readonly parts: Uint32Array<ArrayBuffer>;
-  /** Numbers of the parts, those of the first splats first. */
+  /** Indices of the parts, sorted by their first splats. */
   readonly listed: Uint32Array<ArrayBuffer>;
   readonly pages: readonly Page[];
   readonly calls: readonly Call<Page>[];
   readonly splats: number;
 }
 
-/** A part in the picture. */
+/** Part that is visible in the picture. */
 interface Shown<Page> {
-  /** Number of its view, its first word, and that of its first splat among those of all parts. */
+  /** Index of its view, its first word, and the index of its first splat among all parts. */
   readonly view: number;
   readonly first: number;
   readonly number: number;
@@ -59,7 +59,7 @@ interface Shown<Page> {
   readonly page: Page;
 }
 
-/** The work of a picture, nearest parts first, whose depths are `nearest` times their nearness. */
+/** Work of a picture, nearest parts first; depths are `nearest` times nearness. */
 export function workOf<Page>(
   items: readonly Item<Placed<Page>>[],
   projector: Projector,
@@ -91,13 +91,13 @@ export function workOf<Page>(
 
 const [FLOATS, BITS] = ((buffer) => [new Float32Array(buffer), new Uint32Array(buffer)] as const)(new ArrayBuffer(4));
 
-/** Bits of the float32 above a depth, whose order is that of depths of at least 0. */
+/** Bits of the float32 above a depth; their order is the order of depths of at least 0. */
 function orderOf(depth: number): number {
   FLOATS[0] = depth;
   return (BITS[0] as number) + (Number.isFinite(depth) ? 1 : 0);
 }
 
-/** Parts and calls; `seen` comes in the order of the splats' numbers. */
+/** Distributes parts among calls; `seen` is in the order of the splats' indices. */
 function sharedOut<Page>(
   seen: readonly Shown<Page>[],
   splats: number,
@@ -125,19 +125,19 @@ function sharedOut<Page>(
   return { parts, listed, pages, calls };
 }
 
-/** As comparisons tell, also for infinite numbers. */
+/** Compares two numbers, also infinite ones. */
 function compared(one: number, other: number): number {
   return Number(one > other) - Number(one < other);
 }
 
-/** A part as the shaders have it. */
+/** Part in the layout of the shaders. */
 function numbersOf<Page>({ view, first, number, count, place }: Shown<Page>, page: number, nearest: number): number[] {
   const { low, high, nearness } = place;
   const order = orderOf(nearest * nearness);
   return [view, first, count, number, order, low[0] | (low[1] << 16), high[0] | (high[1] << 16), page];
 }
 
-/** Parts in batches, each of which has about as many splats as all before it. */
+/** Splits parts into batches, each with about as many splats as all before it. */
 export function batchesOf<Each extends { readonly count: number }>(
   parts: readonly Each[],
   splats: number,
