@@ -37,7 +37,7 @@ class SphereTask(Task):
     duration: float
     """Time from the start to the landing, seconds."""
     gravity: float
-    """Downward acceleration of the ball, m/s²: 0 if it flies straight."""
+    """Downward acceleration of the ball, m/s²; 0 for a straight flight."""
 
     def position(self, t: float) -> NDArray[np.float64]:
         """Return the centre of the ball after `t` seconds, (3,); it rests before the start and after the landing."""
