@@ -36,7 +36,7 @@ def key(*parts: Any) -> str:
     Raises
     ------
     TypeError
-        For other types, whose text may contain an address that differs between runs.
+        Other types, whose text may contain an address that differs between runs.
     """
     digest = hashlib.blake2b(digest_size=20)
     for piece in _encoded(parts):

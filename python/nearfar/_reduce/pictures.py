@@ -141,11 +141,11 @@ class InPictures:
         Raises
         ------
         ValueError, TypeError
-            For arguments out of their domains; for range, position or object_id of a map without range or object_id;
-            for `env` False after `load`, because far geometry is not saved; for parallel rays with a map or bent rays,
-            which both belong to one eye; for "exact" with "gpu" or a `user` apart from the camera; for limits of
-            rays and `clip` with "exact" or `env` False; for a `radius` beyond r2, or with the conventional method, as
-            for a strength below 1; and for a `conventional_dynamic` other than "center" with a morph.
+            Arguments out of range; range, position or object_id of a map without range or object_id; `env` False after
+            `load`, because far geometry is not saved; parallel rays with a map or bent rays, which both belong to one
+            eye; "exact" with "gpu" or a `user` apart from the camera; limits of rays and `clip` with "exact" or `env`
+            False; a `radius` beyond r2, or with the conventional method, as for a strength below 1; and a
+            `conventional_dynamic` other than "center" with a morph.
         DeviceError
             As in `render`.
         """

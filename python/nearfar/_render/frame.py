@@ -121,7 +121,7 @@ class Frame:
         Raises
         ------
         ValueError
-            For another suffix, and for a PNG of a frame without colour.
+            Another suffix, and a PNG of a frame without colour.
         OSError
             If the file cannot be written.
         """

@@ -194,6 +194,6 @@ def asteroids(count: int = 29_264, polygons: int = 97_000, seed: int = 0) -> Ast
     Raises
     ------
     ValueError
-        For numbers out of range.
+        Numbers out of range.
     """
     return Asteroids(count, polygons, seed)

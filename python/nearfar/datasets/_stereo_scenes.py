@@ -56,7 +56,7 @@ def beams(count: int = 80, seed: int = 0) -> Scene:
     Raises
     ------
     ValueError
-        For numbers out of range.
+        Numbers out of range.
     """
     count, seed = _checked(count, seed, "count")
     stage, draw = Stage(), Draw(seed, 70)
@@ -100,7 +100,7 @@ def spheres(count: int = 1000, seed: int = 0, detail: int = 3) -> Scene:
     Raises
     ------
     ValueError
-        For numbers out of range.
+        Numbers out of range.
     """
     count, seed = _checked(count, seed, "count")
     detail = check.integer("detail", detail, 0, 7)
@@ -142,7 +142,7 @@ def landscape(trees: int = 250, seed: int = 0, detail: int = 2) -> Scene:
     Raises
     ------
     ValueError
-        For numbers out of range.
+        Numbers out of range.
     """
     trees, seed = _checked(trees, seed, "trees")
     detail = check.integer("detail", detail, 0, 3)

@@ -208,7 +208,7 @@ class OrthoTree(NearFarTree):
         Raises
         ------
         FormatError
-            For the first record or file that is missing or differs; the message names it.
+            The first record or file that is missing or differs; the message names it.
         ValueError
             An incomplete store.
         """

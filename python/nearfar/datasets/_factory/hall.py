@@ -71,9 +71,9 @@ def factory(seed: int = 0, detail: int = 2, *, instanced: bool = True) -> Scene:
     Raises
     ------
     ValueError
-        For numbers out of range.
+        Numbers out of range.
     TypeError
-        For an `instanced` that is not a bool.
+        An `instanced` that is not a bool.
     """
     seed = check.integer("seed", seed, 0, 2**63 - 1)
     detail = check.integer("detail", detail, 0, 3)
@@ -106,7 +106,7 @@ def factory_view(place: int = 0) -> tuple[Point, Point]:
     Raises
     ------
     ValueError
-        For other numbers.
+        Other numbers.
     """
     return _VIEWS[check.integer("place", place, 0, len(_VIEWS) - 1)]
 

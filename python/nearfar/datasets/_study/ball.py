@@ -80,7 +80,7 @@ def sphere_task(seed: int = 0, boxes: int = 7, *, straight: bool = True) -> tupl
     Raises
     ------
     ValueError, TypeError
-        For numbers out of range, and for values of another type.
+        Numbers out of range, and values of another type.
 
     References
     ----------

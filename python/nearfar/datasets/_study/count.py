@@ -59,7 +59,7 @@ def count_task(seed: int = 0) -> tuple[Scene, CountTask]:
     Raises
     ------
     ValueError, TypeError
-        For a seed out of range, and for values that are not whole numbers.
+        A seed out of range, and values that are not whole numbers.
 
     References
     ----------

@@ -81,7 +81,7 @@ def tape_task(seed: int = 0, rectangles: int = 3, *, ends: str = "near") -> tupl
     Raises
     ------
     ValueError, TypeError
-        For numbers out of range, for values that are not whole numbers, and for unknown `ends`.
+        Numbers out of range, values that are not whole numbers, and unknown `ends`.
 
     References
     ----------

@@ -119,6 +119,6 @@ def world(km: int = 10, seed: int = 0) -> World:
     Raises
     ------
     ValueError
-        For numbers out of range.
+        Numbers out of range.
     """
     return World(km, seed)
