@@ -14,5 +14,5 @@ def _make_view(*shown, **settings):
     return Widget(*shown, **settings)
 
 
-# Early stages show things in the view of a late one: only the package knows both.
+# Early stages show results in the widget of a later stage, which only the package may import.
 _showing.set_maker(_make_view)

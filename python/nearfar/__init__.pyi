@@ -1,5 +1,5 @@
-# The public names, in the order of the pipeline, not of the alphabet: this file is what type checkers read, and what
-# lazy_loader reads to find a name on first use.
+# Public names in the order of the pipeline, not of the alphabet. Type checkers read this file, and lazy_loader reads
+# it to find a name on first use.
 # ruff: noqa: I001
 from ._base.errors import DeviceError, Error, FormatError, SceneError
 from ._base.version import __version__

@@ -44,17 +44,17 @@ def bend_rays(
     -------
     NDArray
         (N, K, 3) float64, metres: the points of each polyline, padded with NaN. The last segment continues along the
-        direction without end. The first point is U if U is within `r1`, else the start of the curve; it is O if the
-        strength gives U less than half of the view there. A ray that does
-        not bend has one point: a ray straight up, a ray along the line through U and O, and every ray if
-        U = O. `morph` shows each point in its direction to 1e-9 radians.
+        direction without end. The first point is U if U is within `r1`, else the start of the curve, which is O if the
+        strength gives U less than half of the view there. A ray that does not bend has one point: a ray straight up, a
+        ray along the line through U and O, and every ray if U = O. `morph` shows each point in its direction to 1e-9
+        radians.
 
     Raises
     ------
     ValueError
-        For directions of length 0, radii or strengths out of range, and a tolerance below 1e-9.
+        Directions of length 0, radii or strengths out of range, and a tolerance below 1e-9.
     TypeError
-        For values that are not numbers.
+        Values that are not numbers.
 
     References
     ----------
@@ -72,8 +72,8 @@ def fold_margin(
 ) -> float:
     """Compute the distance that the user may still walk away from the centre before the picture folds.
 
-    A picture folds where two neighbouring points change sides: where the Jacobian of the morph changes its sign. As
-    long as it does not fold, every direction shows one curve of points, and no point is seen twice.
+    A picture folds where the Jacobian of the morph changes its sign, so that neighbouring points change sides. In a
+    picture without folds every direction shows one curve of points, and no point is seen twice.
 
     Parameters
     ----------
@@ -95,7 +95,7 @@ def fold_margin(
     Raises
     ------
     ValueError, TypeError
-        For kinds, radii, strengths and positions that `morph` refuses.
+        Kinds, radii, strengths and positions that `morph` rejects.
 
     References
     ----------

@@ -36,9 +36,9 @@ def bounding_sphere(points: ArrayLike, *, method: str = "exact") -> tuple[NDArra
     Raises
     ------
     ValueError
-        For no points, other shapes, coordinates that are not finite.
+        No points, other shapes, coordinates that are not finite.
     TypeError
-        For values that are not numbers.
+        Values that are not numbers.
 
     References
     ----------
@@ -104,7 +104,7 @@ def solid_angle(centers: ArrayLike, radii: ArrayLike, *, eye: ArrayLike) -> NDAr
     Raises
     ------
     ValueError, TypeError
-        For other shapes, numbers that are not finite, and radii below 0.
+        Other shapes, numbers that are not finite, and radii below 0.
 
     References
     ----------

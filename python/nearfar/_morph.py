@@ -11,7 +11,7 @@ from nearfar import _core
 from nearfar._base import check
 
 KINDS = ("blend", "cylinder")
-"""Morphs by name: that of Popescu et al. (2022) and that of CloVR (2024)."""
+"""Names of morphs: "blend" of Popescu et al. (2022) and "cylinder" of CloVR (2024)."""
 
 
 def morph(
@@ -64,10 +64,10 @@ def morph(
     Raises
     ------
     ValueError
-        For wrong shapes, unknown kinds, radii or strengths out of range, a user or centre that is not finite, and an
-        `out` of another shape, type or layout than the result, or in the memory of `points`.
+        Wrong shapes, unknown kinds, radii or strengths out of range, a user or centre that is not finite, and an `out`
+        of another shape, type or layout than the result, or in the memory of `points`.
     TypeError
-        For values that are not numbers.
+        Values that are not numbers.
 
     References
     ----------
@@ -84,7 +84,7 @@ def morph(
 def placed(
     user: ArrayLike, center: ArrayLike, r1: float, r2: float, kind: str, strength: float = 1.0
 ) -> dict[str, Any]:
-    """Check user, centre, radii, kind and strength of a morph, and return them as kernels take them.
+    """Check user, centre, radii, kind and strength of a morph, and return them as arguments of kernels.
 
     Both radii may be 0 for "cylinder".
     """

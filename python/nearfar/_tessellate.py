@@ -77,11 +77,11 @@ def tessellate(
     Raises
     ------
     ValueError
-        For radii out of order, regions beyond 0.6 r1, or half of r1 (no bound is known there), tolerances that need
+        Radii out of order, regions beyond 0.6 r1, or half of r1 (no bound is known there), tolerances that need
         triangles smaller than (r2 − r1)/4096 or than the coordinates' digits, a growth of a "blend", and cameras with
         parallel rays.
     TypeError
-        For meshes of another type.
+        Meshes of another type.
     MemoryError
         If the result does not fit into memory.
 
@@ -106,7 +106,7 @@ def tessellate(
 
 
 def _stages(kind: str, far: float, radius: float | None, strength: float) -> tuple[float, bool] | None:
-    """Least radius of a growth and whether its strength is full; None for a blend, which has no growth."""
+    """Least radius of a growing morph and whether its strength is full; None for a blend, which does not grow."""
     check.choice("kind", kind, ("blend", "cylinder"))
     share = check.within("strength", strength, 0.0, 1.0)
     least = far if radius is None else check.within("radius", check.positive("radius", radius), 0.0, far)

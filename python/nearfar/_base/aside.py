@@ -1,4 +1,4 @@
-"""Temporary files and folders beside the ones that they will replace: names, owners, and what dead owners left."""
+"""Temporary files and folders beside the targets that they replace: names, owners, and clean-up after dead owners."""
 
 from __future__ import annotations
 
@@ -13,23 +13,23 @@ from pathlib import Path
 from nearfar._base import locks
 
 MAX_NAME = 255
-"""Bytes of a name that file systems take."""
+"""Greatest length of a file name, bytes."""
 
 _TAG = 6
-"""Random bytes of a name."""
+"""Random bytes in a name."""
 
 _LOCK = ".lock"
-"""End of the name of a lock file, which is that of the temporary before it."""
+"""Suffix of a lock file, added to the name of its temporary."""
 
 
 def replaced(target: Path) -> Path:
-    """Return the path where the target waits while another one takes its place, on systems that cannot exchange two."""
+    """Return the path of the old target during a replacement, on systems that cannot exchange two paths."""
     start, end = _affixes(target)
     return target.with_name(f"{start}replaced{end}")
 
 
 def restore(target: Path) -> None:
-    """Put back what was set aside, if the process died before anything took its place."""
+    """Put back the old target, if the process died before it was replaced."""
     waiting = replaced(target)
     if not target.exists() and waiting.exists():
         with suppress(OSError):
@@ -38,16 +38,16 @@ def restore(target: Path) -> None:
 
 @contextmanager
 def held(target: Path, *, folder: bool) -> Iterator[Path]:
-    """Make an empty file or folder beside the target, because a rename across file systems would copy.
+    """Create an empty file or folder beside the target: a rename across file systems would copy.
 
-    A lock file beside it shows others that its owner lives. If the block raises, what is at its path is removed.
+    A lock file beside it marks it as owned by a running process. If the block raises, the temporary is removed.
     """
     start, end = _affixes(target)
     path, lock = target.with_name(f"{start}{secrets.token_hex(_TAG)}{end}"), None
     try:
         with naming_errors(target):
-            os.stat(target.parent / ".")  # making the lock would make the folder
-            # The lock is there first and goes last, so that nobody sees a temporary without an owner.
+            os.stat(target.parent / ".")  # creating the lock would create the folder
+            # The lock is created first and removed last, so that no temporary is ever seen without an owner.
             lock = locks.try_hold(_lock_path(path))
             if folder:
                 path.mkdir()
@@ -73,7 +73,7 @@ def naming_errors(target: Path) -> Iterator[None]:
 
 
 def clear(target: Path) -> None:
-    """Remove the temporaries of a target whose owners died."""
+    """Remove temporaries of a target whose owners have died."""
     start, end = _affixes(target)
     pattern = re.compile(re.escape(start) + f"[0-9a-f]{{{2 * _TAG}}}" + re.escape(end + _LOCK))
     with suppress(OSError):
@@ -102,7 +102,7 @@ def _remove(path: Path) -> None:
 
 
 def _affixes(target: Path) -> tuple[str, str]:
-    """Beginning and end of the names of temporaries: the target's name, shortened to what fits."""
+    """Prefix and suffix of temporaries' names: parts of the target's name, shortened to fit."""
     tag = 2 * _TAG
     suffix = target.suffix if len(os.fsencode(target.suffix)) <= MAX_NAME // 2 else ""
     room = MAX_NAME - len("..") - tag - len(os.fsencode(suffix + _LOCK))

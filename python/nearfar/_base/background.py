@@ -1,9 +1,8 @@
-"""Runs code that cannot look for signals in a thread of its own, so that Ctrl-C does not wait for it.
+"""Runs code that does not check for signals in a separate thread, so that Ctrl-C does not wait for it.
 
-Python raises KeyboardInterrupt in the main thread only. Code of other packages may catch it and go on, keep what it
-half imported, or stay in a compiled function; NumPy on a large array and the system's disk do not look for signals
-either. In a thread of its own such code never meets an interrupt: the main thread waits, raises at once, and drops the
-result.
+Python raises KeyboardInterrupt in the main thread only. Code of other packages may catch it and continue, keep half an
+import, or stay in a compiled function; NumPy on large arrays and disk access do not check for signals either. In a
+separate thread such code never meets an interrupt: the main thread waits, raises at once, and drops the result.
 """
 
 from __future__ import annotations
@@ -27,18 +26,18 @@ from nearfar._base import progress
 Result = TypeVar("Result")
 
 _POLL = 0.05
-"""Seconds between two looks for signals, for systems where they do not end a wait."""
+"""Seconds between two checks for signals, for systems where signals do not end a wait."""
 
 _PATIENCE = 0.3
 """Seconds that the end of the program waits for an abandoned thread."""
 
 
 class _Ended(SystemExit):
-    """Raised in an abandoned thread when the program ends; threads end by it without a message."""
+    """Raised in an abandoned thread when the program ends; it ends threads without a message."""
 
 
 class _Task:
-    """Work in a thread. Neither `threading.Thread` nor its events are used: an interrupt can leave their locks held."""
+    """Work in a thread. `threading.Thread` and its events are avoided: an interrupt can leave their locks held."""
 
     def __init__(self, work: Callable[[], Any]) -> None:
         self._work: Callable[[], Any] | None = work
@@ -50,11 +49,11 @@ class _Task:
 
     @property
     def is_running(self) -> bool:
-        """Whether the work goes on. A forked child has none of its parent's threads."""
+        """Whether the work is running. A forked child has none of its parent's threads."""
         return self.has_begun and not self._has_ended and self._process == os.getpid()
 
     def begin(self) -> None:
-        """Begin the work; RuntimeError if there can be no thread."""
+        """Begin the work; RuntimeError if no thread can be started."""
         self.has_begun = True
         try:
             _thread.start_new_thread(self._run, ())
@@ -63,9 +62,9 @@ class _Task:
             raise
 
     def result(self) -> Any:
-        """Begin the work, wait for it, and return what it returned or raise what it raised.
+        """Begin the work, wait for it, and return its result or raise its exception.
 
-        RuntimeError of `start_new_thread` if there can be no thread; `has_begun` tells it from one of the work.
+        RuntimeError if no thread can be started; `has_begun` distinguishes it from a RuntimeError of the work.
         """
         assert self._outcome is not None
         try:
@@ -77,7 +76,7 @@ class _Task:
                 except queue.Empty:
                     continue
         finally:
-            # A result that comes later is dropped.
+            # A later result is dropped.
             self._outcome = None
         if error is None:
             return value
@@ -87,7 +86,7 @@ class _Task:
             del error
 
     def end(self, deadline: float) -> None:
-        """Interrupt the work again and again, because it may catch that, until it ends or time is up."""
+        """Interrupt the work repeatedly, since it may catch the exception, until it ends or the deadline passes."""
         import ctypes
 
         while self.is_running and time.monotonic() < deadline:
@@ -109,20 +108,20 @@ class _Task:
             if outcome is not None:
                 outcome.put((value, error))
         finally:
-            # Freed here, because it may be large, and an exception refers to this frame.
+            # Freed here: the value may be large, and an exception refers to this frame.
             value = error = outcome = None
             self._has_ended = True
 
 
 _begun: list[_Task] = []
-"""Work that was begun; what still runs while nobody waits for it was abandoned."""
+"""Tasks begun; those that still run without a waiting caller were abandoned."""
 
 _begun_alone: list[_Task] = []
-"""The part of it that runs alone."""
+"""Tasks begun with `alone`."""
 
 
 def run(work: Callable[[], Result], *, alone: bool = False) -> Result:
-    """Call a function in a thread of its own, and wait for it; Ctrl-C raises at once and leaves the thread behind.
+    """Call a function in a separate thread and wait for it; Ctrl-C raises at once and abandons the thread.
 
     Only the main thread is interrupted, so in other threads this is an ordinary call. An abandoned function runs to its
     end and its result is dropped.
@@ -130,15 +129,15 @@ def run(work: Callable[[], Result], *, alone: bool = False) -> Result:
     Parameters
     ----------
     work
-        Takes nothing. What it changes beside its result, it may change after the caller was interrupted.
+        Takes no arguments. Its side effects may happen after the caller was interrupted.
     alone
-        Whether it first waits for abandoned work of this kind, because both use what one changes: the import of a
-        package, and packages that keep what they read.
+        Whether to wait first for abandoned work of this kind, because it changes shared state: the import of a package,
+        and packages that cache what they read.
 
     Returns
     -------
     Any
-        What `work` returns; what it raises is raised with its traceback. It sees the caller's context variables.
+        Result of `work`; its exceptions are raised with their traceback. It sees the caller's context variables.
     """
     if threading.current_thread() is not threading.main_thread():
         return work()
@@ -154,15 +153,15 @@ def run(work: Callable[[], Result], *, alone: bool = False) -> Result:
     except RuntimeError:
         if task.has_begun:
             raise
-        return work()  # while the interpreter ends, and where the system grants no more threads
+        return work()  # at interpreter shutdown, or if the system grants no more threads
     return result
 
 
 class Later(Generic[Result]):
-    """Work that is done in a thread of its own while the caller does other things; no progress is shown.
+    """Work done in a separate thread while the caller continues; no progress is shown.
 
-    Ctrl-C ends a wait for it, not the work, so that a later wait gets the result. Where there can be no thread, and in
-    a forked child, which has none of its parent's threads, the work is done when the result is asked for.
+    Ctrl-C ends a wait for it, not the work, so that a later wait gets the result. If no thread can be started, and in a
+    forked child, which has none of its parent's threads, the work is done when the result is requested.
     """
 
     def __init__(self, work: Callable[[], Result]) -> None:
@@ -177,11 +176,11 @@ class Later(Generic[Result]):
 
     @property
     def ready(self) -> bool:
-        """Whether the work has ended, with a result or with an error."""
+        """Whether the work has ended, with a result or an error."""
         return self._outcome is not None
 
     def result(self) -> Result:
-        """Wait for the work, and return what it returned or raise what it raised; any number of times."""
+        """Wait for the work, and return its result or raise its exception; may be called repeatedly."""
         while self._outcome is None:
             if self._is_alone or self._process != os.getpid():
                 self._outcome = (self._work(), None)
@@ -199,7 +198,7 @@ class Later(Generic[Result]):
                 value = self._work()
         except BaseException as raised:
             error = raised
-        # Last, because `ready` reads it in another thread.
+        # Set last: `ready` reads it in another thread.
         self._outcome = (value, error)
 
 
@@ -208,7 +207,7 @@ def _running(tasks: list[_Task]) -> list[_Task]:
 
 
 def module(name: str) -> ModuleType:
-    """Import a module that catches interrupts while it is imported; afterwards this is a look-up."""
+    """Import a module whose import catches interrupts; later calls are a look-up."""
     if name in sys.modules and not _running(_begun_alone):
         return importlib.import_module(name)
     return run(lambda: importlib.import_module(name), alone=True)
@@ -216,7 +215,7 @@ def module(name: str) -> ModuleType:
 
 @atexit.register
 def _end() -> None:
-    """End abandoned work before the interpreter does, which freezes threads wherever they are."""
+    """End abandoned work before interpreter shutdown, which freezes threads anywhere."""
     deadline = time.monotonic() + _PATIENCE
     for task in _running(_begun):
         task.end(deadline)

@@ -36,7 +36,7 @@ def key(*parts: Any) -> str:
     Raises
     ------
     TypeError
-        For other types, whose text may contain an address that differs from run to run.
+        Other types, whose text may contain an address that differs between runs.
     """
     digest = hashlib.blake2b(digest_size=20)
     for piece in _encoded(parts):
@@ -112,16 +112,16 @@ def _limit() -> int:
 
 
 _UNSEEN = 64
-"""Part of the limit that this process may add before it looks at the whole folder again."""
+"""Share of the limit (1/64) that this process may add before it scans the folder again."""
 
 _held: dict[tuple[Path, int], tuple[int, int]] = {}
-"""By folder and limit, bytes that the folder held when it was looked at, and bytes that this process added since."""
+"""By folder and limit: bytes in the folder at the last scan, and bytes that this process has added since."""
 
 _lock = threading.Lock()
 
 
 def _is_due(limit: int, just_made: Path) -> bool:
-    """Whether to look at the folder: thousands of small files would take a look at all of them for each."""
+    """Whether to scan the folder: a scan after each of thousands of small files would be slow."""
     with _lock:
         place = (folder(), limit)
         size = just_made.stat().st_size
@@ -151,7 +151,7 @@ def _trim(limit: int, just_made: Path) -> None:
 
 
 def _encoded(value: Any) -> Iterator[bytes]:
-    """Encode values unambiguously as bytes: each piece begins with its type and length."""
+    """Encode values unambiguously as bytes: each piece starts with its type and length."""
     if value is None or isinstance(value, bool | np.bool_):
         yield b"c" + str(value).encode() + b";"
     elif isinstance(value, int | np.integer):

@@ -1,4 +1,4 @@
-"""Cards that notebooks show objects as: HTML and SVG in the page's own colours, without scripts, styles and links."""
+"""Cards for objects in notebooks: HTML and SVG in the page's own colours, without scripts, style sheets and links."""
 
 from __future__ import annotations
 
@@ -20,25 +20,25 @@ if TYPE_CHECKING:
 Kind = TypeVar("Kind")
 
 COLORS = ("#2f7fc1", "#c8701a", "#2f9457", "#c2504e", "#8a68c0", "#94705a", "#b8579a", "#7a7a7a")
-"""Colours of curves and areas, of medium brightness: they are readable on white and on black."""
+"""Colours of curves and areas, of medium brightness: readable on white and on black."""
 
 MOST_PIXELS = 640
-"""Greatest width and height of an embedded picture in pixels; larger ones are made smaller."""
+"""Greatest width and height of an embedded picture in pixels; larger ones are scaled down."""
 
 LEAST_PIXELS = 160
-"""Pictures are enlarged by a whole factor until they are about as wide as this."""
+"""Pictures are enlarged by an integer factor until about this wide."""
 
 PLOT = (420, 250)
-"""Width and height of a plot, in units that are a pixel where the page has room for it."""
+"""Width and height of a plot, in pixels where the page has room for it."""
 
 _MARGINS = (58, 12, 12, 44)
 """Left, right, upper and lower margin of a plot."""
 
 
 def repr_html(make: Callable[[Kind], str]) -> Callable[[Kind], str]:
-    """Make a `_repr_html_` that shows the object's `repr` where making its card fails.
+    """Make a `_repr_html_` that falls back to the object's `repr` if making the card fails.
 
-    A display that raises would hide the object, which is most wanted if it is damaged.
+    An exception in the display would hide the object, which is needed most when it is damaged.
     """
 
     @functools.wraps(make)
@@ -55,7 +55,7 @@ def repr_html(make: Callable[[Kind], str]) -> Callable[[Kind], str]:
 
 
 def repr_png(make: Callable[[Kind], NDArray[np.uint8]]) -> Callable[[Kind], bytes | None]:
-    """Make a `_repr_png_` from pixels (H, W, 3 or 4); None, which shows the object's `repr`, where there are none."""
+    """Make a `_repr_png_` from pixels (H, W, 3 or 4); None on failure, so that the object's `repr` is shown."""
 
     @functools.wraps(make)
     def safe(self: Kind) -> bytes | None:
@@ -76,7 +76,7 @@ def plain(value: object) -> str:
 
 
 def page(title: str, facts: Iterable[tuple[str, str]], *parts: str, notes: Sequence[str] = ()) -> str:
-    """Put a card together: a title, parts that are HTML already, a table of facts, and notes.
+    """Assemble a card: a title, parts in HTML, a table of facts, and notes.
 
     Title, facts and notes are plain text, which is escaped.
     """
@@ -91,7 +91,7 @@ def page(title: str, facts: Iterable[tuple[str, str]], *parts: str, notes: Seque
 
 def table(rows: Iterable[Sequence[str]], header: Sequence[str] = ()) -> str:
     """Make a table of plain text: rows of two are names and values, longer rows are columns of numbers."""
-    # Notebooks have styles for tables of their own, so each cell states all that matters.
+    # Notebooks style tables themselves, so each cell states all relevant properties.
     body, cell = (
         [list(row) for row in rows],
         "padding:.1em 1em .1em 0;vertical-align:top;background:none;line-height:1.45;",
@@ -133,7 +133,7 @@ def _caption(text: str, legend: Iterable[tuple[str, str]]) -> str:
 
 
 def png(pixels: NDArray[np.uint8]) -> bytes:
-    """Encode a picture (H, W, 3 or 4) as PNG, made smaller or enlarged to a size that pages show well."""
+    """Encode a picture (H, W, 3 or 4) as PNG, scaled to a size that suits pages."""
     return _encoded(_fitted(pixels))
 
 
@@ -154,14 +154,14 @@ def _encoded(image: Image.Image) -> bytes:
 
 
 def thinned(image: NDArray[Any]) -> NDArray[Any]:
-    """Leave out rows and columns of an image (H, W, …) until it is at most twice as large as what is embedded."""
+    """Subsample an image (H, W, …) to at most twice the embedded size."""
     step = max(1, math.ceil(max(image.shape[:2]) / (2 * MOST_PIXELS)))
     return image[::step, ::step]
 
 
 @dataclass(frozen=True, eq=False)
 class Line:
-    """A curve of a plot, and points that it was fitted to."""
+    """A curve of a plot, and the points that it was fitted to."""
 
     x: NDArray[np.float64]
     y: NDArray[np.float64]
@@ -170,7 +170,7 @@ class Line:
 
 
 def plot(lines: Sequence[Line], x_label: str, y_label: str, *, log_y: bool = False) -> str:
-    """Draw curves over a logarithmic x as SVG; values that the axes cannot show are left out."""
+    """Draw curves over a logarithmic x axis as SVG; values that the axes cannot show are left out."""
     every_x = np.concatenate([line.x for line in lines])
     every_y = np.concatenate([part for line in lines for part in (line.y, *(line.points or ())[1:])])
     x, y = _Axis.over(every_x, True, _MARGINS[0], PLOT[0] - _MARGINS[1]), None
@@ -200,7 +200,7 @@ def plot(lines: Sequence[Line], x_label: str, y_label: str, *, log_y: bool = Fal
 
 
 def svg(size: tuple[int, int], content: str, alt: str, legend: Iterable[tuple[str, str]] = ()) -> str:
-    """Wrap SVG elements in a figure that shrinks with the page and takes over its text colour."""
+    """Wrap SVG elements in a figure that shrinks with the page and inherits its text colour."""
     return (
         f'<figure style="margin:0;width:{size[0]}px;max-width:100%"><svg viewBox="0 0 {size[0]} {size[1]}" '
         f'style="display:block;width:100%;height:auto" role="img" aria-label="{html.escape(alt, quote=True)}" '
@@ -248,7 +248,7 @@ class _Axis:
         return self.start + share * (self.end - self.start)
 
     def ticks(self) -> list[tuple[float, str]]:
-        """Return two to seven values, round ones where there are enough, and their texts."""
+        """Return two to seven tick values, round ones if possible, with their texts."""
         if self.is_log:
             low, high = math.ceil(math.log10(self.low) - 1e-9), math.floor(math.log10(self.high) + 1e-9)
             if high > low:

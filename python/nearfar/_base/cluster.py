@@ -1,4 +1,4 @@
-"""Work on a Dask cluster: one of this machine or any other, and results in the order of the items."""
+"""Runs work on a Dask cluster, local or remote, and returns results in the order of the items."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Item = TypeVar("Item")
 Result = TypeVar("Result")
 
 LOCAL = "local"
-"""Name of a cluster of this machine's cores, one worker each."""
+"""Name of the local cluster, with one worker per core."""
 
 _METHODS = ("submit", "scatter", "cancel", "ncores")
 
@@ -27,7 +27,7 @@ def check_client(name: str, client: object) -> None:
 
 @contextmanager
 def client_of(cluster: object) -> Iterator[Any]:
-    """Open the client of `LOCAL`, whose workers end with the block; pass on a `distributed.Client`.
+    """Open a client for `LOCAL`, whose workers end with the block; pass on a `distributed.Client`.
 
     Raises
     ------
@@ -63,18 +63,18 @@ def in_order(
     Parameters
     ----------
     function, items
-        As `nearfar._base.distribute` has them.
+        As in `nearfar._base.distribute`.
     client
-        A `distributed.Client`. Where one of its workers is lost, what it had not done is done by another.
+        A `distributed.Client`. If a worker is lost, another one does its unfinished items.
     ahead
-        Greatest number of items for each of the cluster's threads whose results nobody has taken yet; None for any.
+        Greatest number of unconsumed results for each of the cluster's threads; None for no limit.
 
     Raises
     ------
     ConnectionError
-        The scheduler is lost, or one item ended one worker after the other.
+        The scheduler is lost, or an item ended several workers in turn.
     Exception
-        The first that the function raises. Items that have not begun are then called off, as at Ctrl-C.
+        The first exception of the function. Items that have not begun are then cancelled, as on Ctrl-C.
     """
     waiting: deque[tuple[Any, Any]] = deque()
     rest = iter(items)
@@ -83,7 +83,7 @@ def in_order(
             _check_running(client)
             most = float("inf") if ahead is None else ahead * max(1, sum(client.ncores().values()))
             while len(waiting) < most and (item := next(rest, _END)) is not _END:
-                # Items go to workers by themselves: within a call they would pass through the scheduler.
+                # Items are scattered to workers directly: as arguments they would pass through the scheduler.
                 scattered = client.scatter([item], hash=False)[0] if ahead is None else item
                 waiting.append((client.submit(_on_cluster, function, scattered, pure=False), scattered))
             if not waiting:
@@ -123,7 +123,7 @@ def _result(future: Any, client: Any) -> Any:
 
 
 def _cancel(waiting: Iterable[tuple[Any, Any]], client: Any) -> None:
-    """Call off what has not begun; a client without its scheduler cannot."""
+    """Cancel items that have not begun; impossible if the scheduler is lost."""
     if client.status == "running":
         client.cancel([future for future, _ in waiting])
 

@@ -1,4 +1,4 @@
-"""Location of the data files for tests and demonstrations, which are not part of the repository."""
+"""Location of data files for tests and demonstrations, which are not part of the repository."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from nearfar._base import check
 def root() -> Path | None:
     """Return the data folder; None if there is none.
 
-    It is `NEARFAR_DATA` if set, else the nearest `shared/data` above this file, else above the working folder.
+    It is `NEARFAR_DATA` if set, else the nearest `shared/data` above this file, else above the working directory.
     """
     chosen = os.environ.get("NEARFAR_DATA", "").strip()
     if chosen:
@@ -28,7 +28,7 @@ def find(relative: str) -> Path | None:
     folder, path = root(), check.path("relative", relative)
     try:
         return folder / path if folder is not None and (folder / path).exists() else None
-    except OSError:  # a name that is too long for the file system
+    except OSError:  # a name too long for the file system
         return None
 
 

@@ -1,4 +1,4 @@
-"""One function over many items: in this process, over processes of this machine, or on a Dask cluster."""
+"""Runs a function over many items: in this process, in processes of this machine, or on a Dask cluster."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ Item = TypeVar("Item")
 Result = TypeVar("Result")
 
 BAR_STEPS_PER_ITEM = 1000
-"""Steps of the progress bar for each item, where items run in this process."""
+"""Steps of the progress bar per item, if items run in this process."""
 
 
 def distribute(
@@ -22,32 +22,32 @@ def distribute(
     workers: int | None = None,
     client: Any = None,
 ) -> list[Result]:
-    """Call a function for each item; results come in the order of the items, and are the same wherever it runs.
+    """Call a function for each item; results are in the order of the items, and do not depend on where it runs.
 
     Parameters
     ----------
     function
-        Takes an item and `report`, which it calls as `report(done, total)` between its steps. In a process of its own
+        Takes an item and `report`, which it calls as `report(done, total)` between its steps. In another process
         `report` raises once the caller was interrupted; a worker that has not ended 0.2 s later is terminated. Workers
-        import the function: it is defined at the top of a module, or a `functools.partial` of one that is.
+        import the function: it must be defined at the top of a module, or be a `functools.partial` of such a function.
     items
-        Values that can be pickled, where they leave this process.
+        Items; they must be picklable if they leave this process.
     label
         Text of the progress bar, such as "measuring".
     workers
-        Processes. The program's main module must be importable, as always with `multiprocessing`. Each gets its share
-        of the machine's threads. None stays in this process.
+        Number of processes. The program's main module must be importable, as always with `multiprocessing`. Each
+        process gets its share of the machine's threads. None stays in this process.
     client
         A `distributed.Client`, whose workers have nearfar.
 
     Raises
     ------
     ValueError, TypeError
-        For other workers and clients, and for both together.
+        Invalid workers or clients, or both together.
     RuntimeError
-        Where processes end at once, as in scripts without a guard for `__main__`.
+        Processes end at once, as in scripts without a guard for `__main__`.
     Exception
-        The first that the function raises; items that have not begun are called off.
+        The first exception of the function; items that have not begun are cancelled.
     """
     if workers is not None and client is not None:
         raise ValueError("workers: expected None beside a client, which has its own")
@@ -61,7 +61,7 @@ def distribute(
         return _over_cluster(function, items, label, client)
     if workers is None:
         return _in_turn(function, items, label)
-    # Processes need libraries that `import nearfar` does without.
+    # Imported here: processes need libraries that `import nearfar` does not.
     from nearfar._base import processes
 
     return processes.over_processes(function, items, label, workers)

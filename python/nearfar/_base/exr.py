@@ -26,7 +26,7 @@ def write(
     document: Mapping[str, Any],
     vectors: Mapping[str, tuple[float, float, float]] | None = None,
 ) -> None:
-    """Write a file completely or not at all; compression is lossless.
+    """Write a file atomically; compression is lossless.
 
     Parameters
     ----------
@@ -43,9 +43,9 @@ def write(
     Raises
     ------
     ValueError, TypeError
-        For images that OpenEXR cannot store.
+        Images that OpenEXR cannot store.
     OSError
-        If the file cannot be written.
+        The file cannot be written.
     """
     text = json.dumps(dict(document), allow_nan=False)
     with files.atomic_file(path) as temporary:
@@ -74,9 +74,9 @@ def read(path: str | os.PathLike[str], name: str, version: int) -> tuple[dict[st
     Raises
     ------
     FormatError
-        For a file that is not an OpenEXR file of this format, or has a newer version of it.
+        A file that is not an OpenEXR file of this format, or has a newer version of it.
     OSError
-        If the file cannot be read.
+        The file cannot be read.
     """
     data = background.run(check.path("path", path).read_bytes)
     try:

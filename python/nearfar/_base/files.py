@@ -1,4 +1,4 @@
-"""Atomic writing of files and folders: a temporary one is written, flushed to disk, and takes the place."""
+"""Atomic writing of files and folders: a temporary one is written, flushed to disk, and renamed to the target."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ from nearfar import _core
 from nearfar._base import aside, background
 
 _PIECE = 1 << 24
-"""Bytes between two looks for Ctrl-C."""
+"""Bytes written between two checks for Ctrl-C."""
 
 
 @contextmanager
 def atomic_file(path: str | os.PathLike[str]) -> Iterator[Path]:
-    """Write a file completely or not at all.
+    """Write a file atomically.
 
     Parameters
     ----------
     path
-        The file to make or replace. Its folder must exist.
+        The file to create or replace. Its folder must exist.
 
     Yields
     ------
@@ -56,13 +56,13 @@ def atomic_file(path: str | os.PathLike[str]) -> Iterator[Path]:
 
 @contextmanager
 def atomic_folder(path: str | os.PathLike[str], *, marker: str = "manifest.json") -> Iterator[Path]:
-    """Write a folder completely or not at all.
+    """Write a folder atomically.
 
     Parameters
     ----------
     path
-        The folder to make. An existing one is replaced only if it is empty or contains `marker`. The folder above must
-        exist.
+        The folder to create. An existing one is replaced only if it is empty or contains `marker`. The parent folder
+        must exist.
     marker
         Name of the file that every folder of this kind contains.
 
@@ -95,7 +95,7 @@ def atomic_folder(path: str | os.PathLike[str], *, marker: str = "manifest.json"
 
 
 def write(path: Path, data: bytes | memoryview) -> None:
-    """Write bytes in pieces, because Ctrl-C waits for the end of each. A view consists of bytes."""
+    """Write bytes in pieces: Ctrl-C waits for the end of each. A view must consist of bytes."""
     whole = memoryview(data)
     with open(path, "wb", buffering=0) as file:
         while len(whole):
@@ -103,19 +103,19 @@ def write(path: Path, data: bytes | memoryview) -> None:
 
 
 def write_with_mode(path: Path, data: bytes, mode: int) -> None:
-    """Write a file aside that has its mode before there is anything to read, and rename it."""
+    """Write a file atomically, with its mode set before any content is readable."""
     with atomic_file(path) as temporary:
         temporary.chmod(mode)
         temporary.write_bytes(data)
 
 
 def restore(path: str | os.PathLike[str]) -> None:
-    """Put back a folder that was being replaced when the process died, on systems that cannot exchange two at once."""
+    """Restore a folder whose replacement was interrupted by the process's death, on systems without an exchange."""
     aside.restore(_absolute(path))
 
 
 def _take_place(temporary: Path, target: Path) -> None:
-    """Put a folder in the place of another one, which is removed; at no time is neither there, if the system can."""
+    """Replace a folder and remove the old one; if the system supports it, one of them exists at any time."""
     if not target.exists():
         os.rename(temporary, target)
         return
@@ -128,13 +128,13 @@ def _take_place(temporary: Path, target: Path) -> None:
         os.rename(target, old)
         os.rename(temporary, target)
     finally:
-        # Whatever came between the two; dead processes leave this to the next one that looks for the folder.
+        # Also after an error between the two; after a crash the next caller of `restore` does this.
         aside.restore(target)
     shutil.rmtree(old, ignore_errors=True)
 
 
 def _keep_mode(target: Path, temporary: Path) -> None:
-    """Give a replacement the permissions of what it replaces."""
+    """Copy the permissions of the target to its replacement."""
     with suppress(OSError):
         os.chmod(temporary, stat.S_IMODE(os.stat(target).st_mode))
 
@@ -150,13 +150,13 @@ def _check_replaceable(target: Path, marker: str) -> None:
 
 
 def _absolute(path: str | os.PathLike[str]) -> Path:
-    """Absolute path, which has a name even for "."; of a symbolic link the path that it leads to, so that it stays."""
+    """Absolute path, which has a name even for "."; symbolic links are resolved, so that the link itself stays."""
     target = Path(os.path.abspath(path))
     return Path(os.path.realpath(target)) if target.is_symlink() else target
 
 
 def _flush(path: Path) -> None:
-    """Wait until the disk has a file, which takes seconds for large ones; Ctrl-C does not wait with it."""
+    """Flush a file to disk, which takes seconds for large ones; Ctrl-C does not wait for it."""
     if path.is_dir() and os.name == "nt":
         return
     flags = os.O_RDONLY if path.is_dir() else os.O_RDWR

@@ -1,4 +1,4 @@
-"""Header of all files that nearfar writes: format, version, generator, units, origin and colour space."""
+"""Common header of all files written by nearfar: format, version, generator, units, origin and colour space."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ _GENERATOR = 60
 """Greatest length of another program's name in a message."""
 
 _REASON = 180
-"""Greatest length of another library's words in a message."""
+"""Greatest length of another library's message in ours."""
 
 
 def header(name: str, version: int, **conventions: Any) -> dict[str, Any]:
@@ -42,7 +42,7 @@ def header(name: str, version: int, **conventions: Any) -> dict[str, Any]:
     name
         The format's name without "nearfar.", such as "report".
     version
-        Version of the format; readers refuse newer ones.
+        Version of the format; readers reject newer ones.
     **conventions
         Values that differ from `CONVENTIONS`, such as `origin=(x, y, z)` in metres or `color_space="linear"`, and
         further fields about the whole file.
@@ -66,7 +66,7 @@ def check(document: Any, name: str, version: int, path: str | os.PathLike[str]) 
     Raises
     ------
     FormatError
-        For another format, a missing or wrong version, and a version newer than `version`.
+        Another format, a missing or invalid version, or a version newer than `version`.
     """
     where, wanted = os.fspath(path), f"nearfar.{name}"
     if not isinstance(document, dict):
@@ -86,7 +86,7 @@ def check(document: Any, name: str, version: int, path: str | os.PathLike[str]) 
 
 
 def from_json(text: str | bytes) -> Any:
-    """Parse JSON; ValueError for what cannot be written: NaN, Infinity, numbers beyond float64, lone surrogates."""
+    """Parse strict JSON; ValueError for NaN, Infinity, numbers beyond float64 and lone surrogates."""
 
     def refuse(word: str) -> float:
         raise ValueError(f"{word} is no number of JSON")
@@ -96,7 +96,7 @@ def from_json(text: str | bytes) -> Any:
         return value if math.isfinite(value) else refuse(digits)
 
     if isinstance(text, bytes):
-        text = text.decode()  # json would let lone surrogates through
+        text = text.decode()  # json would accept lone surrogates
     document = json.loads(text, parse_constant=refuse, parse_float=number)
     if "\\u" in text:
         _refuse_lone_surrogates(document)
@@ -104,10 +104,10 @@ def from_json(text: str | bytes) -> Any:
 
 
 def from_foreign_json(text: bytes) -> Any:
-    """Parse JSON of other programs, which may write NaN and Infinity; ValueError for lone surrogates."""
+    """Parse JSON of other programs, which may contain NaN and Infinity; ValueError for lone surrogates."""
     with _uncollected():
         document = json.loads(text)
-    # Escapes, and the first byte of surrogates in UTF-8; other encodings than UTF-8 are rare.
+    # Only with escapes, the lead byte of surrogates in UTF-8, or rare other encodings.
     if b"\\u" in text or b"\xed" in text or b"\0" in text:
         _refuse_lone_surrogates(document)
     return document
@@ -115,7 +115,7 @@ def from_foreign_json(text: bytes) -> Any:
 
 @contextmanager
 def _uncollected() -> Iterator[None]:
-    """Pause the search for cycles: parsers make none, and it takes half of the time of large documents."""
+    """Pause garbage collection: parsers create no cycles, and it takes half of the time for large documents."""
     was_enabled = gc.isenabled()
     gc.disable()
     try:
@@ -126,7 +126,7 @@ def _uncollected() -> Iterator[None]:
 
 
 def _refuse_lone_surrogates(document: Any) -> None:
-    """ValueError if a text cannot be written to a file."""
+    """Raise a ValueError if a text cannot be written to a file."""
     try:
         json.dumps(document, ensure_ascii=False).encode()
     except UnicodeEncodeError:
@@ -153,14 +153,14 @@ DAMAGE = (
     RecursionError,
     struct.error,
 )
-"""Errors that reading raises over a file whose content is not as we write it."""
+"""Exceptions that reading a damaged file may raise."""
 
 
 @contextmanager
 def guarded(path: str | os.PathLike[str], kind: str = "") -> Iterator[None]:
-    """Turn every error over a damaged file into a FormatError that names the file, and the kind of content if given.
+    """Convert exceptions over a damaged file to a FormatError with the file's name and, if given, the content's kind.
 
-    Numbers that do not fit a type are errors, too, of which NumPy only warns.
+    NumPy's warnings about numbers that do not fit a type count as errors, too.
     """
     damaged = f"{os.fspath(path)}: damaged{' ' if kind else ''}{kind}"
     try:
@@ -175,13 +175,13 @@ def guarded(path: str | os.PathLike[str], kind: str = "") -> Iterator[None]:
 
 
 def to_json(document: dict[str, Any], *, compact: bool = False) -> str:
-    """Encode a document as strict JSON (no NaN or infinity) that ends with a line break, indented or `compact`."""
+    """Encode a document as strict JSON (no NaN or infinity) with a final newline, indented or `compact`."""
     layout: dict[str, Any] = {"separators": (",", ":")} if compact else {"indent": 2}
     return json.dumps(document, allow_nan=False, ensure_ascii=False, **layout) + "\n"
 
 
 def write_json(path: str | os.PathLike[str], document: dict[str, Any]) -> None:
-    """Write a document as JSON, completely or not at all."""
+    """Write a document as JSON atomically."""
     with files.atomic_file(path) as temporary:
         temporary.write_text(to_json(document), encoding="utf-8")
 

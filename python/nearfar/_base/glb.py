@@ -23,7 +23,7 @@ _TARGETS = {"vertices": 34962, "faces": 34963}
 
 
 class Writer:
-    """Collects arrays and images, and joins them with a document that refers to them by number."""
+    """Collects arrays and images for a GLB, whose document refers to them by index."""
 
     def __init__(self) -> None:
         self._pieces: list[bytes] = []
@@ -32,7 +32,7 @@ class Writer:
         self._accessors: list[dict[str, Any]] = []
 
     def view(self, values: NDArray[Any] | bytes, target: Target | None = None) -> int:
-        """Add bytes to the buffer and return the number of their view."""
+        """Add bytes to the buffer and return the index of their view."""
         data = values if isinstance(values, bytes) else np.ascontiguousarray(values).tobytes()
         view: dict[str, Any] = {"buffer": 0, "byteOffset": self._size, "byteLength": len(data)}
         if target == "vertices" and not isinstance(values, bytes):
@@ -48,20 +48,20 @@ class Writer:
     def accessor(
         self, view: int, values: NDArray[Any], start: int, *, normalized: bool = False, extent: Any = None
     ) -> int:
-        """Add an accessor for the rows of a view from row `start` on, and return the accessor's number.
+        """Add an accessor for rows of a view from row `start` on, and return its index.
 
         Parameters
         ----------
         view
-            Number of a view, from `view`.
+            Index of a view, from `view`.
         values
             The rows (N,) or (N, K) that this accessor covers.
         start
-            Number of the view's rows before them.
+            Number of the view's rows before this accessor's.
         normalized
-            Whether whole numbers stand for 0..1.
+            Whether integers represent 0..1.
         extent
-            Least and greatest values by column, where the format requires them.
+            Least and greatest values by column, if the format requires them.
         """
         component = next(code for code, kind in _COMPONENTS.items() if values.dtype == kind)
         width = 1 if values.ndim == 1 else values.shape[1]
@@ -80,7 +80,7 @@ class Writer:
         return len(self._accessors) - 1
 
     def encode(self, document: dict[str, Any]) -> bytes:
-        """Return the file's bytes. Empty lists are left out, because glTF does not allow them."""
+        """Encode the file. Empty lists are left out, because glTF does not allow them."""
         whole = {
             **document,
             "accessors": self._accessors,
@@ -92,13 +92,13 @@ class Writer:
 
 
 def with_document(data: bytes, document: dict[str, Any]) -> bytes:
-    """The GLB with another JSON document and the same other chunks."""
+    """Replace the JSON document of a GLB, with the same other chunks."""
     _, end = header(data)
     return _file(json.dumps(document, separators=(",", ":"), allow_nan=False), data[end:])
 
 
 def header(data: bytes, parse: Callable[[bytes], Any] = formats.from_foreign_json) -> tuple[dict[str, Any], int]:
-    """Return the JSON document of a GLB, and the place where the next chunk begins; ValueError for anything else."""
+    """Return the JSON document of a GLB, and the start of the next chunk; ValueError for anything else."""
     start = _HEADER.size + _CHUNK.size
     if len(data) < start:
         raise ValueError("it ends within its header")
@@ -110,7 +110,7 @@ def header(data: bytes, parse: Callable[[bytes], Any] = formats.from_foreign_jso
 
 
 def binary(data: bytes, end: int) -> memoryview:
-    """Content of a GLB's chunk of binary data, the first among those that begin at `end`; empty for none."""
+    """Content of a GLB's first binary chunk from `end` on; empty if there is none."""
     while len(data) >= end + _CHUNK.size:
         length, kind = _CHUNK.unpack_from(data, end)
         start, end = end + _CHUNK.size, end + _CHUNK.size + length
@@ -122,7 +122,7 @@ def binary(data: bytes, end: int) -> memoryview:
 
 
 def entry(document: dict[str, Any], section: str, number: Any) -> dict[str, Any]:
-    """An entry of one of the document's lists; IndexError for numbers of none."""
+    """Entry of one of the document's lists; IndexError for an invalid index."""
     listed = document.get(section, [])
     if type(number) is not int or not 0 <= number < len(listed):
         raise IndexError(f"entry {number} of {len(listed)} {section}")
@@ -131,7 +131,7 @@ def entry(document: dict[str, Any], section: str, number: Any) -> dict[str, Any]
 
 
 def json_object(text: bytes, parse: Callable[[bytes], Any] = formats.from_foreign_json) -> dict[str, Any]:
-    """The object that JSON text holds; ValueError for anything else."""
+    """Parse a JSON object; ValueError for anything else."""
     document = parse(text)
     if not isinstance(document, dict):
         raise ValueError("its JSON is not an object")
@@ -139,7 +139,7 @@ def json_object(text: bytes, parse: Callable[[bytes], Any] = formats.from_foreig
 
 
 def _file(text: str, *rest: bytes) -> bytes:
-    """A GLB with this JSON, filled up to whole words, and the bytes of its other chunk."""
+    """Encode a GLB with this JSON, padded to whole words, and the bytes of its other chunk."""
     content = text.encode()
     content += b" " * (-len(content) % 4)
     chunks = [_CHUNK.pack(len(content), b"JSON"), content, *rest]
@@ -147,7 +147,7 @@ def _file(text: str, *rest: bytes) -> bytes:
 
 
 class Reader:
-    """Document and arrays of a file that `Writer` made; other files raise whatever error their damage causes."""
+    """Document and arrays of a file written by `Writer`; other files raise any error that their damage causes."""
 
     def __init__(self, data: bytes) -> None:
         self.document, end = header(data, formats.from_json)

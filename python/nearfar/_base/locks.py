@@ -1,4 +1,4 @@
-"""Locks between processes: files that one process holds at a time, on every system."""
+"""File locks between processes, on every system."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ if TYPE_CHECKING:
 
 @contextmanager
 def hold(path: Path, other_task: str | None) -> Iterator[None]:
-    """Hold a lock file; the system frees it when the process ends, even if it is killed.
+    """Hold a lock file; the system releases it when the process ends, even if it is killed.
 
-    On a file system without locks the lock is the existence of the file, which names the process that made it. If that
-    process has ended, the next one on the same machine removes the file.
+    On a file system without locks, the file's existence is the lock, and the file names the process that created it. If
+    that process has ended, the next one on the same machine removes the file.
 
     Parameters
     ----------
     path
-        The lock file. Its folder is made.
+        The lock file. Its folder is created.
     other_task
-        What another holder does, such as "another build writes into world.zarr"; None waits for its end.
+        Task of another holder, for the error, such as "another build writes into world.zarr"; None waits for its end.
 
     Raises
     ------
     BlockingIOError
-        Another process holds it, and `other_task` is given.
+        Another process holds the lock, and `other_task` is given.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
     lock = _lock(path)
@@ -53,7 +53,7 @@ def try_hold(path: Path) -> FileLock | None:
 
 
 def remove(lock: FileLock) -> None:
-    """Release a lock for which nobody waits, and remove its file."""
+    """Release a lock without waiters, and remove its file."""
     lock.release()
     with suppress(OSError):
         Path(lock.lock_file).unlink(missing_ok=True)

@@ -1,4 +1,4 @@
-"""Memory that results may take: what cannot fit is refused before work begins."""
+"""Available memory: results that cannot fit are rejected before work begins."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ import os
 from pathlib import Path
 
 _SMALL = 1 << 28
-"""Bytes that are not checked: a check takes as long as a small picture."""
+"""Bytes below which sizes are not checked: a check takes as long as a small picture."""
 
 _SYSTEM, _GROUP = Path("/proc/meminfo"), Path("/sys/fs/cgroup")
-"""Where Linux says how much memory there is, and how much a container may have and has."""
+"""Files in which Linux states memory, and the limit and use of a container."""
 
 
 def check_room(argument: str, what: str, size: int) -> None:
-    """Refuse a result of `size` bytes that `argument` asks for; MemoryError if the system says that it cannot fit."""
+    """Reject a result of `size` bytes for an argument; MemoryError if the system reports too little memory."""
     if size <= _SMALL:
         return
     room = _room()
@@ -24,7 +24,7 @@ def check_room(argument: str, what: str, size: int) -> None:
 
 @functools.cache
 def installed() -> int:
-    """Bytes of the machine's memory, or an estimate where the system does not say."""
+    """Bytes of the machine's memory, or a default if unknown."""
     try:
         return os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
     except (AttributeError, OSError, ValueError):
@@ -32,7 +32,7 @@ def installed() -> int:
 
 
 def _room() -> int | None:
-    """Bytes that a process may still take; None where the system does not say."""
+    """Bytes that a process may still allocate; None if unknown."""
     try:
         lines = (line.split() for line in _SYSTEM.read_text(encoding="ascii").splitlines())
         kilobytes = {words[0]: int(words[1]) for words in lines if len(words) > 1}
@@ -42,7 +42,7 @@ def _room() -> int | None:
     try:
         limit, taken = (int((_GROUP / f"memory.{name}").read_text(encoding="ascii")) for name in ("max", "current"))
         lines = (line.split() for line in (_GROUP / "memory.stat").read_text(encoding="ascii").splitlines())
-        # Pages of files that were read count as taken, but make room when it is needed.
+        # Cached file pages count as used, but are freed on demand.
         files = next((int(words[1]) for words in lines if words[0] == "inactive_file"), 0)
     except (OSError, ValueError):  # there is no limit
         return room

@@ -6,7 +6,7 @@ from typing import Any
 
 
 class WithTwin:
-    """A value whose compiled counterpart `_core` is made on first use; pickles and copies leave it out."""
+    """A value with a compiled counterpart `_core`, made on first use; pickles and copies omit it."""
 
     def __getstate__(self) -> dict[str, Any]:
         return {name: value for name, value in self.__dict__.items() if name != "_core"}

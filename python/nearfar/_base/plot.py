@@ -1,4 +1,4 @@
-"""Plots with matplotlib, which is imported at the first plot."""
+"""Plots with matplotlib, imported on first use."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def load_curve(
 
 
 def _per_cent(axes: Axes, total: int) -> None:
-    """Add an axis at the right that says by how many per cent the number of triangles is lower than `total`."""
+    """Add a right axis that shows the reduction relative to `total` in per cent."""
     lowest = axes.get_ylim()[0]
     shares = [10.0**-n for n in range(1, 1 + int(np.log10(total / lowest)))]
     right = axes.secondary_yaxis("right")
@@ -64,7 +64,7 @@ def score_curves(
 
 
 def over_time(ax: Axes | None, times: NDArray[Any], values: NDArray[Any], name: str, *, steps: bool) -> Axes:
-    """Plot values over seconds, which stay until the next one with `steps`; see `Timeline.plot`."""
+    """Plot values over seconds, as steps if `steps`; see `Timeline.plot`."""
     axes = _axes(ax)
     axes.plot(times, values, drawstyle="steps-post" if steps else "default")
     axes.set(xlabel="seconds", ylabel=name)

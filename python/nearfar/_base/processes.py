@@ -1,4 +1,4 @@
-"""Calls a function for many items in worker processes of this machine, which all end at Ctrl-C."""
+"""Calls a function for many items in worker processes of this machine, which all end on Ctrl-C."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ PATIENCE = 0.2
 """Seconds that an interrupted caller waits for its workers to end by themselves."""
 
 _is_stopped: Callable[[], bool] | None = None
-"""In a worker process: returns whether the parent process was interrupted; None elsewhere."""
+"""In a worker process, returns whether the parent process was interrupted; None elsewhere."""
 
 
 def over_processes(
@@ -52,9 +52,9 @@ def over_processes(
         raise
     except BaseException:
         stop.set()
-        # The pool tells nobody else which processes are its own, and forgets them at its shutdown.
+        # The pool exposes its processes only here, and forgets them at shutdown.
         own = list((pool._processes or {}).values())
-        # One that is terminated while it writes a result leaves a part of it, whose reader would wait for the rest.
+        # A worker terminated while it writes a result leaves a part of it, whose reader would wait for the rest.
         results: Any = pool._result_queue
         results._writer.close()
         pool.shutdown(wait=False, cancel_futures=True)
@@ -65,12 +65,12 @@ def over_processes(
 
 
 def _end(processes: Sequence[BaseProcess]) -> None:
-    """Let processes end what they are doing, if that is soon. Those that only begin have not looked for the event."""
+    """Give processes a short time to end, then terminate them. Starting processes do not check the event yet."""
     deadline = time.monotonic() + PATIENCE
     for process in processes:
         process.join(max(0.0, deadline - time.monotonic()))
     for process in processes:
-        # Files take their places whole or not at all.
+        # Safe, since files are written atomically.
         process.terminate()
 
 

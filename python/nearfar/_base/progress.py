@@ -1,4 +1,4 @@
-"""Progress of work that takes longer than half a second: bars on a terminal or in a notebook, else lines of text."""
+"""Progress of work longer than half a second: bars on a terminal or in a notebook, else lines of text."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Report = Callable[[int, int], None]
 """Callback that takes the finished and the total amount of work, in any unit."""
 
 DELAY = 0.5
-"""Seconds after which a bar appears; shorter work shows none."""
+"""Seconds before a bar appears; shorter work shows none."""
 
 UPDATE = 0.1
 """Seconds between two updates of a bar in a notebook."""
@@ -26,15 +26,15 @@ INTERVAL = 10.0
 """Seconds between two lines of text."""
 
 _writes_lines = False
-"""Whether progress is written as lines where no bar can be shown."""
+"""Whether progress is written as lines if no bar can be shown."""
 _last_line = 0.0
 """Time of the last line, or of the start of the command."""
 _shown: _Bar | None = None
-"""The visible bar. Only one is shown at a time, so a nested one stays invisible."""
+"""The visible bar. Only one is shown at a time, so nested bars stay invisible."""
 _hidden = contextvars.ContextVar("_hidden", default=False)
-"""Whether progress is hidden; other threads have a value of their own."""
+"""Whether progress is hidden; separate for each thread."""
 _look: contextvars.ContextVar[Callable[[], None] | None] = contextvars.ContextVar("_look", default=None)
-"""Is called with each report; other threads have a value of their own."""
+"""Callback for each report; separate for each thread."""
 
 
 @contextmanager
@@ -60,7 +60,7 @@ def bar(label: str) -> Iterator[Report]:
 
 @contextmanager
 def lines() -> Iterator[None]:
-    """Write a line to standard error every `INTERVAL` seconds of work within the block where no bar can be shown."""
+    """Within the block, write a line to standard error every `INTERVAL` seconds of work if no bar can be shown."""
     global _writes_lines, _last_line
     before, _writes_lines, _last_line = _writes_lines, True, time.monotonic()
     try:
@@ -71,7 +71,7 @@ def lines() -> Iterator[None]:
 
 @contextmanager
 def hidden() -> Iterator[None]:
-    """Show no progress of work within the block, which nobody waits for."""
+    """Show no progress within the block, for work that no user waits for."""
     token = _hidden.set(True)
     try:
         yield
@@ -81,7 +81,7 @@ def hidden() -> Iterator[None]:
 
 @contextmanager
 def watched(look: Callable[[], None]) -> Iterator[None]:
-    """Call a function several times a second of work within the block; what it raises ends the work."""
+    """Call a function several times a second during work in the block; its exceptions end the work."""
     token = _look.set(look)
     try:
         yield
@@ -90,7 +90,7 @@ def watched(look: Callable[[], None]) -> Iterator[None]:
 
 
 def look() -> None:
-    """Call the function that watches the work, if there is one: for loops that wait."""
+    """Call the function set by `watched`, if any; for loops that wait."""
     watch = _look.get()
     if watch is not None:
         watch()
@@ -177,7 +177,7 @@ def _in_notebook() -> bool:
 
 
 def _html(label: str, done: int, total: int) -> Any:
-    """Bar of a notebook; nothing without a label, which is what remains when the work is done."""
+    """HTML of a notebook's bar; empty without a label, once the work is done."""
     from IPython.display import HTML
 
     share = f'value="{done}" max="{total}"' if total else ""

@@ -1,6 +1,6 @@
 """Random numbers as a pure function of (seed, cell, index), equal in Rust and Python and on every platform.
 
-NumPy's generators are not used, because their streams depend on the order of draws and may change between versions.
+NumPy's generators are not used: their streams depend on the order of draws and may change between versions.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ def uniform(seed: int, cell: int, index: ArrayLike) -> NDArray[np.float64]:
     seed
         Number of the scene or experiment, 0 to 2⁶⁴ − 1.
     cell
-        Number of the drawn quantity, 0 to 2⁶⁴ − 1; different quantities of one seed are independent.
+        Number of the random quantity, 0 to 2⁶⁴ − 1; different quantities of a seed are independent.
     index
-        Numbers of the draws: whole numbers of any shape.
+        Indices of the draws: integers of any shape.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Places behind URLs, which fsspec opens, and the local paths that some URLs stand for."""
+"""Access to URLs through fsspec, and local paths given as URLs."""
 
 from __future__ import annotations
 
@@ -14,31 +14,31 @@ from typing import Any
 from nearfar._base import check
 
 LOCAL = ("file://", "local://")
-"""Beginnings of URLs of local paths."""
+"""Prefixes of URLs of local paths."""
 
 READ_ONLY = {"http", "https"}
-"""File systems of fsspec that only read."""
+"""Read-only file systems of fsspec."""
 
 HTTP_PACKAGES = "'fsspec[http]'"
-"""Packages that pip installs for them."""
+"""Packages to install for them with pip."""
 
 
 def is_url(path: object) -> bool:
-    """Whether a place is a URL, such as https://… or s3://…, but not file://…, which is a local path."""
+    """Whether a place is a URL, such as https://… or s3://…; file://… is a local path."""
     return isinstance(path, str) and "://" in path and not path.startswith(LOCAL)
 
 
 def local(path: str | os.PathLike[str]) -> Path:
-    """The path of a local place; ValueError or TypeError if it cannot be one."""
+    """Convert a local place to a path; ValueError or TypeError if it is invalid."""
     if isinstance(path, str) and path.startswith(LOCAL):
         kind, _, path = path.partition("://")
-        # `Path.as_uri` escapes spaces and letters beyond ASCII; fsspec's "local" has paths as they are.
+        # `Path.as_uri` escapes spaces and non-ASCII letters; fsspec's "local" has unescaped paths.
         path = urllib.parse.unquote(path) if kind == "file" else path
     return check.path("path", path)
 
 
 def system(url: str) -> tuple[Any, str]:
-    """The file system of a URL, and the path in it."""
+    """Return the file system of a URL, and the path in it."""
     check.text("path", url)
     is_web = url.partition("://")[0] in READ_ONLY
     if not importlib.util.find_spec("fsspec"):
@@ -53,7 +53,7 @@ def system(url: str) -> tuple[Any, str]:
         raise ValueError(
             f"path: expected what fsspec needs for such a URL ({needed}), got {check.shortened(url)}"
         ) from None
-    except Exception as error:  # each file system has errors of its own
+    except Exception as error:  # each file system has its own errors
         raise ValueError(
             f"path: expected a URL that fsspec can open, got {check.shortened(url)}: {check.one_line(str(error), 180)}"
         ) from None
@@ -64,7 +64,7 @@ def system(url: str) -> tuple[Any, str]:
 
 @contextmanager
 def as_os_errors(url: str, deed: str) -> Iterator[None]:
-    """Turn the errors of libraries behind file systems into OSError that names the URL; missing files stay missing."""
+    """Convert exceptions of file system libraries to OSError with the URL; missing files stay FileNotFoundError."""
     try:
         yield
     except FileNotFoundError:

@@ -1,4 +1,4 @@
-"""Runs jobs that release the interpreter, such as encoders of pictures, side by side in threads."""
+"""Runs jobs that release the interpreter, such as image encoders, in parallel threads."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ Result = TypeVar("Result")
 
 
 def results(jobs: Iterable[Callable[[], Result]]) -> Iterator[Result]:
-    """Results of jobs in their order; as many run at once as kernels have threads.
+    """Run jobs in parallel and yield their results in order; as many run at once as kernels have threads.
 
-    A job is taken when those before it have begun, so that memory holds few of them. Where there can be no thread, it
-    runs in the caller's. What one raises is raised in its turn; those that have not begun then never do.
+    A job is taken from the iterable once those before it have begun, so that memory holds few of them. If no thread can
+    be started, it runs in the caller's thread. A job's exception is raised in its turn; jobs not begun then never run.
     """
     workers = _core.thread_count()
     pool = ThreadPoolExecutor(workers)
@@ -29,13 +29,13 @@ def results(jobs: Iterable[Callable[[], Result]]) -> Iterator[Result]:
         while waiting:
             yield waiting.popleft()()
     finally:
-        # Ctrl-C does not wait for what has begun.
+        # Ctrl-C does not wait for jobs in progress.
         pool.shutdown(wait=False, cancel_futures=True)
 
 
 def _begun(pool: ThreadPoolExecutor, job: Callable[[], Result]) -> Callable[[], Result]:
-    """Begin a job in a thread; the function that waits for its result."""
+    """Submit a job to a thread; return the function that waits for its result."""
     try:
         return pool.submit(job).result
     except RuntimeError:
-        return job  # the system grants no more threads, or the interpreter ends
+        return job  # the system grants no more threads, or the interpreter is shutting down

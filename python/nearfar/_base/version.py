@@ -1,3 +1,3 @@
-"""The version, by itself so that every module can state it in files."""
+"""Version number, in its own module so that every module can import it."""
 
 __version__ = "0.1.0"

@@ -72,7 +72,7 @@ class Orthographic(_Bounded):
 
 @dataclass(frozen=True)
 class CubeFace:
-    """Face of a cube map, 0 to 5 for +x −x +y −y +z −z in world axes; a camera's orientation does not turn it."""
+    """Face of a cube map, 0 to 5 for +x −x +y −y +z −z in world axes; the camera's orientation does not rotate it."""
 
     face: int
 
@@ -101,7 +101,7 @@ class Camera(WithTwin):
     Raises
     ------
     ValueError, TypeError
-        For values that are not finite, a quaternion that is not unit, and an empty image.
+        Values that are not finite, a quaternion that is not unit, and an empty image.
     """
 
     position: tuple[float, float, float]

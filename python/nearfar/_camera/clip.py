@@ -1,4 +1,4 @@
-"""The `Clip` class: the part of space in which surfaces are seen."""
+"""The `Clip` class: planes and a box that limit the visible space."""
 
 from __future__ import annotations
 
@@ -10,27 +10,27 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar._base import check
 
 MOST = 8
-"""Greatest number of half-spaces, as many as graphics adapters clip by; a box takes six of them."""
+"""Maximum number of half-spaces, which is that of graphics adapters; a box takes six of them."""
 
 
 @dataclass(frozen=True)
 class Clip:
-    """Planes and a box that cut off what lies outside of them.
+    """Planes and a box; geometry outside them is not visible.
 
     Parameters
     ----------
     planes
-        Half-spaces (N, 4), as (n_x, n_y, n_z, d) in world axes and metres: points x with n·x + d ≥ 0 are seen. n may
+        Half-spaces (N, 4), as (n_x, n_y, n_z, d) in world axes and metres: points x with n·x + d ≥ 0 are visible. n may
         have any length but 0.
     box
-        World positions (2, 3) of the least and the greatest corner of a box with sides along the axes, metres: points
-        in it are seen; None for no box.
+        World positions (2, 3) of the least and the greatest corner of an axis-aligned box, metres: points in it are
+        visible; None for no box.
 
     Raises
     ------
     ValueError, TypeError
-        For more than eight half-spaces, of which a box takes six, for numbers that are not finite, for n = 0, and for a
-        box whose corners are not in order.
+        More than eight half-spaces, including six for a box; numbers that are not finite; n = 0; and a box whose
+        corners are not in order.
     """
 
     planes: ArrayLike = ()
@@ -59,7 +59,7 @@ class Clip:
 
 
 def _planes(value: ArrayLike) -> NDArray[np.float64]:
-    """Half-spaces (N, 4), N at most `MOST`; an empty sequence has none."""
+    """Check half-spaces (N, 4), N at most `MOST`; an empty sequence is allowed."""
     plain = check.plain("planes", value)
     if plain.size == 0:
         return np.empty((0, 4))

@@ -62,11 +62,11 @@ def range_from_depth(
     Raises
     ------
     ValueError
-        For values that are NaN or outside 0 to 1 (the message names the first one), wrong shapes, planes out of order,
+        Values that are NaN or outside 0 to 1 (the message names the first one), wrong shapes, planes out of order,
         matrices that are not such projections, a matrix without `depth_range`, and options that do not apply to the
         projection.
     TypeError
-        For depth of other types, because their value for depth 1 is unknown.
+        Depth of other types, because their value for depth 1 is unknown.
     """
     values = check.plain("depth", depth)
     # The name does not depend on the byte order.
@@ -109,7 +109,7 @@ def depth_from_range(
         As in `range_from_depth`; for NaN, negative distances, and points nearer than the near plane by more than the
         rounding of the range.
     TypeError
-        For values that are not numbers.
+        Values that are not numbers.
     """
     images, shape = _images("ranges", ranges, None)
     return _buffer(images.shape, projection, near, far, reverse, depth_range).depths(images).reshape(shape)
@@ -141,7 +141,7 @@ def range_error(
     Raises
     ------
     ValueError, TypeError
-        For distances outside near to far, planes out of order, and unknown formats.
+        Distances outside near to far, planes out of order, and unknown formats.
 
     Notes
     -----

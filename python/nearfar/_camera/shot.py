@@ -15,7 +15,7 @@ from nearfar._camera.camera import Camera
 from nearfar._camera.clip import Clip
 
 MAX_SAMPLES = 1024
-"""Greatest number of colour samples of a pixel."""
+"""Maximum number of colour samples of a pixel."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,22 +29,22 @@ class Shot:
     samples: int = 1
     """Number of colour samples of each pixel."""
     user: tuple[float, float, float] | None = None
-    """World position, metres, of the eye that a reduced scene is morphed for; None takes each camera's position."""
+    """World position in metres of the eye for which a reduced scene is morphed; None for each camera's position."""
     t_min: float = 0.0
     """Least distance along each ray at which surfaces are visible, metres."""
     t_max: float = math.inf
     """Greatest distance along each ray at which surfaces are visible, metres."""
     clip: Clip | None = None
-    """Planes and a box outside of which nothing is visible."""
+    """Planes and a box; nothing outside them is visible."""
     mask: NDArray[np.bool_] | None = field(default=None, compare=False)
-    """(H, W), for each pixel whether it is needed; others may be black and misses. None needs all."""
+    """(H, W), true for needed pixels; others may be black and misses. None for all pixels."""
     bare: bool = False
-    """Samples that see no triangle are black, instead of showing the sky or a map."""
+    """Whether samples that hit no triangle are black instead of showing the sky or a map."""
     occlusion: bool = True
-    """Graphics adapters leave out geometry that lies wholly behind pixels that `mask` does not need."""
+    """Whether graphics adapters cull geometry that is completely hidden by pixels that `mask` excludes."""
     instances: NDArray[np.bool_] | None = field(default=None, compare=False)
-    """(N,), for each instance of a scene, those that stand before those that move, whether the pictures may show it, so
-    that graphics adapters need not find that out. None says nothing."""
+    """(N,), whether the pictures may show each instance of a scene, static instances first, so that graphics adapters
+    need not cull them. None if unknown."""
 
     def __post_init__(self) -> None:
         cameras = check.items("cameras", self.cameras, Camera, "a sequence of Cameras")
@@ -91,7 +91,7 @@ class Shot:
 
     @property
     def settings(self) -> dict[str, Any]:
-        """Images, samples, pixels and parts of the rays, as kernels take them beside the camera."""
+        """Kernel arguments of the images, samples, pixels and ray limits, in addition to the camera."""
         return {
             "channels": list(self.channels),
             "samples": self.samples,

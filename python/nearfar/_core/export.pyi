@@ -1,4 +1,4 @@
-"""Kernels of what is streamed, which `nearfar._core` exports; there is no such module at run time."""
+"""Kernels for streaming, exported by `nearfar._core`; there is no such module at run time."""
 
 from typing import Any, final
 

@@ -1,4 +1,4 @@
-"""Kernels on graphics adapters, which `nearfar._core` exports; there is no such module at run time."""
+"""Kernels on graphics adapters, exported by `nearfar._core`; there is no such module at run time."""
 
 from collections.abc import Sequence
 from typing import Any, final

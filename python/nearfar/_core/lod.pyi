@@ -1,4 +1,4 @@
-"""Levels of detail, which `nearfar._core` exports; there is no such module at run time."""
+"""Kernels for levels of detail, exported by `nearfar._core`; there is no such module at run time."""
 
 import numpy as np
 from numpy.typing import NDArray

@@ -1,4 +1,4 @@
-"""Orthoviews, which `nearfar._core` exports; there is no such module at run time."""
+"""Kernels for orthoviews, exported by `nearfar._core`; there is no such module at run time."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, final

@@ -1,4 +1,4 @@
-"""Server of sites, which `nearfar._core` exports; there is no such module at run time."""
+"""Server of sites, exported by `nearfar._core`; there is no such module at run time."""
 
 from collections.abc import Callable
 from typing import final

@@ -1,4 +1,4 @@
-"""Kernels of hybrid mono-stereo rendering, which `nearfar._core` exports; there is no such module at run time."""
+"""Kernels for hybrid mono-stereo rendering, exported by `nearfar._core`; there is no such module at run time."""
 
 from typing import Any, final
 

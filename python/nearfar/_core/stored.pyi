@@ -1,4 +1,4 @@
-"""Meshes in the bytes of files, which `nearfar._core` exports; there is no such module at run time."""
+"""Meshes in the bytes of files, exported by `nearfar._core`; there is no such module at run time."""
 
 from typing import final
 

@@ -39,7 +39,7 @@ class EnvMap:
     Raises
     ------
     ValueError, TypeError
-        For arrays of wrong shapes or types, colours that are not finite, ranges that are NaN or below 0.
+        Arrays of wrong shapes or types, colours that are not finite, ranges that are NaN or below 0.
     """
 
     center: tuple[float, float, float]
@@ -118,7 +118,7 @@ class EnvMap:
         Raises
         ------
         ValueError
-            For a channel that was not baked, and a filter that does not fit it.
+            A channel that was not baked, and a filter that does not fit it.
         """
         check.choice("channel", channel, CHANNELS)
         values = getattr(self, channel)
@@ -134,7 +134,7 @@ class EnvMap:
         return cube_lookup(faces, directions, filter=chosen, radius=radius)
 
     def save(self, path: str | os.PathLike[str], *, half: bool = True) -> None:
-        """Write the map to an OpenEXR file, completely or not at all.
+        """Write the map to an OpenEXR file, atomically.
 
         Parameters
         ----------
@@ -150,9 +150,9 @@ class EnvMap:
         Raises
         ------
         ValueError
-            For another suffix, and for colours beyond 65,504 with `half`.
+            Another suffix, and colours beyond 65,504 with `half`.
         TypeError
-            For anything but a string or a path.
+            Anything but a string or a path.
         OSError
             If the file cannot be written.
         """
@@ -182,7 +182,7 @@ class EnvMap:
         exr.write(target, parts, document, {"center": self.center})
 
     def save_equirectangular(self, path: str | os.PathLike[str], *, height: int | None = None) -> None:
-        """Write the colour as one equirectangular picture, completely or not at all, for programs without cube maps.
+        """Write the colour as one equirectangular picture, atomically, for programs without cube maps.
 
         Parameters
         ----------
@@ -196,9 +196,9 @@ class EnvMap:
         Raises
         ------
         ValueError
-            For another suffix, and for colours beyond 65,504 in an EXR file.
+            Another suffix, and colours beyond 65,504 in an EXR file.
         TypeError
-            For anything but a string or a path.
+            Anything but a string or a path.
         OSError
             If the file cannot be written.
         """

@@ -77,9 +77,9 @@ def convert_envmap(
     Raises
     ------
     ValueError
-        For wrong shapes and sizes, and unknown layouts and filters.
+        Wrong shapes and sizes, and unknown layouts and filters.
     TypeError
-        For values that are not numbers.
+        Values that are not numbers.
 
     References
     ----------
@@ -127,7 +127,7 @@ def envmap_directions(size: int | tuple[int, int], *, layout: str = "cube") -> N
     Raises
     ------
     ValueError, TypeError
-        For unknown layouts, and sizes out of range.
+        Unknown layouts, and sizes out of range.
     """
     shape = _shape("layout", layout, size)
     directions = np.empty((*_array_shape(shape), 3))
@@ -153,7 +153,7 @@ def envmap_texels(directions: ArrayLike, *, size: int | tuple[int, int], layout:
     Raises
     ------
     ValueError, TypeError
-        For unknown layouts, sizes out of range, directions that are zero or not finite.
+        Unknown layouts, sizes out of range, directions that are zero or not finite.
     """
     shape = _shape("layout", layout, size)
     rows, outer = directions_of(directions)
@@ -181,7 +181,7 @@ def _shape(name: str, layout: str, size: int | tuple[int, int]) -> tuple[str, in
     """Check a layout and a size; returns layout, rows and columns."""
     check.choice(name, layout, LAYOUTS)
     limit = LIMIT if layout == "cube" else 2 * LIMIT
-    # NumPy arrays are accepted like tuples; three numbers are enough to see that they are too many.
+    # NumPy arrays are accepted like tuples; three of their numbers suffice to detect a wrong count.
     size = tuple(size[:3].tolist()) if isinstance(size, np.ndarray) and size.ndim == 1 else size
     if layout != "equirectangular":
         edge = check.integer("size", size, 1, limit)  # type: ignore[arg-type]

@@ -18,7 +18,7 @@ BITS = {1: np.uint8, 2: np.uint16, 4: np.uint32, 8: np.uint64}
 """Unsigned type by size in bytes, in which "nearest" copies numbers of any type."""
 
 LIMIT = 16384
-"""Greatest number of texels across a face."""
+"""Maximum number of texels across a face."""
 
 
 def cube_lookup(
@@ -72,10 +72,10 @@ def cube_lookup(
     Raises
     ------
     ValueError
-        For wrong shapes, unknown filters, directions that are zero or not finite, a radius out of range, and a radius
-        with a filter that has none.
+        Wrong shapes, unknown filters, directions that are zero or not finite, a radius out of range, and a radius with
+        a filter that has none.
     TypeError
-        For values that are not numbers.
+        Values that are not numbers.
 
     References
     ----------
@@ -120,9 +120,9 @@ def cube_mips(faces: ArrayLike, *, filter: str = "mean") -> list[NDArray[Any]]: 
     Raises
     ------
     ValueError
-        For wrong shapes and unknown filters.
+        Wrong shapes and unknown filters.
     TypeError
-        For values that are not numbers.
+        Values that are not numbers.
     """
     check.choice("filter", filter, ("mean", "min", "max"))
     texels = check.plain("faces", faces)
@@ -152,7 +152,7 @@ def cube_solid_angles(size: int) -> NDArray[np.float64]:
     Raises
     ------
     ValueError, TypeError
-        For sizes out of range.
+        Sizes out of range.
 
     References
     ----------

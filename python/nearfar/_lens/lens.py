@@ -20,7 +20,7 @@ METHODS = ("newton", "fixed_point", "lut")
 """Names of the methods that `RadialLens.undistort` describes."""
 
 OUTSIDE = ("raise", "nan")
-"""Treatments of values outside the lens's domain."""
+"""Names of treatments of values outside the lens's domain."""
 
 
 @dataclass(frozen=True)
@@ -41,8 +41,8 @@ class RadialLens(WithTwin, Warping):
     Raises
     ------
     ValueError, TypeError
-        For coefficients that are not finite numbers, and for those whose terms reach the size of r before r = 10⁻³⁰ or
-        not before r = 10³⁰.
+        Coefficients that are not finite numbers, and those whose terms reach the size of r before r = 10⁻³⁰ or not
+        before r = 10³⁰.
 
     References
     ----------
@@ -105,7 +105,7 @@ class RadialLens(WithTwin, Warping):
         Raises
         ------
         ValueError
-            For radii beyond `r_max` and for NaN, unless `outside` is "nan".
+            Radii beyond `r_max` and NaN, unless `outside` is "nan".
         """
         values = check.array("r", r, columns=None)
         return self._core.distort(values.reshape(-1), _raises_outside(outside)).reshape(values.shape)
@@ -143,7 +143,7 @@ class RadialLens(WithTwin, Warping):
         Raises
         ------
         ValueError
-            For radii beyond `distorted_max` and for NaN, unless `outside` is "nan".
+            Radii beyond `distorted_max` and NaN, unless `outside` is "nan".
         """
         check.choice("method", method, METHODS)
         steps = check.integer("iterations", iterations, 0, 1000)
@@ -238,7 +238,7 @@ def corrected_solid_angle(
     Raises
     ------
     ValueError, TypeError
-        For wrong shapes, numbers that are not finite, radii below 0, and cameras without a `Fov`.
+        Wrong shapes, numbers that are not finite, radii below 0, and cameras without a `Fov`.
 
     References
     ----------

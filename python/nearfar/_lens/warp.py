@@ -1,4 +1,4 @@
-"""Warps pictures by a lens's distortion, and makes meshes with which runtimes warp."""
+"""Warps pictures by a lens's distortion, and makes warp meshes for runtimes."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ TYPES = (np.uint8, np.uint16, np.float32, np.float64)
 """Number types of pictures."""
 
 MOST_CELLS = 1 << 18
-"""Greatest number of cells of a mesh that is made for a tolerance."""
+"""Maximum number of cells of a mesh that is made for a tolerance."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,14 +43,14 @@ class WarpMesh:
     faces: NDArray[np.uint32] = field(repr=False)
     """(F, 3) uint32, vertex numbers, counter-clockwise."""
     error_px: float
-    """Greatest displacement of any shown point of the source picture, in pixels of that picture.
+    """Maximum displacement of any shown point of the source picture, in pixels of that picture.
 
     A bound from the map's second derivatives, not a measurement. Cells that show nothing of the picture do not count.
     """
 
 
 class Warping(abc.ABC):
-    """The part common to lenses of one and of three colours: they warp pictures, and make meshes for that."""
+    """Base class of lenses for one or three colours: warps pictures, and makes warp meshes."""
 
     @property
     @abc.abstractmethod
@@ -80,8 +80,8 @@ class Warping(abc.ABC):
             False moves the pixel at r to f(r), like the lens. True moves the pixel at f(r) to r, so that the lens moves
             it back.
         fov
-            Field of view of the picture, as tangents from the lens's axis, such as `hmd.left.fov`. A frame has that of
-            its camera, and takes no other. An array has none: "symmetric" states that the axis is in the middle, that
+            Field of view of the picture, as tangents from the lens's axis, such as `hmd.left.fov`. Frames use that of
+            their camera, and this must be None. Arrays need it: "symmetric" states that the axis is in the middle, that
             pixels are square, and that r = 1 at the left and right edges.
         output_fov, size
             Field of view and (width, height) in pixels of the result; by default those of `image`.
@@ -96,14 +96,14 @@ class Warping(abc.ABC):
         Returns
         -------
         NDArray
-            The warped picture, in the type of `image`; of a frame its warped colour, (H, W, 3) float32, linear RGB, and
-            no `Frame`, because no camera has the rays of its pixels. The position that a pixel is read from has an
+            The warped picture, in the type of `image`; for a frame its warped colour, (H, W, 3) float32, linear RGB,
+            not a `Frame`, because no camera has the rays of its pixels. The position that a pixel is read from has an
             error of at most 5·10⁻¹⁰ of its distance from the axis.
 
         Raises
         ------
         ValueError, TypeError
-            For wrong shapes and types, unknown filters, a picture without a field of view, frames without colour, and
+            Wrong shapes and types, unknown filters, a picture without a field of view, frames without colour, and
             frames of cameras without a `Fov`.
         """
         check.choice("filter", filter, FILTERS)
@@ -142,26 +142,26 @@ class Warping(abc.ABC):
         Parameters
         ----------
         size
-            (width, height) of the source picture in pixels; or its camera, or a frame of that camera, which have its
-            `fov` too.
+            (width, height) of the source picture in pixels; or its camera, or a frame of that camera, which also define
+            its `fov`.
         inverse, fov, output_fov, lens_radius
             As in `warp`. Runtimes need the inverse, which cancels the lens's distortion.
         cells
             Columns and rows of the grid, 1 to 4096 each. By default as many as `tolerance_px` needs.
         tolerance_px
-            Greatest error in pixels of the source picture.
+            Maximum error in pixels of the source picture.
 
         Returns
         -------
         WarpMesh
-            The mesh, without cells that reach beyond the lens's domain. Of a `ChromaticLens` it has texture coordinates
-            for red, green and blue.
+            The mesh, without cells that reach beyond the lens's domain. For a `ChromaticLens` it has texture
+            coordinates for red, green and blue.
 
         Raises
         ------
         ValueError
-            For a tolerance that 2¹⁸ cells do not satisfy, as near the fold of an inverse, and for a field of view
-            beyond the lens's domain. For a size without a field of view, and cameras without a `Fov`.
+            A tolerance that 2¹⁸ cells do not satisfy, such as near the fold of an inverse; a field of view beyond the
+            lens's domain; a size without a field of view; or a camera without a `Fov`.
         """
         distort = not check.flag("inverse", inverse)
         if isinstance(size, Camera | Frame):
@@ -231,7 +231,7 @@ def radius_of(fov: Fov, lens_radius: float | None) -> float:
 
 
 def _fov_of(name: str, camera: Camera, fov: object) -> Fov:
-    """Field of view of a frame's or a mesh's camera; refuses another one beside it."""
+    """Field of view of a frame's or a mesh's camera; ValueError if the caller gave another one."""
     if fov is not None:
         raise ValueError(
             f"fov: expected None, because {name} has the field of view of its camera, got {check.shown(fov)}"

@@ -65,7 +65,7 @@ def compare(reference: Frame, test: Frame, *, center: ArrayLike, radius: float) 
     Raises
     ------
     ValueError, TypeError
-        For frames without these channels or of different sizes, and arguments out of their domains.
+        Frames without these channels or of different sizes, and arguments out of range.
 
     References
     ----------

@@ -43,7 +43,7 @@ def discontinuity(
     Raises
     ------
     ValueError, TypeError
-        For frames without positions, a `truth_camera` of another size, and arguments out of their domains.
+        Frames without positions, a `truth_camera` of another size, and arguments out of range.
 
     References
     ----------
@@ -95,11 +95,11 @@ def boundary(
     radius
         Radius at which the near part ends, metres: r2 of the reduction.
     width
-        Number of pixels on each side that belong to the boundary, 1 to 1000.
+        Number of pixels on each side of the outermost near pixels that belong to the boundary, 1 to 1000.
     surfaces
-        True finds it only where a surface crosses the radius: the neighbour has ρ ≤ 1.02 `radius`, too. Outlines of
-        things that end at the radius, before others that are much farther away, are left out: every picture with one
-        map shifts the latter.
+        True limits the boundary to surfaces that cross the radius: the neighbour has ρ ≤ 1.02 `radius`, too. This
+        excludes silhouettes of objects that end at the radius in front of much farther ones, which every picture with
+        one map shifts.
 
     Returns
     -------
@@ -109,7 +109,7 @@ def boundary(
     Raises
     ------
     ValueError, TypeError
-        For frames without positions and arguments out of their domains.
+        Frames without positions and arguments out of range.
     """
     check.instance("frame", frame, Frame)
     middle, end = np.array(check.vector("center", center)), check.positive("radius", radius)
@@ -127,7 +127,7 @@ def _edge(
     farthest: float,
     reach: int,
 ) -> NDArray[np.bool_]:
-    """Pixels within `reach` of the last ones that are no farther than `end` from the axis, and of the next ones."""
+    """Pixels within `reach` of the outermost near ones, which are within `end` of the axis beside a pixel beyond it."""
     away = position.astype(np.float64) + origin - middle
     rho = np.hypot(away[..., 0], away[..., 2])
     beyond = (rho > end) & (rho <= farthest)

@@ -18,11 +18,11 @@ GREATEST = 1e150
 """Greatest absolute value of a pixel, so that float64 holds its square."""
 
 _KERNEL_TYPES = (np.uint8, np.uint16, np.float32)
-"""Types that kernels read beside float64, which they take for all that do not fit into these."""
+"""Types that kernels read besides float64, which is used for all values that do not fit into these."""
 
 
 _MODES = ("1", "L", "RGB", "I", "F", "I;16", "I;16L", "I;16B", "I;16N")
-"""Modes of Pillow images whose values are those of their pixels: grey of any depth, and RGB."""
+"""Accepted modes of Pillow images: grey of any depth, and RGB."""
 
 
 class Pair(NamedTuple):
@@ -51,9 +51,9 @@ class Pair(NamedTuple):
     def is_beyond(self, least: float, greatest: float) -> bool:
         """Whether values differ by more than `data_range`.
 
-        Whole numbers are exact. Real numbers may exceed it by their own rounding, and by a millionth, which is what
-        weights that sum to 1 up to float32's rounding add: Rec. 709's make the luma of white 1.0000001. Filters that
-        overshoot exceed it by percents, and do not get away with it.
+        Whole numbers are exact. Real numbers may exceed it by their own rounding, and by a millionth, because weights
+        may sum to 1 only up to float32's rounding: Rec. 709's make the luma of white 1.0000001. Filters that overshoot
+        exceed it by percents and are rejected.
         """
         extent, allowed = self.extent(), 0.0
         if self.reference.dtype.kind == "f":
@@ -61,7 +61,7 @@ class Pair(NamedTuple):
         return greatest - least > extent + allowed
 
     def check_values(self, least: float, greatest: float) -> None:
-        """Refuse pictures whose least and greatest value differ by more than `data_range`."""
+        """Raise ValueError for pictures whose least and greatest value differ by more than `data_range`."""
         if self.is_beyond(least, greatest):
             raise ValueError(
                 f"data_range: expected at least {greatest - least:.9g}, because the pictures' values reach from "
@@ -89,10 +89,10 @@ def pair(reference: ArrayLike | Frame, test: ArrayLike | Frame, data_range: floa
     Raises
     ------
     ValueError
-        For different shapes, empty pictures, frames without colour or with a `data_range`, and Pillow images of a mode
-        that is neither grey nor RGB.
+        Different shapes, empty pictures, frames without colour or with a `data_range`, and Pillow images of a mode that
+        is neither grey nor RGB.
     TypeError
-        For values that are not numbers, and for a frame together with an array.
+        Values that are not numbers, and a frame together with an array.
     """
     if isinstance(reference, Frame) and isinstance(test, Frame):
         first, second = luma(reference), luma(test)
@@ -118,7 +118,7 @@ def frame_extent(data_range: float | None) -> float:
 
 
 def channel_axis(pair: Pair, axis: int | None) -> int | None:
-    """Find the axis of the channels; None for (H, W). ValueError for what is not one picture."""
+    """Find the axis of the channels; None for (H, W). ValueError for shapes that are not those of one picture."""
     shape = pair.reference.shape
     if axis is not None:
         chosen = check.integer("channel_axis", axis, -3, 2)
@@ -139,7 +139,7 @@ def channel_axis(pair: Pair, axis: int | None) -> int | None:
 
 
 def refuse_alpha(shape: tuple[int, ...], otherwise: str) -> None:
-    """Refuse pictures whose last axis is that of grey and alpha or RGB and alpha: alpha that is even hides errors."""
+    """Raise ValueError for pictures whose last axis seems to include alpha (2 or 4 long): even alpha hides errors."""
     if len(shape) > 2 and shape[-1] in (2, 4):
         raise ValueError(
             f"reference: expected pictures without alpha, got shape {shape}; drop it by "
@@ -187,8 +187,8 @@ def numbers(name: str, value: ArrayLike) -> NDArray[Any]:
 
 
 def _check_mode(name: str, value: object) -> None:
-    """Refuse Pillow images whose values are no grey or RGB: NumPy would compare indices into palettes, and alpha."""
-    # Whoever has an image has loaded Pillow.
+    """Raise ValueError for Pillow images that are not grey or RGB: NumPy would compare palette indices, and alpha."""
+    # An image exists only if Pillow is loaded.
     pillow = sys.modules.get("PIL.Image")
     if pillow is not None and isinstance(value, pillow.Image) and value.mode not in _MODES:
         raise ValueError(

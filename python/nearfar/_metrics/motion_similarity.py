@@ -1,4 +1,4 @@
-"""Similarity of consecutive pictures of a moving camera, with the motion taken out."""
+"""Similarity of consecutive pictures of a moving camera, compensated for motion."""
 
 from __future__ import annotations
 
@@ -12,33 +12,33 @@ from nearfar._render.ranged import motion_of, ranged
 
 
 def motion_ssim(earlier: Frame, later: Frame, *, full: bool = False) -> Similarity:
-    """Compute how similar a picture is to the one before where both show the same surfaces: 1 if nothing flickers.
+    """Compute the similarity of a picture to the previous one on surfaces that both show: 1 if nothing flickers.
 
-    The earlier picture is warped to the later one by the later one's motion; then SSIM is taken over the pixels whose
-    surface both see.
+    The earlier picture is warped to the later one by the later one's motion; then SSIM is computed over the pixels
+    whose surface both show.
 
     Parameters
     ----------
     earlier
-        The picture before, with colour and range.
+        The previous picture, with colour and range.
     later
-        The picture, of any size, with colour, range and the motion since the picture before.
+        The picture, of any size, with colour, range and the motion since the previous picture.
     full
         Whether to compute the similarity around each pixel, too.
 
     Returns
     -------
     Similarity
-        As `ssim` of frames. A pixel counts if the earlier picture, looked up between its pixels, shows a surface at the
-        same distance from the earlier camera within 2 %; windows that see other pixels see them unchanged. Pictures of
-        several methods are compared alike if they are given the truth's range and motion, by `dataclasses.replace`.
+        As `ssim` of frames. A pixel counts if the earlier picture, interpolated there, shows a surface at the same
+        distance from the earlier camera within 2 %; windows see other pixels as unchanged. Results of several methods
+        are comparable if their pictures have the truth's range and motion, by `dataclasses.replace`.
 
     Raises
     ------
     ValueError
-        For frames without these images, and where no pixel shows the same surface in both.
+        Frames without these images, or frames without a common surface.
     TypeError
-        For something that is no frame.
+        Values that are not frames.
     """
     past, now, motion = ranged("earlier", earlier), ranged("later", later), motion_of("later", later)
     warped, seen = _core.blend_past(past, now, fade=(0.0, 0.0), motion=motion)

@@ -32,10 +32,10 @@ def rmse(reference: ArrayLike | Frame, test: ArrayLike | Frame) -> float:
     Raises
     ------
     ValueError
-        For different shapes, empty pictures, frames without colour, values that are not finite or beyond 1e150, and
-        three or more axes whose last is 2 or 4 long, which would count alpha.
+        Different shapes, empty pictures, frames without colour, values that are not finite or beyond 1e150, and three
+        or more axes whose last is 2 or 4 long, which would count alpha.
     TypeError
-        For values that are not numbers, and for a frame together with an array.
+        Values that are not numbers, and a frame together with an array.
     """
     return math.sqrt(_mean_squared_error(inputs.pair(reference, test), ranges=False)[0])
 
@@ -50,7 +50,7 @@ def psnr(reference: ArrayLike | Frame, test: ArrayLike | Frame, *, data_range: f
     data_range
         Difference between the greatest and the least possible value, such as 255 for 8 bits. Arrays need it, because it
         is never guessed, and their values may differ by no more (for floats a millionth more, which is rounding).
-        Frames take none: theirs is 1.
+        Frames need none: theirs is 1.
 
     Returns
     -------
@@ -87,7 +87,7 @@ def object_completion(reference_ids: ArrayLike, test_ids: ArrayLike) -> tuple[fl
     Raises
     ------
     ValueError, TypeError
-        For different shapes, and for values that are not 32-bit integers.
+        Different shapes, and values that are not 32-bit integers.
 
     References
     ----------

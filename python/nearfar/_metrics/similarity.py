@@ -89,9 +89,8 @@ def ssim(
     Raises
     ------
     ValueError, TypeError
-        As in `psnr`, and for windows, sizes and masks out of their domains, and for three axes whose last is neither 1
-        nor 3 long without `channel_axis`. Of masked pictures only the pixels that windows see must lie within
-        `data_range`.
+        As in `psnr`; windows, sizes and masks out of range; and three axes whose last is neither 1 nor 3 long without
+        `channel_axis`. In masked pictures only pixels within windows must be within `data_range`.
 
     References
     ----------
@@ -266,7 +265,7 @@ def visual_continuity(
     Yields
     ------
     float
-        For each picture except the first, its SSIM with the picture before, in one window over the whole picture.
+        For each picture except the first, its SSIM with the previous picture, in one window over the whole picture.
 
     Raises
     ------
@@ -293,7 +292,7 @@ def visual_continuity(
 
 
 def _continuity(last: NDArray[Any], current: NDArray[Any], data_range: float | None, channel_axis: int | None) -> float:
-    """Similarity of two pictures of a sequence, whose messages name the sequence."""
+    """Similarity of two pictures of a sequence; error messages name `frames`."""
     try:
         return ssim(last, current, data_range=data_range, window="global", channel_axis=channel_axis)
     except (TypeError, ValueError) as error:
@@ -306,7 +305,7 @@ def _continuity(last: NDArray[Any], current: NDArray[Any], data_range: float | N
 def _check_values(
     pair: Pair, window: Window, found: tuple[float, float] | NDArray[np.float64], mask: NDArray[np.uint8] | None
 ) -> None:
-    """Refuse values beyond `data_range`; `found` are the least and the greatest of at least those that windows see."""
+    """Raise ValueError for values beyond `data_range`; `found` is the range of at least the values within windows."""
     least, greatest = (float(value) for value in found)
     if mask is not None and pair.is_beyond(least, greatest):
         seen = window.seen(mask, *pair.reference.shape[-2:])

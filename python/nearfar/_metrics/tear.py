@@ -1,4 +1,4 @@
-"""Tears of a picture: what is left of a pixel's neighbourhood in the truth after the affine map that fits it best."""
+"""Tears of a picture: the residual of a pixel's neighbourhood in the truth after the best affine fit."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ def tear(frame: Frame, truth_camera: Camera | None = None, *, epsilon: float = E
     """Measure for each pixel by how many pixels its neighbours in the true picture are torn apart in this picture.
 
     Each pixel's scene point is projected to the true picture. The pixels whose points project within ε (`epsilon`) of a
-    pixel's own, and the pixel itself, are its neighbourhood. The affine map of places in the truth that comes closest
-    to the places in this picture takes away translation, scale, rotation and shear. The tear is the root mean square of
-    the distances that are left, divided by 0.264, which is what a tear of one pixel leaves of a disc.
+    pixel's own, and the pixel itself, are its neighbourhood. The best affine map from positions in the truth to those
+    in this picture removes translation, scale, rotation and shear. The tear is the root mean square of the residual
+    distances, divided by 0.264, the residual of a disc that is torn by one pixel.
 
     Parameters
     ----------
@@ -50,7 +50,7 @@ def tear(frame: Frame, truth_camera: Camera | None = None, *, epsilon: float = E
     Raises
     ------
     ValueError, TypeError
-        For frames without positions, a `truth_camera` of another size, and arguments out of their domains.
+        Frames without positions, a `truth_camera` of another size, and arguments out of range.
 
     See Also
     --------
@@ -63,18 +63,18 @@ def tear(frame: Frame, truth_camera: Camera | None = None, *, epsilon: float = E
 
 @dataclass(frozen=True, kw_only=True)
 class BoundaryTear:
-    """Tear of a picture along the boundary of its near part; the result of `boundary_tear`. A mean of none is None."""
+    """Tear of a picture along the boundary of its near part; from `boundary_tear`. Means over no pixels are None."""
 
     pixels: int
     """Number of pixels along the boundary that have neighbours."""
     shared: float | None
-    """Share of them whose neighbourhood lies on both sides. Where one side hides the other, no tear can be seen."""
+    """Share of them whose neighbourhood lies on both sides. If one side occludes the other, no tear is visible."""
     tear: float | None
-    """Mean tear over these, pixels."""
+    """Mean tear over those on both sides, pixels."""
     kink: float | None
-    """Mean over these of the part that is a change of slope, pixels; it does not grow with the resolution."""
+    """Mean over those on both sides of the part that is a change of slope, pixels; independent of the resolution."""
     pixels_per_degree: float | None
-    """Density of the picture where the camera looks, pixels for each degree; None for an orthographic view."""
+    """Density of the picture where the camera looks, pixels per degree; None for an orthographic view."""
 
 
 def boundary_tear(
@@ -82,7 +82,7 @@ def boundary_tear(
 ) -> BoundaryTear:
     """Measure the tear of a picture of a reduced scene along the boundary of its near part.
 
-    Tears are compared at the density of a headset, some 20 pixels for each degree: at a lower one the change of slope
+    Tears should be compared at the density of a headset, some 20 pixels per degree: at a lower one the change of slope
     that every morph has at its radii counts as much as the tear itself.
 
     Parameters
@@ -108,7 +108,7 @@ def boundary_tear(
     Raises
     ------
     ValueError, TypeError
-        For frames without positions and arguments out of their domains.
+        Frames without positions and arguments out of range.
     """
     edge = boundary(frame, center=center, radius=radius, surfaces=surfaces)
     middle, end = np.array(check.vector("center", center)), check.positive("radius", radius)
@@ -131,7 +131,7 @@ def boundary_tear(
 
 
 def _density(camera: Camera) -> float | None:
-    """Pixels for each degree around the axis of a view."""
+    """Pixels per degree around the axis of a view."""
     fov = camera.fov
     return float(np.radians(camera.size[0] / (fov.right - fov.left))) if isinstance(fov, Fov) else None
 
@@ -144,7 +144,7 @@ def _tears(
     side: NDArray[np.bool_] | None = None,
     wanted: NDArray[np.bool_] | None = None,
 ) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
-    """Tears (H, W), and, where it is known on which side of a border each pixel is, whether both are near it."""
+    """Tears (H, W), and, if `side` tells each pixel's side of a border, whether both sides are in its neighbourhood."""
     position = np.ascontiguousarray(frame.require("position"), np.float32)
     with progress.bar("measuring tears") as report:
         torn, both = _core.tear(

@@ -87,7 +87,7 @@ class Window:
         )
 
     def seen(self, mask: NDArray[Any], height: int, width: int) -> NDArray[np.bool_]:
-        """Pixels of a picture (H, W) that the windows see which a mask, downsampled like the picture, names."""
+        """Pixels of a picture (H, W) within the windows that a mask selects, which is downsampled like the picture."""
         named: NDArray[np.bool_] = mask != 0
         if self.masking == "windows":
             return named
@@ -104,7 +104,7 @@ class Window:
         factor = self.shrink(height, width)
         if factor == 1:
             return counted
-        # Boxes begin before the pixel that they are the mean of.
+        # Boxes of the downsampling begin before the pixel that has their mean.
         rows, columns = (
             np.minimum((np.arange(length) + (factor - 1) // 2) // factor, small - 1)
             for length, small in zip((height, width), counted.shape, strict=True)
@@ -113,7 +113,7 @@ class Window:
 
 
 def _reached(counted: NDArray[np.bool_], before: int, after: int, axis: int) -> NDArray[np.bool_]:
-    """Pixels along an axis that lie in the window around any pixel that counts."""
+    """Pixels along an axis that lie in the window around any counted pixel."""
     length = counted.shape[axis]
     total = np.insert(np.cumsum(counted, axis=axis), 0, 0, axis=axis)
     place = np.arange(length)

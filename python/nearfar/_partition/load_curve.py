@@ -63,9 +63,9 @@ class LoadCurve:
         Raises
         ------
         ValueError
-            For negative radii and NaN.
+            Negative radii and NaN.
         TypeError
-            For values that are not numbers.
+            Values that are not numbers.
         """
         radii = check.array("r2", r2, columns=None, dtype=np.float64)
         counts = self._core.count(radii.reshape(-1)).reshape(radii.shape)
@@ -94,7 +94,7 @@ class LoadCurve:
         ValueError
             If even r2 = 0 exceeds a budget, because more triangles than that move or lie on the axis.
         TypeError
-            For values that are not whole numbers.
+            Values that are not whole numbers.
         """
         budgets = check.array("budget", budget, columns=None, dtype=np.int64)
         if budgets.size and budgets.min() < 0:
@@ -174,9 +174,9 @@ def load_curve(scene: Scene, *, center: ArrayLike) -> LoadCurve:
     Raises
     ------
     ValueError
-        For a centre that is not finite.
+        A centre that is not finite.
     TypeError
-        For arguments of another type.
+        Arguments of another type.
 
     References
     ----------

@@ -38,9 +38,9 @@ def triangle_radii(vertices: ArrayLike, faces: ArrayLike | None = None, *, cente
     Raises
     ------
     ValueError
-        For wrong shapes, vertex numbers out of range, and coordinates that are not finite.
+        Wrong shapes, vertex numbers out of range, and coordinates that are not finite.
     TypeError
-        For values that are not numbers.
+        Values that are not numbers.
 
     References
     ----------
@@ -182,9 +182,9 @@ def partition(scene: Scene, *, center: ArrayLike, r1: float, r2: float, unit: st
     Raises
     ------
     ValueError
-        For radii out of order, a centre that is not finite, and unknown units.
+        Radii out of order, a centre that is not finite, and unknown units.
     TypeError
-        For arguments of another type.
+        Arguments of another type.
 
     References
     ----------

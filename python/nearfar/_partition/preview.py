@@ -21,16 +21,16 @@ SIZE = 360
 """Width and height of the picture in pixels."""
 
 MOST_DRAWN = 6_000
-"""Greatest number of triangles that are drawn of a zone: the largest in the picture, and some of the others."""
+"""Maximum number of triangles drawn of a zone: the largest in the picture, and some of the others."""
 
 LARGEST = 1_000
-"""How many of these are the largest."""
+"""Number of the largest ones among them."""
 
 MOST_MEASURED = 200_000
-"""Greatest number of triangles of a zone among which the largest are looked for, evenly spread."""
+"""Maximum number of triangles of a zone, evenly spread, among which the largest are searched."""
 
 MOST_LISTED = 5_000_000
-"""Greatest number of triangles of a zone whose numbers are listed; larger zones are found in a sample of the scene."""
+"""Maximum number of triangles of a zone whose numbers are listed; larger zones are found in a sample of the scene."""
 
 REACH = 1.4
 """Half the width of the picture, as a multiple of r2."""

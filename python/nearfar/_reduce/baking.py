@@ -1,4 +1,4 @@
-"""Settings that a map is baked with, so that other centres get maps of the same kind."""
+"""Settings for baking a map, stored so that maps for other centres get the same settings."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ class Baking:
     face_size: int = 1024
     samples: int = 4
     channels: tuple[str, ...] = ("color",)
-    """In the order of `CHANNELS`."""
+    """Channel names, in the order of `CHANNELS`."""
     half: bool = False
-    """Whether range is float16."""
+    """Whether range is stored as float16."""
     backend: str | None = None
 
     @classmethod
@@ -39,7 +39,7 @@ class Baking:
         backend: str | None,
         range_dtype: DTypeLike = np.float32,
     ) -> Baking:
-        """Make it of arguments; TypeError or ValueError for those out of their domains."""
+        """Check arguments; TypeError or ValueError if they are out of range."""
         size = check.integer("face_size", face_size, 1, 16384)
         count = check.integer("samples", samples, 1, MAX_SAMPLES)
         names = set(channel_names(channels))

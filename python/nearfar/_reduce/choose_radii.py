@@ -1,4 +1,4 @@
-"""Chooses the radii of a reduction by the ground, which a walking user sees sheared between them."""
+"""Chooses the radii of a reduction by the shear of the ground between them for a walking user."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ from nearfar._partition.load_curve import load_curve
 from nearfar._scene.scene import Scene
 
 STEPS = 24
-"""Bisections for a radius: they leave a millionth of an interval, where margins are exact to 1e-4."""
+"""Bisection steps for a radius: they leave less than a millionth of an interval; margins are exact to 1e-4 only."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Radii:
-    """Radii of a reduction, and what they mean for a user who walks; the result of `choose_radii`."""
+    """Radii of a reduction and their effect for a walking user; the result of `choose_radii`."""
 
     r1: float
-    """Radius in metres within which geometry stays where it is."""
+    """Radius in metres inside which nothing is morphed."""
     r2: float
-    """Radius in metres beyond which the environment map shows everything."""
+    """Radius in metres beyond which only the map is visible."""
     reach: float
     """Distance R in metres that the user may walk away from the centre."""
     eye_height: float
@@ -36,7 +36,7 @@ class Radii:
     fold_margin: float
     """Distance in metres from the centre at which the picture would fold; at least `reach`."""
     remarks: tuple[str, ...] = ()
-    """Sentences on what could not be had."""
+    """Sentences on requirements that could not be met."""
 
 
 def choose_radii(
@@ -49,12 +49,11 @@ def choose_radii(
     eye_height: SupportsFloat = 1.7,
     shear: SupportsFloat = 1.0,
 ) -> Radii:
-    """Choose r1 so that the ground is sheared little for a user who walks, for a given r2 or a budget of triangles.
+    """Choose r1 so that the ground is sheared little for a walking user, for a given r2 or a budget of triangles.
 
-    From a distance R (`reach`) beside the centre and a height h (`eye_height`) the ground between the radii is sheared
-    by R r1 / ((r2 − r1) h) pixels for each pixel. A shear of at most s thus needs r1 ≤ s h r2 / (R + s h). The user
-    stays within r1, so that r1 is not less than R. The ground beyond r2 is sheared by R / h by every method with one
-    map.
+    For a user at a distance R (`reach`) from the centre and a height h (`eye_height`) the ground between the radii is
+    sheared by R r1 / ((r2 − r1) h) pixels per pixel. A shear of at most s thus needs r1 ≤ s h r2 / (R + s h). The user
+    stays within r1, so r1 is at least R. The ground beyond r2 is sheared by R / h with every method that has one map.
 
     Parameters
     ----------
@@ -65,7 +64,7 @@ def choose_radii(
     r2
         Radius in metres beyond which the map shows everything.
     budget
-        Greatest number of triangles that stay geometry, instead of `r2`: r2 is the greatest radius that keeps it.
+        Maximum number of triangles that stay geometry, instead of `r2`: r2 is the greatest radius within it.
     reach
         Distance R in metres that the user walks away from the centre, above 0.
     eye_height
@@ -76,16 +75,16 @@ def choose_radii(
     Returns
     -------
     Radii
-        r1 = max(R, s h r2 / (R + s h)), r2, and the shear that these have. r1 is less where the picture would fold
-        within R. Where r2 is less than R (R + s h) / (s h), r1 is R, and the shear is greater than s; `remarks` say so.
+        r1 = max(R, s h r2 / (R + s h)), r2, and the resulting shear. r1 is smaller if the picture would fold within R.
+        If r2 is less than R (R + s h) / (s h), r1 is R, and the shear exceeds s; `remarks` say so.
 
     Raises
     ------
     ValueError
-        Unless exactly one of `r2` and `budget` is given; for values that are not positive; and where the picture would
-        fold within `reach`, because r2 is too small for it.
+        Neither or both of `r2` and `budget`; values that are not positive; or an r2 too small for `reach`, so that the
+        picture would fold within it.
     TypeError
-        For values of other types.
+        Values of other types.
 
     Notes
     -----
@@ -144,7 +143,7 @@ def shear_of(r1: float, r2: float, reach: float, height: float) -> float:
 
 
 def _within(scene: Scene, center: tuple[float, float, float], budget: SupportsIndex) -> float:
-    """Greatest r2 that keeps a budget; where the whole scene does, the distance of what is farthest."""
+    """Greatest r2 within a budget; if the whole scene fits, the distance of its farthest corner."""
     count = check.integer("budget", budget, 0, 2**63 - 1)
     radius = float(load_curve(scene, center=center).radius(count))
     if np.isfinite(radius):
@@ -155,7 +154,7 @@ def _within(scene: Scene, center: tuple[float, float, float], budget: SupportsIn
 
 
 def _margin(r1: float, r2: float) -> float:
-    """Distance that a user may walk from the centre; negative where the radii leave no zone."""
+    """Distance that a user may walk from the centre; negative if the radii leave no zone."""
     return fold_margin((0, 0, 0), center=(0, 0, 0), r1=r1, r2=r2) if r1 < r2 else -np.inf
 
 
@@ -170,7 +169,7 @@ def _least_share() -> float:
 
 
 def _bisected(low: float, high: float, holds: Callable[[float], bool]) -> tuple[float, float]:
-    """Two neighbouring numbers between which a condition that holds at `low` ends."""
+    """Bisect for the end of a condition that holds at `low`; return the last bracket."""
     for _ in range(STEPS):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if holds(middle) else (low, middle)

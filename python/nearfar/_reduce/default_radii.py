@@ -1,4 +1,4 @@
-"""Radii that commands take where the user gives none: r2 by what surrounds the centre, r1 by the ground."""
+"""Default radii of commands: r2 from the surroundings of the centre, r1 from the shear of the ground."""
 
 from __future__ import annotations
 
@@ -12,47 +12,47 @@ from nearfar._trace import viewpoint
 from nearfar._trace.viewpoint import Viewpoint
 
 CITY = 75.0
-"""Least distance in metres that a city reaches from its centre."""
+"""Least distance in metres from the centre to a city's farthest bounds."""
 
 CITY_OUTER = 50.0
 """Radius r2 in metres for cities."""
 
 REACH = 8.0
-"""Distance in metres that a user walks from the centre; less where r2 is so small that the picture would fold."""
+"""Distance in metres that a user may walk from the centre; less if a small r2 would make the picture fold."""
 
 SHEAR = 1.0
 """Greatest shear of the ground between the radii, pixels for each pixel."""
 
 SPREAD = 5.0 / 3.0
-"""Least ratio of r2 to an r1 that the user gave."""
+"""Least ratio of r2 to a given r1."""
 
 WALLS = 75.0
-"""Percentile of the distances around an eye that counts as the distance of a room's walls; windows let rays pass."""
+"""Percentile of the distances around an eye taken as the distance of a room's walls; windows let rays pass."""
 
 PUBLISHED = 0.6
 """Ratio of r1 to r2 in Popescu et al. (2022), 30 m and 50 m."""
 
 ASIDE = (0.3, 0.9)
-"""Distance of a user from O as shares of r2 − r1 and of r1, the lesser of which is taken; the picture does not fold."""
+"""Shares of r2 − r1 and of r1 whose lesser is a user's distance from O; the picture does not fold there."""
 
 
 @dataclass(frozen=True)
 class Choice:
-    """Radii in metres, and a sentence on why they were chosen; empty where the user gave both."""
+    """Radii in metres, and the reason for them in words; empty if the caller gave both."""
 
     r1: float
     r2: float
     reason: str = ""
     is_by_ground: bool = False
-    """Whether r1 follows from the ground."""
+    """Whether r1 was chosen by the ground."""
 
 
 def choose(scene: Scene, place: Viewpoint, r1: float | None = None, r2: float | None = None) -> Choice:
     """Choose the radii that are None.
 
-    r2 is `CITY_OUTER` for scenes that reach `CITY` metres away, else two thirds of the way from the nearest to the
-    farthest of the scene's bounds; under a roof the walls that are in view count as the farthest. r1 follows from the
-    ground (`choose_radii`). For an object that is seen from outside, r1 is a third of that way: there is no ground.
+    r2 is `CITY_OUTER` for scenes that extend `CITY` metres or more, else two thirds of the way from the nearest to the
+    farthest of the scene's bounds; under a roof the visible walls count as the farthest. r1 follows from the ground
+    (`choose_radii`). For an object seen from outside, r1 is a third of that way, since there is no ground.
     """
     if r1 is not None or r2 is not None:
         inner, outer = completed(r1, r2)
@@ -81,7 +81,7 @@ def completed(r1: float | None, r2: float | None) -> tuple[float, float]:
 
 
 def aside(r1: float, r2: float) -> float:
-    """Distance in metres of a user from O that shows the effect of the methods, without folds."""
+    """Distance in metres of a user from O at which the methods differ visibly, without folds."""
     between, within = ASIDE
     return min(between * (r2 - r1), within * r1) if r1 > 0.0 else between * (r2 - r1)
 

@@ -20,10 +20,10 @@ TOLERANCES = {"vertex": 0.5, "exact": 0.1}
 """Default tolerance in pixels of each rendering method."""
 
 CONVENTIONAL_DYNAMIC = ("center", "user", "omit")
-"""Places of moving objects beyond the near part of the conventional method, by name."""
+"""Names of the placements of moving objects beyond the near part with the conventional method."""
 
 METHODS = ("auto", *TOLERANCES)
-"""Rendering methods by name; "auto" bends rays for users for whom the picture of moved vertices folds."""
+"""Names of rendering methods; "auto" bends rays if the picture of moved vertices would fold for the user."""
 
 
 @dataclass(frozen=True)
@@ -48,13 +48,13 @@ class Drawing:
         object.__setattr__(self, "strength", check.within("strength", self.strength, 0.0, 1.0))
 
     def grown(self, r1: float, r2: float) -> dict[str, Any]:
-        """Radii in metres and strength of the morph, as `morph` takes them, for the radii of the reduction."""
+        """Effective radii in metres and strength, as arguments of `morph`, for the radii of the reduction."""
         radius = r2 if self.radius is None else min(float(self.radius), r2)
         near, far = (r1, r2) if radius == r2 else (r1 * (radius / r2), radius)
         return {"r1": near, "r2": far, "strength": self.strength}
 
     def settings(self, method: str) -> dict[str, Any]:
-        """Settings as kernels take them, for "vertex" or "exact"."""
+        """Kernel settings for "vertex" or "exact"."""
         tolerance = TOLERANCES[method] if self.tolerance_px is None else self.tolerance_px
         return {
             "method": method,
@@ -67,7 +67,7 @@ class Drawing:
 
 
 def check_morph(morph: str, boundary: str) -> None:
-    """Raise ValueError for an unknown morph, and for a continuous one with a map that is baked from r1."""
+    """Raise ValueError for an unknown morph, or for a continuous one with a map baked from r1."""
     check.choice("morph", morph, MORPHS)
     if boundary == "r1" and morph != "none":
         raise ValueError(f"boundary: expected 'r2' with morph={morph!r}, got 'r1', which only morph='none' knows")
@@ -76,12 +76,12 @@ def check_morph(morph: str, boundary: str) -> None:
 def morphed(
     leveled: Leveled, user: ArrayLike, *, center: tuple[float, float, float], kind: str, grown: dict[str, Any]
 ) -> Leveled:
-    """Move the bounding spheres of objects with levels as a near–far morph shows them.
+    """Move the bounding spheres of objects with levels to where a near–far morph shows them.
 
-    The morph shows a ball of radius r within r (1 + |U−O| (2/(r2−r1) + 1/r1)) of its shown centre. Reason: the morph's
+    The morph shows a ball of radius r within r (1 + |U−O| (2/(r2−r1) + 1/r1)) of its displayed centre: the morph's
     weight changes by at most 1/(r2−r1) per metre, and a change of the weight from 0 to 1 moves a point by at most
-    2 |U−O|. Without a near zone the user is shown the ball as the centre sees it, by the cylinder up to |U−O| nearer or
-    farther. Below full strength points next to the user move too, each by at most 2 |U−O|.
+    2 |U−O|. Without a near zone the user sees the ball as the centre does, with the cylinder up to |U−O| nearer or
+    farther. Below full strength points near the user move, too, each by at most 2 |U−O|.
     """
     r2, strength = grown["r2"], grown["strength"]
     place = check.vector("user", user)
@@ -90,7 +90,7 @@ def morphed(
         moved = leveled.centers + np.subtract(place, center)
         return replace(leveled, centers=moved, radii=leveled.radii + (away if kind == "cylinder" else 0.0))
     shown = morph(leveled.centers, user=user, center=center, kind=kind, **grown)
-    if strength < 1.0 or r2 < 1e-100:  # the inverse of a smaller radius is no number
+    if strength < 1.0 or r2 < 1e-100:  # the inverse of a smaller radius overflows
         return replace(leveled, centers=shown, radii=leveled.radii + 4.0 * away)
     stretch = 1.0 + away * (2.0 / (r2 - grown["r1"]) + 1.0 / max(grown["r1"], away, 1e-300))
     return replace(leveled, centers=shown, radii=leveled.radii * stretch)

@@ -1,4 +1,4 @@
-"""The explorer of a reduced scene for notebooks: picture and truth side by side, with sliders of ipywidgets."""
+"""Notebook explorer of a reduced scene: picture and truth side by side, with ipywidgets sliders."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from nearfar._render.truth import render
 from nearfar._scene.scene import Scene
 
 MOST_TRIANGLES = 300_000
-"""The slider of r2 ends where more triangles than these would be drawn, so that a frame takes less than seconds."""
+"""Triangle count that limits the r2 slider, so that a frame takes less than seconds."""
 
 FOV_DEG = 90.0
 """Horizontal field of view of the pictures, degrees."""
@@ -33,7 +33,7 @@ LARGEST_R1 = 0.95
 
 
 class Reduced(Protocol):
-    """Interface of `ReducedScene` that notebooks use; that class comes later in the data flow."""
+    """Interface of `ReducedScene` for notebooks; the class itself belongs to a later stage."""
 
     _boundary: str
     _is_whole: bool
@@ -61,11 +61,11 @@ class Reduced(Protocol):
 
 
 class Explorer:
-    """Picture and truth of a reduced scene with sliders; `ReducedScene.explore` makes it.
+    """Picture and truth of a reduced scene with sliders; created by `ReducedScene.explore`.
 
-    The attributes are widgets of ipywidgets, so that code can move them, too: `x`, `z` and `height` are the user's
-    place in metres from the centre, `heading` degrees to the right of −z, `r1`, `r2` and `morph`. `picture` and `truth`
-    hold PNG files, `figures` HTML, and `widget` is all of it.
+    The attributes are ipywidgets, so that code can set them, too: `x`, `z` and `height` are the user's position in
+    metres relative to the centre, `heading` degrees to the right of −z, `r1`, `r2` and `morph`. `picture` and `truth`
+    hold PNG files, `figures` HTML, and `widget` contains all of them.
     """
 
     def __init__(self, reduced: Reduced, *, size: tuple[int, int], face_size: int) -> None:
@@ -119,7 +119,7 @@ class Explorer:
                 ),
             ]
         )
-        """All of it as one widget."""
+        """Widget that contains all of it."""
         for control in (self.x, self.z, self.height, self.heading):
             control.observe(self._moved, "value")
         for control in (self.r1, self.r2):
@@ -137,7 +137,7 @@ class Explorer:
         return Camera.look_at(eye, eye + ahead, fov=fov, size=self._size)
 
     def _repr_mimebundle_(self, **settings: Any) -> Any:
-        # Pages that cannot show widgets show the text instead.
+        # Pages without widgets show the text instead.
         return {**self.widget._repr_mimebundle_(**settings), "text/plain": repr(self)}
 
     def __repr__(self) -> str:
@@ -145,7 +145,7 @@ class Explorer:
 
     @contextmanager
     def _quiet(self) -> Iterator[None]:
-        """Set sliders without drawing for each."""
+        """Set sliders without drawing for each change."""
         self._is_quiet = True
         try:
             yield
@@ -157,7 +157,7 @@ class Explorer:
         away, limit = math.hypot(self.x.value, self.z.value), self.reduced.r1
         with self._quiet():
             if away > limit:
-                # The last digits are cut, so that rounding does not leave the user outside.
+                # Slightly smaller, so that rounding does not leave the user outside.
                 share = limit / away * (1.0 - 1e-12)
                 self.x.value, self.z.value = self.x.value * share, self.z.value * share
             for control in (self.x, self.z):
@@ -188,7 +188,7 @@ class Explorer:
         self.reduced = reduced.with_morph(self.morph.value)
 
     def _draw(self) -> None:
-        """Render both pictures; a failure is told below them, because notebooks hide errors of callbacks."""
+        """Render both pictures; errors are shown below them, since notebooks hide errors of callbacks."""
         try:
             rows = self._rendered(self.camera)
         except (Error, ValueError, RuntimeError, MemoryError) as error:
@@ -199,7 +199,7 @@ class Explorer:
         reduced = self.reduced
         env = reduced.env
         channels = ("color", "position") if env is None or env.range is not None else ("color",)
-        # Bent rays show the morph as it is, and take less time than splitting triangles for each place of the user.
+        # Bent rays show the exact morph, and are faster than splitting triangles for each position of the user.
         frame = reduced.render(camera, channels=channels, method="exact", backend="cpu")
         self.picture.value = card.png(frame.to_image())
         stats = reduced.stats
@@ -212,7 +212,7 @@ class Explorer:
         return [("SSIM", f"{found.ssim:.4f}"), ("PSNR", f"{found.psnr:.2f} dB"), *_tears(found), *rows]
 
     def _truth(self, camera: Camera) -> Frame:
-        """Ground truth, which changes with the camera only."""
+        """Ground truth, which depends on the camera only."""
         if self._seen is None or self._seen[0] != camera:
             self._seen = camera, render(self.reduced.scene, camera, channels=("color",), backend="cpu")
             self.truth.value = card.png(self._seen[1].to_image())
@@ -228,12 +228,12 @@ def _ipywidgets() -> Any:
 
 
 def _step(length: float) -> float:
-    """Step of a slider that reaches so far, a power of ten."""
+    """Step of a slider with a range of `length`, a power of ten."""
     return float(10.0 ** (math.floor(math.log10(length)) - 2))
 
 
 def _reach(reduced: Reduced) -> float:
-    """Greatest r2 of the slider, metres: four times the present one, unless too many triangles would be drawn."""
+    """Upper end of the r2 slider, metres: four times the present r2, unless too many triangles would be drawn."""
     budget = max(MOST_TRIANGLES, reduced.stats["nsf"])
     return min(4.0 * reduced.r2, float(load_curve(reduced.scene, center=reduced.center).radius(budget)))
 

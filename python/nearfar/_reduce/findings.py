@@ -1,4 +1,4 @@
-"""Finds what makes a reduction or its pictures say little, and why, as sentences for reports."""
+"""Explains in sentences why a reduction or its pictures are not informative, for reports."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Any
 
 
 def of_reduction(stats: dict[str, Any], r2: float) -> list[str]:
-    """Say what a reduction lacks.
+    """Describe what a reduction lacks.
 
     Parameters
     ----------
@@ -28,7 +28,7 @@ def of_reduction(stats: dict[str, Any], r2: float) -> list[str]:
 
 
 def of_view(*, crosses: bool, fold_margin: float, r2: float) -> list[str]:
-    """Say why a picture does not show what distinguishes the methods.
+    """Explain why a picture does not show the difference between the methods.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Reads and writes reduced scenes as folders: near geometry as GLB, environment map as EXR, all else as JSON."""
+"""Reads and writes reduced scenes as folders: near geometry as GLB, environment map as EXR, other data as JSON."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Contents:
 
 
 def save(path: str | os.PathLike[str], contents: Contents, *, half: bool) -> None:
-    """Write a folder completely or not at all; `ReducedScene.save` describes its files."""
+    """Write a folder atomically; `ReducedScene.save` describes its files."""
     from nearfar._scene import glb
 
     near, target = contents.near, check.path("path", path)
@@ -67,10 +67,10 @@ def save(path: str | os.PathLike[str], contents: Contents, *, half: bool) -> Non
 
 
 def _object_names(near: Scene, env: EnvMap | None) -> dict[str, Any]:
-    """Return the field `object_names`, if the other files do not have the names.
+    """Return the field `object_names`, if the other files do not list the names.
 
-    If the map has object numbers, its file lists the names that they count. Otherwise only objects in the near part can
-    be seen, whose names are those of its nodes. Of nameless objects the number is enough.
+    If the map has object numbers, its file lists their names. Otherwise only objects of the near part are visible,
+    whose nodes have the names. For nameless objects the number suffices.
     """
     names = near._names.source
     if isinstance(names, int):

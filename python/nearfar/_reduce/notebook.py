@@ -1,4 +1,4 @@
-"""Notebooks show reduced scenes as a card, in the explorer, and in the page's viewer."""
+"""Notebook display of reduced scenes: a card, the explorer, and the page's viewer."""
 
 from __future__ import annotations
 
@@ -41,8 +41,8 @@ class InNotebooks:
         size
             Width and height of both pictures in pixels, 16 to 2048.
         face_size
-            Number of texels across the faces of the maps that the explorer bakes, 1 to 1024: at the start, because
-            discontinuity needs range, and whenever the slider of a radius is let go.
+            Number of texels across the faces of maps baked by the explorer, 1 to 1024: at the start, because
+            discontinuity needs range, and whenever a radius slider is released.
 
         Returns
         -------
@@ -55,7 +55,7 @@ class InNotebooks:
         ImportError
             If ipywidgets is not installed.
         ValueError, TypeError
-            For arguments out of their domains.
+            Arguments out of range.
         """
         for name, value in zip(("size[0]", "size[1]"), check.size("size", size), strict=True):
             check.integer(name, value, 16, 2048)
@@ -66,14 +66,14 @@ class InNotebooks:
     ) -> View:
         """Show the reduced scene in a notebook: the page's viewer, in which the user walks and looks around.
 
-        Files go to the browser in messages of the notebook, so that Python may run on another machine.
+        Files are sent to the browser as notebook messages, so that Python may run on another machine.
 
         Parameters
         ----------
         size
-            Width and height in pixels of the browser, 16 to 8192; it is smaller where a cell is narrower.
+            Width and height in pixels of the browser, 16 to 8192; smaller if a cell is narrower.
         camera
-            Where the user begins; by default at the centre, looking along −z, with a vertical field of view of 75°.
+            Initial view of the user; by default at the centre, looking along −z, with a vertical field of view of 75°.
         strategy
             "clovr": the near part fades in, and the morph grows by its strength. "clovrd": it is shown at once.
 
@@ -89,7 +89,6 @@ class InNotebooks:
         ImportError
             If anywidget is not installed.
         ValueError, TypeError
-            For arguments out of their domains, such as a camera that is rolled,
-            and for a scene without a morph.
+            Arguments out of range, such as a camera with roll, or a scene without a morph.
         """
         return make_view(self, center=self.center, size=size, camera=camera, strategy=strategy)

@@ -1,4 +1,4 @@
-"""Frames of a reduced scene: the part of the class `ReducedScene` that draws."""
+"""Frames of a reduced scene: the mixin of `ReducedScene` that renders."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 
 class InPictures:
-    """Draws a reduced scene."""
+    """Mixin that renders a reduced scene."""
 
     _scene: Scene
     _partition: Partition
@@ -42,7 +42,7 @@ class InPictures:
     _drawing: Drawing
     _is_whole: bool
     _has_warned: list[bool]
-    """Whether a folded picture was reported: one entry, which copies share."""
+    """Whether a folded picture was reported: one entry, shared by copies."""
 
     def render(
         self,
@@ -81,8 +81,8 @@ class InPictures:
             Limits in metres of the displayed distance along each pixel's ray, for near geometry and moving objects. The
             map is drawn only if `t_max` is infinite and its range, where it has one, is at least `t_min`.
         clip
-            Planes and a box outside of which nothing is seen, by where it is shown. The map is drawn only where no
-            plane ends the ray.
+            Planes and a box that limit what is visible, by displayed position. The map is drawn only where no plane
+            ends the ray.
         samples
             Number of colour samples of each pixel; all other images are sampled once, at the pixel's centre.
         channels
@@ -94,9 +94,9 @@ class InPictures:
             Levels of detail of near objects, as in `nearfar.render`, for scenes whose objects have some. The map shows
             far objects at the levels that were baked. A change of levels gathers the near geometry again.
         radius
-            Radius in metres that the morph has in this frame instead of r2, 0 to r2; r1 shrinks in proportion. Near
-            geometry beyond it is drawn, too, as the centre sees it; with 0 that is everything. A client that grows it
-            over several frames shows near geometry without a jump. Not for the conventional method.
+            Radius of the morph in metres in this frame instead of r2, 0 to r2; r1 shrinks in proportion. Near geometry
+            beyond it is drawn, too, as seen from the centre; with 0 that is everything. A client that increases it over
+            several frames shows near geometry without a jump. Not for the conventional method.
         strength
             Factor of the weight of the user's view in this frame, 0 to 1, instead of 1 or that of `with_growth`. With 0
             everything is shown as the centre sees it. Below 1 near geometry within r1 moves too, also for users for
@@ -129,9 +129,9 @@ class InPictures:
         Returns
         -------
         Frame
-            The bytes are the same for any number of threads. `stats["fold_margin"]` has the distance in metres that
-            the user may still walk before the picture folds (`fold_margin`, for the user's height to a thousandth of
-            r2); infinite for the conventional method.
+            The bytes do not depend on the number of threads. `stats["fold_margin"]` is the distance in metres that the
+            user may still walk before the picture folds (`fold_margin`, for the user's height to a thousandth of r2);
+            infinite for the conventional method.
 
         Warns
         -----
@@ -141,11 +141,11 @@ class InPictures:
         Raises
         ------
         ValueError, TypeError
-            For arguments out of their domains; for range, position or object_id of a map without range or object_id;
-            for `env` False after `load`, because far geometry is not saved; for parallel rays with a map or bent rays,
-            which both belong to one eye; for "exact" with "gpu" or a `user` apart from the camera; for limits of
-            rays and `clip` with "exact" or `env` False; for a `radius` beyond r2, or with the conventional method, as
-            for a strength below 1; and for a `conventional_dynamic` other than "center" with a morph.
+            Arguments out of range; range, position or object_id of a map without range or object_id; `env` False after
+            `load`, because far geometry is not saved; parallel rays with a map or bent rays, which both belong to one
+            eye; "exact" with "gpu" or a `user` apart from the camera; limits of rays and `clip` with "exact" or `env`
+            False; a `radius` beyond r2, or with the conventional method, as for a strength below 1; and a
+            `conventional_dynamic` other than "center" with a morph.
         DeviceError
             As in `render`.
         """
@@ -216,7 +216,7 @@ class InPictures:
         return drawn
 
     def _how(self, shot: Shot, camera: Camera, method: str) -> dict[str, Any]:
-        """Settings of this scene's pictures as kernels take them beside those of the shot."""
+        """Settings of this scene's pictures for kernels, in addition to those of the shot."""
         if not (self._drawing.env or self._is_whole or self._env is None):
             raise ValueError("env: expected True for a loaded scene, whose far geometry was not saved, got False")
         margin = self._margin(shot, camera)
@@ -228,7 +228,7 @@ class InPictures:
         return {"user": shot.user, **self._drawing.settings(method)}
 
     def _margin(self, shot: Shot, camera: Camera) -> float:
-        """Metres that the user of a picture may still move before it folds."""
+        """Distance in metres that the user of a picture may still move before it folds."""
         user = camera.position if shot.user is None else shot.user
         return self._core.fold_margin(user, self._drawing.radius, self._drawing.strength)
 

@@ -38,15 +38,15 @@ def reduce(
     Parameters
     ----------
     scene
-        The scene. Or a world that divides itself, such as an `OrthoTree` with geometry: leaves within r2 become the
-        near part, and the map is drawn from views. That needs the unit "triangle", the channels "color" and "range",
-        and the CPU.
+        The scene, or a world that provides its own near part and map, such as an `OrthoTree` with geometry: leaves
+        within r2 become the near part, and the map is drawn from views. That needs the unit "triangle", the channels
+        "color" and "range", and the CPU.
     center
         World position O in metres that the map is baked from: an eye's height above the ground, in the middle of the
         users' area.
     r1, r2
-        Radii in metres about the vertical axis through O, 0 ≤ r1 < r2. Inside r1 points stay where they are; beyond r2
-        only the map is visible; between the radii the morph changes points from one to the other.
+        Radii in metres about the vertical axis through O, 0 ≤ r1 < r2. Inside r1 nothing is moved; beyond r2 only the
+        map is visible; between the radii the morph interpolates.
     face_size
         Number of texels across each of the map's six faces, 1 to 16,384.
     morph
@@ -78,8 +78,7 @@ def reduce(
     Raises
     ------
     ValueError, TypeError
-        For arguments out of their domains, for float16 if the map's range exceeds 65,504 m, and for a world without
-        geometry within r2.
+        Arguments out of range, float16 if the map's range exceeds 65,504 m, or a world without geometry within r2.
     DeviceError
         As in `render`.
 

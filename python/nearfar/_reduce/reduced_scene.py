@@ -129,7 +129,7 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
 
     @property
     def default_channels(self) -> tuple[str, ...]:
-        """Images that are computed by default: those that far pixels have."""
+        """Images computed by default: those available for far pixels."""
         if self._env is None or not self._drawing.env:
             return envmap.CHANNELS
         return self._env.channels
@@ -182,7 +182,7 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
     def _with(
         self, scene: Scene, zones: Partition, counts: dict[str, int], *, morph: str | None = None
     ) -> ReducedScene:
-        """Copy with the same map, but other near geometry or another morph."""
+        """Copy with the same map and other near geometry or another morph."""
         reduced = ReducedScene(
             scene,
             zones,
@@ -206,7 +206,7 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         Raises
         ------
         ValueError
-            For unknown names, and for a continuous morph with a map that was baked from r1.
+            Unknown names, or a continuous morph with a map baked from r1.
         """
         check_morph(morph, self._boundary)
         return self._with(self._scene, self._partition, self._counts, morph=morph)
@@ -222,13 +222,13 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         Raises
         ------
         ValueError, TypeError
-            For radii out of range, and for a map that was baked from r1.
+            Radii out of range, or a map baked from r1.
         """
         if self._boundary == "r1":
             raise ValueError(f"r1: expected {self.r1:g}, from which the map was baked, got {check.number('r1', r1):g}")
         zones = partition(self._undivided, center=self.center, r1=r1, r2=self.r2, unit=self._partition.unit)
         counts = zones.summary()
-        # Triangles beyond r2 are those that were baked, also where only the near part was loaded.
+        # Triangles beyond r2 are those of the bake, even if only the near part was loaded.
         inner = {name: counts[name] for name in ("near", "intermediate", "nsf_at_r1")}
         changed = self._with(zones.scene, zones, self._counts | inner)
         return changed.at(self._poses) if self._poses else changed
@@ -236,7 +236,7 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
     def with_growth(self, radius: float | None = None, strength: float = 1.0) -> ReducedScene:
         """Return the same reduced scene drawn with another radius and strength of the morph, by `nearfar.render` too.
 
-        They belong to drawing, so `save` does not keep them.
+        These settings affect drawing only, so `save` does not keep them.
 
         Parameters
         ----------
@@ -248,20 +248,20 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         Raises
         ------
         ValueError, TypeError
-            For anything but a radius of at least 0 and a strength from 0 to 1.
+            A radius below 0, or a strength outside 0 to 1.
         """
         return self._drawn_by(replace(self._drawing, radius=radius, strength=strength))
 
     def save(self, path: str | os.PathLike[str], *, half: bool = True) -> None:
-        """Write a folder of files that other programs can read, completely or not at all.
+        """Write a folder of files that other programs can read, atomically.
 
         Parameters
         ----------
         path
-            The folder. It contains `near.glb`, the drawn geometry, unmorphed, with objects as named nodes and with
-            materials as their glTF file has them, also as far as they are not drawn; `far.exr`, the map, if there is
-            one (`EnvMap.save`); and `reduced.json` with all other data. An existing folder is replaced if it is empty
-            or contains a `reduced.json`.
+            The folder. It contains `near.glb`, the drawn geometry, unmorphed, with objects as named nodes and materials
+            as in their glTF file, including undrawn properties; `far.exr`, the map, if there is one (`EnvMap.save`);
+            and `reduced.json` with all other data. An existing folder is replaced if it is empty or contains a
+            `reduced.json`.
         half
             True stores the map's colour as 16-bit floats, as `EnvMap.save` does; False stores it bit for bit.
 
@@ -285,12 +285,12 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         Raises
         ------
         FormatError
-            For a file that is damaged or newer than this version reads; the message names it.
+            A file that is damaged or newer than supported; the message names it.
         OSError
-            If a file is missing.
+            A missing file.
         """
         saved = folder.load(path)
-        # Values of the files may be valid alone, but not together.
+        # Values of the files may be valid separately, but not together.
         with formats.guarded(path):
             zones = partition(saved.near, center=saved.center, r1=saved.r1, r2=saved.r2)
             kept: dict[str, Any] = {"morph": saved.morph, "boundary": saved.boundary, "counts": saved.counts}
@@ -307,7 +307,7 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
 
     @property
     def _undivided(self) -> Scene:
-        """The scene as it was before near objects became moving ones."""
+        """The scene before near objects became dynamic."""
         return self._partition.source if self._partition.unit == "object" else self._unposed
 
     def _again(self, baking: Baking, **changed: Any) -> ReducedScene:

@@ -1,4 +1,4 @@
-"""The order of the near–far stages, partition and bake, which `reduce` and the explorer run; it computes nothing."""
+"""Order of the near–far stages, partition and bake, for `reduce` and the explorer; it computes nothing itself."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ from nearfar._scene.scene import Scene
 
 
 class Divided(ABC):
-    """A world that gives its near part as a scene and draws the map of its far part itself, such as an `OrthoTree`."""
+    """A world that provides its near part as a scene and draws the map of its far part, such as an `OrthoTree`."""
 
     @abstractmethod
     def near_scene(self, center: ArrayLike, radius: float) -> Scene | None:
-        """The geometry within a radius of the vertical axis through a centre, and perhaps more."""
+        """Return the geometry within a radius of the vertical axis through a centre, and perhaps more."""
 
     @abstractmethod
     def far_map(
         self, center: ArrayLike, radius: float, *, face_size: int, samples: int, channels: Collection[str]
     ) -> EnvMap:
-        """The map of what lies beyond."""
+        """Draw the map of the geometry beyond the radius."""
 
 
 class Parts(TypedDict):
@@ -55,7 +55,7 @@ def parts(
     half: bool = False,
     device: _core.GpuDevice | None = None,
 ) -> Parts:
-    """Divide a scene at the radii and bake what lies beyond; `reduce` documents the arguments, which it has checked."""
+    """Partition a scene and bake the part beyond; arguments as in `reduce`, already checked."""
     zones = partition(scene, center=center, r1=r1, r2=r2, unit=unit)
     env: EnvMap | None = None
     rays = 0
@@ -79,7 +79,7 @@ def divided(
     channels: Collection[str],
     half: bool = False,
 ) -> Parts:
-    """The same of a world that divides itself."""
+    """Like `parts`, for a world that provides its parts itself."""
     scene = world.near_scene(center, r2)
     if scene is None:
         raise ValueError(f"center: expected geometry within r2 = {r2:g} m, found none")

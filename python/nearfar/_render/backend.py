@@ -1,4 +1,4 @@
-"""The choice between the CPU and a graphics adapter, for all stages that can use both."""
+"""Choice between the CPU and a graphics adapter, for all stages that support both."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from nearfar._base import check as checks
 from nearfar._base.errors import DeviceError
 
 BACKENDS = ("auto", "cpu", "gpu")
-"""Names of the choices that `device_for` describes."""
+"""Names of back ends; see `device_for`."""
 VARIABLE = "NEARFAR_ADAPTER"
 """Environment variable that names an adapter."""
 
@@ -23,10 +23,10 @@ Work = tuple[tuple[str, ...], int]
 """A kind of work: the computed images, and the number of samples of a pixel."""
 
 _selected: str | None = None
-"""Adapter that `select` named."""
-# The following three contain process numbers, so that a forked child starts with no entries.
+"""Adapter selected by `select`."""
+# The following three are keyed by process number, so that a forked child starts empty.
 _logged: set[int] = set()
-"""Processes that have said, or found said before, why they use the CPU."""
+"""Processes that have logged, or found logged, why they use the CPU."""
 _searched: set[tuple[int, str | None]] = set()
 """Processes and adapter names for which adapters were searched."""
 _failed: set[tuple[int, str | None]] = set()
@@ -46,9 +46,9 @@ def device_for(backend: str | None, source: object, work: Work | None = None) ->
     Parameters
     ----------
     backend
-        "cpu"; "gpu" for the selected adapter, or else the best one; "auto" for the same adapter if it is hardware or
-        was measured to be faster at such work on this source, else the CPU. None is "auto" without a message that the
-        CPU is used, unless an adapter was named.
+        "cpu"; "gpu" for the selected adapter, else the best one; "auto" for that adapter if it is hardware or was
+        measured to be faster at such work on this source, else the CPU. None is "auto" without a message that the CPU
+        is used, unless an adapter was selected.
     source
         The scene. Measurements belong to this object.
     work
@@ -62,15 +62,15 @@ def device_for(backend: str | None, source: object, work: Work | None = None) ->
     Raises
     ------
     TypeError, ValueError
-        For unknown names.
+        Unknown names.
     DeviceError
-        For "gpu" if no adapter can be used.
+        "gpu" if no adapter can be used.
     """
     if check(backend) == "cpu":
         return None
     if backend == "gpu":
         return opened()
-    # Whoever names an adapter has asked for one, too.
+    # Selecting an adapter counts as asking for one.
     here, wanted = (os.getpid(), selected()), backend is not None or selected() is not None
     if here in _failed:
         return None
@@ -84,9 +84,9 @@ def device_for(backend: str | None, source: object, work: Work | None = None) ->
 
 
 def _chosen(source: object, work: Work | None, wanted: bool) -> _core.GpuDevice | None:
-    """Device that "auto" chooses, None for the CPU; DeviceError if an adapter fails or there is none.
+    """Device for "auto", None for the CPU; DeviceError if an adapter fails or there is none.
 
-    A message that the CPU is used is logged if a device was `wanted`.
+    Use of the CPU is logged if a device was `wanted`.
     """
     measured = {} if work is None else _faster.get(source, {})
     if not measured and not is_hardware(selected()):
@@ -119,7 +119,7 @@ def remember(source: object, work: Work, label: str, faster: bool) -> None:
 
 
 def selected() -> str | None:
-    """Return the backend or the part of a name that selects the adapter; None for the best one."""
+    """Return the back end or name part that selects the adapter; None for the best one."""
     return _selected if _selected is not None else os.environ.get(VARIABLE, "").strip() or None
 
 
@@ -130,7 +130,7 @@ def select(adapter: str | None) -> None:
 
 
 def is_hardware(adapter: str | None) -> bool:
-    """Whether any selected adapter is hardware, not software on the processor."""
+    """Whether any selected adapter is hardware, not a software implementation."""
     with _quietly(adapter):
         return _core.gpu_is_hardware(adapter)
 
@@ -190,7 +190,7 @@ def _log_once(reason: str) -> None:
         path.write_text(reason, encoding="utf-8")
 
     key = cache.key("nearfar.backend", 1, platform.node(), reason)
-    # A cache that cannot be used costs a repeated message, nothing else.
+    # Without a usable cache the message is only repeated.
     with contextlib.suppress(OSError, ValueError):
         if cache.find(key, ".txt") is not None:
             return

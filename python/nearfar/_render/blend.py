@@ -1,4 +1,4 @@
-"""Cross-fades of two pictures."""
+"""Cross-fade of two pictures."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ def blend(old: Frame, new: Frame, share: float) -> Frame:
     Returns
     -------
     Frame
-        The newer frame with the mixed colour; all other images are its own.
+        The newer frame with the mixed colour; its other images are unchanged.
 
     Raises
     ------
     ValueError
-        For shares out of range, frames without colour, and frames of different sizes.
+        Shares out of range, frames without colour, or frames of different sizes.
     TypeError
-        For anything but frames and a number.
+        Values that are not frames or a number.
     """
     before = check.instance("old", old, Frame).require("color")
     after = check.instance("new", new, Frame).require("color")

@@ -23,10 +23,10 @@ CHANNELS = (*DRAWN, "motion")
 """Names of all channels, in their order."""
 
 VECTORS = ("color", "position", "normal", "albedo", "shading_normal")
-"""Names of those with three values for each pixel."""
+"""Names of channels with three values per pixel."""
 
 BYTES = {name: 12 if name in VECTORS else 8 if name in ("face_id", "motion") else 4 for name in CHANNELS}
-"""Bytes of a pixel of each channel."""
+"""Bytes per pixel of each channel."""
 
 
 def channel_names(channels: Iterable[str]) -> tuple[str, ...]:
@@ -42,6 +42,6 @@ def channel_names(channels: Iterable[str]) -> tuple[str, ...]:
 
 
 def missing(channel: str, channels: Iterable[str]) -> ValueError:
-    """Make the error for a frame with other channels, which names those to render."""
+    """Return the error for a missing channel, which lists the channels to render."""
     needed = tuple(name for name in CHANNELS if name in {channel, *channels})
     return ValueError(f"frame has no {channel}: render it with channels={needed!r}")

@@ -23,7 +23,7 @@ VERSION = 1
 
 @dataclass(frozen=True, eq=False)
 class Frame:
-    """The images of one view; those that were not rendered are None.
+    """The images of one view; None for images that were not rendered.
 
     Images are (H, W) or (H, W, 3), row 0 on top. Colour and coverage are those of all samples; all other images
     describe the hit of the ray through the pixel's centre.
@@ -50,14 +50,14 @@ class Frame:
     albedo: NDArray[np.float32] | None = field(default=None, repr=False)
     """(H, W, 3) float32, linear RGB of the material in 0..1, without light; NaN where no triangle was hit."""
     shading_normal: NDArray[np.float32] | None = field(default=None, repr=False)
-    """(H, W, 3) float32, unit normal that the colour takes, interpolated between vertex normals if there are any; NaN
-    where no triangle was hit."""
+    """(H, W, 3) float32, unit normal used for shading, interpolated between vertex normals if there are any; NaN where
+    no triangle was hit."""
     coverage: NDArray[np.float32] | None = field(default=None, repr=False)
     """(H, W) float32, share of the pixel's colour samples that show a triangle, 0 to 1; neither sky nor map counts."""
 
     motion: NDArray[np.float32] | None = field(default=None, repr=False)
-    """(H, W, 2) float32, pixels to the right and down by which what the pixel shows has moved since an earlier frame;
-    see `render`. NaN where it was behind the earlier camera."""
+    """(H, W, 2) float32, motion of the pixel's surface since an earlier frame, pixels to the right and down; see
+    `render`. NaN where it was behind the earlier camera."""
 
     lod: Any = field(default=None, repr=False)
     """Levels of detail drawn, if `lod` chose some: `levels` (N,) in the order of `Scene.leveled`, `triangles`,
@@ -109,7 +109,7 @@ class Frame:
         return _core.encode_srgb(color).reshape(color.shape)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the frame to a file, completely or not at all.
+        """Write the frame to a file atomically.
 
         Parameters
         ----------
@@ -121,7 +121,7 @@ class Frame:
         Raises
         ------
         ValueError
-            For another suffix, and for a PNG of a frame without colour.
+            Another suffix, and a PNG of a frame without colour.
         OSError
             If the file cannot be written.
         """
@@ -150,7 +150,7 @@ class Frame:
             return cls(camera, (origin[0], origin[1], origin[2]), **images)
 
     def _preview(self) -> tuple[str, NDArray[np.uint8]]:
-        """Return the name and the picture of the image that shows most; StopIteration if there is no image."""
+        """Return name and picture of the most informative image; StopIteration if there is no image."""
         name = next(name for name in preview.ORDER if name in self.channels)
         return name, preview.pixels(name, card.thinned(self.require(name)))
 

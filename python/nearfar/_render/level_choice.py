@@ -19,14 +19,14 @@ Lod = str | Selector | Callable[..., Any] | ArrayLike | Mapping[str, int]
 
 
 class LevelChoice:
-    """Chooses levels for one picture after another and remembers the last picture's, which hysteresis needs."""
+    """Chooses levels for successive pictures; remembers the last picture's levels for hysteresis."""
 
     def __init__(self, source: Renderable, lod: Lod) -> None:
         self._lod = rule_of(lod, _leveled(source, (0.0, 0.0, 0.0)))
         self._last: Shown | None = None
 
     def __call__(self, source: Renderable, shot: Shot) -> tuple[Renderable, Shown]:
-        """Choose levels for a shot; returns the source, which may be in any pose, at these levels."""
+        """Choose levels for a shot; return the source, which may be in any pose, at these levels."""
         leveled = _leveled(source, shot.eye)
         chosen, selection = choose_levels(self._lod, leveled, shot.cameras, self._last)
         drawn = source.at_levels(chosen)
@@ -49,7 +49,7 @@ def rule_of(lod: Lod, leveled: Leveled) -> Any:
 def choose_levels(
     rule: Any, leveled: Leveled, cameras: Sequence[Camera], last: Shown | None = None
 ) -> tuple[NDArray[np.int64], Any]:
-    """Levels of objects (N,) by what `rule_of` returned, and the selector's result, None if the caller set levels."""
+    """Levels of objects (N,) by a rule from `rule_of`, and the selector's result, None if the caller set levels."""
     if not (isinstance(rule, Selector) or callable(rule)):
         return levels_of("lod", rule, leveled), None
     objects = (leveled.models, leveled.model_index, leveled.centers, leveled.radii)
@@ -63,7 +63,7 @@ def choose_levels(
 
 
 def _before(last: Shown | None) -> dict[str, Any]:
-    """The picture before as arguments of `nearfar.lod.select`; a price if it had a budget."""
+    """Previous levels, and the price if there was a budget, as arguments of `nearfar.lod.select`."""
     spent = None if last is None else getattr(last.selection, "spent", None)
     return {"previous": None if last is None else last.levels} | ({} if spent is None else {"price": spent.price})
 

@@ -1,4 +1,4 @@
-"""How far each pixel's surface has moved in the picture since another frame."""
+"""Motion of each pixel's surface in the picture since another frame."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from nearfar._render.renderable import Renderable
 
 @dataclass(frozen=True)
 class Sight:
-    """A moment of a picture."""
+    """Camera, posed source and user of a picture."""
 
     camera: Camera
     source: Renderable
@@ -25,16 +25,16 @@ class Sight:
 
 
 _AWAY = 1e7
-"""Metres at which a direction without a known point is placed: less than a thousandth of a pixel from infinity."""
+"""Distance for directions without a known point, metres: under a thousandth of a pixel from infinity."""
 _ROWS = 64
-"""Rows of pixels that are computed at once."""
+"""Rows of pixels processed at once."""
 
 
 def motion(frame: Frame, now: Sight, before: Sight, wanted: NDArray[np.bool_] | None = None) -> NDArray[np.float32]:
-    """Compute the motion (H, W, 2) of a frame with positions, and numbers of objects if any can move.
+    """Compute the motion (H, W, 2) of a frame with positions, and with object numbers if objects can move.
 
-    Pixels without a known point are infinitely far away: they move with the camera's turns only. NaN where a point was
-    behind the earlier camera, for pixels without a point along parallel rays, and for those that are not `wanted`.
+    Pixels without a known point count as infinitely far: they move only with the camera's rotation. NaN where a point
+    was behind the earlier camera, for pixels without a point along parallel rays, and for pixels not in `wanted`.
     """
     width, height = frame.camera.size
     starts, ways = frame.camera.rays()

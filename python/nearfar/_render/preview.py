@@ -21,7 +21,7 @@ ORDER = (
     "motion",
     "position",
 )
-"""Images of a frame, the one that shows most first."""
+"""Images of a frame, most informative first."""
 
 CAPTIONS = {
     "color": "colour",

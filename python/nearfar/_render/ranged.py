@@ -1,4 +1,4 @@
-"""Frames as kernels take them that look up surfaces: camera, colours, distances."""
+"""Converts frames for kernels that look up surfaces: camera, colours, ranges."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ Ranged = tuple[_core.Camera, NDArray[np.float32], NDArray[np.float32]]
 
 
 def ranged(name: str, frame: Frame) -> Ranged:
-    """The camera, colours and ranges of a frame; ValueError that names the argument where it lacks one of them."""
+    """Camera, colours and ranges of a frame; ValueError that names the argument if one of them is missing."""
     check.instance(name, frame, Frame)
     color, distance = (_image(name, frame, channel) for channel in ("color", "range"))
     return frame.camera._core, color, distance
 
 
 def motion_of(name: str, frame: Frame) -> NDArray[np.float32]:
-    """The motion (H, W, 2) of a frame."""
+    """Motion (H, W, 2) of a frame."""
     return _image(name, frame, "motion")
 
 

@@ -67,7 +67,7 @@ class Renderable(Protocol):
         return {}
 
     def displayed(self, points: ArrayLike, user: ArrayLike) -> NDArray[np.float64]:
-        """Return where a user at a world position (3,) is shown world positions (N, 3), metres."""
+        """Return where world positions (N, 3) are displayed for a user at a world position (3,), metres."""
         return check.array("points", points, columns=3, dtype=np.float64)
 
     def at(self, poses: Mapping[str, ArrayLike]) -> Self:

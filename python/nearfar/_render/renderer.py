@@ -22,18 +22,18 @@ from nearfar._render.renderable import Images, Job, Renderable, Report, check_re
 from nearfar._scene.levels import Shown
 
 NEEDED_BY_MOTION = ("position", "object_id")
-"""Channels that motion is computed from; the second one where objects can move."""
+"""Channels needed to compute motion; the second one if objects can move."""
 
 
 @dataclass(frozen=True)
 class View:
-    """A shot, and the source in the pose and at the levels in which it is drawn."""
+    """A shot, and the source in its pose and at its levels."""
 
     shot: Shot
     drawn: Renderable
     shown: Shown | None = None
     wanted: tuple[str, ...] = ()
-    """Channels of the frames; the shot may have more of them, from which motion is computed."""
+    """Channels of the frames; the shot may have more of them, for computing motion."""
     before: View | None = None
     """The view that motion is relative to; by default the same."""
 
@@ -59,7 +59,7 @@ class View:
         return [self._with_motion(number, frame) for number, frame in enumerate(frames)]
 
     def sight(self, number: int) -> Sight:
-        """The moment of one of its pictures."""
+        """Camera, source and user of one of its pictures."""
         camera = self.shot.cameras[number]
         return Sight(camera, self.drawn, camera.position if self.shot.user is None else self.shot.user)
 
@@ -101,7 +101,7 @@ class Renderer:
 
     @property
     def drawn_channels(self) -> tuple[str, ...]:
-        """Channels that the source draws: those that are asked for, and those that motion is computed from."""
+        """Channels that the source draws: requested ones, and those needed for motion."""
         if "motion" not in self.channels:
             return self.channels
         needed = NEEDED_BY_MOTION if self.source.poses else NEEDED_BY_MOTION[:1]
@@ -109,7 +109,7 @@ class Renderer:
 
     @property
     def work(self) -> backends.Work:
-        """The kind of work: channels and samples."""
+        """Kind of work: channels and samples."""
         return self.drawn_channels, self.samples
 
     def shot(
@@ -152,7 +152,7 @@ class Renderer:
         """Pose the source and choose its levels for a shot; motion is relative to the view `before`."""
         posed = self.source if poses is None else posed_at(self.source, poses)
         drawn, shown = (posed, None) if self._choice is None else self._choice(posed, shot)
-        # Of earlier views only one is kept.
+        # Only one earlier view is kept.
         return View(shot, drawn, shown, self.channels, None if before is None else replace(before, before=None))
 
     def frames(

@@ -1,4 +1,4 @@
-"""Renders the pictures of a camera path; on a GPU the next picture starts before the last one is read back."""
+"""Renders the pictures of a camera path; on a graphics adapter the next one starts before the last is read back."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from nearfar._render.renderer import Renderer, View, posed_at
 Pose = Mapping[str, ArrayLike]
 
 AHEAD = 2
-"""Number of frames in progress on a device: one is drawn while the one before is read back."""
+"""Number of frames in progress on a device: one is drawn while the previous one is read back."""
 
 
 def render_path(
@@ -31,7 +31,7 @@ def render_path(
     lod: Lod | None = None,
     backend: str | None = None,
 ) -> Iterator[Frame]:
-    """Render a scene, a reduced scene or another renderable from one camera after another.
+    """Render a scene, a reduced scene or another renderable from successive cameras.
 
     Parameters
     ----------
@@ -40,29 +40,28 @@ def render_path(
         `ReducedScene.render`.
     cameras
         Any number of views, of any sizes. On a graphics adapter, the next camera is taken from the iterable before the
-        frame of the present one is yielded.
+        present frame is yielded.
     at
         Poses of dynamic objects, as `Scene.at` takes them: one mapping for all views, or one for each view.
     channels
-        Images to compute; by default the source's `default_channels`. "motion" is that since the frame before, 0 in the
-        first one.
+        Images to compute; by default the source's `default_channels`. "motion" is relative to the previous frame, 0 in
+        the first one.
     samples, backend
         As in `render`.
     lod
         As in `render`, for scenes and reduced scenes whose objects have levels. One selector chooses for all views in
-        turn and knows the levels of the view before, so that hysteresis works.
+        order and knows the levels of the previous view, so that hysteresis works.
 
     Yields
     ------
     Frame
-        The same frame as `render` returns for each camera. Closing the generator, or Ctrl-C, discards unfinished
-        pictures.
+        The frame that `render` returns for each camera. Closing the generator, or Ctrl-C, discards unfinished pictures.
 
     Raises
     ------
     ValueError, TypeError
-        At the call, for arguments out of their domains. During iteration, for an item that is not a camera or a pose,
-        and if there are fewer poses than cameras.
+        At the call, arguments out of range. During iteration, an item that is not a camera or a pose, and fewer poses
+        than cameras.
     DeviceError
         As in `render`.
     """

@@ -1,4 +1,4 @@
-"""Views in notebooks: what they offer, and how stages come by them."""
+"""Views in notebooks: their interface, and the function that makes them."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ if TYPE_CHECKING:
 
 
 class View(Protocol):
-    """A view in a notebook, which shows itself as the last value of a cell; a widget of anywidget.
+    """A view in a notebook, an anywidget widget; it is shown as the last value of a cell.
 
-    The user walks and looks around in the browser, and Python reads where; or Python moves the user.
+    The user walks and looks around in the browser, and Python reads the pose; or Python moves the user.
     """
 
     camera: Camera
-    """The camera of the picture. Setting it moves the user, without roll, and sets the vertical field of view; its
-    size does not count."""
+    """Camera of the picture. Setting it moves the user, without roll, and sets the vertical field of view; its size is
+    ignored."""
     position: tuple[float, float, float]
     """World position of the user's eye, metres."""
     yaw: float
@@ -29,23 +29,23 @@ class View(Protocol):
 
     @property
     def ring(self) -> int:
-        """Last ring that is shown; −1 while nothing is."""
+        """Last ring shown; −1 if none is."""
 
     @property
     def region(self) -> int:
-        """Number of the region that is shown."""
+        """Number of the region shown."""
 
     @property
     def radius(self) -> float:
-        """Radius of the morph now, metres."""
+        """Present radius of the morph, metres."""
 
     @property
     def strength(self) -> float:
-        """Strength of the morph now, 0 to 1."""
+        """Present strength of the morph, 0 to 1."""
 
     @property
     def problem(self) -> str:
-        """The last problem of the browser, a sentence; empty for none."""
+        """Last error message of the browser, a sentence; empty if there was none."""
 
 
 class Maker(Protocol):
@@ -66,7 +66,7 @@ _maker: Maker
 
 
 def set_maker(maker: Maker) -> None:
-    """Set what makes views. The package does, because the stage that makes them comes after those that ask for them."""
+    """Set the function that makes views. The package calls this, since views are made by a later stage."""
     global _maker
     _maker = maker
 

@@ -34,8 +34,8 @@ def render(
 ) -> Frame:
     """Render a scene or any other `Renderable`.
 
-    Every pixel of a scene is exact; only `lod` simplifies objects. A reduced scene is drawn with the default settings
-    of `ReducedScene.render`.
+    Every pixel of a scene is exact; only `lod` simplifies objects. A reduced scene is rendered with the default
+    settings of `ReducedScene.render`.
 
     Parameters
     ----------
@@ -46,29 +46,29 @@ def render(
     at
         Poses of dynamic objects, as `Scene.at` takes them.
     user
-        World position (3,), metres, of the eye that a reduced scene is morphed for; by default the camera's position.
+        World position (3,) in metres of the eye for which a reduced scene is morphed; by default the camera's position.
         A scene does not depend on it.
     before, before_at
-        Camera of an earlier frame, and its poses of dynamic objects, for the channel "motion"; by default the scene's
-        present poses. The camera has the same size.
+        Camera of an earlier frame, of the same size, and its poses of dynamic objects, for the channel "motion"; by
+        default the scene's present poses.
     t_min, t_max
         Limits in metres along each pixel's ray, for parallel rays from the image plane; surfaces nearer than `t_min` or
         farther than `t_max` are not drawn. For reduced scenes see `ReducedScene.render`.
     clip
-        Planes and a box outside of which nothing is drawn.
+        Planes and a box; nothing outside them is drawn.
     samples
         Number of colour samples of each pixel, spread evenly over its square, 1 to 1024. Coverage counts them
         too; all other images are sampled once, at the pixel's centre.
     channels
-        Images to compute, of "color", "range", "object_id", "face_id", "position", "normal", "albedo",
+        Images to compute, from "color", "range", "object_id", "face_id", "position", "normal", "albedo",
         "shading_normal", "coverage" and "motion"; see `Frame`. The default is colour, range and object_id for a scene,
         and the channels of its map for a reduced scene.
     lod
-        Level of detail of the objects that have levels (`Scene.with_levels`). None draws level 0. The names "off",
-        "depth", "depth+eccentricity" and "fovea" are modes of `nearfar.lod.select` with default settings and no lens. A
+        Level of detail of objects with levels (`Scene.with_levels`). None draws level 0. The names "off", "depth",
+        "depth+eccentricity" and "fovea" are modes of `nearfar.lod.select` with default settings and no lens. A
         `nearfar.lod.Selector` (which may have a lens), or a function with the arguments of `select` that returns
-        levels, chooses for this camera; objects that it reports as out of view are not drawn. Levels may also be passed
-        as to `Scene.at_levels`. Each object shows one level; fading between two levels is left to engines.
+        levels, chooses for this camera; objects that it reports as out of view are not drawn. Levels may also be given
+        as for `Scene.at_levels`. Each object is drawn at one level; engines may fade between two levels.
     backend
         "cpu" traces rays. "gpu" draws with the graphics adapter that `nearfar.gpu.select` or NEARFAR_ADAPTER names, or
         the best one. "auto" uses that adapter if it is hardware, or if it was measured to be faster for such pictures
@@ -89,10 +89,10 @@ def render(
     Raises
     ------
     ValueError, TypeError
-        For arguments out of their domains.
+        Arguments out of range.
     DeviceError
-        For "gpu" if no adapter can be used; the message names software to install. If the adapter is lost or its memory
-        is exhausted; the next call opens it again.
+        No usable adapter for "gpu"; the message names software to install. A lost adapter or exhausted memory of it;
+        the next call opens it again.
 
     References
     ----------

@@ -20,13 +20,13 @@ ORIGIN_LIMIT = 32_768.0
 
 
 def origin_for(bounds: NDArray[np.float64]) -> NDArray[np.float64]:
-    """World position (3,) that a scene with a world box (2, 3) is relative to; 0 for a box that is not finite."""
+    """Origin (3,) of a scene with a world box (2, 3), whole metres; 0 unless the box is finite and far from 0."""
     is_far = np.isfinite(bounds).all() and np.abs(bounds).max() >= ORIGIN_LIMIT
     return np.rint(bounds.mean(axis=0)) if is_far else np.zeros(3)
 
 
 def positions_of(name: str, value: ArrayLike, *, copy: bool = False) -> tuple[NDArray[np.float32], NDArray[np.float64]]:
-    """Convert vertices to C-contiguous float32 relative to a base in whole metres; returns both.
+    """Convert vertices to C-contiguous float32 relative to a base in whole metres; return both.
 
     Float32 keeps its bits and has base 0; a C-contiguous array is borrowed unless `copy`. Float64 beyond 32,768 m is
     stored relative to the centre of its box, so that no digits are lost.
@@ -35,20 +35,20 @@ def positions_of(name: str, value: ArrayLike, *, copy: bool = False) -> tuple[ND
     base = np.zeros(3)
     if array.dtype == np.float32:
         return _copied(array, value, copy), base
-    # Extremes of all numbers take a tenth of the time of those of each column.
+    # Extremes of the whole array take a tenth of the time of column-wise ones.
     if len(array) and ORIGIN_LIMIT <= max(-float(array.min()), float(array.max())) < np.inf:
         low, high = array.min(axis=0), array.max(axis=0)
         if np.isfinite(low).all() and np.isfinite(high).all():
             base = np.rint(low / 2 + high / 2)
     local = np.empty(array.shape, np.float32)
-    # Values beyond float32's range become infinite and are counted with the other unusable vertices.
+    # Values beyond float32's range become infinite and count as unusable vertices later.
     with np.errstate(over="ignore", invalid="ignore"):
         np.subtract(array, base, out=local, casting="same_kind", dtype=np.float64)
     return local, base
 
 
 def faces_of(name: str, value: ArrayLike, *, copy: bool = False) -> NDArray[np.uint32]:
-    """Convert triangles to C-contiguous uint32; borrowed if they are that already, unless `copy`."""
+    """Convert triangles to C-contiguous uint32; an array that is already one is borrowed unless `copy`."""
     return _copied(check.array(name, value, dtype=np.uint32), value, copy)
 
 
@@ -83,7 +83,7 @@ def normals_of(name: str, value: ArrayLike, vertex_count: int, *, copy: bool = F
     array = check.array(name, value)
     if len(array) != vertex_count:
         raise ValueError(f"{name}: expected shape ({vertex_count}, 3), one row for each vertex, got {array.shape}")
-    # The kernel refuses normals that are not finite.
+    # The kernel rejects normals that are not finite.
     with np.errstate(over="ignore", invalid="ignore"):
         unit = np.abs(np.einsum("ij,ij->i", array, array) - 1.0) <= _UNIT
         if not unit.all() and not (unit | (array == 0).all(axis=1)).all():

@@ -40,7 +40,7 @@ class Assembled:
     frames: NDArray[np.float64] | None
     """Load transforms of the objects (N, 4, 4), object→world; None where all are identities."""
     dropped: int = 0
-    """Number of the source's faces that were left out."""
+    """Number of the source's faces left out."""
     notes: tuple[str, ...] = ()
     """Parts of the source that are ignored or drawn differently, one sentence each."""
     used: tuple[str, ...] = ()
@@ -50,7 +50,7 @@ class Assembled:
 
 
 class Assembly:
-    """Implementation of `nearfar.SceneBuilder`, which adds the step to a `Scene`."""
+    """Implementation of `nearfar.SceneBuilder`, which adds `build`."""
 
     def __init__(self) -> None:
         self._materials = MaterialList()
@@ -78,13 +78,13 @@ class Assembly:
         texture
             (H, W, 4) uint8, sRGB with linear alpha, row 0 on top. Passing the same array again shares the texture.
         cutoff
-            Least alpha that is drawn; None draws everything opaque.
+            Least alpha that is drawn; None draws all as opaque.
         emission
-            Linear RGB of the light that the surface emits, 0..65503, added to what it reflects.
+            Linear RGB of the emitted light, 0..65503, added to the reflected light.
         emission_texture
-            Image that the emission is multiplied with, as `texture`; its alpha counts for nothing.
+            Image that multiplies the emission, in the form of `texture`; its alpha is ignored.
         unlit
-            True shows the base colour as it is, whatever the light. Such a material emits nothing, as in glTF.
+            True shows the base colour unshaded. Such a material emits nothing, as in glTF.
         """
         colors = check.array("base_color", base_color, columns=None, dtype=np.float32)
         if colors.shape != (4,):
@@ -106,7 +106,7 @@ class Assembly:
         return self._material(BaseColor((red, green, blue, alpha), texture, cutoff, glow, emission_texture, unlit))
 
     def _material(self, material: BaseColor) -> int:
-        """Add a material of usable values."""
+        """Add a material whose values have been checked."""
         return self._materials.add(material)
 
     def mesh(
@@ -163,7 +163,7 @@ class Assembly:
         return self._meshes.add(core, base, has_objects=face_object is not None)
 
     def _store(self, stored: _core.StoredMeshes) -> None:
-        """Add meshes of a file before any other; their handles are their numbers."""
+        """Add meshes of a file; they must come first, so that their handles are their numbers."""
         self._meshes.store(stored)
 
     def _face_materials(self, material: int | ArrayLike, count: int) -> int | NDArray[np.int32]:
@@ -178,7 +178,7 @@ class Assembly:
         return len(self._names) if self._nameless is None else self._nameless
 
     def objects(self, names: Sequence[str] | int) -> None:
-        """Announce the objects of `face_object` by names or by their number, before any other object is named."""
+        """Declare the objects of `face_object` by name or by number, before any other object is named."""
         if self._names or self._nameless is not None:
             raise ValueError("objects: expected to come before any other object, got it after some")
         if isinstance(names, int):
@@ -187,7 +187,7 @@ class Assembly:
             self._names = {name: number for number, name in enumerate(names_of("names", names))}
 
     def object(self, name: str) -> int:
-        """Return the number of the object of that name; a new name gets a new number."""
+        """Return the number of the object with that name; a new name gets a new number."""
         if self._nameless is not None:
             raise ValueError(f"name: expected none after nameless objects, got {check.described(name)}")
         return self._names.setdefault(check.text("name", name), len(self._names))
@@ -202,8 +202,9 @@ class Assembly:
         transform
             (4, 4) object→world for column vectors; None stands for the identity.
         name
-            Object that the mesh belongs to. Meshes of one name form one object; the transform of the first mesh is the
-            object's load transform. None only for meshes with a `face_object`.
+            Object that the mesh belongs to. Meshes with the same name form one object; the transform of the first mesh
+            is
+            the object's load transform. None only for meshes with a `face_object`.
         """
         matrix = np.eye(4) if transform is None else transforms_of("transform", transform)
         if matrix.ndim != 2:
@@ -238,7 +239,7 @@ class Assembly:
         self._place(np.full(len(matrices), mesh, np.int64), matrices, names)
 
     def _place(self, meshes: NDArray[np.int64], transforms: NDArray[np.float64], names: Sequence[str]) -> None:
-        """Place meshes without `face_object`: a handle, a usable transform and an object's name for each of K."""
+        """Place K meshes without `face_object`, each with a handle, a checked transform and an object name."""
         numbers = np.fromiter((self.object(name) for name in names), np.int32, len(names))
         self._placed.append((meshes, transforms, numbers))
 
@@ -248,9 +249,9 @@ class Assembly:
         budget: Budget | None = None,
         origin: NDArray[np.float64] | None = None,
     ) -> Assembled:
-        """Merge static meshes that are placed once, keep the others as instances, and choose the origin unless given.
+        """Merge static meshes placed once, keep the others as instances, and choose the origin unless given.
 
-        A `budget` counts the copies of meshes that are merged although they are placed many times.
+        A `budget` counts the copies of meshes that are merged although they are placed several times.
         """
         placed = Placements.of(self._placed, self._meshes.bases())
         movers = np.zeros(self.object_count + 1, bool)  # the last entry, index -1, is for meshes with `face_object`

@@ -1,4 +1,4 @@
-"""How much a file may unpack to, and which files are read: none takes all memory, and none is waited for."""
+"""Limits what a file may unpack to and which files are read, so that none fills the memory or blocks."""
 
 from __future__ import annotations
 
@@ -13,23 +13,23 @@ from typing import Any
 from nearfar._base.errors import UnusableError
 
 FREE = 256 << 20
-"""Bytes that any file may unpack to: a picture of one colour honestly takes a thousandth of its pixels or less."""
+"""Bytes that any file may unpack to: a picture of one colour compresses to a thousandth of its pixels or less."""
 
 RATIO = 100
-"""Bytes that a larger file may unpack to, for each of its own."""
+"""Bytes that a larger file may unpack to, per byte of the file."""
 
 MOST = 16 << 30
-"""Bytes that no file may unpack to, unless the caller allows more."""
+"""Maximum number of bytes that a file may unpack to, unless the caller allows more."""
 
 _BLOCK = 1 << 22
 
 
 class TooLargeError(UnusableError):
-    """A file unpacks to more than its budget."""
+    """Error: a file unpacks to more than its budget."""
 
 
 class Budget:
-    """Bytes that a file may unpack to in all: packed text, members of archives, pixels, copies of its arrays.
+    """Limit of the bytes that a file may unpack to: packed text, archive members, pixels, copies of its arrays.
 
     Parameters
     ----------
@@ -42,7 +42,7 @@ class Budget:
 
     @property
     def limit(self) -> int:
-        """Bytes that what was read so far may unpack to."""
+        """Bytes that the data read so far may unpack to."""
         return min(max(FREE, RATIO * self._read), MOST) if self._stated is None else self._stated
 
     def add_read(self, size: int) -> None:
@@ -50,12 +50,12 @@ class Budget:
         self._read += size
 
     def take(self, size: int) -> None:
-        """Count bytes before they are unpacked; TooLargeError beyond the limit."""
+        """Count bytes before they are unpacked; TooLargeError above the limit."""
         self._taken += size
         self._check()
 
     def hold(self, size: int) -> None:
-        """Count bytes of arrays before they are made from what was read: as many as the file has are free."""
+        """Count bytes of arrays before they are created; as many bytes as have been read are free."""
         self._held += size
         self._check()
 
@@ -66,7 +66,7 @@ class Budget:
             )
 
     def unpacked(self, data: bytes) -> bytes:
-        """Unpack gzip's format as far as the budget reaches."""
+        """Unpack gzip data within the budget."""
         parts: list[bytes] = []
         rest = data
         while rest:
@@ -79,12 +79,12 @@ class Budget:
                     raise EOFError("it ends too early")
                 self.take(len(part))
                 parts.append(part)
-            # Members may follow one another, and zeros the last one.
+            # Further members may follow, and zero padding after the last one.
             rest = stream.unused_data.lstrip(b"\0")
         return b"".join(parts)
 
     def take_members(self, data: bytes) -> None:
-        """Count all that an archive such as a 3MF holds, if it is one; its readers stop at the stated sizes."""
+        """Count the unpacked size of an archive such as a 3MF, if it is one; its readers stop at the stated sizes."""
         if data.startswith(b"PK"):
             try:
                 with zipfile.ZipFile(io.BytesIO(data)) as archive:
@@ -94,7 +94,7 @@ class Budget:
 
 
 def check_regular(path: Path) -> None:
-    """Refuse pipes and devices, which may never end."""
+    """Reject pipes and devices, which may never end."""
     if not stat.S_ISREG(os.stat(path).st_mode):
         raise UnusableError(f"{path.name} is no ordinary file, but a pipe, a socket or a device")
 
@@ -108,7 +108,7 @@ def read_file(path: Path, budget: Budget) -> bytes:
 
 
 def resolver(path: Path, budget: Budget) -> Any:
-    """Trimesh's resolver of the files beside one, which reads regular files only, and each once."""
+    """Trimesh resolver for files beside `path`; reads only regular files, each once."""
     import trimesh
 
     class Regular(trimesh.resolvers.FilePathResolver):  # type: ignore[misc]  # trimesh has no types

@@ -1,4 +1,4 @@
-"""The public builder of scenes from materials, meshes and placements, which the procedural datasets use too."""
+"""Public builder of scenes from materials, meshes and placements; the procedural datasets use it, too."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from nearfar._scene.scene import Scene
 class SceneBuilder(Assembly):
     """Builds a scene from materials, meshes and their placements.
 
-    `material` and `mesh` add parts and return their numbers; `objects` announces object names; `instance` and
-    `place_many` place meshes; `build` makes the scene. Static meshes that are placed once are merged; others stay
+    `material` and `mesh` add parts and return their numbers; `objects` declares object names; `instance` and
+    `place_many` place meshes; `build` makes the scene. Static meshes placed once are merged; the others stay
     instances.
     """
 

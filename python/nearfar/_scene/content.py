@@ -1,4 +1,4 @@
-"""Content of a file or a trimesh object as plain arrays, its repair, and the assembly of a scene from it."""
+"""Content of a file or a trimesh object as plain arrays: its repair, and the assembly of a scene from it."""
 
 from __future__ import annotations
 
@@ -34,15 +34,15 @@ BLEND = ("opaque", "cutout")
 """Ways to draw materials that blend."""
 
 _HALF = 0.5
-"""Least alpha of a material that blends where it is drawn as cut out."""
+"""Alpha cutoff for blending materials that are drawn as cutout."""
 
 _MOST_NAMED = 3
-"""Greatest number of flaws that an error message lists; it counts the rest."""
+"""Number of flaws that an error message lists; it counts the rest."""
 
 
 @dataclass
 class Shape:
-    """A mesh of the source; `faces` may have any integer type and numbers out of range."""
+    """A mesh of the source; `faces` may have any integer type and indices out of range."""
 
     vertices: NDArray[Any]
     faces: NDArray[Any]
@@ -56,11 +56,11 @@ class Shape:
     face_material: NDArray[Any] | None = None
     """Index into `materials` for each face (F,); None with at most one material."""
     face_object: NDArray[np.int32] | None = None
-    """Index into the content's `names` for each face (F,), for shapes of many objects; None for those of one."""
+    """Index into the content's `names` for each face (F,) of a shape with many objects; None for one object."""
 
     @property
     def look(self) -> Look:
-        """Its attributes and materials, for reports."""
+        """Summary of attributes and materials, for reports."""
         see_through = self.colors is not None and self.colors.shape[1] == 4 and bool((self.colors[:, 3] != 255).any())
         has_normals, has_uvs, has_colors = (rows is not None for rows in (self.normals, self.uvs, self.colors))
         return Look(1, self.materials, has_normals, has_uvs, has_colors, int(see_through))
@@ -68,9 +68,9 @@ class Shape:
 
 @dataclass(frozen=True)
 class Nodes:
-    """Placed shapes: for each of N its object's name, its transform object→world (N, 4, 4), and its shape's name.
+    """Placed shapes: for each of N nodes the object's name, the transform object→world (N, 4, 4) and the shape's name.
 
-    Names of objects do not count for shapes with a `face_object`.
+    For shapes with a `face_object` the node's object name is ignored.
     """
 
     objects: list[str]
@@ -80,7 +80,7 @@ class Nodes:
 
 @dataclass
 class Content:
-    """Content of a source that becomes part of a scene."""
+    """Content of a source, from which a scene is assembled."""
 
     label: str
     """Name of the source in error messages, usually a path."""
@@ -89,13 +89,13 @@ class Content:
     notes: list[str] = field(default_factory=list)
     """Parts that are ignored or drawn differently, one sentence each."""
     used: list[str] = field(default_factory=list)
-    """The format, and parts that the scene uses besides its meshes, one phrase each."""
+    """The format, and features that the scene uses besides meshes, one phrase each."""
     units: Sequence[str] = ()
-    """Units that the meshes state, in trimesh's names and "" for none; without any the unit is the metre."""
+    """Units stated by the meshes, in trimesh's names, "" for none; if empty the unit is the metre."""
     names: Sequence[str] | int = ()
-    """Objects of the shapes with a `face_object`, or the number of nameless ones."""
+    """Object names for shapes with a `face_object`, or the number of nameless objects."""
     stored: Stored | None = None
-    """Further shapes, whose meshes lie in the source's bytes."""
+    """Further shapes, whose meshes are read from the source's bytes."""
 
 
 def assemble(
@@ -109,10 +109,10 @@ def assemble(
     blend: str = "opaque",
     origin: NDArray[np.float64] | None = None,
 ) -> Assembled:
-    """Assemble a scene's parts in one pass over the source's meshes; SceneError if they cannot be used.
+    """Assemble a scene's parts in one pass over the source's meshes; SceneError if they are unusable.
 
-    A `budget` counts the copies of what is placed many times. With `moves` all objects are dynamic. The extent
-    chooses an `origin` (3,) unless it is given.
+    A `budget` counts the copies of meshes placed several times. With `moves` all objects are dynamic. The origin (3,)
+    is chosen by the extent unless given.
     """
     check.choice("up", up, UP)
     check.choice("on_invalid", on_invalid, ("raise", "drop"))
@@ -144,7 +144,7 @@ def assemble(
     builder.objects(many)
     handles = {} if stored is None else _store(builder, stored, placed)
     handles |= {name: _add(builder, shape) for name, shape in shapes.items() if len(shape.faces)}
-    # The opposite axis is turned by another half turn about x.
+    # For a negative axis, another half turn about x.
     turn = np.diag([1.0, -1.0, -1.0, 1.0]) @ _TURNS[up[1:]] if up.startswith("-") else _TURNS[up]
     nodes = _chosen(nodes, np.array([shape in handles for shape in nodes.shapes], bool))
     transforms = nodes.transforms if up == "y" else turn @ nodes.transforms
@@ -171,13 +171,13 @@ def assemble(
 
 
 def _many_objects(content: Content, moves: bool) -> Sequence[str] | int:
-    """Objects of shapes of many; those that move have names."""
+    """Objects of shapes with many objects; moving ones need names."""
     names = content.names
     return [f"object_{number}" for number in range(names)] if moves and isinstance(names, int) else names
 
 
 def _to_metres(content: Content, scale: float | None) -> None:
-    """Scale vertices and translations, so that rotations stay rotations and poses of objects have no scale."""
+    """Scale vertices and translations, so that rotations stay rotations and objects' poses have no scale."""
     metres = metres_in(content.label, content.units) if scale is None else check.positive("scale", scale)
     if metres == 1.0:
         return
@@ -193,7 +193,7 @@ def _to_metres(content: Content, scale: float | None) -> None:
 
 
 def _usable_nodes(nodes: Nodes) -> tuple[Nodes, list[str]]:
-    """Split off nodes whose transforms are not finite and affine; returns the others and a description of each flaw."""
+    """Split off nodes whose transforms are not finite and affine; return the rest and a description of each flaw."""
     matrices = nodes.transforms
     affine = np.isfinite(matrices).all(axis=(1, 2)) & (matrices[:, 3] == (0, 0, 0, 1)).all(axis=1)
     flaws = [
@@ -211,10 +211,10 @@ def _chosen(nodes: Nodes, keep: NDArray[np.bool_]) -> Nodes:
 
 
 def _repair(shape: Shape) -> tuple[str, int]:
-    """Drop faces with unusable vertices; returns a description of the flaws and the number of dropped faces."""
+    """Drop faces with unusable vertices; return a description of the flaws and the number of dropped faces."""
     vertices, faces = shape.vertices, shape.faces
     flaws = []
-    # A coordinate beyond float32's range counts as infinite. NaN passes through min and max and fails the comparison.
+    # Coordinates beyond float32's range count as infinite. NaN propagates through min and max and fails the comparison.
     limit = np.finfo(np.float32).max
     bad = np.zeros(0, bool)
     if vertices.size and not (vertices.min() >= -limit and vertices.max() <= limit):
@@ -255,13 +255,13 @@ def _add(builder: Assembly, shape: Shape) -> int:
 
 
 def _finite(normals: NDArray[Any]) -> NDArray[Any]:
-    """Replace normals that are not finite by zeros: a file with damaged normals is still usable."""
+    """Replace normals that are not finite by zeros: files with damaged normals stay usable."""
     good = np.isfinite(normals).all(axis=1, keepdims=True)
     return normals if good.all() else np.where(good, normals, 0)
 
 
 def _store(builder: Assembly, stored: Stored, placed: NDArray[np.bool_]) -> dict[str, int]:
-    """Add stored meshes and the materials of the `placed` (M,); returns handles of those with faces, by names."""
+    """Add stored meshes and the materials of the `placed` ones (M,); return handles by name, of meshes with faces."""
     numbers = np.zeros(len(stored.surfaces), np.int32)
     for number in np.unique(stored.surface[placed[stored.mesh]]).tolist():
         numbers[number] = builder._material(stored.surfaces[number].drawn)
@@ -271,7 +271,7 @@ def _store(builder: Assembly, stored: Stored, placed: NDArray[np.bool_]) -> dict
 
 
 def _cut_out(shapes: Iterable[Shape], stored: Stored | None) -> Stored | None:
-    """Cut materials that blend out, those of stored meshes in the result; those that shapes share stay shared."""
+    """Make blending materials cutouts, in place for shapes; return the changed stored meshes. Sharing is preserved."""
     cut: dict[int, BaseColor] = {}
 
     def chosen(materials: Sequence[BaseColor]) -> list[BaseColor]:

@@ -1,7 +1,7 @@
-"""Texture coordinates of glTF materials: which set a texture uses, and how KHR_texture_transform moves it.
+"""Texture coordinates of glTF materials: the set that a texture uses, and its KHR_texture_transform.
 
-A scene's mesh has one set of texture coordinates. It is the one of the texture that is drawn, with its transform
-applied; the transforms of a material's other textures are stated relative to it.
+A mesh of a scene has one set of texture coordinates: that of the drawn texture, with its transform applied. The
+transforms of a material's other textures are stated relative to it.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _GLOSS = "KHR_materials_pbrSpecularGlossiness"
 _SURFACE = "pbrMetallicRoughness"
 
 _EXACT = 1e-12
-"""Greatest error, relative to the size of a matrix, that its float64 product with an inverse has."""
+"""Rounding error of a float64 product with an inverse, relative to the matrix's size."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,17 +29,17 @@ class Coordinates:
     number: int
     """Number of the set: n of TEXCOORD_n."""
     matrix: NDArray[np.float64]
-    """Transform (2, 3) of its columns (u, v, 1), v pointing down."""
+    """Transform (2, 3) of columns (u, v, 1), v pointing down."""
 
     @property
     def is_plain(self) -> bool:
-        """Whether the set is used as it is."""
+        """Whether the set is used without a transform."""
         return np.array_equal(self.matrix, _IDENTITY)
 
     def upwards(self, rows: NDArray[Any]) -> NDArray[np.float32]:
-        """Transform rows (N, 2) of the set in float64; v of the result (N, 2) points up."""
+        """Transform rows (N, 2) of the set in float64; in the result (N, 2) v points up."""
         turned = rows.astype(np.float64) @ self.matrix[:, :2].T + self.matrix[:, 2]
-        with np.errstate(over="ignore"):  # too large for float32: infinite, as any texture coordinate may be
+        with np.errstate(over="ignore"):  # too large for float32 becomes infinite, which texture coordinates may be
             return np.column_stack([turned[:, 0], 1 - turned[:, 1]]).astype(np.float32)
 
 
@@ -47,10 +47,10 @@ _IDENTITY = np.eye(2, 3)
 
 
 def of(info: dict[str, Any]) -> Coordinates:
-    """Coordinates that a reference to a texture states; entries of wrong types count as absent.
+    """Return the coordinates of a reference to a texture; entries of wrong types count as absent.
 
-    The rotation is counter-clockwise in an image whose v points down: the extension's example, the lower left quarter
-    turned by 90 degrees, and three.js, Babylon.js and Khronos' viewer agree on it.
+    The rotation is counter-clockwise in an image whose v points down: so do the extension's example (lower left
+    quarter turned by 90 degrees), three.js, Babylon.js and Khronos' viewer.
     """
     transform = _entry(_entry(info, "extensions"), TRANSFORM)
     number = transform.get("texCoord", info.get("texCoord", 0))
@@ -64,7 +64,7 @@ _DEFAULTS: dict[str, Any] = {"offset": [0.0, 0.0], "rotation": 0.0, "scale": [1.
 
 
 def _stated(transform: dict[str, Any]) -> dict[str, Any]:
-    """The parts of a transform that are what they should be."""
+    """Valid parts of a transform."""
 
     def is_usable(key: str, value: object) -> bool:
         if key == "rotation":
@@ -77,14 +77,14 @@ def _stated(transform: dict[str, Any]) -> dict[str, Any]:
 def _is_number(value: object) -> bool:
     try:
         return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
-    except OverflowError:  # a whole number beyond float64
+    except OverflowError:  # an integer beyond float64
         return False
 
 
 def drawn(material: dict[str, Any]) -> Coordinates | None:
-    """Coordinates of the texture that is drawn: the base colour's or else the emission's, with its transform.
+    """Return the coordinates of the drawn texture, the base colour's or else the emission's, with its transform.
 
-    A material with other textures only uses the first one's set as it is, and one without textures none.
+    A material with other textures only uses the first one's set without a transform; without textures, None.
     """
     shown, others = _infos(material)
     if shown:
@@ -93,7 +93,7 @@ def drawn(material: dict[str, Any]) -> Coordinates | None:
 
 
 def _infos(material: dict[str, Any]) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
-    """References to textures that are drawn, and to others, each in the order of their importance."""
+    """References to drawn textures, and to other textures, each in order of importance."""
     surface = _entry(material, _SURFACE)
     extensions = _entry(material, "extensions")
     gloss = _entry(extensions, _GLOSS)
@@ -109,14 +109,14 @@ def _entry(owner: dict[str, Any], key: str) -> dict[str, Any]:
 
 
 def is_texture(key: str, value: object) -> bool:
-    """Whether an entry of a material refers to a texture."""
+    """Whether an entry of a material is a reference to a texture."""
     return key.endswith("Texture") and isinstance(value, dict) and "index" in value
 
 
 def relative(info: dict[str, Any], base: Coordinates) -> dict[str, Any] | None:
-    """KHR_texture_transform from the coordinates `base` to a texture's own; None if there is none of its form.
+    """Return the KHR_texture_transform from the coordinates `base` to a texture's own; None if it cannot express it.
 
-    It scales, then rotates, then moves, so that it cannot express every product of one with the inverse of another.
+    The extension scales, rotates, then translates; not every product of one with the inverse of another has that form.
     """
     own = of(info)
     if own.number != base.number:

@@ -1,4 +1,4 @@
-"""Emission of materials, and whether they are unlit, in glTF's terms."""
+"""Emission of glTF materials, and unlit materials."""
 
 from __future__ import annotations
 
@@ -15,28 +15,28 @@ STRENGTH = "KHR_materials_emissive_strength"
 FACTOR, MAP = "emissiveFactor", "emissiveTexture"
 
 MOST_EMISSION = 65_503.0
-"""Greatest emission: with the light that a surface reflects, at most 1, maps of 16-bit floats hold it."""
+"""Greatest emission: plus reflected light of at most 1 it fits into 16-bit floats of maps."""
 
 Light = tuple[float, float, float]
-"""Linear RGB."""
+"""Linear RGB of light."""
 
 DARK: Light = (0.0, 0.0, 0.0)
 
 
 def is_unlit(material: Mapping[str, Any]) -> bool:
-    """Whether a glTF material has no properties but its base colour, which is shown as it is."""
+    """Whether a glTF material is unlit: its base colour is shown unshaded, and it has no other properties."""
     return UNLIT in _extensions(material)
 
 
 def is_beside_base(material: Mapping[str, Any]) -> bool:
-    """Whether the texture of a glTF material's emission, if it has one, has the coordinates of the base colour's."""
+    """Whether the emission's texture, if any, uses the base colour's texture coordinates."""
     return MAP not in material or TRANSFORM not in _extensions(material[MAP])
 
 
 def emission_of(material: Mapping[str, Any]) -> Light:
-    """Light that is drawn of a glTF material, to be multiplied by its texture: factor × strength.
+    """Emission of a glTF material as drawn, to be multiplied by its texture: factor × strength.
 
-    Unlit materials emit none, and emission whose texture has coordinates of its own is not drawn.
+    Unlit materials emit nothing, and emission whose texture has its own coordinates is not drawn.
     """
     factor = material.get(FACTOR)
     if factor is None or is_unlit(material) or not is_beside_base(material):
@@ -50,12 +50,12 @@ def emission_of(material: Mapping[str, Any]) -> Light:
 
 
 def entries(light: Light, *, unlit: bool) -> dict[str, Any]:
-    """Entries of a glTF material that emits light, or that is unlit. The format allows factors up to 1."""
+    """Return the glTF entries for an emissive or unlit material. The format limits factors to 1."""
     found: dict[str, Any] = {}
     extensions: dict[str, Any] = {UNLIT: {}} if unlit else {}
     strength = max(*light, 1.0)
     if light != DARK:
-        # The product in float64 rounds to the same float32.
+        # The float64 product of factor and strength rounds to the same float32.
         found[FACTOR] = [part / strength for part in light]
     if strength > 1.0:
         extensions[STRENGTH] = {"emissiveStrength": strength}
@@ -63,7 +63,7 @@ def entries(light: Light, *, unlit: bool) -> dict[str, Any]:
 
 
 def without(material: Mapping[str, Any]) -> dict[str, Any]:
-    """A copy of a glTF material that emits nothing."""
+    """Copy a glTF material without its emission."""
     extensions = {name: content for name, content in _extensions(material).items() if name != STRENGTH}
     rest = {key: value for key, value in material.items() if key not in (FACTOR, MAP, "extensions")}
     return rest | ({"extensions": extensions} if extensions else {})

@@ -1,4 +1,4 @@
-"""The Earth's ellipsoid WGS84: geodetic and Earth-centred coordinates and local frames, in float64.
+"""WGS84: conversions between geodetic and Earth-centred coordinates, and local frames, in float64.
 
 Earth-centred coordinates (ECEF, EPSG:4978) are metres: x through longitude 0 on the equator, z through the north pole.
 """
@@ -47,7 +47,7 @@ def geodetic(points: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def local_to_earth(longitude: float, latitude: float, height: float = 0.0) -> NDArray[np.float64]:
-    """Matrix (4, 4) from a local frame in metres to Earth-centred ones, for column vectors.
+    """Matrix (4, 4) from a local frame to Earth-centred coordinates, in metres, for column vectors.
 
     The frame is nearfar's: x east, y up along the ellipsoid's normal, z south; its origin is the given place, radians.
     """

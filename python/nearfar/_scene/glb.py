@@ -1,9 +1,9 @@
-"""Writes a scene as a GLB that other programs can show, and reads it back with the same bits in every array.
+"""Encodes a scene as a GLB that other programs can show, and decodes it to the same bits in every array.
 
-A static mesh that holds many objects is a node with a child for each object; an instance is a node with a mesh.
+A static mesh with many objects is a node with a child for each object; an instance is a node with a mesh.
 `extras` store data that glTF does not define: the number of static instances, the order of a mesh's faces before they
-were sorted by object and material, and whether they were turned, because a mirror reverses them in glTF but not here.
-Texture coordinates point down in glTF; where 1 − v would round, `_V` holds the v that points up.
+were sorted by object and material, and whether they were reversed, because mirroring reverses faces in glTF only.
+Texture coordinates point down in glTF; where 1 − v would round, `_V` has the v that points up.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from nearfar._scene.undrawn import Undrawn
 _IDENTITY = np.eye(4)[:3]
 _NO_OBJECT = -1
 _UPRIGHT = "upright"
-"""Extra of files whose images have row 0 on top and whose texture coordinates point down, as glTF wants it."""
+"""Extra of files whose images have row 0 on top and whose texture coordinates point down, as in glTF."""
 _EXACT_V = "_V"
 _TURNED = "turned"
 
@@ -40,7 +40,7 @@ def encode(core: _core.Scene, names: tuple[str, ...], undrawn: Mapping[int, Undr
 
 
 class Encoder:
-    """Writes instances of a scene as glTF nodes, with the meshes, materials and textures that they use."""
+    """Writes instances of a scene as glTF nodes, with their meshes, materials and textures."""
 
     def __init__(self, core: _core.Scene, names: Sequence[str], undrawn: Mapping[int, Undrawn]) -> None:
         self._parts = _core.scene_parts(core)
@@ -69,7 +69,7 @@ class Encoder:
         return self.finish([len(self.nodes) - 1])
 
     def finish(self, roots: list[int], **fields: Any) -> bytes:
-        """Encode a file that shows the nodes with these numbers; `fields` are added to its document."""
+        """Encode a file whose scene has the given root nodes; `fields` are added to its document."""
         scene = {"nodes": roots} if roots else {}
         surfaces = self._surfaces.fields()
         used = sorted({*surfaces["extensionsUsed"], *fields.get("extensionsUsed", ())})
@@ -87,11 +87,11 @@ class Encoder:
         )
 
     def place(self, number: int) -> int:
-        """Add the nodes of an instance that has faces and return the number of the parent node."""
+        """Add the nodes of an instance with faces; return the number of the parent node."""
         mesh = self._parts["meshes"][number]
         named = int(self._parts["objects"][number])
         placement = self._parts["placements"][number]
-        # glTF shows a mesh inside out where its placement mirrors it.
+        # glTF turns a mesh inside out where its placement mirrors it.
         turned = bool(np.linalg.det(placement[:, :3]) < 0)
         key = (self._ids[number], named == _NO_OBJECT, turned)
         if key not in self._written:
@@ -123,7 +123,7 @@ class Encoder:
         order = np.lexsort((parts["materials"], owner))
         owner, material, faces = owner[order], parts["materials"][order], parts["faces"][order]
         group = np.cumsum(np.diff(owner, prepend=owner[:1]) != 0)
-        # Each object gets its vertices once, sorted by number.
+        # Each object gets each of its vertices once, sorted by number.
         total = len(parts["positions"])
         keys, corners = np.unique((group[:, None] * total + faces).ravel(), return_inverse=True)
         first = np.searchsorted(keys // total, np.arange(group[-1] + 2))
@@ -156,7 +156,7 @@ class Encoder:
 
 @dataclass
 class _Written:
-    """Numbers of a written mesh: its objects, a glTF mesh for each, and the accessor of the face order."""
+    """Indices of a written mesh: its objects, a glTF mesh for each, and the accessor of the face order."""
 
     objects: list[int] = field(default_factory=list)
     meshes: list[int] = field(default_factory=list)
@@ -187,7 +187,7 @@ class _Streams:
         accessors = {}
         for name, (array, view) in self._arrays.items():
             if name == "NORMAL" and not array[start:end].any():
-                continue  # an object without normals in a mesh where others have some
+                continue  # this object has no normals, others of the mesh have
             extent = [corner[group] for corner in self._extents] if name == "POSITION" else None
             normalized = name == "COLOR_0"
             accessors[name] = self._writer.accessor(view, array[start:end], start, normalized=normalized, extent=extent)
@@ -195,12 +195,12 @@ class _Streams:
 
 
 def decode(data: bytes, names: Names | None) -> _core.Scene:
-    """Decode the bytes that `encode` made; other bytes raise whatever error their content causes."""
+    """Decode a file that `encode` made; other bytes raise any error that their content causes."""
     return Decoder(data, names).decode()
 
 
 class Decoder:
-    """Reads files that `Encoder` wrote; objects are numbered as in `names`, or in the order of the nodes."""
+    """Reads files written by `Encoder`; objects are numbered as in `names`, or in the order of the nodes."""
 
     def __init__(self, data: bytes, names: Names | None) -> None:
         self._reader = glb.Reader(data)
@@ -239,7 +239,7 @@ class Decoder:
 
     @property
     def undrawn(self) -> dict[int, Undrawn]:
-        """Properties of materials that are not drawn, by their tags."""
+        """Undrawn properties of materials, by tag."""
         return self._surfaces[1]
 
     @cached_property
@@ -247,7 +247,7 @@ class Decoder:
         return glb_surfaces.read(self._reader, upright=self._upright)
 
     def _node_names(self) -> tuple[str, ...]:
-        """Names of the instances and of the objects in them, each once, in the order of the nodes."""
+        """Unique names of the instances and of the objects in them, in the order of the nodes."""
         parts = [part for child in self._nodes(self._root) for part in (child, *self._nodes(child))]
         return tuple(dict.fromkeys(str(part["name"]) for part in parts if "name" in part))
 
@@ -319,7 +319,7 @@ def _ranks(order: NDArray[Any]) -> NDArray[np.int64]:
 
 
 def _downwards(uvs: NDArray[np.float32]) -> dict[str, NDArray[np.float32]]:
-    """Attributes of texture coordinates, of which `_upwards` makes the same bits again."""
+    """Attributes for texture coordinates, from which `_upwards` restores the same bits."""
     flipped = np.column_stack([uvs[:, 0], np.float32(1) - uvs[:, 1]])
     attributes = {"TEXCOORD_0": flipped}
     again = np.float32(1) - flipped[:, 1]

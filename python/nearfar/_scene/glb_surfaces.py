@@ -1,4 +1,4 @@
-"""Materials and textures of a GLB that is written from a scene: what is drawn, and what is kept but not drawn."""
+"""Writes and reads the materials and textures of a scene's GLB: drawn properties, and others that are preserved."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ _NONE = Undrawn(undrawn_parts.PLAIN)
 
 
 class SurfaceWriter:
-    """Writes materials of a scene, by the result of `_core.scene_parts`, with the textures that they use."""
+    """Writes a scene's materials, from the result of `_core.scene_parts`, with the textures that they use."""
 
     def __init__(self, writer: glb.Writer, parts: dict[str, Any], undrawn: Mapping[int, Undrawn]) -> None:
         self._writer, self._parts, self._undrawn = writer, parts, undrawn
@@ -47,11 +47,11 @@ class SurfaceWriter:
         self._used: set[str] = set()
 
     def number(self, material: int) -> int:
-        """The number in the file of a scene's material."""
+        """Return the index in the file of a scene's material."""
         return self._numbers.setdefault(material, len(self._numbers))
 
     def fields(self) -> dict[str, Any]:
-        """Return the parts of the document; lists may be empty."""
+        """Return the document's entries; lists may be empty."""
         materials = [self._material(number) for number in self._numbers]
         return {
             "materials": materials,
@@ -71,7 +71,7 @@ class SurfaceWriter:
             material |= entries((red, green, blue), unlit=bool(parts["material_unlit"][number]))
         surface = material.setdefault(_SURFACE, {})
         color = parts["material_colors"][number]
-        # The file's own digits where they mean the same; they may exceed float32.
+        # Keep the file's own digits if they round to the same float32; they may exceed its range.
         with np.errstate(over="ignore"):
             own = np.array(surface.get("baseColorFactor", ()), np.float32)
         if not np.array_equal(own, color):
@@ -86,7 +86,7 @@ class SurfaceWriter:
             if material.get("alphaMode") == "MASK":
                 del material["alphaMode"]
         else:
-            # glTF does not allow cutoffs below 0; like 0 they cut nothing out.
+            # glTF does not allow negative cutoffs; like 0 they cut nothing out.
             material["alphaMode"] = "MASK"
             if np.float32(material.get("alphaCutoff", 0.5)) != np.float32(cutoff) or cutoff < 0:
                 material["alphaCutoff"] = max(cutoff, 0.0)
@@ -99,7 +99,7 @@ class SurfaceWriter:
         return material
 
     def _link(self, value: dict[str, Any], textures: tuple[TextureSource, ...]) -> None:
-        """Write the textures that a material refers to, and put their numbers in the file in place."""
+        """Write the textures that a material refers to, and replace their indices by those in the file."""
         for key, item in value.items():
             if not isinstance(item, dict):
                 continue
@@ -124,7 +124,7 @@ class SurfaceWriter:
         return self._other_images[image]
 
     def _image(self, data: bytes, kind: str) -> int:
-        # One image may be that of a base colour and of an emission.
+        # Base colour and emission may share an image.
         if data not in self._written:
             self._written[data] = len(self._images)
             self._images.append({"bufferView": self._writer.view(data), "mimeType": kind})
@@ -143,32 +143,32 @@ class SurfaceWriter:
 
 
 def _sorted(material: dict[str, Any]) -> dict[str, Any]:
-    """A copy with its keys in order, so that files of equal content are the same bytes."""
+    """Copy with sorted keys, so that equal content gives equal bytes."""
     copied: dict[str, Any] = json.loads(json.dumps(material, sort_keys=True))
     return copied
 
 
 def _place(entries: list[dict[str, Any]], entry: dict[str, Any]) -> int:
-    """Number of an entry in a list, which gets it if it lacks it."""
+    """Return the index of an entry in a list; append it if it is missing."""
     if entry not in entries:
         entries.append(entry)
     return entries.index(entry)
 
 
 def read(reader: glb.Reader, *, upright: bool) -> tuple[dict[str, Any], dict[int, Undrawn]]:
-    """Read what `SurfaceWriter` wrote.
+    """Read the materials and textures that `SurfaceWriter` wrote.
 
     Parameters
     ----------
     reader
         The file.
     upright
-        Whether images are stored with row 0 on top, as in all files but those of early versions.
+        Whether images are stored with row 0 on top, as in all files except those of early versions.
 
     Returns
     -------
     surfaces, undrawn
-        Materials and textures as arguments of `_core.Scene`; what the materials hold besides, by their tags.
+        Materials and textures as arguments of `_core.Scene`; the materials' undrawn properties, by tag.
     """
     document = reader.document
     materials = document.get("materials", [])
@@ -177,7 +177,7 @@ def read(reader: glb.Reader, *, upright: bool) -> tuple[dict[str, Any], dict[int
     images = list(dict.fromkeys(source for source in sources if source is not None))
     kept = [undrawn_parts.of_gltf(material, lambda number: _texture(reader, number))[0] for material in materials]
     files = [_image(reader, number) for number in images]
-    # Those of early versions have row 0 at the bottom.
+    # Images of early versions have row 0 at the bottom.
     lit = _Emissions(kept, files if upright else [], len(images))
     is_cut = [material.get("alphaMode") == "MASK" for material in materials]
     cutoffs = [
@@ -203,7 +203,7 @@ def read(reader: glb.Reader, *, upright: bool) -> tuple[dict[str, Any], dict[int
 
 
 class _Emissions:
-    """Emission of materials, and textures of it: images with known numbers, and others, numbered from `first` on."""
+    """Emission of materials and its textures: known images keep their index, others are numbered from `first` on."""
 
     def __init__(self, materials: Sequence[Undrawn | None], known: Sequence[EncodedImage], first: int) -> None:
         self.lights: list[Light] = []
@@ -222,7 +222,7 @@ class _Emissions:
             return light, None
         image = undrawn.textures[undrawn.material[MAP]["index"]].image
         number = None if image is None else self._number(image)
-        # As where the image's own file could not be read.
+        # No emission if the image cannot be decoded.
         return (DARK, None) if number is None else (light, number)
 
     def _number(self, image: EncodedImage) -> int | None:
@@ -235,7 +235,7 @@ class _Emissions:
 
 
 def _source(document: dict[str, Any], texture: int) -> int:
-    """Number of a texture's image."""
+    """Index of a texture's image."""
     described = glb.entry(document, "textures", texture)
     entry = described if "source" in described else next(iter(described["extensions"].values()))
     number: int = entry["source"]

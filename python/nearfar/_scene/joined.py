@@ -1,4 +1,4 @@
-"""Several scenes as one, such as the tiles of a world."""
+"""Joins several scenes, such as the tiles of a world, into one."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from nearfar._scene.scene import Scene
 
 
 def joined(scenes: Sequence[Scene]) -> Scene:
-    """Return one scene of one or several, in the frame of the first; objects of one name become one object.
+    """Join one or several scenes in the frame of the first; objects with the same name become one object.
 
-    Scenes with levels become what they show.
+    Scenes with levels contribute the levels that they show.
     """
     first = scenes[0]
     names, numbers = _union([scene._names for scene in scenes])
@@ -40,7 +40,7 @@ def joined(scenes: Sequence[Scene]) -> Scene:
 
 
 def _union(several: Sequence[Names]) -> tuple[Names, list[NDArray[np.int32]]]:
-    """All names once, and for each of the lists the new numbers of its names; none where the numbers stay."""
+    """Unique names, and for each list the new numbers of its names; empty arrays if numbers do not change."""
     first = several[0]
     if all(names is first for names in several):
         return first, [np.zeros(0, np.int32) for _ in several]
@@ -52,7 +52,7 @@ def _union(several: Sequence[Names]) -> tuple[Names, list[NDArray[np.int32]]]:
 
 
 def _frames(scenes: Sequence[Scene], names: Names, numbers: Sequence[NDArray[np.int32]]) -> NDArray[np.float64] | None:
-    """Load transforms by number; an object of several scenes has that of the first."""
+    """Load transforms by object number; an object of several scenes keeps that of the first scene."""
     if all(scene._frames is None for scene in scenes):
         return None
     if names is scenes[0]._names:

@@ -1,4 +1,4 @@
-"""Objects with levels of detail: their meshes and placements, and the levels that a picture drew."""
+"""Objects with levels of detail: their meshes and placements, and the levels drawn in a picture."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Selector(Protocol):
 
 @runtime_checkable
 class Model(Protocol):
-    """Interface of `nearfar.lod.LodModel` that scenes use; that class comes later in the data flow."""
+    """Interface of `nearfar.lod.LodModel` that scenes use; the class itself belongs to a later stage."""
 
     @property
     def center(self) -> NDArray[np.float64]:
@@ -52,7 +52,7 @@ class Model(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Leveled:
-    """The N objects of a scene that have levels, in the order of their numbers.
+    """The N objects of a scene that have levels, ordered by number.
 
     The fields from `models` on are arguments of `nearfar.lod.select`.
     """
@@ -68,7 +68,7 @@ class Leveled:
     centers: NDArray[np.float64]
     """Centres of the objects' bounding spheres (N, 3), world, metres."""
     radii: NDArray[np.float64]
-    """Radii of these spheres (N,), metres: the model's radius times the greatest scale of the object's placement."""
+    """Radii of the bounding spheres (N,), metres: model radius times the greatest scale of the object's placement."""
 
     def __len__(self) -> int:
         """Return the number of objects."""
@@ -85,10 +85,10 @@ class Leveled:
 
 @dataclass(frozen=True, eq=False)
 class Shown:
-    """Levels and triangles that a picture drew of a scene whose objects have levels."""
+    """Levels and triangles of a scene with levels that a picture drew."""
 
     levels: NDArray[np.int64]
-    """Level of each object (N,) in the order of `Scene.leveled`, 0 the finest; −1 for one that was left out."""
+    """Level of each object (N,) in the order of `Scene.leveled`, 0 the finest; −1 for an object left out."""
     triangles: int
     """Number of drawn triangles, including those of objects without levels."""
     full_triangles: int
@@ -105,7 +105,7 @@ class LevelTable:
     meshes: tuple[tuple[_core.Mesh, ...], ...]
     """Rows of meshes, one mesh for each level of a model. Mirrored objects have separate rows."""
     core: _core.Levels
-    """`meshes` for kernels."""
+    """`meshes` in the form that kernels take."""
     model_of: NDArray[np.int32]
     """Index into `models` for each object of the scene; −1 for none."""
     row_of: NDArray[np.int32]
@@ -117,7 +117,7 @@ class LevelTable:
         return _restored, (self.models, meshes, self.model_of, self.row_of)
 
     def leveled(self, core: _core.Scene, names: Names) -> Leveled:
-        """Return the objects of a scene that have levels, with their present placements."""
+        """Return the objects of a scene with levels, in their present placements."""
         placements, numbers = _core.placements_of(core, self.row_of >= 0)
         order = np.argsort(numbers)
         placements, numbers = placements[order], numbers[order]
@@ -144,7 +144,7 @@ def _restored(
 
 @dataclass(frozen=True, eq=False)
 class NewLevels:
-    """Levels for K objects of a scene, checked."""
+    """Checked levels for K objects of a scene."""
 
     numbers: NDArray[np.int64]
     """Object numbers (K,)."""
@@ -153,7 +153,7 @@ class NewLevels:
     index: NDArray[np.int64]
     """Index into `models` for each object (K,)."""
     frames: NDArray[np.float64]
-    """Matrices from the levels' frame to world (K, 4, 4) at the time when the objects were loaded."""
+    """Matrices from the levels' frame to world (K, 4, 4) for the objects' load poses."""
 
 
 def check_levels(
@@ -161,8 +161,8 @@ def check_levels(
 ) -> NewLevels:
     """Check models and frames; errors name the object.
 
-    With `in_place`, `frames` are the transforms of the objects that the levels replace, and the levels' frame is
-    divided out of them.
+    With `in_place`, `frames` are the transforms of the objects that the levels replace; they are divided by the
+    levels' frame.
     """
     distinct: dict[int, Any] = {}
     for number, model in zip(numbers, models, strict=True):
@@ -201,7 +201,7 @@ def _check_model(argument: str, model: object) -> None:
 
 
 def kept_of(models: Iterable[Any], scene: Any = None) -> dict[str, Any]:
-    """Notes and undrawn parts of materials of a scene and of models' levels, each once, as arguments of `Scene`."""
+    """Merge notes and undrawn materials of a scene and of models' levels, as arguments of `Scene`."""
     levels = (level.scene for model in models for level in model.levels)
     scenes = [*levels] if scene is None else [scene, *levels]
     notes = dict.fromkeys(note for each in scenes for note in each._notes)
@@ -240,7 +240,7 @@ def with_levels(
     Parameters
     ----------
     core, rest, before
-        The scene, the placements that its moving instances were loaded with, and its present levels.
+        The scene, the load placements of its moving instances, and its present levels.
     objects
         Number of objects of the scene.
     new
@@ -249,7 +249,7 @@ def with_levels(
     Returns
     -------
     core, rest, table
-        The same three of the new scene, in which the objects show level 0.
+        The same for the new scene, in which the objects show level 0.
     """
     chosen = np.zeros(objects, bool)
     chosen[new.numbers] = True
@@ -283,7 +283,7 @@ def _placements(
     now, then = (_square(rows[instance]) for rows in (core.moving_placements(), rest))
     moved = (now != then).any(axis=(1, 2))
     at = np.flatnonzero(moves)[moved]
-    # An object's mesh moved from `then` to `now`, so its levels' placement is now · then⁻¹ · (placement when loaded).
+    # An object's mesh moved from `then` to `now`, so its levels' placement is now · then⁻¹ · (load placement).
     placed[at] = (now[moved] @ np.linalg.solve(then[moved], _square(placed[at])))[:, :3]
     return placed, moves
 
@@ -300,11 +300,11 @@ def _rows(pieces: list[_core.Mesh], lengths: list[int]) -> list[tuple[_core.Mesh
 def _table(
     before: LevelTable | None, objects: int, new: NewLevels, rows: list[tuple[_core.Mesh, ...]]
 ) -> tuple[LevelTable, NDArray[np.int64]]:
-    """The level table with the new levels, and the row of meshes of each object that gets some."""
+    """The level table with the new levels, and the row of meshes of each new object."""
     models = () if before is None else before.models
     meshes = () if before is None else before.meshes
     row = new.index + len(meshes)
-    # Mirrored objects get meshes with reversed faces, so that outsides stay outsides.
+    # Mirrored objects get meshes with reversed faces, so that outer sides stay outer sides.
     mirrored = np.linalg.det(new.frames[:, :3, :3]) < 0 if len(new.frames) else np.zeros(0, bool)
     for model in np.unique(new.index[mirrored]).tolist():
         row[mirrored & (new.index == model)] = len(meshes) + len(rows)

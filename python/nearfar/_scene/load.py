@@ -99,7 +99,7 @@ def _read(
     if kind in _ARCHIVES:
         raise UnusableError("it is an archive, which may hold several models: unpack it and load one of them")
     detail = detail or Detail()
-    # A tileset has these two entries; parsing takes longer than looking for them.
+    # Every tileset has these two entries; a text search is faster than parsing.
     may_be_tileset = kind == "json" and b'"root"' in data and b'"asset"' in data
     if kind in KINDS or (may_be_tileset and tiles.is_tileset(data)):
         return tiles.read(path, detail, budget)
@@ -129,10 +129,10 @@ def _read(
 
 
 _COMMON = {".glb", ".gltf", ".obj", ".ply", ".stl", ".off", ".3mf", ".dae"}
-"""Suffixes of files that a folder is likely to be given for."""
+"""Suffixes of scene files that a folder may have been given for by mistake."""
 
 _FORMATS = {"obj": "Wavefront OBJ", "dae": "COLLADA", "step": "STEP", "stp": "STEP"}
-"""Names of formats that are called otherwise than their suffix."""
+"""Names of formats that differ from their suffix."""
 
 _ARCHIVES = {"zip", "tar", "tgz", "bz2", "7z", "rar"}
 
@@ -168,7 +168,7 @@ _READERS = {
     "laz": "it holds points without triangles; CloudCompare or Open3D makes a mesh of them",
     "e57": "it holds points without triangles; CloudCompare or Open3D makes a mesh of them",
 }
-"""Known formats that are not read, and the program or package that reads them."""
+"""Formats that are not supported, and programs or packages that convert them."""
 
 _NOT_SCENES = {"dxf", "svg", "json", "dict", "dict64", "binvox"}
 """Formats that trimesh reads but that are not scenes: drawings, voxels and trimesh's own dumps."""

@@ -1,4 +1,4 @@
-"""Reads the meshes and scenes of trimesh."""
+"""Converts the meshes and scenes of trimesh."""
 
 from __future__ import annotations
 
@@ -23,18 +23,18 @@ _LINEAR_COLORS = ("glb", "gltf")
 
 
 _NEAR = 1e-6
-"""Greatest difference of a coordinate between two computations of the same unit normal by trimesh."""
+"""Tolerance of coordinates when two results of trimesh for the same unit normal are compared."""
 
 
 def parsed(data: bytes, kind: str, resolver: Any, **options: bool) -> Any:
-    """Let trimesh read a file; `kind` is its suffix without the dot."""
+    """Parse a file with trimesh; `kind` is its suffix without the dot."""
     import trimesh
 
     return trimesh.load_scene(io.BytesIO(data), file_type=kind, resolver=resolver, process=False, **options)
 
 
 def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, materials: Materials | None = None) -> Content:
-    """Read a mesh or a scene; its nodes become objects. One with `materials` comes from a file, without own normals."""
+    """Convert a mesh or a scene; its nodes become objects. `materials` means that it comes from a file."""
     trimesh = background.module("trimesh")
     if isinstance(loaded, trimesh.Trimesh):
         loaded = trimesh.Scene({"object": loaded})
@@ -71,11 +71,11 @@ _PLY_PROPERTIES = {
     },
     "face": {"vertex_indices", "vertex_index", "red", "green", "blue", "alpha", "texcoord"},
 }
-"""Properties that trimesh takes from the elements of a PLY file."""
+"""Properties that trimesh uses from the elements of a PLY file."""
 
 
 def _unused_properties(meshes: Iterable[trimesh.Trimesh]) -> list[str]:
-    """Notes on the properties of PLY files that are ignored."""
+    """Notes on ignored properties of PLY files."""
     elements = [item for mesh in meshes for item in mesh.metadata.get("_ply_raw", {}).items()]
     unused = {
         element: [name for name in described["properties"] if name not in _PLY_PROPERTIES.get(element, ())]
@@ -85,7 +85,7 @@ def _unused_properties(meshes: Iterable[trimesh.Trimesh]) -> list[str]:
 
 
 def _nodes(scene: trimesh.Scene, shapes: dict[str, Shape]) -> Nodes:
-    """Placed shapes, found in one pass over the graph; trimesh's look-up walks a path for each node."""
+    """Placed shapes, from one pass over the graph; trimesh's own look-up walks a path for each node."""
     forest = scene.graph.transforms
     children = forest.children
     world: dict[Any, NDArray[np.float64]] = {scene.graph.base_frame: np.eye(4)}
@@ -104,14 +104,14 @@ def _nodes(scene: trimesh.Scene, shapes: dict[str, Shape]) -> Nodes:
 
 
 def source_normals(mesh: trimesh.Trimesh, *, fresh: bool = False) -> NDArray[np.float64] | None:
-    """Vertex normals (V, 3) that a mesh was given by its source; None if it has none or only computed ones.
+    """Vertex normals (V, 3) that a mesh has from its source; None if it has none or only computed ones.
 
-    Trimesh stores given normals and those computed from the faces in one place, so that only a comparison distinguishes
-    them. A `fresh` mesh has no computed ones.
+    Trimesh stores given and computed normals in one place, so that only a comparison with computed ones tells them
+    apart. A `fresh` mesh has no computed ones.
     """
     from trimesh.geometry import weighted_vertex_normals
 
-    # Trimesh's own look-up hashes the arrays, to see whether they have changed.
+    # Trimesh's own look-up hashes the arrays to detect changes.
     stored = mesh._cache.cache.get("vertex_normals") if fresh else mesh._cache["vertex_normals"]
     if stored is None or np.shape(stored) != mesh.vertices.shape:
         return None
@@ -125,7 +125,7 @@ def source_normals(mesh: trimesh.Trimesh, *, fresh: bool = False) -> NDArray[np.
 
 
 def _kind_of_fresh(visual: Any) -> str | None:
-    """As `visual.kind` of a mesh that nobody has changed, without a hash of its arrays."""
+    """Like `visual.kind`, for an unmodified mesh, without hashing its arrays."""
     if not hasattr(visual, "_data"):
         kind: str | None = visual.kind
         return kind
@@ -155,8 +155,8 @@ def _shape(mesh: trimesh.Trimesh, materials: Materials, *, fresh: bool) -> Shape
 
 
 def _color_faces(shape: Shape, colors: np.ndarray) -> None:
-    """Turn face colours into materials, so that neighbouring faces can still share vertices."""
-    # One number for each colour: NumPy compares rows by structured types, and turns a Ctrl-C meanwhile into TypeError.
+    """Convert face colours to materials, so that neighbouring faces can still share vertices."""
+    # Colours as integers: NumPy compares rows as structured types, and turns Ctrl-C into a TypeError meanwhile.
     codes = np.ascontiguousarray(colors, np.uint8).view(">u4").ravel()
     distinct, shape.face_material = np.unique(codes, return_inverse=True)
     distinct = distinct.astype(">u4").view(np.uint8).reshape(-1, 4)

@@ -1,4 +1,4 @@
-"""Reads Wavefront OBJ files; trimesh reads their materials."""
+"""Reads Wavefront OBJ files; trimesh parses their materials."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from nearfar._scene.wavefront_materials import EMISSION_IMAGE, EMISSION_MAP
 
 
 def read(label: str, data: bytes, resolver: Any, materials: Materials, budget: Budget) -> Content:
-    """Read an OBJ with its materials; notes say which of them cannot be read."""
+    """Read an OBJ with its materials; notes list the ones that cannot be read."""
     try:
         columns, libraries, names, parts, skipped = _core.read_wavefront(_encoded(data))
     except SceneError as error:
@@ -51,7 +51,7 @@ def read(label: str, data: bytes, resolver: Any, materials: Materials, budget: B
 
 
 def _shape(columns: tuple[NDArray[np.float64], ...], rows: NDArray[np.uint32], faces: NDArray[np.uint32]) -> Shape:
-    """Vertices of a part with what their rows name; zeros stand for a texture coordinate or normal that one lacks."""
+    """Gather a part's vertices by their rows; a missing texture coordinate or normal becomes zeros."""
     positions, _, uvs, normals = columns
     shape = Shape(positions[rows[:, 0]], faces)
     for kind, column, values in (("uvs", 1, uvs), ("normals", 2, normals)):
@@ -65,11 +65,11 @@ def _shape(columns: tuple[NDArray[np.float64], ...], rows: NDArray[np.uint32], f
 
 
 _NONE = np.iinfo(np.uint32).max
-"""Row that stands for none."""
+"""Row index that means none."""
 
 
 def _encoded(data: bytes) -> bytes:
-    """The text as UTF-8, whatever its encoding."""
+    """Convert the text to UTF-8 from any encoding."""
     if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         return data.decode("utf-16").encode()
     try:
@@ -80,7 +80,7 @@ def _encoded(data: bytes) -> bytes:
 
 
 def _library(names: list[str], resolver: Any) -> tuple[dict[str, Any], list[str]]:
-    """Materials of trimesh by their names, and notes on files and textures that cannot be read."""
+    """Materials of trimesh by name, and notes on files and textures that cannot be read."""
     from PIL import Image
     from trimesh.exchange.obj import parse_mtl
     from trimesh.visual.material import SimpleMaterial
@@ -108,7 +108,7 @@ def _library(names: list[str], resolver: Any) -> tuple[dict[str, Any], list[str]
 
 
 def _add_emission(entries: dict[str, Any], resolver: Any) -> None:
-    """Open the map of a material's emission where it can be read, as trimesh does with that of the base colour."""
+    """Open a material's emission map if it can be read, as trimesh does with the base colour's map."""
     from PIL import Image
 
     if EMISSION_MAP in entries:

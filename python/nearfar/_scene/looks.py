@@ -1,4 +1,4 @@
-"""Attributes of a source's shapes, and differences of the drawn materials from the source's, for reports."""
+"""Summaries of a source's shapes, and notes on materials drawn differently, for reports."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ from nearfar._scene.report import count
 
 @dataclass(frozen=True)
 class Look:
-    """Shapes that have the same attributes and materials."""
+    """Attributes and materials shared by some shapes."""
 
     number: int
-    """How many there are."""
+    """Number of these shapes."""
     materials: Sequence[BaseColor]
-    """None for the plain one."""
+    """Materials; an empty list means the plain one."""
     has_normals: bool
     has_uvs: bool
     has_colors: bool
     see_through: int
-    """How many of them have vertices with an alpha below 1."""
+    """Number of these shapes with a vertex alpha below 1."""
 
 
 def inventory(looks: Sequence[Look], vertices: int) -> list[str]:
@@ -45,7 +45,7 @@ def inventory(looks: Sequence[Look], vertices: int) -> list[str]:
 
 
 def notes(looks: Sequence[Look]) -> list[str]:
-    """Differences of the drawn shapes from the source's, one sentence each."""
+    """Notes on differences between the drawn shapes and the source, one sentence each."""
     return [*_material_notes(looks), *_alpha_notes(looks), *_emission_notes(looks)]
 
 

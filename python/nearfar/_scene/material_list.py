@@ -1,4 +1,4 @@
-"""The materials of a scene that is being made, each once, with the textures that they share."""
+"""Collects the unique materials of a scene under construction, with the textures that they share."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from nearfar._scene.materials import BaseColor
 from nearfar._scene.undrawn import Undrawn
 
 _NONE = -1
-"""Number of a texture that is not there."""
+"""Index that means no texture."""
 
 _NO_TAG = 0
-"""Tag of a material that is drawn in full."""
+"""Tag of a material without undrawn properties."""
 
 
 class _Material(NamedTuple):
-    """A material as the kernels have it."""
+    """A material in the form that kernels take."""
 
     color: tuple[float, ...]
     texture: int
@@ -31,20 +31,20 @@ class _Material(NamedTuple):
 
 
 class MaterialList:
-    """Numbers materials and textures; equal materials share a number, as do textures that are one array."""
+    """Numbers materials and textures; equal materials share a number, and so do identical texture arrays."""
 
     def __init__(self) -> None:
         self._numbers: dict[_Material, int] = {}
         self._textures: dict[int, tuple[NDArray[np.uint8], NDArray[np.uint8], int]] = {}
-        """For each texture's id the array that was passed, its converted form, and its number."""
+        """Maps a texture's id to the passed array, its converted form, and its number."""
         self.undrawn: dict[int, Undrawn] = {}
-        """Properties of materials that are not drawn, by their tags."""
+        """Undrawn properties of materials, by tag."""
 
     def __len__(self) -> int:
         return len(self._numbers)
 
     def add(self, material: BaseColor) -> int:
-        """Add a material of usable values and return its number."""
+        """Add a checked material and return its number."""
         tag = _NO_TAG if material.undrawn is None else material.undrawn.tag
         if material.undrawn is not None:
             self.undrawn[tag] = material.undrawn
@@ -64,7 +64,7 @@ class MaterialList:
         if texture is None:
             return _NONE
         if id(texture) not in self._textures:
-            # The reference keeps the array alive; its id could be reused otherwise.
+            # The reference keeps the array alive, so that its id is not reused.
             self._textures[id(texture)] = (texture, texture_of("texture", texture), len(self._textures))
         return self._textures[id(texture)][-1]
 

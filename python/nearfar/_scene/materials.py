@@ -1,4 +1,4 @@
-"""Base colours and emission, which the shading formula uses of materials, and their conversion from trimesh."""
+"""Base colours and emission, the properties of materials that are drawn, and their conversion from trimesh."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ from nearfar._scene.srgb import to_linear
 from nearfar._scene.undrawn import EncodedImage, TextureSource, Undrawn
 
 MOST_TEXELS = 1 << 27
-"""Greatest number of texels of one texture (half a gigabyte); a damaged header can claim billions."""
+"""Greatest number of texels of a texture (half a gigabyte); a damaged header can claim billions."""
 
 _TRIMESH_DEFAULT = (102, 102, 102, 255)
-"""sRGB colour and alpha that trimesh gives to a material without a colour."""
+"""sRGB colour and alpha that trimesh assigns to a material without a colour."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,19 +35,19 @@ class BaseColor:
     texture: NDArray[np.uint8] | None = None
     """(H, W, 4), sRGB with linear alpha, row 0 on top."""
     cutoff: float | None = None
-    """Least alpha that is drawn; None draws everything opaque."""
+    """Least alpha that is drawn; None draws all as opaque."""
     emission: Light = DARK
-    """Linear RGB of the light that the surface emits, at least 0."""
+    """Linear RGB of the emitted light, at least 0."""
     emission_texture: NDArray[np.uint8] | None = None
-    """As `texture`, with its coordinates; multiplies the emission."""
+    """Image that multiplies the emission; format and coordinates as for `texture`."""
     unlit: bool = False
-    """Whether the base colour is shown as it is, whatever the light."""
+    """Whether the base colour is shown unshaded."""
     notes: tuple[str, ...] = ()
     """Differences from the source's material, phrased to follow "2 materials"."""
     undrawn: Undrawn | None = None
-    """The source's material with properties that are not drawn; None for nothing."""
+    """The source's material with its undrawn properties; None if it has none."""
     blend: str = ""
-    """Name of what makes it let light through, "blending" or "transparency"; empty for an opaque one."""
+    """Kind of transparency, "blending" or "transparency"; empty for opaque materials."""
 
     @property
     def is_textured(self) -> bool:
@@ -56,7 +56,7 @@ class BaseColor:
         return drawn or (self.undrawn is not None and self.undrawn.has_maps)
 
     def without_textures(self) -> BaseColor:
-        """The same for meshes without texture coordinates; emission that has a texture is left out with it."""
+        """Copy for meshes without texture coordinates; textured emission is left out, too."""
         undrawn = None if self.undrawn is None else self.undrawn.without_textures()
         emission = self.emission if self.emission_texture is None else DARK
         return replace(self, texture=None, emission=emission, emission_texture=None, undrawn=undrawn)
@@ -72,7 +72,7 @@ UNCOLORED = BaseColor()
 def colors_of(values: NDArray[Any], count: int, *, linear: bool) -> NDArray[np.uint8] | None:
     """Convert vertex colours (V, 3 or 4) to sRGB uint8 RGBA; None unless there is one for each of `count` vertices.
 
-    Floats range over 0..1, whole numbers up to the greatest of their type. `linear` says that they are linear light.
+    Floats range over 0..1, integers up to the greatest value of their type. `linear` means linear light.
     """
     if values.ndim != 2 or len(values) != count or values.shape[1] not in (3, 4):
         return None
@@ -98,11 +98,11 @@ def _to_bytes(values: NDArray[Any]) -> NDArray[np.uint8]:
 
 @dataclass(frozen=True, eq=False)
 class Described:
-    """A material's entry in a glTF document, from which trimesh takes a part only."""
+    """A material's entry in a glTF document, of which trimesh reads only a part."""
 
     material: dict[str, Any]
     texture: Callable[[int], TextureSource | None]
-    """Returns the texture of a number; None where it cannot be read."""
+    """Returns a texture by index; None if it cannot be read."""
 
     @property
     def factor(self) -> tuple[float, float, float, float] | None:
@@ -115,19 +115,19 @@ class Described:
 
     @property
     def is_textured(self) -> bool:
-        """Whether it refers to a texture, so that a missing one is noted."""
+        """Whether it refers to a base colour texture, so that a missing one is noted."""
         return "baseColorTexture" in self.material.get("pbrMetallicRoughness", {})
 
 
 _COMPARED_ROWS = 4
-"""Rows, at least, by which textures are told apart before all of their texels are compared."""
+"""Number of rows, at least, that are compared before all texels of two textures are."""
 
 _UNREADABLE = "with an unreadable texture drawn without it"
 _UNREADABLE_EMISSION = "with an unreadable map of emission drawn without it"
 
 
 def _is_placeholder(image: Any) -> bool:
-    """Whether an image is the tiny grey one that trimesh adds to texture coordinates without a material."""
+    """Whether an image is the tiny grey one that trimesh adds for texture coordinates without a material."""
     from trimesh.visual.material import color_image
 
     grey = color_image()
@@ -137,7 +137,7 @@ def _is_placeholder(image: Any) -> bool:
 
 
 def _described(material: Any) -> Described:
-    """The glTF entry of a material of trimesh that comes from no file; its textures become PNG when asked for."""
+    """Make a glTF entry for a trimesh material that comes from no file; its textures are encoded as PNG on demand."""
     images: list[Any] = []
 
     def value(key: str, item: Any) -> Any:
@@ -152,7 +152,7 @@ def _described(material: Any) -> Described:
 
 
 _OTHER_SURFACE = "KHR_materials_pbrSpecularGlossiness"
-"""Extension that trimesh takes base colours from."""
+"""Extension from which trimesh takes base colours."""
 
 _SURFACE_KEYS = ("metallicFactor", "roughnessFactor", "baseColorTexture", "metallicRoughnessTexture")
 
@@ -169,19 +169,19 @@ def _encoded(image: Any) -> TextureSource | None:
 
 
 class Materials:
-    """Converts trimesh's materials to base colours and decodes each image once, however many materials use it.
+    """Converts trimesh's materials to base colours; each image is decoded once, however many materials use it.
 
     Parameters
     ----------
     budget
-        What images may take; None for images that the caller made.
+        Limit for images of files; None for images that the caller made.
     """
 
     def __init__(self, budget: Budget | None = None) -> None:
         self._budget = budget
         self._colors: dict[int, tuple[Any, BaseColor]] = {}
         self._textures: dict[tuple[int, int, bytes], list[NDArray[np.uint8]]] = {}
-        """Textures by their size and a few of their rows."""
+        """Textures by size and a sample of their rows."""
         self._images: dict[int, tuple[Any, NDArray[np.uint8] | None]] = {}
 
     def of(self, material: Any, *, described: Described | None = None) -> list[BaseColor]:
@@ -192,7 +192,7 @@ class Materials:
         material
             A material of trimesh, or None.
         described
-            Its entry in the file that it comes from; None takes all from the material.
+            Its entry in the source file; None uses only `material`.
         """
         if material is None:
             return []
@@ -201,7 +201,7 @@ class Materials:
         if id(material) not in self._colors:
             is_physical = hasattr(material, "baseColorFactor")
             colors = self._physical(material, described) if is_physical else self._simple(material)
-            # The reference keeps the material alive; its id could be reused otherwise.
+            # The reference keeps the material alive, so that its id is not reused.
             self._colors[id(material)] = (material, colors)
         return [self._colors[id(material)][1]]
 
@@ -229,7 +229,7 @@ class Materials:
         return BaseColor(factor, texture, cutoff, light, glow, unlit, notes, undrawn, blend)
 
     def _emission(self, undrawn: Undrawn | None, image: Any) -> tuple[Light, NDArray[np.uint8] | None, tuple[str, ...]]:
-        """The drawn part of a material's emission, with notes on the rest; `image` is that of its texture."""
+        """Drawn part of a material's emission, and notes on the rest; `image` is the emission's texture."""
         light = DARK if undrawn is None else emission_of(undrawn.material)
         if undrawn is None or light == DARK or MAP not in undrawn.material:
             return light, None, ()
@@ -264,21 +264,21 @@ class Materials:
         return texels, () if texels is not None else (_UNREADABLE,)
 
     def decode(self, images: Iterable[Any]) -> None:
-        """Decode Pillow's images side by side, except those that are decoded already."""
+        """Decode Pillow images in parallel, except those already decoded."""
         new = [image for key, image in {id(image): image for image in images}.items() if key not in self._images]
         for image in new:
             if self._budget is not None and image.size[0] * image.size[1] <= MOST_TEXELS:
                 self._budget.take(4 * image.size[0] * image.size[1])
         decoded: Iterable[NDArray[np.uint8] | None] = map(_decoded, new)
         if len(new) > 1:
-            from nearfar._base import side_by_side  # its threads bring the module `logging`
+            from nearfar._base import side_by_side  # imported here: its threads import `logging`
 
             decoded = side_by_side.results([partial(_decoded, image) for image in new])
         for image, texels in zip(new, decoded, strict=True):
             self._images[id(image)] = (image, None if texels is None else self._first(texels))
 
     def _first(self, texels: NDArray[np.uint8]) -> NDArray[np.uint8]:
-        """The first texture of the same texels."""
+        """Return the first known texture with the same texels."""
         rows = texels[:: max(1, len(texels) // _COMPARED_ROWS)].tobytes()
         alike = self._textures.setdefault((*texels.shape[:2], rows), [])
         for other in alike:
@@ -289,7 +289,7 @@ class Materials:
 
 
 def texels_of(data: bytes) -> NDArray[np.uint8] | None:
-    """The texels (H, W, 4) of an image file; None for what cannot be read."""
+    """Decode an image file to texels (H, W, 4); None if it cannot be read."""
     from PIL import Image  # not needed by scenes without files
 
     try:

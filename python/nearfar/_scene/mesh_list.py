@@ -1,4 +1,4 @@
-"""The meshes of a scene that is being made: those that lie in a file's bytes first, then those made of arrays."""
+"""Meshes of a scene under construction: first those stored in a file's bytes, then those made of arrays."""
 
 from __future__ import annotations
 
@@ -18,24 +18,24 @@ _MOST_VERTICES = 2**32 - 2**16
 class _Made:
     core: _core.Mesh
     base: NDArray[np.float64]
-    """Whole metres (3,) that were subtracted from the vertices."""
+    """Whole metres (3,) subtracted from the vertices."""
     has_objects: bool
 
 
 class MeshList:
-    """Numbers meshes and makes the kernels' meshes of them, one for each or one of many."""
+    """Numbers meshes and creates the kernels' meshes, one by one or merged."""
 
     def __init__(self) -> None:
         self._stored: _core.StoredMeshes | None = None
         self._first = 0
-        """Number of the stored meshes, which is the handle of the first other one."""
+        """Number of stored meshes, which is the handle of the first other mesh."""
         self._made: list[_Made] = []
 
     def __len__(self) -> int:
         return self._first + len(self._made)
 
     def store(self, stored: _core.StoredMeshes) -> None:
-        """Take meshes of a file, whose handles are their numbers, before any other."""
+        """Add meshes of a file, before any other; their handles are their numbers."""
         assert not len(self)
         self._stored, self._first = stored, len(stored.face_counts())
 
@@ -67,11 +67,11 @@ class MeshList:
         return np.concatenate([stored, np.array([mesh.core.face_count for mesh in self._made], np.int64)])
 
     def boxes(self) -> NDArray[np.float64]:
-        """Boxes (M, 2, 3) relative to the bases, which may hold unused vertices; inverted where there are no faces."""
+        """Boxes (M, 2, 3) relative to the bases, which may include unused vertices; inverted without faces."""
         return self._with_made(np.zeros((0, 2, 3)) if self._stored is None else self._stored.bounds())
 
     def face_boxes(self) -> NDArray[np.float64]:
-        """Boxes of the faces (M, 2, 3) relative to the bases, which take a look at each; inverted without faces."""
+        """Exact boxes of the faces (M, 2, 3) relative to the bases, slower than `boxes`; inverted without faces."""
         return self._with_made(np.zeros((0, 2, 3)) if self._stored is None else self._stored.face_bounds())
 
     def _with_made(self, stored: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -79,7 +79,7 @@ class MeshList:
         return np.concatenate([stored, made])
 
     def each(self, handles: NDArray[np.int64]) -> dict[int, _core.Mesh]:
-        """The kernels' meshes by their handles, of which some may repeat."""
+        """Kernels' meshes by handle; handles may repeat."""
         used = np.unique(handles)
         stored = used[used < self._first]
         meshes = {} if self._stored is None else dict(zip(stored.tolist(), self._stored.meshes(stored), strict=True))
@@ -89,7 +89,7 @@ class MeshList:
     def joined(
         self, handles: NDArray[np.int64], placements: NDArray[np.float64], objects: NDArray[np.int32]
     ) -> list[_core.Mesh]:
-        """Join K meshes, placed by `placements` (K, 3, 4): a mesh of the stored ones and one of the others, or more."""
+        """Merge K meshes with `placements` (K, 3, 4) into one of stored meshes and one of others, or more."""
         is_stored = handles < self._first
         joined = []
         for chosen in (np.flatnonzero(is_stored), np.flatnonzero(~is_stored)):

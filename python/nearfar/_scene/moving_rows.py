@@ -1,4 +1,4 @@
-"""Moving instances of a scene as rows of a document, for formats that store their geometry in a GLB."""
+"""Moving instances of a scene as JSON rows, for formats that store their geometry in a GLB."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from nearfar._scene.scene import Scene
 
 
 def moving_rows(scene: Scene) -> list[dict[str, Any]]:
-    """Object of each moving instance, and its load transform and loaded placement where they are not the usual ones.
+    """Object of each moving instance, and its load transform and load placement where they are not the defaults.
 
-    Instances without triangles are left out, because GLB files do not have them either.
+    Instances without triangles are left out, because GLB files omit them, too.
     """
     rows: list[dict[str, Any]] = []
     core, parts = scene._core, _core.scene_parts(scene._core)
@@ -40,7 +40,7 @@ def moving_rows(scene: Scene) -> list[dict[str, Any]]:
 def frames_of(
     rows: Sequence[dict[str, Any]], names: Names, placements: NDArray[np.float64], file: str
 ) -> tuple[NDArray[np.float64] | None, NDArray[np.float64]]:
-    """Load transforms of objects by number, and the placements that the moving instances of a file were loaded with."""
+    """Load transforms of objects by number, and the load placements of a file's moving instances."""
     if len(rows) != len(placements):
         raise ValueError(f"moving: expected {len(placements)} instances as in {file}, got {len(rows)}")
     listed = [row.get("rest", placement) for row, placement in zip(rows, placements, strict=True)]
@@ -58,10 +58,9 @@ def frames_of(
 
 
 def rows_of(scene: Scene, data: bytes) -> list[dict[str, Any]]:
-    """Describe the nodes of a GLB of a scene's dynamic objects: those that keep faces when positions are rounded.
+    """Describe the nodes of a GLB of a scene's dynamic objects: those that keep faces after rounding of positions.
 
-    Nodes stand in the order of the instances. Of instances alike in name and placement it does not matter which one a
-    node stands for.
+    Nodes are in the order of the instances. Instances with equal name and placement are interchangeable.
     """
     placements = scene._core.moving_placements()
     is_filled = [mesh.face_count > 0 for mesh in _moving_meshes(scene)]
@@ -76,13 +75,13 @@ def rows_of(scene: Scene, data: bytes) -> list[dict[str, Any]]:
 
 
 def nodes_of(data: bytes) -> tuple[tuple[float, float, float], list[dict[str, Any]]]:
-    """The origin of a GLB and its nodes, which are the children of the first."""
+    """Origin of a GLB, and its nodes: the children of the first node."""
     root, *nodes = glb.header(data)[0]["nodes"]
     return check.vector("translation", root.get("translation", (0.0, 0.0, 0.0))), nodes
 
 
 def placement_of(node: dict[str, Any]) -> NDArray[np.float64]:
-    """Placement (3, 4) of a node, bit by bit."""
+    """Exact placement (3, 4) of a node."""
     matrix: NDArray[np.float64] = np.array(node.get("matrix", np.eye(4).ravel()), np.float64).reshape(4, 4)
     return matrix.T[:3]
 

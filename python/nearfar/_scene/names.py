@@ -26,11 +26,11 @@ def names_of(argument: str, names: Iterable[str]) -> list[str]:
 
 
 MOST_OBJECTS = (1 << 31) - 1
-"""Numbers of objects are int32."""
+"""Greatest number of objects: object numbers are int32."""
 
 
 def distinct(names: Sequence[str]) -> list[str]:
-    """Names of which none repeats: the first of equal ones keeps it, the others get numbers that no other name has."""
+    """Make names distinct: the first of equal ones keeps its name, the others get unused number suffixes."""
     taken, seen = set(names), set[str]()
     counts: dict[str, int] = {}
     result = []
@@ -48,13 +48,13 @@ def distinct(names: Sequence[str]) -> list[str]:
 
 
 _NAMELESS = re.compile(r"object_(0|[1-9][0-9]{0,17})")
-"""Names of nameless objects, with their number."""
+"""Pattern of nameless objects' names, with their number."""
 
 
 class Names:
     """Object names in the order of their numbers.
 
-    Names of nameless objects are made on first use: a city may have 1.8 million of them.
+    Names of nameless objects are created on first use: a city may have 1.8 million of them.
     """
 
     def __init__(self, names: Sequence[str] | int) -> None:

@@ -14,7 +14,7 @@ from nearfar._scene.assembly import Assembled, Assembly
 def one_mesh(
     vertices: ArrayLike, faces: ArrayLike, face_object: ArrayLike | None, names: Sequence[str] | None, *, copy: bool
 ) -> Assembled:
-    """Assemble a scene of one mesh, whose faces belong to one object or to the objects that `face_object` numbers."""
+    """Assemble a scene of one mesh; its faces belong to one object, or to the objects given by `face_object`."""
     assembly = Assembly()
 
     def assemble() -> Assembled:
@@ -28,5 +28,5 @@ def one_mesh(
             assembly.instance(assembly.mesh(corners, faces, face_object=face_object, copy=copy))
         return assembly._assemble()
 
-    # NumPy looks through arrays of gigabytes in functions that take seconds and know no signals.
+    # NumPy takes seconds for arrays of gigabytes, in functions that signals cannot interrupt.
     return background.run(assemble)

@@ -1,4 +1,4 @@
-"""Parts of a scene: the part of the class `Scene` that leaves out objects and triangles."""
+"""Subsets and queries of a scene: the mixin of `Scene` that leaves out objects and triangles."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class InParts:
-    """Makes scenes of parts of a scene."""
+    """Mixin that creates scenes from parts of a scene."""
 
     _core: CoreScene
     _names: Names
@@ -33,7 +33,7 @@ class InParts:
 
     @property
     def triangle_count(self) -> int:
-        """Triangles of all instances."""
+        """Number of triangles of all instances."""
         return self._core.triangle_count
 
     def subset(self, *, objects: Iterable[str] | None = None, triangles: ArrayLike | None = None) -> Self:
@@ -42,7 +42,7 @@ class InParts:
         Parameters
         ----------
         objects
-            Names of the objects that remain. Object numbers and names stay what they are.
+            Names of the objects to keep. Object numbers and names do not change.
         triangles
             Triangle numbers, or a mask (T,) of bool. The result has no levels, because parts of objects have none.
 
@@ -65,20 +65,20 @@ class InParts:
         return self._derived(self._core.subset_of_triangles(mask), self._rest[remains])
 
     def query(self, aabb: ArrayLike, detail: SupportsFloat = 0.0) -> Self:
-        """Return a scene of the triangles that touch a box, whole; found through the search trees.
+        """Return a scene of the whole triangles that touch a box, found through the search trees.
 
-        The time grows with what is returned, not with the scene; the first query builds the trees. Meshes keep only
-        the vertices that they use, and faces, vertices and instances their order. Instances inside stay instances of
-        the same meshes. Names, numbers of objects and `origin` stay. The result shows the levels that the scene shows,
-        and like other parts of objects has no levels of its own.
+        The time grows with the result, not with the scene; the first query builds the trees. Meshes keep only the
+        vertices that they use; faces, vertices and instances keep their order. Instances entirely inside stay instances
+        of the same meshes. Names, object numbers and `origin` do not change. The result shows the scene's current
+        levels, and has no levels of its own.
 
         Parameters
         ----------
         aabb
             Least and greatest corner (2, 3), world, metres. The sides belong to the box and may be infinite.
         detail
-            Greatest geometric error in metres that the result may have. A scene in memory has all of its triangles
-            and returns them for any value.
+            Greatest geometric error in metres that the result may have. A scene in memory ignores it: it always returns
+            all of its triangles.
 
         Raises
         ------
@@ -110,7 +110,7 @@ class InParts:
         return self._core.touches(tuple(least), tuple(greatest))
 
     def _query(self, box: NDArray[np.float64], *, builds: bool) -> Self:
-        """The part that touches a box (2, 3); unless the trees are built, each triangle is tested."""
+        """Part that touches a box (2, 3); each triangle is tested unless the trees exist or `builds` creates them."""
         least, greatest = box.tolist()
         core, remains = self._core.query(tuple(least), tuple(greatest), builds)
         return self._derived(core, self._rest if remains is None else self._rest[remains])

@@ -1,4 +1,4 @@
-"""Pictures of a scene: the part of the class `Scene` that draws."""
+"""Rendering of a scene: the mixin of `Scene` that draws pictures."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class InPictures:
-    """Draws a scene exactly."""
+    """Mixin that renders a scene exactly."""
 
     _core: CoreScene
 
@@ -32,7 +32,7 @@ class InPictures:
         return ("cpu", "gpu")
 
     def displayed(self, points: ArrayLike, user: ArrayLike) -> NDArray[np.float64]:
-        """Return world positions (N, 3) where a picture shows them: where they are, for any user."""
+        """Return the world positions (N, 3) where a picture shows points: unchanged, for any user."""
         check.vector("user", user)
         return check.array("points", points, columns=3, dtype=np.float64)
 
@@ -44,7 +44,7 @@ class InPictures:
     def begin(self, device: GpuDevice, shot: Shot, report: Callable[[int, int], None] | None = None) -> list[GpuJob]:
         """Begin the pictures of a shot on a graphics device, one for each camera.
 
-        Those of two cameras are drawn at once where the adapter can do so.
+        Pictures of two cameras are drawn in one pass if the adapter supports it.
         """
         check_begin(device, shot, report)
         cameras = [camera._core for camera in shot.cameras]

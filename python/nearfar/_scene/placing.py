@@ -1,4 +1,4 @@
-"""Placed meshes: which are merged and which stay instances, where the scene's origin lies, and its kernels' form."""
+"""Placed meshes: which ones are merged or stay instances, the scene's origin, and the kernels' scene."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ OWN_OBJECTS = -1
 """Object number of an instance whose mesh has an object number for each face."""
 
 _ROW = 12
-"""Bytes of a vertex's position, and of a face."""
+"""Bytes of a vertex position, and of a face."""
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class Placements:
         parts: Sequence[tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.int32]]],
         bases: NDArray[np.float64],
     ) -> Placements:
-        """Join columns without the meshes' bases (M, 3)."""
+        """Concatenate columns; transforms get the meshes' bases (M, 3) applied."""
         if not parts:
             return cls(np.zeros(0, np.int64), np.zeros((0, 4, 4)), np.zeros(0, np.int32))
         mesh, transform, numbers = (np.concatenate(column) for column in zip(*parts, strict=True))
@@ -44,7 +44,7 @@ class Placements:
         return cls(mesh, transform, numbers)
 
     def merges(self, moves: NDArray[np.bool_], names: Sequence[str]) -> NDArray[np.bool_]:
-        """Flags of the merged instances: static meshes placed once, and flat ones, whose transforms have no inverse."""
+        """Mask of the instances to merge: static meshes placed once, and flat ones (singular transforms)."""
         once = np.bincount(self.mesh, minlength=1)[self.mesh] == 1
         scale = np.abs(self.transform[:, :3, :3]).sum(axis=(1, 2)) ** 3
         # A determinant below 1e-30 of the size cubed is rounding error: float64 has 16 digits on each of three axes.
@@ -56,11 +56,11 @@ class Placements:
         return merged
 
     def origin(self, meshes: MeshList) -> NDArray[np.float64]:
-        """World position (3,) for the scene's origin."""
+        """World position (3,) of the scene's origin."""
         filled = meshes.face_counts()[self.mesh] > 0
         if not filled.any():
             return np.zeros(3)
-        # Unused vertices do not move the origin: they are looked for only where it would not be 0.
+        # Unused vertices must not move the origin; they are excluded only if it would not be 0.
         if np.abs(self._bounds(filled, meshes.boxes())).max() < ORIGIN_LIMIT:
             return np.zeros(3)
         bounds = self._bounds(filled, meshes.face_boxes())
@@ -70,7 +70,7 @@ class Placements:
 
     def _bounds(self, chosen: NDArray[np.bool_], boxes: NDArray[np.float64]) -> NDArray[np.float64]:
         """Box (2, 3) of the chosen instances of meshes with boxes (M, 2, 3)."""
-        # The sides of a turned box are sums over its axes; those of a box whose axes stay axes are exact.
+        # The sides of a rotated box are sums over its axes; they are exact if axes map to axes.
         products = self.transform[chosen, None, :3, :3] * boxes[self.mesh[chosen]][:, :, None, :]
         places = self.transform[chosen, :3, 3]
         least = products.min(axis=1).sum(axis=-1) + places
@@ -78,9 +78,9 @@ class Placements:
         return np.stack([least.min(axis=0), greatest.max(axis=0)])
 
     def copied_bytes(self, merged: NDArray[np.bool_], meshes: MeshList) -> int:
-        """Bytes of the merged copies of meshes beside the first of each."""
+        """Bytes of merged copies of meshes, not counting the first copy of each."""
         copies = np.maximum(np.bincount(self.mesh[merged], minlength=len(meshes)) - 1, 0)
-        # Whole numbers of any size: counts of absurd files overflow 64 bits.
+        # Python integers: counts in malformed files overflow 64 bits.
         sizes = (meshes.vertex_counts() + meshes.face_counts()).tolist()
         return sum(_ROW * size * count for size, count in zip(sizes, copies.tolist(), strict=True) if count)
 
@@ -92,7 +92,7 @@ def core_scene(
     meshes: MeshList,
     materials: dict[str, Any],
 ) -> _core.Scene:
-    """The scene about an origin, its merged meshes first."""
+    """Create the scene relative to an origin, merged meshes first."""
     placements = placed.transform[:, :3].copy()
     placements[:, :, 3] -= origin
     rows = np.flatnonzero(merges)
@@ -113,7 +113,7 @@ def core_scene(
 
 
 def _instanced(placed: Placements, rows: NDArray[np.int64], meshes: MeshList) -> list[_core.Mesh]:
-    """Meshes of instances; mirrored instances get meshes with reversed faces, so that outsides stay outsides."""
+    """Meshes of instances; mirrored instances get meshes with reversed faces, so that outer sides stay outer sides."""
     if not len(rows):
         return []
     handles = placed.mesh[rows]

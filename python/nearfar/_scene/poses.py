@@ -27,9 +27,9 @@ def placements_in(pose: Floats, frame: Floats, rest: Floats, origin: Floats) -> 
     Parameters
     ----------
     pose, frame
-        Matrices object→world (4, 4): the new one, and the one that the object was loaded with.
+        Matrices object→world (4, 4): the new pose, and the load transform.
     rest
-        Placements of its meshes when it was loaded (K, 3, 4), relative to `origin`.
+        Load placements of the object's meshes (K, 3, 4), relative to `origin`.
     origin
         World position (3,) that placements are relative to, metres.
     """
@@ -45,7 +45,7 @@ def placements_in(pose: Floats, frame: Floats, rest: Floats, origin: Floats) -> 
 
 
 def current_pose(frame: Floats, placement: Floats, rest: Floats, origin: Floats) -> Floats:
-    """Compute object→world (4, 4) of an object from its mesh's placements (3, 4): loaded (`rest`) and present."""
+    """Compute object→world (4, 4) of an object from its mesh's present placement (3, 4) and load placement (`rest`)."""
     now, loaded = (np.vstack([rows, [0, 0, 0, 1]]) for rows in (placement, rest))
     if np.array_equal(now, loaded):
         return frame.copy()
@@ -55,12 +55,12 @@ def current_pose(frame: Floats, placement: Floats, rest: Floats, origin: Floats)
 
 
 def frame_of(frames: Floats | None, number: int) -> Floats:
-    """Load transform (4, 4) of an object; those after the listed ones (N, 4, 4) are identities."""
+    """Load transform (4, 4) of an object; the identity for objects beyond the listed ones (N, 4, 4)."""
     return np.eye(4) if frames is None or number >= len(frames) else np.asarray(frames[number])
 
 
 def pose_of(core: _core.Scene, number: int, frame: Floats, rest: Floats) -> Floats:
-    """Present object→world (4, 4) of an object, from its load transform and moving instances' placements then."""
+    """Present object→world (4, 4) of an object, from its load transform and moving instances' load placements."""
     rows = np.flatnonzero(core.moving_objects() == number)
     if not len(rows):
         return frame.copy()

@@ -1,4 +1,4 @@
-"""A scene's card for notebooks: counts, extent, notes, and a small picture whose cost is bounded."""
+"""A scene's card for notebooks: counts, extent, notes, and a small picture of bounded cost."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ SIZE = (320, 200)
 """Width and height of the picture in pixels."""
 
 WHOLE = 750_000
-"""Greatest number of distinct triangles and instances that are drawn whole: their trees take less than a second."""
+"""Most distinct triangles and instances to draw exactly: their trees take less than a second to build."""
 
 SAMPLE = 250_000
-"""Number of triangles of a larger scene that are drawn as points: its trees would take seconds, and would remain."""
+"""Number of triangles drawn as points for larger scenes, whose trees would take seconds and stay in memory."""
 
 SUN = np.array([0.3, 0.9, 0.33])
-"""Direction from which points are lit."""
+"""Direction of the light for points."""
 
 MEASURED = 20_000
-"""Number of triangles that say where the scene is dense."""
+"""Number of sampled triangles that determine where the scene is dense."""
 
 TOWARDS = np.array([0.45, 0.5, 0.74])
 """Unit direction from the middle of the scene towards the camera."""
@@ -55,7 +55,7 @@ def html(core: _core.Scene, report: Report, bounds: NDArray[np.float64]) -> str:
 
 
 def picture(core: _core.Scene, bounds: NDArray[np.float64]) -> tuple[NDArray[np.uint8], str]:
-    """Draw the dense part of a scene from above and beside, whole or a sample of it, and say in words which."""
+    """Draw the dense part of a scene from above and beside, exactly or by samples; return a caption, too."""
     camera = view(core, bounds)
     if cost(core) > WHOLE:
         sample = core.subset_of_triangles(every(core.triangle_count, SAMPLE))
@@ -67,7 +67,7 @@ def picture(core: _core.Scene, bounds: NDArray[np.float64]) -> tuple[NDArray[np.
 
 
 def _points(core: _core.Scene, camera: Camera) -> NDArray[np.uint8]:
-    """Draw the middle of each triangle as 2 × 2 grey pixels (H, W, 4), which close up where thin samples would not."""
+    """Draw the centre of each triangle as 2 × 2 grey pixels (H, W, 4), which hide gaps between sparse samples."""
     corners = core.triangles().astype(np.float64)
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     lit = np.abs(normal @ SUN) / np.maximum(np.linalg.norm(normal, axis=1), 1e-300)
@@ -85,15 +85,15 @@ def _points(core: _core.Scene, camera: Camera) -> NDArray[np.uint8]:
 
 
 def cost(core: _core.Scene) -> int:
-    """Count what the trees of a scene are built over: triangles of distinct meshes, and instances."""
+    """Number of elements in a scene's trees: triangles of distinct meshes, and instances."""
     _, first = np.unique(core.mesh_ids(), return_index=True)
     return int(np.diff(core.triangle_offsets())[first].sum()) + core.instance_count
 
 
 def every(total: int, wanted: int) -> NDArray[np.bool_]:
-    """Choose about `wanted` of `total` triangles: one at a random place in each of equal stretches.
+    """Sample about `wanted` of `total` triangles: one at a random place in each interval of equal length.
 
-    Equal distances would fall on the same lines of meshes whose faces are in rows.
+    Equal spacing would alias with meshes whose faces are in rows.
     """
     stretch = max(1, -(-total // max(wanted, 1)))
     if stretch == 1:
@@ -106,7 +106,7 @@ def every(total: int, wanted: int) -> NDArray[np.bool_]:
 
 
 def view(core: _core.Scene, bounds: NDArray[np.float64]) -> Camera:
-    """Make the camera that sees nine tenths of the triangles, as ground and far hills are wide and hold few."""
+    """Camera that sees the middle nine tenths of the triangles: ground and distant hills are wide and hold few."""
     sample = core.subset_of_triangles(every(core.triangle_count, MEASURED)).triangles().mean(axis=1, dtype=np.float64)
     low, high = np.percentile(sample, [5.0, 95.0], axis=0) + np.array(core.origin)
     middle, grown = (low + high) / 2.0, 0.65 * (high - low)

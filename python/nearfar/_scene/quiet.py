@@ -1,4 +1,4 @@
-"""Silence of one thread that reads a file: Python's and NumPy's warnings, and what trimesh logs."""
+"""Silences warnings of Python and NumPy, and log messages of trimesh, in one thread that reads a file."""
 
 from __future__ import annotations
 
@@ -11,30 +11,30 @@ from contextlib import contextmanager, suppress
 import numpy as np
 
 _silent: dict[int, list[str]] = {}
-"""The warnings of trimesh in each silent thread."""
+"""Warnings of trimesh collected in each silent thread."""
 _changes = threading.Lock()
 
 
 class _Membership(type):
-    """Counts every warning as one of a class while the thread that raises it is silent."""
+    """Treats every warning as a subclass while the thread that raises it is silent."""
 
     def __subclasscheck__(cls, _category: type) -> bool:
         return threading.get_ident() in _silent
 
 
 class _OfSilentThread(Warning, metaclass=_Membership):
-    """Category of all warnings of silent threads.
+    """Category that matches all warnings of silent threads.
 
-    `warnings.catch_warnings` would replace the filters of all threads, and two that overlap restore each other's.
+    `warnings.catch_warnings` replaces the filters of all threads, and overlapping uses restore each other's filters.
     """
 
 
 _IGNORED = ("ignore", None, _OfSilentThread, None, 0)
-"""The filter, as `warnings` stores it."""
+"""The filter in the form stored by `warnings`."""
 
 
 class _Collector(logging.Handler):
-    """Keeps the warnings of silent threads, and passes on the records of others."""
+    """Collects the warnings of silent threads; forwards the records of other threads."""
 
     def emit(self, record: logging.LogRecord) -> None:
         messages = _silent.get(threading.get_ident())
@@ -50,7 +50,7 @@ _LOGGER, _COLLECTOR = logging.getLogger("trimesh"), _Collector()
 
 @contextmanager
 def silence() -> Iterator[list[str]]:
-    """Hide warnings of this thread within a block, and collect the first lines of those that trimesh logs."""
+    """Hide this thread's warnings within a block; collect the first lines of trimesh's logged warnings."""
     messages: list[str] = []
     _enter(messages)
     try:
@@ -67,7 +67,7 @@ def _enter(messages: list[str]) -> None:
             _propagates, _LOGGER.propagate = _LOGGER.propagate, False
             _LOGGER.addHandler(_COLLECTOR)
         _silent[threading.get_ident()] = messages
-        # Filters that came since another thread was silenced come after this one.
+        # The filter must precede those added since another thread was silenced.
         warnings.filterwarnings("ignore", category=_OfSilentThread)
 
 
@@ -77,9 +77,9 @@ def _leave() -> None:
         if not _silent:
             _LOGGER.removeHandler(_COLLECTOR)
             _LOGGER.propagate = _propagates
-            with suppress(ValueError):  # someone has reset the filters
+            with suppress(ValueError):  # the filters have been reset
                 warnings.filters.remove(_IGNORED)  # type: ignore[attr-defined]
 
 
 _propagates = True
-"""Whether the logger passed records on before any thread was silent."""
+"""Original value of the logger's `propagate`."""

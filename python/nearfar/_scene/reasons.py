@@ -1,4 +1,4 @@
-"""Reasons why a file cannot be used, each in one sentence, from the exceptions of readers."""
+"""Converts exceptions of readers to one-sentence reasons why a file cannot be used."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def explained(label: str, *, passed: type[Exception] = SceneError) -> Iterator[N
 
 
 def sentence(error: Exception) -> str:
-    """The reason of an exception that a reader raised."""
+    """Return the reason for an exception of a reader."""
     match error:
         case UnusableError():
             return str(error)
@@ -61,7 +61,7 @@ def sentence(error: Exception) -> str:
 
 
 def _reader_sentence(reason: str) -> str:
-    """Sentence for a reason that a reader gives; those of Python and NumPy speak of code, not of the file."""
+    """Sentence for a reader's message; messages of Python and NumPy are about code and are replaced."""
     for pattern, sentence in _REASONS:
         if match := pattern.search(reason):
             reason = sentence.format(*(group for group in match.groups() if group))
@@ -74,10 +74,10 @@ def _first_line(error: Exception) -> str:
 
 
 LONGEST = 300
-"""Greatest number of characters of a reason, which may repeat what stands in the file."""
+"""Greatest number of characters of a reason, which may quote the file."""
 
 _DETECTORS = ("chardet", "charset_normalizer")
-"""Packages with which trimesh would guess the encoding of a text that is not UTF-8."""
+"""Packages that trimesh uses to guess the encoding of text that is not UTF-8."""
 
 _REASONS = (
     (
@@ -91,4 +91,4 @@ _REASONS = (
     (re.compile(r"negative seek|buffer is smaller|buffer size|beyond the end"), "it is cut off"),
     (re.compile(r"no field of name (\w+)"), "it lacks an entry that it needs: {}"),
 )
-"""Reasons of Python and NumPy, and what they say of a file."""
+"""Patterns of messages of Python and NumPy, with the sentence about the file that replaces them."""

@@ -1,4 +1,4 @@
-"""Counts of a scene's contents, and which parts of its source are used, dropped or not drawn."""
+"""Counts of a scene's contents, and notes on parts of its source that are used, dropped or not drawn."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class Report:
     triangles: int
     """Number of triangles of all instances."""
     meshes: int
-    """Number of distinct meshes; static meshes that are placed once are merged and count as one."""
+    """Number of distinct meshes; static meshes placed once are merged and count as one."""
     instances: int
     """Number of placed meshes, static and dynamic."""
     objects: int
@@ -25,7 +25,7 @@ class Report:
     dynamic: int
     """Number of instances that `Scene.at` can pose."""
     materials: int
-    """Number of distinct materials, also of those that are drawn alike."""
+    """Number of distinct materials, including those that look alike."""
     textures: int
     """Number of distinct images."""
     degenerate_faces: int
@@ -33,15 +33,15 @@ class Report:
     dropped_faces: int
     """Number of faces dropped because of non-finite or missing vertices (``on_invalid="drop"``)."""
     used: tuple[str, ...] = ()
-    """The format of the source and the parts of it that the scene uses, one phrase each; empty without a source."""
+    """Format of the source and the features that the scene uses, one phrase each; empty without a source."""
     notes: tuple[str, ...] = ()
     """Parts of the source that are ignored or drawn differently, and its unit if not the metre, one sentence each."""
     unit_note: str = ""
-    """A sentence if the extent suggests that the source's unit is not the metre, else empty.
+    """Sentence if the extent suggests that the source's unit is not the metre, else empty.
 
-    The scene is higher than 9,000 m, which is more than any ground; or higher than 830 m, which is more than any
-    building, and a fifth of its width, which is steeper than landscapes; or smaller than 0.06 m, the distance between
-    the eyes. Nothing is rescaled: a room in centimetres has the extent of a building in metres.
+    It is set if the scene is higher than 9,000 m (no ground is); or higher than 830 m (no building is) and a fifth
+    of its width (steeper than landscapes); or smaller than 0.06 m, the distance between the eyes. Nothing is
+    rescaled: a room in centimetres has the extent of a building in metres.
     """
 
     @classmethod

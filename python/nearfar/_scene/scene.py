@@ -80,8 +80,8 @@ class Scene(InParts, InPictures):
         """Load a file: GLB, glTF with its buffers and images, OBJ with MTL, PLY, STL, OFF or another format of trimesh.
 
         Also tilesets of 3D Tiles 1.0 and 1.1 (their .json, at a path or a URL), tiles (.b3dm, .i3dm, .cmpt), CityJSON
-        (.city.json, .city.jsonl), footprints of GeoJSON and GeoParquet, extruded, and packed files (``.ply.gz``). Nodes
-        become objects. `report` lists what is not drawn; files that are written from the scene have it nevertheless.
+        (.city.json, .city.jsonl), extruded footprints of GeoJSON and GeoParquet, and gzip files (``.ply.gz``). Nodes
+        become objects. `report` lists what is not drawn; files written from the scene nevertheless include it.
 
         Parameters
         ----------
@@ -90,26 +90,27 @@ class Scene(InParts, InPictures):
         up
             Axis of the file that points up: "x", "y", "z", "-x", "-y" or "-z"; it is turned to y.
         on_invalid, blend
-            For faces with vertices that are not finite or do not exist: "raise" or "drop". For materials that blend:
-            "opaque", or "cutout", which leaves them out where alpha is below ½. `report` counts both.
+            For faces with vertices that are not finite or do not exist: "raise" or "drop". For materials with blending:
+            "opaque", or "cutout", which omits fragments with alpha below ½. `report` counts both.
         scale
-            Metres in a unit of the file. By default what the file states, else 1; `report` tells of odd extents.
+            Metres per unit of the file. Default: as stated by the file, else 1; `report` notes odd extents.
         max_bytes
-            Bytes it may unpack to; by default a hundred times those read, at least 256 MiB and at most 16 GiB.
+            Bytes that it may unpack to; by default a hundred times the bytes read, within 256 MiB and 16 GiB.
         error, triangles
-            Of a tileset, greatest geometric error in metres, or greatest number of triangles; default: all detail.
+            For a tileset, greatest geometric error in metres, or greatest number of triangles; default: all detail.
         lod, height
-            Greatest level of detail of CityJSON (default: the highest); property with heights of footprints in metres.
+            Greatest level of detail of CityJSON (default: the highest); property with footprints' heights in metres.
         origin
-            Longitude and latitude in degrees and height in metres of (0, 0, 0) for tilesets on the Earth and footprints
-            in degrees; x points east, y up and z south there. By default the middle, which `report` states.
+            Longitude and latitude in degrees and height in metres of (0, 0, 0), for tilesets on the Earth and
+            footprints
+            in degrees; x points east, y up and z south there. Default: the middle of the data, stated by `report`.
 
         Raises
         ------
         SceneError
-            A file that cannot be used or unpacks to too much; the message names it and the reason.
+            A file that is unusable or unpacks to too much; the message names it and the reason.
         ValueError, TypeError
-            Arguments out of their range, both an `error` and `triangles`, and an argument for files of another kind.
+            Arguments out of range, both `error` and `triangles`, or an argument for files of another kind.
         OSError
             A file that cannot be opened.
         """
@@ -139,14 +140,14 @@ class Scene(InParts, InPictures):
         up, on_invalid, blend
             See `load`.
         scale
-            Metres in a unit. By default that of `loaded.units`, which all meshes must share, or the metre for None.
+            Metres per unit. By default that of `loaded.units`, which all meshes must share, or the metre for None.
 
         Raises
         ------
         SceneError
-            No triangles, vertices and transforms that cannot be used, unknown units, or meshes of several units.
+            No triangles, unusable vertices or transforms, unknown units, or meshes of several units.
         TypeError
-            Anything else than a mesh or a scene.
+            A value that is neither a mesh nor a scene.
         """
         from nearfar._scene import content as contents, load_trimesh
 
@@ -179,14 +180,14 @@ class Scene(InParts, InPictures):
         object_names
             Name of each object number; by default ``object_0``, ``object_1``, …
         copy
-            Copy even what could be borrowed, and leave the arrays alone.
+            Copy all arrays, and leave the caller's arrays writable.
 
         Raises
         ------
         ValueError
-            Vertices that are not finite, numbers out of range, shapes that do not fit, names that repeat.
+            Vertices that are not finite, numbers out of range, shapes that do not match, or repeated names.
         TypeError
-            Values that are not numbers, and names that are not strings.
+            Values that are not numbers, or names that are not strings.
         """
         names = None if object_names is None else names_of("object_names", object_names)
         return cls._from_assembled(one_mesh(vertices, faces, face_object, names, copy=copy))
@@ -205,13 +206,13 @@ class Scene(InParts, InPictures):
     def origin(self) -> NDArray[np.float64]:
         """World position (3,) that kernels' float32 coordinates are relative to.
 
-        Zero while all coordinates are within 32,768 m, else the centre of the bounds in whole metres.
+        0 while all coordinates are within 32,768 m, else the centre of the bounds in whole metres.
         """
         return np.array(self._core.origin)
 
     @cached_property
     def report(self) -> Report:
-        """Counts of the scene's contents, and which parts of its source are used, dropped or not drawn."""
+        """Counts of the scene's contents, and parts of its source that are used, dropped or not drawn."""
         return Report.of(self._core, len(self._names), len(self._rest), self._dropped, self._notes, self._used)
 
     def triangles(self) -> NDArray[np.float32]:
@@ -233,10 +234,10 @@ class Scene(InParts, InPictures):
         return self._derived(core, rest, self._table)
 
     def with_levels(self, models: Mapping[str, Any]) -> Scene:
-        """Return the same scene in which objects have levels of detail; it shows their level 0.
+        """Return the same scene with levels of detail for some objects; it shows their level 0.
 
         The levels replace the objects' meshes. They are placed by the object's `transform`, and dynamic objects stay
-        dynamic. Objects of one model share its meshes. `nearfar.render` renders chosen levels.
+        dynamic. Objects with the same model share its meshes. `nearfar.render` renders chosen levels.
 
         Parameters
         ----------
@@ -246,9 +247,9 @@ class Scene(InParts, InPictures):
         Raises
         ------
         ValueError
-            Unknown names, models without geometry, objects with transforms that are not invertible.
+            Unknown names, models without geometry, or objects with singular transforms.
         TypeError
-            Anything else than a mapping from names to models.
+            A value that is not a mapping from names to models.
         """
         check.mapping("models", models, "models by name such as {'tree': model}")
         numbers = [self._names.number("models", name) for name in models]
@@ -263,22 +264,22 @@ class Scene(InParts, InPictures):
         return None if self._table is None else self._table.leveled(self._core, self._names)
 
     def shown_to(self, user: ArrayLike) -> Leveled | None:
-        """`leveled`, which is the same for every user at a world position (3,)."""
+        """`leveled`, for the interface of renderables: the same for every user at a world position (3,)."""
         return self.leveled
 
     def at_levels(self, levels: ArrayLike | Mapping[str, int]) -> Scene:
-        """Return a scene in which the objects have these levels as their only meshes; it shares meshes and trees.
+        """Return a scene whose objects have the given levels as their only meshes; it shares meshes and trees.
 
         Parameters
         ----------
         levels
-            The level of each object (N,) in the order of `leveled`, or levels by name, the others at 0. 0 is the
-            finest, and −1 leaves an object out.
+            Level of each object (N,) in the order of `leveled`, or levels by name, the others 0. 0 is the finest level;
+            −1 leaves an object out.
 
         Raises
         ------
         ValueError
-            Levels that objects do not have, a wrong number of levels, and scenes without levels.
+            Levels that do not exist, a wrong number of levels, or a scene without levels.
         TypeError
             Levels that are not whole numbers.
         """
@@ -292,29 +293,29 @@ class Scene(InParts, InPictures):
         return self._derived(table.core.choose(self._core, table.row_of, by_object), self._rest[remains])
 
     def transform(self, name: str) -> NDArray[np.float64]:
-        """Object→world (4, 4) that an object was loaded with, which `at` replaces."""
+        """Load transform object→world (4, 4) of an object, which `at` replaces."""
         return self._frame(self._names.number("name", name)).copy()
 
     @property
     def poses(self) -> dict[str, NDArray[np.float64]]:
-        """Present object→world (4, 4) of each dynamic object, by name, as `at` takes them."""
+        """Present object→world (4, 4) of each dynamic object, by name, in the form that `at` takes."""
         return {self.object_names[n]: self._pose(n) for n in np.unique(self._core.moving_objects()).tolist()}
 
     def at(self, poses: Mapping[str, ArrayLike]) -> Scene:
-        """Return the same scene with dynamic objects in other places.
+        """Return the same scene with dynamic objects in other poses.
 
         Parameters
         ----------
         poses
-            Object→world (4, 4) for column vectors, by name. It replaces the transform that the object was loaded
-            with (see `transform`); objects that are not named stay where they are.
+            Object→world (4, 4) for column vectors, by name. It replaces the object's load transform (see `transform`);
+            objects that are not named keep their poses.
 
         Raises
         ------
         ValueError
-            Unknown objects, objects that are not dynamic, matrices that are not finite, affine and invertible.
+            Unknown objects, objects that are not dynamic, or matrices that are not finite, affine and invertible.
         TypeError
-            Anything else than a mapping from names to poses.
+            A value that is not a mapping from names to poses.
         """
         check.mapping("poses", poses, "matrices by name such as {'car': matrix}")
         placements, owner = self._core.moving_placements(), self._core.moving_objects()
@@ -341,7 +342,7 @@ class Scene(InParts, InPictures):
 
     @property
     def _own(self) -> dict[str, Any]:
-        """Keyword arguments that make this scene of its core and its names."""
+        """Keyword arguments that recreate this scene from its core and names."""
         names = ("frames", "rest", "dropped", "notes", "used", "table", "undrawn")
         return {name: getattr(self, f"_{name}") for name in names}
 

@@ -1,4 +1,4 @@
-"""Conversion of a scene to plain arrays and back, for other processes and for hashes of its content."""
+"""Conversion of a scene to plain arrays and back, for other processes and for content hashes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ def parts_of(core: _core.Scene) -> dict[str, Any]:
     """Return all drawn content of a scene as arrays, numbers and containers of them; shared meshes appear once."""
     parts = _core.scene_parts(core)
     first, shared = np.unique(core.mesh_ids(), return_index=True, return_inverse=True)[1:]
-    # Meshes are listed by their first use, because identities are addresses, whose order varies between runs.
+    # Ordered by first use: mesh identities are addresses, whose order varies between runs.
     order = np.argsort(first)
     meshes = parts.pop("meshes")
     listed = [_core.mesh_parts(meshes[number]) for number in first[order]]
@@ -34,7 +34,7 @@ def mesh_of(parts: dict[str, Any]) -> _core.Mesh:
 
 
 def empty_core(origin: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> _core.Scene:
-    """A scene of nothing."""
+    """Create an empty scene."""
     none = np.zeros(0, np.int32)
     return _core.Scene(
         origin=origin,

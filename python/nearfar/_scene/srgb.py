@@ -1,4 +1,4 @@
-"""Codes of sRGB and linear light."""
+"""Conversion between sRGB and linear light."""
 
 from __future__ import annotations
 

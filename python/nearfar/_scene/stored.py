@@ -15,10 +15,10 @@ from nearfar._scene.materials import PLAIN, UNCOLORED, BaseColor
 
 @dataclass(frozen=True)
 class Surface:
-    """Material and attributes that groups of stored faces share."""
+    """Material and attributes shared by groups of stored faces."""
 
     materials: Sequence[BaseColor]
-    """One, or none for the plain one."""
+    """One material; empty means the plain one."""
     has_normals: bool
     has_uvs: bool
     has_colors: bool
@@ -30,27 +30,27 @@ class Surface:
 
     @property
     def drawn(self) -> BaseColor:
-        """The material that faces are drawn with."""
+        """Material that the faces are drawn with."""
         (material,) = self.materials or (UNCOLORED if self.has_colors else PLAIN,)
         return material if self.is_textured else material.without_textures()
 
 
 @dataclass(frozen=True)
 class Stored:
-    """Meshes in the bytes of a source, each of faces of some surfaces."""
+    """Meshes in the bytes of a source; their faces form groups of equal surface."""
 
     core: _core.StoredMeshes
-    """The meshes; numbers of materials are those of `surfaces`."""
+    """The meshes; their material numbers are indices into `surfaces`."""
     names: Sequence[str]
     """Names of the meshes' shapes."""
     mesh: NDArray[np.int64]
-    """For each of the faces' groups (G,) its mesh, ascending."""
+    """Mesh of each group of faces (G,), ascending."""
     surface: NDArray[np.int64]
-    """For each of the faces' groups (G,) its surface."""
+    """Surface of each group of faces (G,)."""
     surfaces: Sequence[Surface]
 
     def with_materials(self, materials: Sequence[Sequence[BaseColor]]) -> Stored:
-        """The same with other materials of the surfaces."""
+        """Copy with other materials for the surfaces."""
         surfaces = [replace(one, materials=chosen) for one, chosen in zip(self.surfaces, materials, strict=True)]
         return replace(self, surfaces=surfaces)
 

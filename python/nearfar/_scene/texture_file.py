@@ -1,4 +1,4 @@
-"""Textures as files of their own, beside GLB files that refer to them."""
+"""Encodes textures as separate files, to which GLB files refer."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 
 def encode_texture(texels: NDArray[np.uint8], quality: int | None) -> bytes:
-    """Encode a texture (H, W, 4), sRGB with alpha, as WebP; `quality` 0 to 100, or None for a lossless one."""
+    """Encode a texture (H, W, 4), sRGB with alpha, as WebP; `quality` 0 to 100, or None for lossless."""
     from PIL import Image
 
     opaque = bool((texels[..., 3] == 255).all())

@@ -1,4 +1,4 @@
-"""Instances in 3MF files, which trimesh reads: nested components may stand for more of them than fit anywhere."""
+"""Limits instances in 3MF files, which trimesh reads: nested components may multiply them without bound."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from nearfar._base.errors import UnusableError
 from nearfar._scene.budget import Budget
 
 _INSTANCE = 1 << 14
-"""Bytes that an instance counts as: trimesh compares its name with those of all others."""
+"""Bytes counted per instance: trimesh compares its name with those of all others."""
 
 _MOST = 1 << 62
-"""Greatest number of instances that is told apart; more exceed any budget. Each level of components may double it."""
+"""Cap of instance counts, far above any budget. Each level of components may double the number."""
 
 
 def check_instances(data: bytes, budget: Budget) -> None:
-    """Count the instances of an archive's model before trimesh lists them; UnusableError for loops of components."""
+    """Count the instances of an archive's model before trimesh expands them; UnusableError for cyclic components."""
     from lxml import etree
     from trimesh.exchange.common import XML_PARSER_OPTIONS
 
@@ -47,7 +47,7 @@ def check_instances(data: bytes, budget: Budget) -> None:
 
 
 def _instances(parts: Mapping[str, Sequence[str]], items: Sequence[str]) -> list[int]:
-    """Objects that each item of the build stands for, itself and all below."""
+    """Number of objects in each build item: itself and all descendants."""
     counts: dict[str, int] = {}
     unfinished: set[str] = set()
     for item in items:

@@ -1,4 +1,4 @@
-"""Materials as files hold them, with properties that are not drawn, so that files written from a scene have them."""
+"""glTF materials with their undrawn properties, so that files written from a scene preserve them."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ EXTENSIONS = frozenset(
         *("pbrSpecularGlossiness", "sheen", "specular", "transmission", "unlit", "volume"),
     )
 )
-"""Extensions of materials that refer to nothing but textures, so that they can be copied."""
+"""Material extensions that refer only to textures, so that they can be copied."""
 
 _SURFACE = "pbrMetallicRoughness"
 _BASE = "baseColorTexture"
@@ -28,12 +28,12 @@ _SURFACE_SIZES = {"baseColorFactor": 4, "metallicFactor": 1, "roughnessFactor": 
 _SIZES = {"emissiveFactor": 3, "alphaCutoff": 1}
 _TEXTURES = ("normalTexture", "occlusionTexture", emission.MAP)
 _DRAWN = (emission.UNLIT, emission.STRENGTH)
-"""Extensions that are drawn."""
+"""Extensions that affect drawing."""
 
 _REPEAT, _NEAREST = 10497, 9728
 
 PLAIN = {_SURFACE: {"metallicFactor": 0.0}, "doubleSided": True}
-"""The glTF material, without its base colour, that looks as scenes are drawn."""
+"""glTF material, without base colour, that looks the way scenes are drawn."""
 
 
 @dataclass(frozen=True)
@@ -52,25 +52,25 @@ class EncodedImage:
 
 @dataclass(frozen=True)
 class TextureSource:
-    """A texture of a glTF file."""
+    """A texture of a glTF file, with its sampler."""
 
     image: EncodedImage | None = None
-    """None for the base colour's, whose texels the scene holds."""
+    """Image; None for the base colour's, whose texels the scene holds."""
     sampler: str = ""
     """JSON of the sampler; empty for none."""
 
 
 @dataclass(frozen=True, eq=False)
 class Undrawn:
-    """A glTF material with all that can be written again."""
+    """A glTF material with all properties that can be written back."""
 
     material: Mapping[str, Any]
-    """As in glTF, but each texture's `index` is that into `textures`."""
+    """Entries as in glTF, except that each texture's `index` is an index into `textures`."""
     textures: tuple[TextureSource, ...] = ()
 
     @cached_property
     def tag(self) -> int:
-        """Number from 1 to 2⁶⁴ − 1 that follows from the content, by which kernels tell materials apart."""
+        """Content hash from 1 to 2⁶⁴ − 1, by which kernels distinguish materials."""
         textures = [
             (texture.sampler, "" if texture.image is None else texture.image.digest) for texture in self.textures
         ]
@@ -79,29 +79,29 @@ class Undrawn:
 
     @property
     def has_maps(self) -> bool:
-        """Whether it has textures besides the base colour's."""
+        """Whether it has textures other than the base colour's."""
         return any(texture.image is not None for texture in self.textures)
 
     def without_textures(self) -> Undrawn | None:
-        """The same for meshes without texture coordinates; emission that has a texture is left out with it."""
+        """Copy for meshes without texture coordinates; textured emission is left out, too."""
         material = emission.without(self.material) if emission.MAP in self.material else self.material
         return _unless_plain(replace(self, material=without_textures(material), textures=()))
 
 
 def of_gltf(material: Any, texture_of: Callable[[int], TextureSource | None]) -> tuple[Undrawn | None, tuple[str, ...]]:
-    """Collect what a glTF material holds.
+    """Collect the properties of a glTF material.
 
     Parameters
     ----------
     material
         The material's entry in the document; entries of wrong types count as absent.
     texture_of
-        Returns the texture of a number, with its image; None where it cannot be read.
+        Returns a texture by index, with its image; None if it cannot be read.
 
     Returns
     -------
     undrawn, notes
-        None for a material that is drawn in full; what is drawn differently, phrased to follow "2 materials".
+        None for a material that is drawn completely; differences in drawing, phrased to follow "2 materials".
     """
     if not isinstance(material, dict):
         return None, ()
@@ -122,7 +122,7 @@ def _unless_plain(undrawn: Undrawn) -> Undrawn | None:
 
 
 def without_textures(value: Any) -> Any:
-    """A copy of a material in which nothing refers to a texture."""
+    """Copy of a material without references to textures."""
     if not isinstance(value, dict):
         return value
     return {key: without_textures(item) for key, item in value.items() if not is_texture(key, item)}
@@ -158,7 +158,7 @@ class _Collector:
             else:
                 self.losses.append(f"with the extension {name} drawn and saved without it")
         if is_texture(emission.MAP, source.get(emission.MAP)) and emission.MAP not in kept:
-            # The factor alone would let dark parts glow.
+            # The factor without its map would make dark parts glow.
             return emission.without(kept)
         return kept
 
@@ -171,7 +171,7 @@ class _Collector:
         return {key: value for key, value in content.items() if _is_plain(value)} | self._infos(content, textures)
 
     def _info(self, name: str, source: dict[str, Any]) -> dict[str, Any] | None:
-        """A reference to a texture; None if it cannot be written again."""
+        """Reference to a texture; None if it cannot be written back."""
         transform = {} if name == _BASE else self._transform(source)
         if transform is None:
             what = "emission" if name == emission.MAP else "a map"
@@ -192,12 +192,12 @@ class _Collector:
         return info | ({"extensions": {TRANSFORM: transform}} if transform else {})
 
     def _transform(self, source: dict[str, Any]) -> dict[str, Any] | None:
-        """A map's transform relative to the texture coordinates of the scene's meshes; None if there is none."""
+        """A map's transform relative to the meshes' texture coordinates; None if it cannot be expressed."""
         return {} if self._drawn is None else relative(source, self._drawn)
 
 
 def _numbers(source: dict[str, Any], sizes: dict[str, int]) -> dict[str, Any]:
-    """The entries that are finite numbers, or lists of as many as they should be."""
+    """Entries that are finite numbers, or lists of the expected length."""
     kept = {}
     for name, size in sizes.items():
         value = source.get(name)
@@ -221,7 +221,7 @@ def _is_plain(value: object) -> bool:
 
 
 def _differences(undrawn: Undrawn) -> list[str]:
-    """Properties that are drawn differently, phrased to follow "2 materials"."""
+    """Notes on properties that are drawn differently, phrased to follow "2 materials"."""
     material = undrawn.material
     notes = [] if emission.is_unlit(material) else _lighting_differences(material)
     if not material.get("doubleSided", False):
@@ -250,7 +250,7 @@ def _lighting_differences(material: Mapping[str, Any]) -> list[str]:
 
 
 def _sampling(undrawn: Undrawn, info: Mapping[str, Any]) -> list[str]:
-    """Differences of a texture that is drawn."""
+    """Notes on the sampling of a drawn texture."""
     sampler = json.loads(undrawn.textures[info["index"]].sampler or "{}")
     notes = []
     if (sampler.get("wrapS", _REPEAT), sampler.get("wrapT", _REPEAT)) != (_REPEAT, _REPEAT):

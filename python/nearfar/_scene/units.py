@@ -1,4 +1,4 @@
-"""Units of sources: the metres in a unit that a source states, and a note where an extent suggests another unit."""
+"""Units of sources: metres per stated unit, and a note if the extent suggests another unit."""
 
 from __future__ import annotations
 
@@ -11,23 +11,23 @@ from nearfar._base import check
 from nearfar._base.errors import SceneError
 
 TALLEST_BUILDING = 830.0
-"""Height in metres that no building exceeds: the Burj Khalifa has 828 m."""
+"""Height above that of any building, metres: the Burj Khalifa has 828 m."""
 
 HIGHEST_GROUND = 9_000.0
-"""Height in metres that no ground exceeds: Mount Everest has 8,849 m."""
+"""Height above that of any ground, metres: Mount Everest has 8,849 m."""
 
 STEEPEST_GROUND = 0.2
-"""Height as a share of the width that landscapes taller than any building seldom exceed; rooms and houses do."""
+"""Ratio of height to width that landscapes taller than any building seldom exceed, but rooms and houses do."""
 
 EYES_APART = 0.06
-"""Least extent in metres of a scene around a user: about the distance between the eyes."""
+"""Least plausible extent of a scene around a user, metres: about the distance between the eyes."""
 
 
 def metres_in(label: str, units: Iterable[str]) -> float:
-    """Return the metres in the unit that the meshes of a source state; 1 if they state none.
+    """Return the metres per unit that the meshes of a source state; 1 if they state none.
 
-    Units are trimesh's, such as "mm" or "0.0254 * meters", and "" for none, which stands for the metre. SceneError for
-    unknown units, and for units of different lengths.
+    Units are trimesh's, such as "mm" or "0.0254 * meters", and "" for none, which means the metre. SceneError for
+    unknown units, or for units of different lengths.
     """
     factors = {unit: _metres_in(label, unit) for unit in sorted(set(units))}
     if len(set(factors.values())) > 1:
@@ -42,7 +42,7 @@ def _metres_in(label: str, unit: str) -> float:
     if not unit:
         return 1.0
     try:
-        # The table is in inches, which leaves the last digits of its quotients to rounding.
+        # Rounded: the table is in inches, so the last digits of its quotients are rounding errors.
         factor = float(f"{unit_conversion(unit, 'meters'):.12g}")
     except ValueError:
         factor = 0.0
@@ -54,11 +54,11 @@ def _metres_in(label: str, unit: str) -> float:
 
 
 def extent_note(bounds: NDArray[np.float64]) -> str:
-    """Describe an extent that suggests another unit than the metre; "" for others, and for empty scenes.
+    """Describe an extent that suggests a unit other than the metre; "" for plausible extents and empty scenes.
 
-    Heights above `HIGHEST_GROUND` do so, and those above `TALLEST_BUILDING` unless the scene is as wide as a landscape.
-    So do scenes smaller than `EYES_APART`. The extents of rooms in centimetres are those of buildings in metres, so
-    they go unnoticed.
+    The note is given for heights above `HIGHEST_GROUND`, for heights above `TALLEST_BUILDING` unless the scene is as
+    wide as a landscape, and for scenes smaller than `EYES_APART`. Rooms in centimetres have the extent of buildings in
+    metres, so they are not detected.
     """
     sides = bounds[1] - bounds[0]
     if not np.isfinite(sides).all():

@@ -1,4 +1,4 @@
-"""Properties of Wavefront materials beside their base colour, in glTF's terms."""
+"""Properties of Wavefront materials besides the base colour, converted to glTF."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from nearfar._scene.srgb import to_linear
 
 EMISSION_MAP = "map_ke"
 EMISSION_IMAGE = "map_ke image"
-"""Key of the image that is read for a material's map of emission."""
+"""Key of the image loaded for a material's emission map."""
 
 _MAPS = {
     "a normal map": ("map_bump", "bump", "norm", "map_kn"),
@@ -24,25 +24,25 @@ _MAPS = {
 
 
 def opacity(entries: Mapping[str, Any]) -> float:
-    """Opacity from 0 to 1: `d`, or else 1 − `Tr`. Some programs write the same number as both."""
+    """Opacity from 0 to 1: `d`, else 1 − `Tr`. Some programs write the same number as both."""
     stated = min(_numbers(entries["d"], 1.0)) if "d" in entries else 1.0 - max(_numbers(entries.get("tr")))
     return float(np.clip(stated, 0.0, 1.0))
 
 
 def as_gltf(entries: Mapping[str, Any]) -> dict[str, Any]:
-    """Properties of a material that glTF has, too, besides its base colour: emission, metal, roughness, blending.
+    """Convert a material's emission, metalness, roughness and blending to glTF.
 
     Parameters
     ----------
     entries
-        Keywords of the material in small letters with their values: numbers, or words as the file has them.
+        Keywords of the material in lower case with their values: numbers, or words of the file.
     """
     surface = {"metallicFactor": float(np.clip(_numbers(entries.get("pm"))[0], 0.0, 1.0))}
     if "pr" in entries:
         surface["roughnessFactor"] = float(np.clip(_numbers(entries["pr"], 1.0)[0], 0.0, 1.0))
     material: dict[str, Any] = {"pbrMetallicRoughness": surface, "doubleSided": True}
     has_map = EMISSION_IMAGE in entries
-    # A map that is not there may have left most of the surface dark.
+    # Without its map, which may be dark in most places, emission is left out.
     emission = _emission(entries) if has_map or EMISSION_MAP not in entries else DARK
     material |= emission_entries(emission, unlit=False)
     if has_map and emission != DARK:
@@ -53,23 +53,23 @@ def as_gltf(entries: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _emission(entries: Mapping[str, Any]) -> Light:
-    """Linear RGB: a map without a colour counts as one with white."""
+    """Emission as linear RGB; a map without a colour counts as one with white."""
     numbers = _numbers(entries.get("ke"), 1.0 if EMISSION_IMAGE in entries else 0.0)
-    # One number stands for all three, and codes are sRGB as those of the diffuse colour; beyond 1 they are light.
+    # One number stands for all three. Values up to 1 are sRGB, like the diffuse colour; above 1 they are linear.
     codes = np.clip((numbers * 3)[:3] if len(numbers) < 3 else numbers[:3], 0.0, MOST_EMISSION)
     red, green, blue = np.where(codes > 1.0, codes, to_linear(np.minimum(codes, 1.0))).tolist()
     return red, green, blue
 
 
 def losses(entries: Mapping[str, Any]) -> tuple[str, ...]:
-    """Maps of a material that are neither drawn nor saved, phrased to follow "2 materials"."""
+    """Notes on maps of a material that are neither drawn nor saved, phrased to follow "2 materials"."""
     found = {*entries} - ({EMISSION_MAP} if EMISSION_IMAGE in entries else set())
     lost = (what for what, keywords in _MAPS.items() if not found.isdisjoint(keywords))
     return tuple(f"with {what} drawn and saved without it" for what in lost)
 
 
 def _numbers(value: Any, default: float = 0.0) -> list[float]:
-    """The finite numbers of an entry, or the default if it has none."""
+    """Finite numbers of an entry; the default if it has none."""
     values = value if isinstance(value, list | tuple) else [value]
     found = []
     for item in values:

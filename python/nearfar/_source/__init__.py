@@ -1,1 +1,1 @@
-"""Worlds that scenes are taken from, box by box."""
+"""Sources of scenes: worlds that are queried box by box."""

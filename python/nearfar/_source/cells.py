@@ -10,16 +10,16 @@ from numpy.typing import NDArray
 from nearfar._scene.scene import Scene
 
 MOST_CELLS = 1 << 20
-"""Greatest number of cells of a grid."""
+"""Maximum number of cells of a grid."""
 
 _MARGIN = 1e-12
-"""Share of the greatest coordinate by which a box is wider than its cell. A centroid lies in its triangle, but rounding
-in float64 may take it over a side; it rounds by less than a hundredth of this."""
+"""Margin by which a box is wider than its cell, as a share of the greatest coordinate. A centroid lies in its triangle,
+but rounding in float64 may move it across a side, by less than a hundredth of this."""
 
 
 @dataclass(frozen=True)
 class Grid:
-    """Cells from multiples of their width on; the outer ones reach beyond all sides."""
+    """Cells at multiples of their width; the outer ones extend beyond all sides."""
 
     cell: float
     """Width of a cell, metres."""
@@ -30,10 +30,10 @@ class Grid:
 
     @classmethod
     def over(cls, bounds: NDArray[np.float64], cell: float) -> Grid:
-        """Return the grid over a world box; ValueError where it would have too many cells."""
+        """Return the grid over a world box; ValueError if it would have too many cells."""
         if not np.isfinite(bounds[:, (0, 2)]).all():
             return cls(cell, (0, 0), (0, 0))
-        with np.errstate(over="ignore", invalid="ignore"):  # a width near 0 asks for infinitely many cells
+        with np.errstate(over="ignore", invalid="ignore"):  # a width near 0 gives infinitely many cells
             first, last = np.floor(bounds[:, (0, 2)] / cell)
             counts = last - first + 1
             total = counts.prod()
@@ -50,12 +50,12 @@ class Grid:
         return self.counts[0] * self.counts[1]
 
     def name(self, number: int) -> str:
-        """Name of a cell by its place among all multiples of the width, so that grids of one width fit together."""
+        """Name of a cell by its multiples of the width, so that grids of the same width have common names."""
         column, row = number % self.counts[0], number // self.counts[0]
         return f"{self.first[0] + column}_{self.first[1] + row}"
 
     def box(self, number: int) -> NDArray[np.float64]:
-        """World box (2, 3) that all triangles touch whose centroids are in a cell; without end in height."""
+        """World box (2, 3) that all triangles with centroids in a cell touch; unbounded in height."""
         column, row = number % self.counts[0], number // self.counts[0]
         box = np.array([[-np.inf] * 3, [np.inf] * 3])
         for axis, place, first, count in zip((0, 2), (column, row), self.first, self.counts, strict=True):

@@ -1,4 +1,4 @@
-"""A file of footprints with heights as a source: triangles are made of the features whose boxes touch."""
+"""A file of footprints with heights as a source: features whose boxes touch a query's box are extruded."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from nearfar._scene.tileset.frames import checked_origin
 from nearfar._source.frame import scene_of
 
 SUFFIXES = ("geojson", "parquet", "geoparquet")
-"""Of files that hold nothing but footprints."""
+"""Suffixes of files that contain footprints only."""
 
 
 class FootprintFile:
-    """World of outlines of buildings, which are kept; their triangles are not."""
+    """World of building outlines, which stay in memory; their triangles do not."""
 
     def __init__(self, footprints: Footprints) -> None:
         self._footprints = footprints

@@ -1,4 +1,4 @@
-"""Contents of files as scenes of a source: all in one frame, whatever part of the world they hold."""
+"""Converts contents of files to scenes of a source, all in one frame of reference."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ def scene_of(
     on_invalid: str = "raise",
     blend: str = "opaque",
 ) -> Scene:
-    """Return the triangles of a content that touch a box, in the frame of a world of these bounds."""
+    """Return the triangles of a content that touch a box, in the frame of reference of a world with these bounds."""
     origin = origin_for(bounds)
     if content.stored is None and not any(len(shape.faces) for shape in content.shapes.values()):
         x, y, z = origin.tolist()
         return Scene(empty_core((x, y, z)), Names(()), notes=tuple(content.notes))
     parts = assemble(content, up="y", on_invalid=on_invalid, blend=blend, origin=origin)
-    # Nothing else is asked of this scene, so that trees would not pay.
+    # This scene is queried once only, so that building trees would not pay.
     return Scene._from_assembled(parts)._query(box, builds=False)

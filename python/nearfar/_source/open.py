@@ -1,4 +1,4 @@
-"""Opens files and folders as sources, by what they are."""
+"""Opens files and folders as sources, depending on their kind."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ TILESET = "tileset.json"
 """Name that the first document of a tileset usually has."""
 
 _CACHE = 1 << 30
-"""Bytes of tiles that are kept by default."""
+"""Default size of the cache of tiles, bytes."""
 
 
 def open_source(
@@ -40,31 +40,32 @@ def open_source(
     height: str | None = None,
     cache_bytes: SupportsIndex = _CACHE,
 ) -> SceneSource:
-    """Open a world, from which `query` takes scenes box by box.
+    """Open a world, whose `query` returns scenes box by box.
 
     Parameters
     ----------
     path
-        A folder of tiles that `nearfar.write_tiles` wrote; a tileset of 3D Tiles, by its document, its folder or a URL;
-        footprints (.geojson, .parquet, .geoparquet), of which the outlines are kept and triangles made when asked for;
-        or a file that `Scene.load` reads: it is read whole, and the scene answers through its search trees.
+        A folder of tiles written by `nearfar.write_tiles`; a tileset of 3D Tiles, by its document, its folder or a URL;
+        footprints (.geojson, .parquet, .geoparquet), whose outlines stay in memory and whose triangles are made for
+        each query; or a file that `Scene.load` reads: it is read completely, and the scene answers with its search
+        trees.
     up, on_invalid, scale, max_bytes, blend
-        As in `Scene.load`. Folders of tiles, tilesets and footprints are upright and in metres already; the materials
-        of folders of tiles are what they were written with, and footprints have none.
+        As in `Scene.load`. Folders of tiles, tilesets and footprints are upright and in metres already; folders of
+        tiles keep the materials with which they were written, and footprints have none.
     origin
         Longitude and latitude in degrees and height in metres of (0, 0, 0), for a tileset on the Earth and for
         footprints in degrees; by default the middle of the data.
     lod
-        Greatest level of detail of CityJSON, as in `Scene.load`.
+        Maximum level of detail of CityJSON, as in `Scene.load`.
     height
         The property of footprints that states their height, as in `Scene.load`.
     cache_bytes
-        Memory of tiles that are kept for later queries.
+        Memory for tiles cached for later queries.
 
     Returns
     -------
     SceneSource
-        With `bounds` and `query`.
+        A source with `bounds` and `query`.
 
     Raises
     ------
@@ -73,7 +74,7 @@ def open_source(
     FormatError
         An index of tiles that is damaged, too new, or of a folder that is not finished.
     ValueError, TypeError
-        Arguments out of their domains.
+        Arguments out of range.
     OSError
         A file that cannot be opened.
     """
@@ -107,7 +108,7 @@ def open_source(
 
 
 def _refuse(kind: str, given: dict[str, tuple[object, object]]) -> None:
-    """ValueError for arguments that are not at their defaults."""
+    """Raise ValueError for arguments that are not at their defaults."""
     for name, (value, default) in given.items():
         if value is not default and value != default:
             raise ValueError(f"{name}: expected none with {kind}, got {check.shortened(value)}")

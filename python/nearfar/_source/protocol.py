@@ -13,17 +13,17 @@ from nearfar._scene.scene import Scene
 
 @runtime_checkable
 class SceneSource(Protocol):
-    """World that scenes are taken from, box by box.
+    """A world that is queried for scenes box by box.
 
-    `Scene` is one, and so is what `nearfar.open_source` returns. Any class with `bounds` and `query` becomes one.
+    `Scene` is one, and so is the result of `nearfar.open_source`. Any class with `bounds` and `query` is one.
 
-    It may also have `touches(aabb) -> bool`, which returns False where nothing is. What visits a world cell by cell
-    asks it, where it is there, before it looks into a part.
+    It may also have `touches(aabb) -> bool`, which returns False if nothing is in the box. Functions that visit a world
+    cell by cell call it, if it exists, before they query a part.
     """
 
     @property
     def bounds(self) -> NDArray[np.float64]:
-        """World box (2, 3), least and greatest corner, metres; infinite where the world has no end."""
+        """World box (2, 3), least and greatest corner, metres; infinite on unbounded sides."""
 
     def query(self, aabb: ArrayLike, detail: SupportsFloat = 0.0) -> Scene:
         """Return a scene of the triangles that touch a box, whole and not clipped.
@@ -34,14 +34,14 @@ class SceneSource(Protocol):
         Parameters
         ----------
         aabb
-            Least and greatest corner (2, 3), world, metres. The sides belong to the box and may be infinite.
+            Least and greatest corner (2, 3), world, metres. The box includes its sides, which may be infinite.
         detail
-            Greatest geometric error in metres that the result may have; 0 asks for everything that there is.
+            Maximum geometric error of the result in metres; 0 for full detail.
 
         Returns
         -------
         Scene
-            In the source's frame and with its names of objects. Empty where nothing is.
+            A scene in the source's frame of reference and with its object names; empty if nothing touches the box.
 
         Raises
         ------
@@ -51,13 +51,13 @@ class SceneSource(Protocol):
 
 
 def may_touch(source: SceneSource, box: NDArray[np.float64]) -> bool:
-    """Whether anything of a source may touch a box (2, 3); False only if it says that nothing does."""
+    """Whether a source may have geometry in a box (2, 3); False only if the source reports that it has none."""
     touches = getattr(source, "touches", None)
     return touches is None or bool(touches(box))
 
 
 def bounds_of(source: SceneSource) -> NDArray[np.float64]:
-    """The box (2, 3) of a source; ValueError or TypeError for one that has none."""
+    """Return the box (2, 3) of a source; ValueError or TypeError if it has none."""
     bounds: NDArray[np.float64] = check.array("source.bounds", source.bounds, dtype=np.float64)
     if bounds.shape != (2, 3):
         raise ValueError(f"source: expected bounds (2, 3), got {bounds.shape}")

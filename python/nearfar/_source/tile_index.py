@@ -23,15 +23,15 @@ _FILE = re.compile(r"tile_-?[0-9]{1,12}_-?[0-9]{1,12}\.glb")
 
 @dataclass(frozen=True)
 class Tile:
-    """A file of a folder."""
+    """A tile, one file of a folder."""
 
     file: str
-    """Its name."""
+    """File name."""
     box: NDArray[np.float64]
     """Tight world box (2, 3) of its triangles, metres."""
     triangles: int
     moving: Sequence[dict[str, Any]] = ()
-    """Rows of its moving instances; see `moving_rows`."""
+    """Rows of moving instances; see `moving_rows`."""
 
 
 @dataclass(frozen=True)
@@ -41,19 +41,19 @@ class TileIndex:
     origin: tuple[float, float, float]
     """World position that float32 coordinates are relative to."""
     settings: dict[str, Any]
-    """Arguments that the tiles were made with, so that only the same work goes on: `cell`, `detail` and `bounds`."""
+    """Arguments of `write_tiles`, so that only the same work is resumed: `cell`, `detail`, `bounds` and `aabb`."""
     done: int
-    """Number of cells whose tiles are there."""
+    """Number of cells whose tiles are written."""
     cells: int
     """Number of all cells."""
     object_names: int | None
-    """Number of nameless objects; None where the tiles have the names."""
+    """Number of nameless objects; None if the tiles contain names."""
     notes: tuple[str, ...]
     """Parts of the source that are not drawn or drawn differently."""
     tiles: tuple[Tile, ...]
 
     def write(self, folder: Path) -> None:
-        """Write the file, completely or not at all."""
+        """Write the file, atomically."""
         document = formats.header(
             NAME,
             VERSION,

@@ -1,4 +1,4 @@
-"""A folder of tiles as a source: reads only the tiles that touch a box, and keeps the last ones."""
+"""A folder of tiles as a source: reads only the tiles that touch a box, and caches the last ones."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from nearfar._source.tile_index import DOCUMENT, Tile, TileIndex
 
 
 class TileFolder:
-    """World in a folder that `nearfar.write_tiles` wrote."""
+    """World in a folder written by `nearfar.write_tiles`."""
 
     def __init__(self, folder: Path, cache_bytes: int) -> None:
         self._folder, self._most = folder, cache_bytes
@@ -39,12 +39,12 @@ class TileFolder:
         self._lock = Lock()
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle the place: another process reads the tiles itself."""
+        """Pickle the folder's path: another process reads the tiles itself."""
         return TileFolder, (self._folder.absolute(), self._most)
 
     @property
     def bounds(self) -> NDArray[np.float64]:
-        """World box (2, 3) of all triangles; infinite and inverted where there are none."""
+        """World box (2, 3) of all triangles; infinite and inverted without triangles."""
         return self._index.bounds
 
     @property
@@ -59,14 +59,14 @@ class TileFolder:
 
     @property
     def cached_bytes(self) -> int:
-        """Memory of the tiles that are kept, with their search trees."""
+        """Memory of the cached tiles, with their search trees."""
         with self._lock:
             return sum(scene._core.bytes() for scene in self._kept.values())
 
     def query(self, aabb: ArrayLike, detail: SupportsFloat = 0.0) -> Scene:
         """Return a scene of the triangles that touch a box, whole; see `nearfar.SceneSource`.
 
-        Reads the tiles whose boxes touch and that are not in memory. The tiles have all triangles for any `detail`.
+        Touching tiles that are not cached are read. Tiles have all triangles for any `detail`.
         """
         box = check.box("aabb", aabb)
         check.at_least_zero("detail", detail)
@@ -88,7 +88,7 @@ class TileFolder:
         return touching
 
     def _tile(self, tile: Tile) -> Scene:
-        """Return a tile, from memory or from its file."""
+        """Return a tile, from the cache or from its file."""
         with self._lock:
             if tile.file in self._kept:
                 self._kept.move_to_end(tile.file)
@@ -113,7 +113,7 @@ class TileFolder:
         return Scene(core, names, frames=frames, rest=rest, notes=self._index.notes, undrawn=undrawn)
 
     def _forget(self, keep: int = 0) -> None:
-        """Forget the tiles that were used longest ago until the others fit; trees are counted once they are built."""
+        """Evict the least recently used tiles until the others fit; search trees are counted once they are built."""
         with self._lock:
             sizes = {file: scene._core.bytes() for file, scene in self._kept.items()}
             total = sum(sizes.values())

@@ -1,4 +1,4 @@
-"""A tileset (3D Tiles) as a source: reads the tiles that show a box at a geometric error."""
+"""A tileset (3D Tiles) as a source: reads the tiles that cover a box with a maximum geometric error."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from nearfar._source.frame import scene_of
 
 
 class TilesetSource:
-    """World of a tileset, whose contents are kept as long as the cache has room."""
+    """World of a tileset, whose contents are cached as long as there is room."""
 
     def __init__(self, tileset: Tileset, on_invalid: str, blend: str) -> None:
         self._tileset, self._on_invalid, self._blend = tileset, on_invalid, blend
@@ -27,7 +27,7 @@ class TilesetSource:
     def query(self, aabb: ArrayLike, detail: SupportsFloat = 0.0) -> Scene:
         """Return a scene of the triangles that touch a box, whole; see `nearfar.SceneSource`.
 
-        Shows the tiles that touch with a geometric error of at most `detail`; 0 shows the finest.
+        The tiles have a geometric error of at most `detail`; 0 selects the finest.
         """
         box, error = check.box("aabb", aabb), check.at_least_zero("detail", detail)
         content = self._tileset.read(error=error, box=box)

@@ -19,7 +19,7 @@ from nearfar._source.protocol import SceneSource, source_of
 from nearfar._source.tile_index import DOCUMENT, Tile, TileIndex
 
 _INTERVAL = 10.0
-"""Seconds between two writings of the index: what an end without warning makes the next call do again."""
+"""Seconds between updates of the index; after a crash the next call repeats the work since the last update."""
 
 
 def write_tiles(
@@ -33,31 +33,31 @@ def write_tiles(
     """Write a source as a folder of tiles, which `nearfar.open_source` opens.
 
     Each triangle is in exactly one tile, that of the cell in which its centroid lies. The source is queried cell by
-    cell, so that memory is bounded by a cell, not by the world. A call that ended early, by Ctrl-C or a crash, goes on
-    where it was when it is made again with the same arguments.
+    cell, so that memory is bounded by a cell, not by the world. A call that was interrupted, by Ctrl-C or a crash, is
+    resumed by another call with the same arguments.
 
     Parameters
     ----------
     source
         World with `bounds` and `query`.
     folder
-        New, empty, or one that this function wrote in part. It gets GLB files, which other programs read, too, and
+        New, empty, or written in part by this function. It gets GLB files, which other programs can read, too, and
         ``tiles.json`` with the box of each.
     cell
         Width of the square cells in the ground plane, metres.
     aabb
         World box (2, 3): only triangles whose centroids lie in it are written. By default all.
     detail
-        Greatest geometric error in metres that the tiles may have.
+        Maximum geometric error of the tiles in metres.
 
     Raises
     ------
     ValueError
-        A world without end and no `aabb`, too many cells, numbers out of range, a folder with tiles of other arguments.
+        An unbounded world without `aabb`, too many cells, numbers out of range, a folder with tiles of other arguments.
     TypeError
-        Something that is no source, and values that are not numbers.
+        A value that is not a source, and values that are not numbers.
     OSError
-        A folder that holds other files, and files that cannot be written.
+        A folder with other files, and files that cannot be written.
     """
     source, target = source_of("source", source), check.path("folder", folder)
     size, error = check.positive("cell", cell), check.at_least_zero("detail", detail)
@@ -73,7 +73,7 @@ def write_tiles(
 
 
 def _common(bounds: NDArray[np.float64], region: NDArray[np.float64] | None) -> NDArray[np.float64]:
-    """The part of the source's box to be written; infinite and inverted if there is none."""
+    """Intersection of the source's box and the region; infinite and inverted if it is empty."""
     if region is None:
         return bounds
     both = np.array([np.maximum(bounds[0], region[0]), np.minimum(bounds[1], region[1])])
@@ -81,14 +81,14 @@ def _common(bounds: NDArray[np.float64], region: NDArray[np.float64] | None) -> 
 
 
 def _listed(box: NDArray[np.float64] | None) -> list[list[float | None]] | None:
-    """A box as JSON holds it: infinite sides are null."""
+    """Convert a box for JSON: infinite sides are null."""
     if box is None:
         return None
     return [[side if np.isfinite(side) else None for side in corner] for corner in box.tolist()]
 
 
 def _begun(folder: Path, settings: dict[str, Any], cells: int) -> TileIndex:
-    """Return the index of a folder that was written in part, or that of a new one."""
+    """Return the index of a folder that was written in part, or a new one."""
     if (folder / DOCUMENT).is_file():
         index = TileIndex.read(folder)
         if index.settings != settings:
@@ -101,7 +101,7 @@ def _begun(folder: Path, settings: dict[str, Any], cells: int) -> TileIndex:
 
 
 class _Writing:
-    """The work of `write_tiles` from one cell on."""
+    """Writes the tiles of `write_tiles` from one cell on."""
 
     def __init__(
         self, source: SceneSource, folder: Path, grid: Grid, region: NDArray[np.float64] | None, detail: float
@@ -110,7 +110,7 @@ class _Writing:
         self._region, self._detail = region, detail
 
     def run(self, index: TileIndex) -> None:
-        """Write the tiles that are missing."""
+        """Write the missing tiles."""
         written = index
         saved = time.monotonic()
         try:

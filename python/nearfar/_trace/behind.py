@@ -1,4 +1,4 @@
-"""Rays that hit surfaces from behind, of which the inside of solids consists."""
+"""Detects rays that hit surfaces from behind, as they do inside solids."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from nearfar._scene.scene import Scene
 
 
 def from_behind(scene: Scene, triangles: NDArray[np.int64], directions: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Whether rays hit their triangle's back.
+    """Return whether rays hit the back of their triangle.
 
     Parameters
     ----------

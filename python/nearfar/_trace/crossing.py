@@ -1,4 +1,4 @@
-"""Choice of a user's place and view in which the boundary of the near part, at r2, is in the picture."""
+"""Choice of a user's place and view so that the boundary of the near part, at r2, is in the picture."""
 
 from __future__ import annotations
 
@@ -21,16 +21,16 @@ AZIMUTHS = 360
 """Number of rays around an eye at each pitch."""
 
 TURNS = 72
-"""Number of directions of view that are compared."""
+"""Number of compared viewing directions."""
 
 COMPARED = 6
 """Number of directions for which the user's places at both sides are compared."""
 
 CONTINUOUS = 1.5
-"""Greatest ratio of the distances from the axis, and r2, of two neighbouring points on one surface across r2."""
+"""Maximum ratio of r2 and the axis distances of two neighbouring points that may be on one surface across r2."""
 
 GROUND = 0.05
-"""Weight of boundary that runs from left to right, as on the ground: what ends there is torn along itself."""
+"""Weight of horizontal boundaries, such as on the ground: surfaces that end there are torn along the boundary."""
 
 SHOWN = 0.05
 """Share of a picture at which a zone counts as well visible."""
@@ -41,7 +41,7 @@ class Panorama:
     """Zones and boundary around an eye by azimuth, clockwise from −z."""
 
     shares: NDArray[np.float64]
-    """(3, AZIMUTHS) share of the rays that hit something near, intermediate and far."""
+    """(3, AZIMUTHS) share of the rays that hit near, intermediate and far surfaces."""
     crossing: NDArray[np.float64]
     """(AZIMUTHS,) weighted length of the boundary, degrees."""
 
@@ -71,7 +71,7 @@ def choose(
     -------
     user, forward, crosses
         The place, at most `distance` metres from the centre; the horizontal direction of view; and whether the boundary
-        is in view. If it is in none, the direction is that of the centre's viewpoint.
+        is in view. If no view shows it, the direction is that of the centre's viewpoint.
     """
     default = beside(scene, place, distance)[0]
     if place.is_outside:
@@ -110,7 +110,7 @@ def panorama(scene: Scene, eye: Point, center: Point, r1: float, r2: float) -> P
 
 
 def _crosses(one: NDArray[np.float64], other: NDArray[np.float64], r2: float) -> NDArray[np.bool_]:
-    """Whether two neighbouring points lie on both sides of r2 on what may be one surface; False for NaN."""
+    """Whether two neighbouring points, possibly of one surface, lie on both sides of r2; False for NaN."""
     nearer, farther = np.minimum(one, other), np.maximum(one, other)
     return np.asarray((nearer <= r2) & (farther > r2) & (nearer * CONTINUOUS >= r2) & (farther <= CONTINUOUS * r2))
 

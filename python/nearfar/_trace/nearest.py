@@ -36,8 +36,8 @@ def nearest_points(scene: Scene, points: ArrayLike, *, facing: ArrayLike | None 
     Parameters
     ----------
     scene
-        The scene. The first call builds its search tree, which later calls reuse. Parts that a cut-out material's alpha
-        leaves open count as surface.
+        The scene. The first call builds its search tree, which later calls reuse. Holes in a cut-out material's alpha
+        count as surface.
     points
         (N, 3) world positions, metres.
     facing
@@ -53,9 +53,9 @@ def nearest_points(scene: Scene, points: ArrayLike, *, facing: ArrayLike | None 
     Raises
     ------
     ValueError
-        For wrong shapes, and coordinates that are not finite.
+        Wrong shapes, and coordinates that are not finite.
     TypeError
-        For values that are not numbers.
+        Values that are not numbers.
 
     References
     ----------

@@ -76,10 +76,10 @@ def cast_rays(scene: Scene, origins: ArrayLike, directions: ArrayLike, *, t_max:
     Raises
     ------
     ValueError
-        For wrong shapes, coordinates that are not finite, and directions of length 0; the message states how many
-        there are and which is the first.
+        Wrong shapes, coordinates that are not finite, and directions of length 0; the message states how many there are
+        and which is the first.
     TypeError
-        For values that are not numbers.
+        Values that are not numbers.
 
     References
     ----------

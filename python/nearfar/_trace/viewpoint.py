@@ -26,10 +26,10 @@ AWAY = 2.25
 """Distance of the eye from the middle of an object in radii of its bounding sphere, which then fits into the view."""
 
 NEAR = 30.0
-"""Distance in metres within which an open place has something, so that a user's steps show parallax."""
+"""Distance in metres within which open places have surfaces if possible, so that a user's steps show parallax."""
 
 MOST_COMPARED = 40
-"""Greatest number of open places that are compared."""
+"""Maximum number of open places that are compared."""
 
 BLOCK = 64
 """Number of candidates whose rays are cast in one call, because a call takes longer than its rays."""
@@ -38,7 +38,7 @@ GRID = 41
 """Number of candidates along each side of a square grid over the middle of the scene."""
 
 BESIDE = 0.25
-"""Distance of an eye from a scene's bounds, as a share of their horizontal diagonal, at which it looks on the scene."""
+"""Distance of an eye from a scene's bounds, as a share of their horizontal diagonal, beyond which it is outside."""
 
 SEEN = 0.25
 """Least share of the rays of a view that hit something."""
@@ -59,7 +59,7 @@ class Viewpoint:
     forward: Point
     """Horizontal unit direction: with the longest open view, or towards the scene's middle."""
     middle: Point | None = None
-    """The middle of a scene that the eye sees from outside; None within a scene."""
+    """Middle of a scene that the eye sees from outside; None within a scene."""
 
     @property
     def is_outside(self) -> bool:
@@ -68,7 +68,7 @@ class Viewpoint:
 
     @property
     def target(self) -> Point:
-        """Point to look at: the middle from outside, else a little above the eye: the road would fill half the view."""
+        """Point to look at: from outside the middle, else above the horizon, as the road would fill half the view."""
         return self.middle or ahead(self.eye, self.forward)
 
 
@@ -77,11 +77,10 @@ def find(scene: Scene) -> Viewpoint:
 
     A place is open if no ray from the eye hits anything within `CLEARANCE`, half of the rays reach at least ten metres
     (less in small scenes), a quarter of them hit something, and no half of the horizon is empty: a convex object
-    that the eye sees from outside takes less than the other half. Places under the sky come before places under a roof,
-    which are open only if the rays hit surfaces from the front: the back of surfaces is the inside of a solid. Of the
-    first `MOST_COMPARED` open places, the one with the greatest mean distance is chosen, of those with
-    something near if there are any. A scene without an open place
-    is an object, unless it is flat and wide.
+    that the eye sees from outside fills less than the other half. Places under the sky are tried before places under a
+    roof, which are open only if the rays hit surfaces from the front: the back of surfaces is the inside of a solid. Of
+    the first `MOST_COMPARED` open places, the one with the greatest mean distance is chosen, among those with near
+    surfaces if there are any. A scene without an open place is an object, unless it is flat and wide.
     """
     size = scene.bounds[1] - scene.bounds[0]
     if size.max() < SMALLEST_PLACE:
@@ -101,7 +100,7 @@ def find(scene: Scene) -> Viewpoint:
         roofed = is_open & (start + np.arange(len(block)) >= len(above))
         if roofed.any():
             is_open[roofed] = ~_inside_solid(scene, hits, roofed)
-        # Without anything near, the methods show no effect.
+        # Without near surfaces the methods show no effect.
         has_near = distances.min(axis=1) <= NEAR
         found = np.flatnonzero(is_open)
         open_places += [(bool(has_near[n]), float(distances[n].mean()), _point(block[n])) for n in found]
@@ -123,7 +122,7 @@ def in_front(scene: Scene) -> Viewpoint:
 
 
 def facing_open(scene: Scene, eye: Point) -> Viewpoint:
-    """Viewpoint at an eye's position that faces the longest open view, or far beside a scene its middle."""
+    """Viewpoint at an eye's position that faces the longest open view, or the middle of a scene that is far away."""
     low, high = scene.bounds[:, [0, 2]]
     here = np.array(eye)[[0, 2]]
     beside = np.linalg.norm(np.maximum(np.maximum(low - here, here - high), 0.0))
@@ -197,7 +196,7 @@ def is_roofed(scene: Scene, eye: Point) -> bool:
 def open_direction(scene: Scene, eye: Point) -> Point:
     """Horizontal direction whose field of view of 90° has the greatest sum of the square roots of distances.
 
-    Views in which fewer than `SEEN` of the rays hit something are taken only if all are such.
+    Views in which fewer than `SEEN` of the rays hit something are used only if there are no others.
     """
     distances = around(scene, eye)
     quarter = DIRECTIONS // 4
@@ -239,7 +238,7 @@ def _distances(hits: Hits) -> NDArray[np.float64]:
 
 
 def _inside_solid(scene: Scene, hits: Hits, asked: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Whether most of the rays around each eye of those that are asked for hit surfaces from behind."""
+    """Whether most of the rays that hit something around each selected eye hit it from behind."""
     numbers = hits.triangle_index.reshape(-1, DIRECTIONS)[asked]
     behind = from_behind(scene, numbers, _ring())
     return np.asarray(behind.sum(axis=1) > 0.5 * (numbers >= 0).sum(axis=1))

@@ -1,4 +1,4 @@
-"""Procedural scenes, from thousands to tens of millions of triangles, and the look-up of data files."""
+"""Procedural scenes, from thousands to tens of millions of triangles, and access to data files."""
 
 from nearfar._base.data import find
 from nearfar.datasets._asteroids import Asteroids, asteroids

@@ -1,4 +1,4 @@
-"""`nearfar.datasets.asteroids`: a belt of bodies that share a few shapes, as a source that is asked for parts of it."""
+"""`nearfar.datasets.asteroids`: an asteroid belt of instanced shapes, as a source that is queried box by box."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from nearfar.datasets._world.noise import hashed
 SHAPES = 16
 _MOST, _MOST_POLYGONS = 1_000_000, 4_000_000
 _SPACING = 1_400.0
-"""Side in metres of the cubes that hold one body each at most, so that bodies never touch."""
+"""Side of the cubes that hold at most one body each, metres, so that bodies never touch."""
 _LEAST, _GREATEST = 45.0, 540.0
 """Radii of bodies, metres."""
 _WIDE, _HIGH = 0.25, 0.06
@@ -26,9 +26,9 @@ _WIDE, _HIGH = 0.25, 0.06
 
 
 class Asteroids:
-    """A belt of bodies about the y axis, of which `query` makes parts and `scene` all. `asteroids` makes one.
+    """A belt of bodies around the y axis: `query` makes parts of it, `scene` all. Create it with `asteroids`.
 
-    Bodies are numbered; all of them are placed, but none is drawn before a part is asked for.
+    Positions of all bodies are computed, but no geometry is made before a query.
     """
 
     def __init__(self, count: int = 29_264, polygons: int = 97_000, seed: int = 0) -> None:
@@ -39,7 +39,7 @@ class Asteroids:
         self._scenes = functools.lru_cache(maxsize=4)(self._made)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle the numbers that make all bodies."""
+        """Pickle the arguments, from which all bodies follow."""
         return Asteroids, (self._count, self._polygons, self._seed)
 
     def __repr__(self) -> str:
@@ -50,7 +50,7 @@ class Asteroids:
 
     @property
     def triangle_count(self) -> int:
-        """Triangles of all bodies in full detail."""
+        """Number of triangles of all bodies in full detail."""
         return self._count * 12 * self._squares * self._squares
 
     @functools.cached_property
@@ -60,9 +60,9 @@ class Asteroids:
 
     @functools.cached_property
     def radii(self) -> NDArray[np.float64]:
-        """Radii (N,) of spheres around the centres that hold the bodies, metres."""
+        """Radii (N,) of bounding spheres around the centres, metres."""
         share = self._drawn(20)
-        # Numbers fall with the cube of the size, as a first approximation of the asteroid belt's.
+        # Counts fall with the cube of the size, as a first approximation of the asteroid belt's.
         steep = 1.0 - share * (1.0 - (_LEAST / _GREATEST) * (_LEAST / _GREATEST))
         return np.floor(64.0 * _LEAST / np.sqrt(steep)) / 64.0
 
@@ -73,7 +73,7 @@ class Asteroids:
 
     @functools.cached_property
     def bounds(self) -> NDArray[np.float64]:
-        """Least and greatest corner (2, 3), metres: a box that holds all bodies, not the smallest one."""
+        """Least and greatest corner (2, 3), metres: a box that contains all bodies, not the smallest one."""
         reach = self.radii[:, None]
         return np.stack([(self.centers - reach).min(0), (self.centers + reach).max(0)])
 
@@ -85,18 +85,19 @@ class Asteroids:
         aabb
             Least and greatest corner (2, 3), world metres; sides belong to the box and may be infinite.
         detail
-            Greatest geometric error in metres that the result may have; 0 takes the finest level of each shape. No body
-            is left out.
+            Greatest geometric error in metres that the result may have; 0 takes the finest level of each shape. Bodies
+            are
+            never left out.
 
         Returns
         -------
         Scene
-            The whole triangles that touch the box, of objects "asteroid_17"; bodies inside of it stay instances.
+            Whole triangles that touch the box, of objects "asteroid_17" and so on; bodies inside it stay instances.
 
         Raises
         ------
         ValueError
-            A box with NaN or with a least corner above the greatest, and a negative `detail`.
+            A box with NaN or with a least corner above the greatest, or a negative `detail`.
         TypeError
             Values that are not numbers.
         """
@@ -133,7 +134,7 @@ class Asteroids:
 
     @functools.cached_property
     def _places(self) -> tuple[Floats, NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
-        """Centres, and the columns, rows and layers of their cubes: those of the belt with the least random numbers."""
+        """Centres, and the columns, rows and layers of their cubes: the belt's cubes with the least random numbers."""
         # Twice as many cubes as bodies: the belt's volume is 2π²·0.25·0.06 times the cube of its radius.
         cubes = max(2.0 * self._count, 64.0) / (2.0 * 9.8696 * _WIDE * _HIGH)
         belt = 1.0
@@ -153,7 +154,7 @@ class Asteroids:
         return np.floor(64.0 * _SPACING * centers) / 64.0, i, j, k
 
     def _transforms(self) -> Floats:
-        """Placements (N, 4, 4) of shapes in the unit ball: scaled, turned at random, moved."""
+        """Placements (N, 4, 4) of shapes in the unit ball: scaled, rotated at random, moved."""
         # K. Shoemake, Uniform random rotations (1992).
         share, first, second = (self._drawn(channel) for channel in (30, 31, 32))
         (c1, s1), (c2, s2) = turn(first), turn(second)
@@ -169,7 +170,7 @@ class Asteroids:
 
 
 def asteroids(count: int = 29_264, polygons: int = 97_000, seed: int = 0) -> Asteroids:
-    """Make a belt of asteroids, as a source that is asked for parts of it.
+    """Make an asteroid belt, as a source that is queried box by box.
 
     The default numbers are those of Chaudhuri, Horn, Hanrahan and Koltun, Image-based exploration of massive online
     environments (2009): 29,264 bodies of about 97,000 polygons, 2.8 thousand million in all. Theirs are not published;
@@ -181,18 +182,18 @@ def asteroids(count: int = 29_264, polygons: int = 97_000, seed: int = 0) -> Ast
     count
         Number of bodies, 1 to 1,000,000; the belt grows with it.
     polygons
-        Triangles of a body, about: 48 to 4,000,000, rounded to twelve times a square number (97,200 by default).
+        Approximate triangles of a body: 48 to 4,000,000, rounded to twelve times a square number (97,200 by default).
     seed
         0 to 2⁶³ − 1.
 
     Returns
     -------
     Asteroids
-        A source with `bounds`, `query(aabb, detail)` and `scene(detail)`, which makes all bodies.
+        A source with `bounds`, `query(aabb, detail)`, and `scene(detail)` for all bodies.
 
     Raises
     ------
     ValueError
-        For numbers out of range.
+        Numbers out of range.
     """
     return Asteroids(count, polygons, seed)

@@ -23,8 +23,8 @@ _TILES = materials("roof_tile", "roof_tile_dark", "roof_slate", "roof_tile")
 class Kind:
     """Parameters of a prototype; equal kinds are the same building.
 
-    Width and depth in decimetres; `form` 0 low, 1 middle, 2 high, 3 tower; `place` 0 between neighbours, 1 with a
-    street on its right, 2 on its left, 3 free on all sides; `variant` numbers buildings of the same kind.
+    Width and depth are in decimetres; `form` is 0 low, 1 middle, 2 high, 3 tower; `place` is 0 between neighbours,
+    1 with a street on its right, 2 on its left, 3 free on all sides; `variant` numbers buildings of the same kind.
     """
 
     width: int
@@ -46,7 +46,7 @@ _STOREYS = ((2, 4), (5, 7), (8, 13), (17, 38))
 
 @dataclass(frozen=True)
 class Design:
-    """Decisions that are made once for a building."""
+    """Random choices made once for a building."""
 
     kind: Kind
     style: Style

@@ -54,9 +54,9 @@ def city(blocks: int = 12, seed: int = 0, detail: int = 2, *, instanced: bool = 
     Raises
     ------
     ValueError
-        For numbers out of range.
+        Numbers out of range.
     TypeError
-        For an `instanced` that is not a bool.
+        An `instanced` that is not a bool.
     """
     blocks = check.integer("blocks", blocks, 1, _MOST_BLOCKS)
     seed = check.integer("seed", seed, 0, _SEEDS - 1)

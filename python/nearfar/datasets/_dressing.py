@@ -94,7 +94,7 @@ class Places:
 def spread(
     stage: Stage, rows: Floats, prototypes: int, make: Callable[[int], Soup], name: str, draw: Draw, first: int = 0
 ) -> None:
-    """Place objects, each with one of several prototypes, numbered through from `first`."""
+    """Place objects, each with one of several prototypes; names are numbered from `first`."""
     stage.mixed(make, draw.integers(len(rows), prototypes), placements(*rows.T), name, first)
 
 

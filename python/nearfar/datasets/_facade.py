@@ -18,11 +18,11 @@ class Window:
     """Shape of the openings of a storey."""
 
     width: float
-    """Width of the opening as a share of the bay's."""
+    """Width of the opening as a share of the bay's width."""
     sill: float
     """Height of the opening's lower edge above the floor, metres."""
     head: float
-    """Height at which the opening ends as a share of the storey's."""
+    """Upper end of the opening as a share of the storey's height."""
     reveal: float
     """Depth of the pane behind the wall, metres."""
     bars: str = "+"
@@ -30,7 +30,7 @@ class Window:
 
 
 def rectangles(u: ArrayLike, v: ArrayLike) -> Rectangles:
-    """All cells of a grid, row by row from below."""
+    """Return all cells of a grid, row by row from below."""
     across, upwards = np.asarray(u, np.float64), np.asarray(v, np.float64)
     cells = np.empty((len(upwards) - 1, len(across) - 1, 4))
     cells[..., 0], cells[..., 1] = across[:-1], across[1:]
@@ -39,7 +39,7 @@ def rectangles(u: ArrayLike, v: ArrayLike) -> Rectangles:
 
 
 def plain(cells: Rectangles, materials: ArrayLike) -> Soup:
-    """Cells without an opening."""
+    """Make cells without an opening."""
     return quads(_corners(cells, 0.0), materials)
 
 
@@ -62,7 +62,7 @@ def openings(
     *,
     recessed: bool = True,
 ) -> Soup:
-    """Cells with a hole each: wall around the hole, its reveal, and a pane at its back.
+    """Make cells with a hole each: the wall around it, its reveal, and a pane at its back.
 
     Without `recessed` the pane is flush with the wall: two triangles for the pane, eight around it.
     """
@@ -85,7 +85,7 @@ def pierced(cells: Rectangles, holes: Rectangles, thickness: float, inside: int,
 
 
 def _band(outer: Floats, inner: Floats, materials: ArrayLike) -> Soup:
-    """The four quadrilaterals between two rectangles."""
+    """Make the four quadrilaterals between two rectangles."""
     after = [1, 2, 3, 0]
     corners = np.stack([outer, outer[:, after], inner[:, after], inner], 2)
     return quads(corners.reshape(-1, 4, 3), np.repeat(np.broadcast_to(np.asarray(materials), len(outer)), 4))
@@ -101,7 +101,7 @@ def holes_in(cells: Rectangles, window: Window) -> Rectangles:
 def bars(
     holes: Rectangles, reveal: float, kind: str, material: int, *, frame: bool = False, hidden: str = "-z"
 ) -> Soup:
-    """Glazing bars in front of the panes, with ends inside the wall; `hidden` names sides that are never visible."""
+    """Glazing bars in front of the panes; their ends lie inside the wall. `hidden` names sides never visible."""
     if not kind and not frame:
         return join([])
     a0, a1, b0, b1 = holes.T

@@ -85,7 +85,7 @@ def forest(trees: int = 6000, seed: int = 0, detail: int = 2) -> Scene:
     Raises
     ------
     ValueError
-        For numbers out of range.
+        Numbers out of range.
     """
     trees = check.integer("trees", trees, 1, _MOST_TREES)
     seed = check.integer("seed", seed, 0, 2**63 - 1)

@@ -64,7 +64,7 @@ class Grid:
         )  # fmt: skip
 
     def use(self, i: int, j: int, seed: int) -> str:
-        """Use of a block: "park", "towers" or "rows"."""
+        """Return the use of a block: "park", "towers" or "rows"."""
         a, b = i - self.avenue, j - self.avenue
         if (a, b) == (-1, -1) or (self.blocks > 8 and (a, b) in ((3, 2), (-4, 3), (2, -6))):
             return "park"
@@ -74,7 +74,7 @@ class Grid:
         return "rows"
 
     def downtown(self, i: int, j: int) -> float:
-        """Distance of a block from the middle of down-town, scaled to 1 at down-town's border."""
+        """Distance of a block from the middle of down-town, in units of down-town's radius."""
         reach = max(0.8, 0.15 * self.blocks)
         a = (i - self.avenue - 0.4) / reach
         b = (j - self.avenue + 0.5 + 0.34 * self.blocks) / reach

@@ -21,7 +21,7 @@ _MARGIN = 1.1
 
 @dataclass(frozen=True)
 class Rock:
-    """A shape in the unit ball around the origin, which its surface touches."""
+    """A shape in the unit ball around the origin; its surface touches the sphere."""
 
     positions: NDArray[np.float32]
     normals: NDArray[np.float32]
@@ -30,12 +30,12 @@ class Rock:
 
 
 def squares(polygons: int) -> int:
-    """Squares along a cube's edge for about a number of triangles: a body has 12 n²."""
+    """Return the squares along a cube's edge for about `polygons` triangles: a body has 12 n²."""
     return max(COARSEST, int(np.floor(np.sqrt(polygons / 12.0) + 0.5)))
 
 
 def levels(n: int) -> list[int]:
-    """Squares along the edge at each level of a shape, from the finest on."""
+    """Squares along the edge at each level of a shape, from the finest."""
     counts = [n]
     while counts[-1] // 2 >= COARSEST:
         counts.append(counts[-1] // 2)
@@ -61,8 +61,8 @@ def rock(seed: int, number: int, n: int, level: int) -> Rock:
 def error(seed: int, number: int, n: int, level: int) -> float:
     """Greatest distance of a level from the finest one, as a share of the body's radius.
 
-    Both surfaces are seen whole from the centre, so that their distance is at most the greatest difference along a ray
-    from it. It is measured at the corners and the middles of the finest level's triangles, and a tenth is added.
+    The centre sees both surfaces completely, so their distance is at most the greatest difference along a ray from the
+    centre. It is measured at the corners and the centres of the finest level's triangles, and a tenth is added.
     """
     if level == 0:
         return 0.0
@@ -78,7 +78,7 @@ def _points(seed: int, number: int, n: int, level: int) -> tuple[Floats, Floats]
     """Corners (V, 3) of a level, and their heights above the sphere before the shape is scaled to the unit ball."""
     directions = grid(levels(n)[level])[0]
     lift = relief(seed, number, directions)
-    # Rounded, so that float32 corners stay in the ball.
+    # Rounded up, so that float32 corners stay in the ball.
     size = 1.0 + (float(lift.max()) if level == 0 else _top(seed, number, n)) + 1.0e-6
     return directions * ((1.0 + lift) / size)[:, None], lift
 
@@ -116,7 +116,7 @@ def _key(n: int, i: NDArray[np.int64], j: NDArray[np.int64], k: NDArray[np.int64
 
 
 def lines(n: int) -> Floats:
-    """Grid lines on a cube's face, −1 … 1, closer at its edges, which are farther from the centre."""
+    """Grid lines on a cube's face, −1 … 1, denser towards its edges, which are farther from the centre."""
     even = 2.0 * np.arange(n + 1) / n - 1.0
     return even * (0.78 + 0.22 * even * even)
 
@@ -157,7 +157,7 @@ def _craters(draw: Draw, directions: Floats) -> Floats:
 
 
 def _noise(seed: int, channel: int, points: Floats) -> Floats:
-    """Value noise in space, −1 … 1."""
+    """3D value noise, −1 … 1."""
     low = np.floor(points)
     share = points - low
     share = share * share * (3.0 - 2.0 * share)
@@ -191,7 +191,7 @@ def radii(points: Floats, count: int, directions: Floats) -> Floats:
     p, q = (directions[row, (axis + k) % 3] / np.abs(end) for k in (1, 2))
     at, keys = lines(count), grid(count)[2]
     i, j = (np.clip(np.searchsorted(at, c, side="right") - 1, 0, count - 1) for c in (p, q))
-    # Squares are split from the first to the last corner; edges are straight also as seen from the centre.
+    # Squares are split from the first to the last corner; edges are straight also in central projection.
     s, t = (p - at[i]) / (at[i + 1] - at[i]), (q - at[j]) / (at[j + 1] - at[j])
     right = (s >= t).astype(np.int64)
     corners = []

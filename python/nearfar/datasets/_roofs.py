@@ -27,9 +27,10 @@ def rectangle(width: float, depth: float, height: float) -> Floats:
 
 
 def surround(width: float, depth: float, height: float, profile: ArrayLike, kind: int, party: str = "") -> Soup:
-    """A closed profile swept around a rectangle, mitred at the corners; it hardly protrudes on `party` sides."""
+    """A closed profile swept around a rectangle, mitred at the corners; on `party` sides it hardly protrudes."""
     outline = np.asarray(profile, np.float64)
-    # A twentieth of the overhang remains: enough to keep the profile's points apart, too little to reach a neighbour.
+    # A twentieth of the overhang remains: enough to keep the profile's points distinct, too little to reach a
+    # neighbour.
     right, left = (0.05 if side in party else 1.0 for side in ("+x", "-x"))
     loops = np.stack([rectangle(width, depth, height + up) for _, up in outline])
     out = np.where(outline[:, 0] > 0.0, outline[:, 0], 0.0)[:, None]

@@ -48,7 +48,7 @@ def room(seed: int = 0, detail: int = 2) -> Scene:
     Raises
     ------
     ValueError
-        For numbers out of range.
+        Numbers out of range.
     """
     seed = check.integer("seed", seed, 0, 2**63 - 1)
     detail = check.integer("detail", detail, 0, 3)

@@ -1,4 +1,4 @@
-"""Triangle soups, the solids that datasets are built from, and the joining of equal vertices."""
+"""Triangle soups, the solids that datasets are built from, and welding of equal vertices."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Soup:
     """Triangles that do not share corners.
 
     corners (T, 3, 3) metres; materials (T,) int32; tints (T, 3) float64, the brightness that multiplies the material
-    at each corner (1 where nothing is said); uvs (T, 3, 2) texture coordinates (0 where nothing is said).
+    at each corner (default 1); uvs (T, 3, 2) texture coordinates (default 0).
     """
 
     corners: Floats
@@ -62,7 +62,7 @@ class Soup:
 
 @dataclass(frozen=True)
 class Indexed:
-    """Triangles that share vertices, as a mesh needs them."""
+    """Triangles with shared vertices, for a mesh."""
 
     positions: NDArray[np.float32]
     faces: NDArray[np.uint32]
@@ -147,11 +147,11 @@ def loft(sections: ArrayLike, materials: ArrayLike, *, bottom: bool = True, top:
     after = np.roll(rows, -1, axis=1)
     sides = np.stack([rows[:-1], after[:-1], after[1:], rows[1:]], 2)
     soups = [quads(sides.reshape(-1, 4, 3), np.repeat(bands, rows.shape[1]))]
-    # Convex caps are fans around their middle, which avoids slivers on many-sided rings.
+    # Convex caps are fans around their centre, which avoids slivers on many-sided rings.
     for has_cap, row, order, band in ((bottom, 0, -1, 0), (top, -1, 1, -1)):
         if has_cap:
             edge = rows[row][::order]
-            # A plain loop, because NumPy may order sums differently on another processor.
+            # A plain loop, because NumPy may sum in another order on another processor.
             middle = sum(edge[1:], edge[0]) / len(edge)
             fan = np.stack([np.broadcast_to(middle, edge.shape), edge, np.roll(edge, -1, axis=0)], 1)
             soups.append(triangles(fan, bands[band]))
@@ -159,7 +159,7 @@ def loft(sections: ArrayLike, materials: ArrayLike, *, bottom: bool = True, top:
 
 
 def _without_slivers(soup: Soup) -> Soup:
-    """Drop triangles whose corners coincide (where a section is a point)."""
+    """Drop triangles with coinciding corners (where a section is a point)."""
     a, b, c = soup.corners[:, 0], soup.corners[:, 1], soup.corners[:, 2]
     keep = ~((a == b).all(1) | (b == c).all(1) | (c == a).all(1))
     return soup if keep.all() else Soup(soup.corners[keep], soup.materials[keep])
@@ -195,7 +195,7 @@ def tube(path: ArrayLike, radii: ArrayLike, count: int, materials: ArrayLike, **
 
 
 def cross(a: Floats, b: Floats) -> Floats:
-    """Cross products of rows, without the C library."""
+    """Cross products of rows, by plain arithmetic."""
     x = a[:, 1] * b[:, 2] - a[:, 2] * b[:, 1]
     y = a[:, 2] * b[:, 0] - a[:, 0] * b[:, 2]
     return np.stack([x, y, a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]], -1)
@@ -219,7 +219,7 @@ def sphere(subdivisions: int) -> Floats:
 
 
 def weld(soup: Soup) -> Indexed:
-    """Join corners that agree in position, tint and texture coordinate."""
+    """Merge corners with equal position, tint and texture coordinate."""
     columns = [soup.corners.reshape(-1, 3)]
     if soup.tints is not None:
         columns.append(soup.tints.reshape(-1, 1))
@@ -235,7 +235,7 @@ def weld(soup: Soup) -> Indexed:
     _, first, inverse = np.unique(key, return_index=True, return_inverse=True)
     if not np.array_equal(rows[first][inverse], rows):
         _, first, inverse = np.unique(rows, axis=0, return_index=True, return_inverse=True)
-    # Vertices are listed by their first use, so that neighbours in the mesh are neighbours in memory.
+    # Vertices are ordered by first use, so that neighbours in the mesh are neighbours in memory.
     order = np.argsort(first, kind="stable")
     rank = np.empty(len(order), np.uint32)
     rank[order] = np.arange(len(order), dtype=np.uint32)

@@ -1,4 +1,4 @@
-"""Collects triangle soups and adds them to a scene; prototypes are joined once and placed many times."""
+"""Collects triangle soups for a scene; prototypes are welded once and placed many times."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from nearfar.datasets import _palette
 from nearfar.datasets._draw import Floats, turn
 from nearfar.datasets._shapes import Indexed, Soup, weld
 
-# Least number of triangles of a prototype that becomes instances; copies of smaller ones in the merged tree are faster
-# to trace.
+# Least number of triangles of a prototype that becomes instances; smaller ones are faster to trace as copies in the
+# merged tree.
 _MERGED_BELOW = 100
-# Greatest number of triangles of all copies; beyond it they would take more memory than they save time.
+# Greatest number of triangles of all copies; more would take more memory than they save time.
 _MERGED_TOTAL = 200_000
 
 
 class Stage:
-    """A scene under construction; without `instanced` each copy of a prototype becomes a mesh of its own."""
+    """A scene under construction; without `instanced` each copy of a prototype becomes a separate mesh."""
 
     def __init__(self, *, instanced: bool = True) -> None:
         self._builder, self._instanced = SceneBuilder(), instanced
@@ -56,7 +56,7 @@ class Stage:
     def mixed(
         self, make: Callable[[int], Soup], chosen: NDArray[np.int64], transforms: Floats, name: str, first: int = 0
     ) -> None:
-        """Place objects (K, 4, 4), each by the number of its prototype (K,) or −1 for none, numbered from `first`."""
+        """Place objects (K, 4, 4); `chosen` (K,) has each one's prototype or −1 for none; numbered from `first`."""
         for variant in np.unique(chosen[chosen >= 0]).tolist():
             mine = np.flatnonzero(chosen == variant)
             self.many(make(variant), transforms[mine], [f"{name}_{first + k}" for k in mine])
@@ -76,7 +76,7 @@ class Stage:
 
 
 def placements(x: ArrayLike, y: ArrayLike, z: ArrayLike, fraction: ArrayLike = 0.0, scale: ArrayLike = 1.0) -> Floats:
-    """Make transforms (K, 4, 4): scaled, turned about the vertical by fractions of a full turn, and moved."""
+    """Make transforms (K, 4, 4): scale, rotate about the vertical by fractions of a full turn, and translate."""
     xs, ys, zs, turns, sizes = np.broadcast_arrays(
         *(np.atleast_1d(np.asarray(v, float)) for v in (x, y, z, fraction, scale))
     )

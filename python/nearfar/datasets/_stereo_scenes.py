@@ -1,7 +1,7 @@
-"""Three scenes with surfaces through the depths at which stereo is given up: beams, spheres, an open landscape.
+"""Three scenes with surfaces across the depths where stereo ends: beams, spheres, an open landscape.
 
-They follow in kind those of the study by Fink et al. (2019), Hybrid mono-stereo rendering in virtual reality, whose
-models are not published.
+They resemble those of the study by Fink et al. (2019), Hybrid mono-stereo rendering in virtual reality, whose models
+are not published.
 """
 
 from __future__ import annotations
@@ -37,9 +37,9 @@ _PAINTS = (
 def beams(count: int = 80, seed: int = 0) -> Scene:
     """Make straight beams that point away from a viewer at the origin, over a floor.
 
-    Beams of 8 to 40 m lie about the viewer's height, from 2 m to beyond 40 m away and within 45° of the forward
-    direction −z: each passes many depths, so that a bend where stereo ends shows at once. The same arguments give the
-    same bytes on every run and every platform.
+    Beams of 8 to 40 m lie at about the viewer's height, from 2 m to beyond 40 m away and within 45° of the forward
+    direction −z: each crosses many depths, so that a kink where stereo ends is visible at once. The same arguments give
+    the same bytes on every run and every platform.
 
     Parameters
     ----------
@@ -56,7 +56,7 @@ def beams(count: int = 80, seed: int = 0) -> Scene:
     Raises
     ------
     ValueError
-        For numbers out of range.
+        Numbers out of range.
     """
     count, seed = _checked(count, seed, "count")
     stage, draw = Stage(), Draw(seed, 70)
@@ -77,9 +77,10 @@ def beams(count: int = 80, seed: int = 0) -> Scene:
 
 
 def spheres(count: int = 1000, seed: int = 0, detail: int = 3) -> Scene:
-    """Make spheres at all distances about a viewer at the origin, over a floor.
+    """Make spheres at all distances around a viewer at the origin, over a floor.
 
-    Their centres are 1.5 to 60 m away, as dense near as far by distance; radii are 0.08 to 1 m, less near the viewer.
+    Their centres are 1.5 to 60 m away, with uniform density over distance; radii are 0.08 to 1 m, smaller near the
+    viewer.
     The same arguments give the same bytes on every run and every platform.
 
     Parameters
@@ -99,7 +100,7 @@ def spheres(count: int = 1000, seed: int = 0, detail: int = 3) -> Scene:
     Raises
     ------
     ValueError
-        For numbers out of range.
+        Numbers out of range.
     """
     count, seed = _checked(count, seed, "count")
     detail = check.integer("detail", detail, 0, 7)
@@ -141,7 +142,7 @@ def landscape(trees: int = 250, seed: int = 0, detail: int = 2) -> Scene:
     Raises
     ------
     ValueError
-        For numbers out of range.
+        Numbers out of range.
     """
     trees, seed = _checked(trees, seed, "trees")
     detail = check.integer("detail", detail, 0, 3)
@@ -165,7 +166,7 @@ def _checked(count: int, seed: int, name: str) -> tuple[int, int]:
 
 
 def _floor(stage: Stage) -> None:
-    """A square of tiles of two greys, 160 m wide."""
+    """Add a floor of tiles in two greys, 160 m wide."""
     lines = np.linspace(-80.0, 80.0, 81)
     x, z = np.meshgrid(lines, lines)
     cells = sheet(np.stack([x, np.zeros_like(x), z], -1)).reshape(-1, 4, 3)
@@ -175,7 +176,7 @@ def _floor(stage: Stage) -> None:
 
 
 def _oriented(yaw: Floats, pitch: Floats, sizes: Floats, starts: Floats) -> Floats:
-    """Make transforms (K, 4, 4): scale, tilt up and turn to the left by fractions of a turn, move."""
+    """Make transforms (K, 4, 4): scale, pitch up and yaw left by fractions of a turn, translate."""
     (cy, sy), (cp, sp) = turn(yaw), turn(pitch)
     matrices = np.zeros((len(yaw), 4, 4))
     zero = np.zeros_like(cy)

@@ -170,7 +170,7 @@ def leaf_texture(size: int = 128) -> NDArray[np.uint8]:
     ):  # fmt: skip
         a = (c * (x / size - u) + s * (y / size - v)) / length
         b = (c * (y / size - v) - s * (x / size - u)) / length
-        # Two parabolas that meet in the tips bound the leaf; its rib is lighter.
+        # Two parabolas that meet at the tips bound the leaf; its midrib is lighter.
         inside = np.abs(b) < 0.5 * (1.0 - a * a)
         rib = np.abs(b) < 0.06
         shade = light * np.where(rib, 1.15, 1.0)

@@ -17,7 +17,7 @@ PAINTS = materials(
 
 @dataclass(frozen=True)
 class Body:
-    """Side view of a vehicle: stations along its length in metres from the middle, with heights in metres."""
+    """Side view of a vehicle: stations along its length with their heights, metres from its middle."""
 
     half_width: float
     stations: tuple[tuple[float, float], ...]

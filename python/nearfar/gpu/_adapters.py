@@ -25,9 +25,9 @@ class Adapter:
     refused: str
     """Missing features; empty if it is usable."""
     largest_binding: int
-    """Greatest number of bytes that a kernel reads at a time; larger scenes and images are drawn in parts."""
+    """Maximum number of bytes that a kernel reads at a time; larger scenes and images are drawn in parts."""
     largest_image: int
-    """Greatest width and height of a picture in pixels; larger ones are drawn in parts."""
+    """Maximum width and height of a picture in pixels; larger ones are drawn in parts."""
 
     @property
     def label(self) -> str:
@@ -82,7 +82,7 @@ def select(adapter: str | None) -> None:
     Raises
     ------
     TypeError, ValueError
-        For anything but a name or None.
+        Anything but a name or None.
     DeviceError
         If no usable adapter has the name; the message lists all adapters. The previous selection stays.
     """
@@ -101,9 +101,9 @@ def stats() -> dict[str, int | float]:
     -------
     dict
         "allocations" of buffers and textures and their "allocated_bytes", which do not grow between frames of one size;
-        "uploaded_bytes", which grow by the changed data; "triangles" in draw calls, after culling. Where the adapter
-        has a clock that passes can read (timestamp queries), "raster_seconds" and "resolve_seconds": how long it worked
-        on the two steps of frames that were read, shading being the second one.
+        "uploaded_bytes", which grow by the changed data; "triangles" in draw calls, after culling. On adapters with
+        timestamp queries also "raster_seconds" and "resolve_seconds", the times of the two steps of frames that were
+        read; the second step is shading.
 
     Raises
     ------

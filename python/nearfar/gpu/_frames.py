@@ -33,7 +33,7 @@ class DeviceFrame:
     """Names of the images that the frame has."""
 
     def read(self) -> Frame:
-        """Read the images back, at each call again; DeviceError if the device was lost."""
+        """Read the images back, anew at each call; DeviceError if the device was lost."""
         with progress.bar("reading a frame") as report:
             images = self._core.read(report)
         return Frame(self.camera, self._origin, **images)
@@ -75,7 +75,7 @@ def render(
     Raises
     ------
     ValueError, TypeError
-        For arguments out of their domains, and for pictures that are too large to stay on the device.
+        Arguments out of range, and pictures that are too large to stay on the device.
     DeviceError
         If no adapter can be used.
     """

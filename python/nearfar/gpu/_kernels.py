@@ -20,7 +20,7 @@ WINDOWS = ("gaussian", "uniform")
 """Windows of `ssim` on the device."""
 
 LARGEST = 17
-"""Greatest width of a window in pixels, limited by the memory of a shader workgroup."""
+"""Maximum width of a window in pixels, limited by the memory of a shader workgroup."""
 
 FILTERS = ("nearest", "min", "max")
 """Filters of `cube_lookup` on the device."""
@@ -60,7 +60,7 @@ def ssim(
     Raises
     ------
     ValueError, TypeError
-        For frames without colour, of different sizes or on different devices, and for windows out of their domains.
+        Frames without colour, of different sizes or on different devices, and windows out of range.
     DeviceError
         If the device was lost or has no memory left.
 
@@ -107,7 +107,7 @@ def discontinuity(
     Raises
     ------
     ValueError, TypeError
-        For frames without positions, a `truth_camera` of another size, and arguments out of their domains.
+        Frames without positions, a `truth_camera` of another size, and arguments out of range.
     DeviceError
         If the device was lost or has no memory left.
 
@@ -203,7 +203,7 @@ def cube_lookup(
     ValueError, TypeError
         As in `nearfar.cube_lookup`, and TypeError for numbers other than float32.
     DeviceError
-        For faces larger than a kernel can read at a time, and if the device was lost or has no memory left.
+        Faces larger than a kernel can read at a time, or a device that was lost or has no memory left.
     """
     check.choice("filter", filter, FILTERS)
     maps = np.require(_single("faces", faces, "nearfar.cube_lookup"), None, ["C", "A"])

@@ -40,7 +40,7 @@ def measure(
     Raises
     ------
     ValueError, TypeError
-        For arguments out of their domains.
+        Arguments out of range.
     DeviceError
         If no adapter can be used.
     """

@@ -60,7 +60,7 @@ class Hmd:
     Raises
     ------
     ValueError, TypeError
-        For values that are out of order or not finite.
+        Values that are out of order or not finite.
     """
 
     name: str
@@ -158,12 +158,12 @@ class Hmd:
         lens_radius
             Tangent at which r = 1; None stands for `tan_half_angle`. The generic lens has its own.
         source
-            Where the coefficients are from, for `sources`; by default "given by the caller".
+            Source of the coefficients, for `sources`; by default "given by the caller".
 
         Raises
         ------
         ValueError, TypeError
-            For a lens with tangential terms, a radius that is not above 0, and a radius or source without a lens.
+            A lens with tangential terms, a radius that is not above 0, and a radius or source without a lens.
         """
         if lens is None:
             for name, value in (("lens_radius", lens_radius), ("source", source)):
@@ -182,7 +182,7 @@ class Hmd:
         return "" if self.lens is None else stated[0] if stated else "not stated"
 
     def save(self, path: str | os.PathLike[str], *, format: str = "nearfar") -> None:  # noqa: A002
-        """Write the headset as JSON, completely or not at all.
+        """Write the headset as JSON, atomically.
 
         `format` is "nearfar", which is read back bit for bit, or "hmdq", the geometry for hmdq's viewer hmdv, whose
         format has no panel, lens, hidden area, budget and sources.

@@ -39,7 +39,7 @@ class StereoFrame:
     Raises
     ------
     ValueError, TypeError
-        For frames of different sizes, and for other things than frames and a headset.
+        Frames of different sizes, and other things than frames and a headset.
     """
 
     hmd: Hmd | None
@@ -106,7 +106,7 @@ class StereoFrame:
         Raises
         ------
         ValueError
-            For a headset without a lens (see `Hmd.with_lens`), and frames without colour.
+            A headset without a lens (see `Hmd.with_lens`), and frames without colour.
         """
         hmd = self.hmd
         if hmd is None:
@@ -139,7 +139,7 @@ class StereoFrame:
         self.__dict__.update(state | {"stats": MappingProxyType(state["stats"])})
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write `side_by_side` as a PNG, completely or not at all.
+        """Write `side_by_side` as a PNG, atomically.
 
         ValueError for a name that does not end in .png and frames without colour; OSError if it cannot be written.
         `left.save` and `right.save` write the frames, also as EXR.
@@ -179,7 +179,7 @@ def render_eyes(
     source
         The scene, reduced scene, or other renderable.
     hmd
-        The headset: where its eyes are on the head, and what they see.
+        The headset: positions and fields of view of its eyes.
     position
         World position (3,) of the head, metres.
     orientation
@@ -192,10 +192,11 @@ def render_eyes(
     at
         Poses of dynamic objects, as `Scene.at` takes them.
     user
-        The eye U that a reduced scene is morphed for. "eyes": each eye is its own user, so that both pictures are whole
-        at r1 and r2, and the disparity of geometry falls to that of the map, which is 0. "middle": the point between
-        the eyes for both, so that both eyes see the same morphed geometry; its pictures break at r2 by half the eyes'
-        distance / r2 radians. A world position (3,) in metres is another one for both. A scene does not depend on it.
+        The eye U for which a reduced scene is morphed. "eyes": each eye is its own user, so that both pictures are
+        whole at r1 and r2, and the disparity of geometry falls to that of the map, which is 0. "middle": the point
+        between the eyes for both, so that both eyes see the same morphed geometry; its pictures break at r2 by half the
+        eyes' distance / r2 radians. A world position (3,) in metres is used for both eyes. A scene does not depend on
+        it.
     t_min, t_max, clip, samples, channels, backend
         As in `render`.
     lod
@@ -204,12 +205,12 @@ def render_eyes(
     Returns
     -------
     StereoFrame
-        The frames of both eyes, which are those that `render` gives for `hmd.camera("left", …)` and "right".
+        The frames of both eyes, equal to those of `render` for `hmd.camera("left", …)` and "right".
 
     Raises
     ------
     ValueError, TypeError
-        For arguments out of their domains, and for both `size` and `scale`.
+        Arguments out of range, and both `size` and `scale`.
     DeviceError
         As in `render`.
     """

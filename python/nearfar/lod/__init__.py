@@ -1,4 +1,4 @@
-"""Levels of detail: making them, measuring how good they look over their size, and choosing them."""
+"""Levels of detail: simplification, measurement of their quality over size, and selection."""
 
 from nearfar.lod._export import export
 from nearfar.lod._levels import Level, Levels

@@ -1,4 +1,4 @@
-"""Models and scenes of levels as GLB with `MSFT_lod`: engines switch at the sizes that the curves give."""
+"""Exports models and scenes with levels as GLB with `MSFT_lod`: engines switch at sizes given by the curves."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 EXTENSION, COVERAGE, OURS = "MSFT_lod", "MSFT_screencoverage", "nearfar"
 MEASURED = ("ratio", "error", "mean_error", "note")
-"""Fields of `Level` that files hold beside its geometry: three numbers and a text."""
+"""Fields of `Level` that files hold besides geometry: three numbers and a text."""
 _IDENTITY = np.eye(4)
 
 
@@ -59,11 +59,11 @@ def write(
 
 
 def _glb_of(model: MeasuredLevels, sizes: Switches, document: dict[str, Any]) -> bytes:
-    # Files alone need an imaging library.
+    # Imported here: only files need an imaging library.
     from nearfar._scene import glb
 
     geometry = _geometry(model)
-    # The surfaces of all levels in one scene, and a mesh for each that uses them.
+    # Surfaces of all levels in one scene, and a mesh for each level.
     core, levels = _core.with_surfaces(empty_core(), [level.scene._core for level in geometry])
     names = [model.name, *(f"{model.name}_lod{number}" for number in range(1, len(levels)))]
     everywhere = np.tile(_IDENTITY[None, :3], (len(levels), 1, 1))
@@ -78,7 +78,7 @@ def _glb_of(model: MeasuredLevels, sizes: Switches, document: dict[str, Any]) ->
 
 
 def read(target: Path) -> dict[str, Any]:
-    """Fields of a model from a GLB that `write` made; FormatError for anything else, OSError where there is no file."""
+    """Read the fields of a model from a GLB that `write` made; FormatError for anything else, OSError if missing."""
     from nearfar._scene import glb
 
     data = target.read_bytes()
@@ -130,35 +130,35 @@ def export(
     threshold: LodThreshold | str | None = None,
     all_levels: bool = False,
 ) -> None:
-    """Write a scene whose objects have levels as GLB that engines switch by themselves.
+    """Write a scene whose objects have levels as a GLB for engines that switch levels themselves.
 
-    Each object is a node with its level 0, `MSFT_lod` and `MSFT_screencoverage`; its other levels are nodes outside of
-    the scene that stand in the same place, and share their meshes with other objects of the model. Programs without
-    the extension show level 0. Everything else of the scene is written as it is, with all that files hold of materials
-    and that is not drawn: maps of normals, metal, roughness and occlusion, blending, and single-sided faces.
+    Each object is a node with its level 0, `MSFT_lod` and `MSFT_screencoverage`; its other levels are nodes outside the
+    scene at the same place, which share their meshes with other objects of the model. Programs without the extension
+    show level 0. Everything else is written unchanged, with all undrawn properties of materials: maps of normals,
+    metal, roughness and occlusion, blending, and single-sided faces.
 
     Parameters
     ----------
     scene
-        With levels or without; moving objects where they are now.
+        Scene with or without levels; moving objects are written in their present poses.
     path
-        Ends in `.glb`. Whole or not at all.
+        Name ending in `.glb`; written atomically.
     view, k, d, threshold
-        As in `switches`, by which coverages are worked out.
+        As in `switches`, for the coverages.
     all_levels
-        Write levels that are never shown, too: those that end at no greater size than a coarser one.
+        Write also levels that are never shown, since a coarser one is good enough up to the same or a greater size.
 
     Raises
     ------
     ValueError, TypeError
-        For arguments out of their domains.
+        Arguments out of range.
     OSError
-        Where the file cannot be written.
+        The file cannot be written.
     """
     from nearfar._scene import glb
 
     least_score, all_levels = threshold_of(threshold, k, d), check.flag("all_levels", all_levels)
-    reference_solid_angle(view)  # refuses anything but a view, also for scenes without levels
+    reference_solid_angle(view)  # rejects anything but a view, also for scenes without levels
     core, table, target = core_of(scene), scene._table, check.path("path", path)
     if target.suffix.lower() != ".glb":
         raise ValueError(f"path: expected a name ending in .glb, got {os.fspath(path)!r}")
@@ -171,7 +171,7 @@ def export(
     rest = core.without_objects(chosen)
     written = [np.arange(len(size.shown)) if all_levels else np.flatnonzero(size.shown) for size in sizes]
     sizes = [size.of_levels(levels) for size, levels in zip(sizes, written, strict=True)]
-    # Objects without levels come first, then every object's levels, one instance for each, all standing.
+    # Objects without levels come first, then each object's levels, one static instance for each.
     chosen_rows = zip(table.row_of[numbers].tolist(), table.model_of[numbers].tolist(), strict=True)
     rows = [[table.meshes[row][level] for level in written[model]] for row, model in chosen_rows]
     counts = np.array([len(row) for row in rows], np.int64)
@@ -209,7 +209,7 @@ def _placed(
 
 
 def engine_levels(model: MeasuredLevels, sizes: Switches) -> list[dict[str, Any]]:
-    """Entry of each level in the JSON for engines: the size at which it takes over in several units, None for never."""
+    """JSON entry of each level for engines: the size at which it takes over in several units, None for never."""
     return [
         {
             "triangles": int(model.triangles[level]),
@@ -229,14 +229,14 @@ def _geometry(model: MeasuredLevels) -> Levels:
 
 
 def _link(nodes: list[dict[str, Any]], chain: list[int], sizes: Switches) -> None:
-    """Link nodes as levels of the first."""
+    """Link nodes as levels of the first node."""
     if len(chain) > 1:
         nodes[chain[0]]["extensions"] = {EXTENSION: {"ids": chain[1:]}}
         _extras(nodes[chain[0]])[COVERAGE] = sizes.coverages()
 
 
 def _move(node: dict[str, Any], origin: tuple[float, float, float]) -> None:
-    """Take a node from where it is relative to the origin to the world."""
+    """Move a node from coordinates relative to the origin to world coordinates."""
     if any(origin):
         matrix = node.setdefault("matrix", _IDENTITY.ravel().tolist())
         matrix[12:15] = [value + shift for value, shift in zip(matrix[12:15], origin, strict=True)]

@@ -1,4 +1,4 @@
-"""Files of models: JSON, without geometry."""
+"""Files of models: JSON without geometry."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ STATUSES = ("fitted", "step", "open", "flat", "unfittable")
 
 
 def document(model: MeasuredLevels) -> dict[str, Any]:
-    """All of a model but its geometry."""
+    """Encode a model without its geometry."""
     curves = [None, *(_curve(model.curves[number]) for number in range(len(model.curves)))]
     return formats.header(NAME, VERSION) | {
         "name": model.name,
@@ -47,24 +47,24 @@ def _samples(samples: Samples) -> dict[str, Any]:
 
 
 def _number(value: float) -> float | None:
-    """JSON has no NaN."""
+    """Convert NaN to None, since JSON has no NaN."""
     return None if np.isnan(value) else float(value)
 
 
 def _rows(values: NDArray[Any]) -> Any:
-    """Nested lists; float32 by its shortest digits, which come back the same."""
+    """Nested lists; float32 with its shortest digits, which parse to the same value."""
     if values.ndim:
         return [_rows(row) for row in values]
     return None if np.isnan(values) else float(str(values))
 
 
 def read(path: Path) -> dict[str, Any]:
-    """Fields of a model; FormatError where the file is damaged or too new, OSError where there is none."""
+    """Read the fields of a model; FormatError if the file is damaged or too new, OSError if it is missing."""
     return fields(formats.read_json(path, NAME, VERSION), path)
 
 
 def fields(document: dict[str, Any], path: Path) -> dict[str, Any]:
-    """Fields of a model from what `document` returned; FormatError that names the file for anything else."""
+    """Decode a model's fields from the result of `document`; FormatError with the file's name for anything else."""
     formats.check(document, NAME, VERSION, path)
     with formats.guarded(path):
         return _fields(document)
@@ -120,7 +120,7 @@ def _read_samples(samples: dict[str, Any], levels: int) -> Samples:
 
 
 def _array(name: str, values: Any, axes: int, dtype: type[np.floating[Any]] = np.float64) -> NDArray[Any]:
-    """Numbers, where None stands for NaN; ValueError for other axes and for numbers beyond the type."""
+    """Convert to an array, None to NaN; ValueError for another number of axes or numbers beyond the type."""
     with np.errstate(over="ignore"):
         array: NDArray[Any] = np.array(values, dtype=np.float64).astype(dtype)
     if array.ndim != axes:

@@ -1,4 +1,4 @@
-"""Levels of detail of one object: the same surface in fewer and fewer triangles."""
+"""Levels of detail of an object: the same surface with decreasing triangle counts."""
 
 from __future__ import annotations
 
@@ -26,13 +26,13 @@ class Level:
     scene
         The object in its own frame, with its materials.
     ratio
-        The share of the base's triangles that was asked for.
+        Requested share of the base's triangles.
     error
-        Metres: the greatest distance found between its surface and the base's, either way; 0 for the base.
+        Greatest distance found between its surface and the base's, in either direction, metres; 0 for the base.
     mean_error
-        Metres: the mean of these distances, by area.
+        Area-weighted mean of these distances, metres.
     note
-        Where it has not the triangles that were asked for, how many instead, and which ratios can't be reached.
+        Actual triangle count if it differs from the request, and ratios that can't be reached.
     """
 
     scene: Scene
@@ -49,27 +49,27 @@ class Level:
 
     @property
     def triangle_count(self) -> int:
-        """Its triangles."""
+        """Number of triangles."""
         return self.scene.triangle_count
 
 
 class Levels(Sequence[Level]):
-    """Levels of detail of one object, the base first: `simplify` makes them, or they come from files.
+    """Levels of detail of one object, base first, made by `simplify` or from files.
 
     Parameters
     ----------
     levels
-        At least one; none has more triangles than the one before it.
+        At least one; none has more triangles than its predecessor.
     name
-        Of the object.
+        Name of the object.
     frame
-        (4, 4), the object's own frame → that of the levels' scenes: where a single object of a scene was simplified,
-        the transform that it was loaded with. `Scene.with_levels` takes it off again. By default they are the same.
+        Matrix (4, 4) from the object's own frame to that of the levels' scenes: if a single object of a scene was
+        simplified, its load transform, whose inverse `Scene.with_levels` applies. Default: the identity.
 
     Raises
     ------
     ValueError, TypeError
-        For no levels, other things than levels, empty levels, and levels that grow.
+        No levels, items of other types, empty levels, or triangle counts that grow.
     """
 
     def __init__(self, levels: Iterable[Level], *, name: str = "object", frame: ArrayLike | None = None) -> None:
@@ -87,14 +87,14 @@ class Levels(Sequence[Level]):
                 )
         self.name = check.text("name", name)
         self.frame: NDArray[np.float64] = np.eye(4) if frame is None else transforms_of("frame", frame)
-        """The object's own frame → that of the levels' scenes (4, 4)."""
+        """Matrix (4, 4) from the object's own frame to that of the levels' scenes."""
         if self.frame.shape != (4, 4) or np.linalg.matrix_rank(self.frame[:3, :3]) < 3:
             raise ValueError("frame: expected one invertible 4x4 matrix")
         center, radius = bounding_sphere(_corners(self._levels[0].scene))
         self.center: NDArray[np.float64] = center
         """Centre of the base's smallest bounding sphere (3,), metres in the object's frame."""
         self.radius: float = radius
-        """Its radius, metres."""
+        """Radius of that sphere, metres."""
 
     @overload
     def __getitem__(self, index: int) -> Level: ...
@@ -103,7 +103,7 @@ class Levels(Sequence[Level]):
     def __getitem__(self, index: slice) -> Levels: ...
 
     def __getitem__(self, index: int | slice) -> Level | Levels:
-        """One level, or some as levels of the same object."""
+        """Return one level, or several as levels of the same object."""
         if isinstance(index, slice):
             return Levels(self._levels[index], name=self.name, frame=self.frame)
         try:
@@ -122,7 +122,7 @@ class Levels(Sequence[Level]):
         return f"Levels({self.name!r}: {counts} triangles)"
 
     def __str__(self) -> str:
-        """Table of the levels: triangles, the ratio reached beside that asked for, distances from the base, notes."""
+        """Table of the levels: triangles, actual and requested ratio, distances from the base, notes."""
         base = self._levels[0].triangle_count
         rows = [f"{'level':>5}  {'triangles':>11}  {'ratio':>7}  {'asked':>7}  {'error m':>9}  {'mean m':>9}"]
         rows += [
@@ -134,7 +134,7 @@ class Levels(Sequence[Level]):
 
 
 def level_numbers(name: str, value: ArrayLike, count: int) -> NDArray[np.int64]:
-    """Check ascending numbers of some of `count` levels, of which the first is 0; ValueError or TypeError otherwise."""
+    """Check ascending level numbers below `count` that start with 0; ValueError or TypeError otherwise."""
     numbers = check.array(name, value, columns=None, dtype=np.int64)
     if numbers.ndim != 1 or not numbers.size or numbers[0] != 0:
         got = f"shape {numbers.shape}" if numbers.ndim != 1 else check.shown(numbers.tolist())

@@ -1,4 +1,4 @@
-"""Levels of one object with the curves that were measured of them: the data that selection and files take."""
+"""Levels of one object with their measured curves: the data for selection and files."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from nearfar.lod._measure.samples import Samples
 class MeasuredLevels:
     """The data of a `LodModel`, which documents the fields.
 
-    It stands apart from it, so that selectors and files take models without knowing the methods that use them.
+    It is a separate class, so that selectors and files do not depend on the methods that use them.
     """
 
     triangles: NDArray[np.int64]
@@ -80,7 +80,7 @@ class MeasuredLevels:
 
     @cached_property
     def of_mean(self) -> Self:
-        """The model whose curves go through the mean over the views; itself where it has no scores of views."""
+        """The model with curves through the mean over the views; itself if it has no scores of views."""
         samples = self.samples
         if samples is None or samples.views is None or not len(self.curves):
             return self
@@ -88,7 +88,7 @@ class MeasuredLevels:
         return replace(self, curves=statistic.curves_through(mean))
 
     def of_levels(self, numbers: ArrayLike) -> Self:
-        """Return the model with some of its levels, by their ascending numbers (N,), of which the first is 0."""
+        """Return the model with some of its levels, by ascending numbers (N,) that start with 0."""
         numbers = level_numbers("numbers", numbers, len(self))
         samples = self.samples
         if samples is not None:
@@ -112,6 +112,6 @@ class MeasuredLevels:
 
 
 def _as_many(curve: Curve4PL) -> Curve4PL:
-    """One curve as many, of which there is one."""
+    """Convert a single curve to an array of one."""
     parts = (*curve, curve.rms, curve.status, curve.reason)
     return Curve4PL(*(np.atleast_1d(np.asarray(part)) for part in parts))

@@ -1,4 +1,4 @@
-"""The model of an object's levels: the score of each over its size, with its files and its picture."""
+"""The model of an object's levels: each level's score over size, with files and plots."""
 
 from __future__ import annotations
 
@@ -24,42 +24,41 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
 class LodModel(MeasuredLevels):
-    """Levels of an object with their curves, by which `select` decides.
+    """Levels of an object with their curves, the input of `select`.
 
-    `measure` makes it, or curves that are known: `LodModel(triangles=[9000, 800], curves=Curve4PL([1], [1], [1e-3],
-    [0.5]))`. Level 0 is the base, which looks like itself; level i > 0 has the curve `curves[i - 1]`.
+    Made by `measure`, or from known curves: `LodModel(triangles=[9000, 800], curves=Curve4PL([1], [1], [1e-3],
+    [0.5]))`. Level 0 is the base, whose score is 1; level i > 0 has the curve `curves[i - 1]`.
 
     Parameters
     ----------
     triangles
-        Triangles of each level (K,), level 0 first.
+        Triangle count of each level (K,), level 0 first.
     curves
         K − 1 curves: SSIM over solid angle in steradians.
     center, radius
         The base's bounding sphere, metres in the object's frame.
     sigma
-        Least and greatest solid angle that was measured, steradians; by default all. Above the greatest only level 0 is
-        used; below the least, curves keep their value there.
+        Least and greatest measured solid angle, steradians; by default all. Above the greatest only level 0 is used;
+        below the least, curves keep their value there.
     errors
         Greatest distance of each level (K,) from the base, metres; by default 0.
     pixel
-        Tangent of the pixels that curves were measured with, in the middle of the picture. `select` reads curves at
-        sizes in these pixels. None, the default, takes them for any pixels.
+        Tangent of a pixel in the middle of the picture, for which curves were measured. `select` evaluates curves at
+        sizes in these pixels. None, the default, ignores pixel sizes.
     name
-        Of the object.
+        Name of the object.
     levels
-        The geometry, where it is at hand; as many as `triangles`.
+        The geometry, if available; as many levels as in `triangles`.
     measured
-        Settings and work of the measurement, in values that JSON has.
+        Settings and work of the measurement, in JSON values.
     samples
-        The scores that curves were fitted to; None where nothing was measured.
+        Scores that the curves were fitted to; None if nothing was measured.
     """
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write all but the geometry as JSON, whole or not at all: curves, samples, and how they were measured.
+        """Write the model without geometry as JSON, atomically: curves, samples, and how they were measured.
 
-        `export` writes the geometry too, as `.glb`: ValueError for that suffix. OSError where the file cannot be
-        written.
+        `export` also writes the geometry, as `.glb`: ValueError for that suffix. OSError if the file cannot be written.
         """
         target = check.path("path", path)
         if target.suffix.lower() == ".glb":
@@ -68,9 +67,9 @@ class LodModel(MeasuredLevels):
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> LodModel:
-        """Read a file of `save` or `export`, bit for bit; `.glb` brings the geometry too.
+        """Read a file of `save` or `export`, bit for bit; `.glb` includes the geometry.
 
-        FormatError for other files and newer versions, OSError for none.
+        FormatError for other files and newer versions, OSError if there is none.
         """
         source = check.path("path", path)
         read = _export.read if source.suffix.lower() == ".glb" else _file.read
@@ -86,28 +85,28 @@ class LodModel(MeasuredLevels):
         threshold: LodThreshold | str | None = None,
         all_levels: bool = False,
     ) -> None:
-        """Write the model for engines, whole or not at all: they switch levels at the sizes that the curves give.
+        """Write the model for engines, atomically; engines switch levels at sizes given by the curves.
 
         Parameters
         ----------
         path
             `.glb`: the geometry with `MSFT_lod`, and `MSFT_screencoverage` for the switches: the share of the picture's
-            area that the bounding sphere covers. Programs that don't know the extension show level 0. `.json`: the
-            document of `save`, and `switches`: sizes at which levels take over, in several units (see `switches`). GLB
-            has that document in its first node's `extras.nearfar`. `load` reads both back, bit for bit; of the levels'
-            scenes it keeps triangles, surfaces and normals, all of one object.
+            area covered by the bounding sphere. Programs without the extension show level 0. `.json`: the document of
+            `save`, and `switches`: sizes at which levels take over, in several units (see `switches`). A GLB has that
+            document in its first node's `extras.nearfar`. `load` reads both back, bit for bit; of the levels' scenes it
+            keeps triangles, surfaces and normals, as one object.
         view, k, d, threshold
             The screen and the threshold, as in `switches`.
         all_levels
-            Write levels that are never shown, too: those that end at no greater size than a coarser one. They may be
-            shown with another screen or threshold. By default the file holds the model without them.
+            Write also levels that are never shown, since a coarser one is good enough up to the same or a greater size.
+            They may be shown with another screen or threshold. By default they are left out.
 
         Raises
         ------
         ValueError, TypeError
-            For arguments out of their domains, other suffixes, and GLB of models without geometry.
+            Arguments out of range, other suffixes, or GLB for a model without geometry.
         OSError
-            Where the file cannot be written.
+            The file cannot be written.
 
         References
         ----------
@@ -120,8 +119,8 @@ class LodModel(MeasuredLevels):
     def refit(self, percentile: float | str) -> LodModel:
         """Return the model with curves through another percentile of the same views, or their mean, without rendering.
 
-        Levels, and the sizes at which each was measured, stay those of the measurement. Where these are all levels and
-        all sizes (`step=None, saturated=None`), the curves are those that `measure` finds with that percentile.
+        Levels, and the sizes at which each was measured, stay those of the measurement. If these are all levels and all
+        sizes (`step=None, saturated=None`), the curves are those of `measure` with that percentile.
 
         Parameters
         ----------
@@ -131,12 +130,12 @@ class LodModel(MeasuredLevels):
         Returns
         -------
         LodModel
-            Its `measured` has the new "percentile", and as "chosen_by" the one by which levels and sizes were chosen.
+            Its `measured` has the new "percentile"; "chosen_by" is the one by which levels and sizes were chosen.
 
         Raises
         ------
         ValueError, TypeError
-            For other percentiles, and for models without the scores of single views, `samples.views`.
+            An invalid percentile, or a model without the scores of single views, `samples.views`.
         """
         chosen = statistic.checked(percentile)
         if self.samples is None or self.samples.views is None:
@@ -147,16 +146,16 @@ class LodModel(MeasuredLevels):
         return replace(self, curves=statistic.curves_through(samples), samples=samples, measured=measured)
 
     def selector(self, mode: str) -> Selector:
-        """Return the `Selector` that `nearfar.render` uses where it is given a mode alone: all else at its defaults."""
+        """Return the `Selector` with this mode and default settings, which `nearfar.render` uses for a mode alone."""
         return Selector(mode=mode)
 
     def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw each level's scores over solid angle, with its curve.
+        """Plot each level's scores over solid angle, with its curve.
 
         Parameters
         ----------
         ax
-            Axes of matplotlib to draw on; new ones by default.
+            Matplotlib axes to draw on; new ones by default.
 
         Returns
         -------
@@ -166,7 +165,7 @@ class LodModel(MeasuredLevels):
         Raises
         ------
         ImportError
-            Where matplotlib is not installed.
+            Matplotlib is not installed.
 
         References
         ----------
@@ -179,7 +178,7 @@ class LodModel(MeasuredLevels):
 
     @card.repr_html
     def _repr_html_(self) -> str:
-        """Table of the levels and plot of their curves for notebooks."""
+        """Table of the levels and plot of their curves, for notebooks."""
         sigma = self._drawn_sizes(128)
         curves = self.curves(sigma) if len(self.curves) else np.empty((0, 128))
         dots = (
@@ -193,7 +192,7 @@ class LodModel(MeasuredLevels):
         return card.page(title, (), *drawn, card.table(rows, header))
 
     def _drawn_sizes(self, count: int) -> NDArray[np.float64]:
-        """Sizes over which curves are drawn: those measured, or six decades where there is no least."""
+        """Sizes for drawing curves: the measured range, or six decades if it has no lower end."""
         low, high = self.sigma
         return np.geomspace(low if low > 0 else 1e-6 * high, high, count)
 
@@ -215,7 +214,7 @@ class LodModel(MeasuredLevels):
         return f"LodModel({self.name!r}: {counts} triangles)"
 
     def __str__(self) -> str:
-        """Table of the levels: triangles, error, scores at the greatest and the least size, how curves were fitted."""
+        """Table of the levels: triangles, error, scores at the greatest and the least size, outcome of the fit."""
         header, rows = self._rows()
         widths = (5, 11, 9, 10, 10)
         lines = [

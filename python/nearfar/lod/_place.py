@@ -1,4 +1,4 @@
-"""Scenes of models that are placed many times."""
+"""Makes scenes of models that are placed many times."""
 
 from __future__ import annotations
 
@@ -27,19 +27,19 @@ def place(
 ) -> Scene:
     """Make a scene of models, each placed any number of times. It shows level 0; `nearfar.render` takes `lod`.
 
-    Placements share the meshes of their model's levels, so that a scene needs the memory of its models.
+    Placements share the meshes of their model's levels, so that a scene needs only its models' memory.
 
     Parameters
     ----------
     models
-        With the geometry of their levels; in a row or by name, as `measure` returns them.
+        Models with geometry, in a sequence or by name, as returned by `measure`.
     model_index
-        Which of them each of the N objects is (N,): whole numbers, and of models by name also their names.
+        Model of each of the N objects (N,): indices, or for models by name also their names.
     transforms
-        (N, 4, 4) for column vectors, invertible, from the frame in which the models' levels, spheres and radii are to
-        the world; mirrors and scales are fine.
+        Invertible matrices (N, 4, 4) for column vectors, from the frame of the models' levels and spheres to world;
+        reflections and scales are allowed.
     names
-        Of the objects; by default ``object_0``, ``object_1``, …
+        Names of the objects; by default ``object_0``, ``object_1``, …
     dynamic
         Names of objects that `Scene.at` can pose.
 
@@ -51,10 +51,10 @@ def place(
     Raises
     ------
     ValueError
-        Numbers of models that don't exist, matrices that cannot be used, numbers that don't fit, names that repeat or
-        are unknown, models without geometry.
+        Indices out of range, unusable matrices, lengths that do not match, repeated or unknown names, or models without
+        geometry.
     TypeError
-        For other things than models, numbers and names.
+        Values that are not models, numbers or names.
     """
     if not isinstance(models, Mapping):
         models = check.items("models", models, MeasuredLevels, "a sequence of LodModels or a mapping to them")
@@ -73,14 +73,14 @@ def place(
         raise ValueError(f"names: expected {count}, one for each transform, got {len(listed)}")
     known = Names(count if listed is None else listed)
     movers = [dynamic] if isinstance(dynamic, str) else check.items("dynamic", dynamic, str, "names of objects")
-    known.flags("dynamic", movers)  # refuses unknown names
+    known.flags("dynamic", movers)  # rejects unknown names
     new = check_levels(known, range(count), [row[number] for number in index.tolist()], frames, in_place=False)
     core, rest, table = with_levels(empty_core(_origin(frames)), np.zeros((0, 3, 4)), None, count, new)
     return Scene(core, known, frames=frames, rest=rest, table=table, **kept_of(new.models)).with_dynamic(movers)
 
 
 def _origin(frames: NDArray[np.float64]) -> tuple[float, float, float]:
-    """The origin for objects at these places, chosen as in other scenes."""
+    """Origin for objects at these places, chosen as in other scenes."""
     places = frames[:, :3, 3]
     if not len(places) or np.abs(places).max() < ORIGIN_LIMIT:
         return 0.0, 0.0, 0.0

@@ -1,11 +1,10 @@
-"""Subtrees of a tileset (3D Tiles 1.1): bits that say which cells have tiles, and the box of what is in each.
+"""Writes the subtrees of a tileset (3D Tiles 1.1): availability bits of tiles, and a bounding box for each tile.
 
-Levels of tilesets count from the root. A subtree has the cells of some levels below one cell; in each level they are in
-the order of their Morton numbers, whose bits are those of x, y and z in turn, x lowest. Cells of a tileset are numbered
-as those of the grid.
+Levels of a tileset count from the root. A subtree holds the cells of some levels below one cell, each level in Morton
+order: the bits of x, y and z interleaved, x lowest. Cells are numbered as in the grid.
 
-Triangles reach beyond the cell that they belong to. The metadata TILE_BOUNDING_BOX states the box of all that lies in a
-cell and below it, so that viewers that read it lose nothing at the edge of a picture.
+Triangles reach beyond the cell that they belong to. The metadata TILE_BOUNDING_BOX states the box of all content of a
+cell and of the cells below it, so that viewers that read it cull nothing visible at the edge of a picture.
 """
 
 from __future__ import annotations
@@ -25,13 +24,13 @@ from nearfar.orthoview._grid import Place
 Floats = NDArray[np.float64]
 
 _LEVELS = (4, 5, 6)
-"""Of a subtree."""
+"""Allowed numbers of levels of a subtree."""
 
 NAME = "{level}.{x}.{y}.{z}.subtree"
 """Name of a subtree's file by its first cell."""
 
 CLASS, PROPERTY = "tile", "box"
-"""Names of the metadata."""
+"""Names of the metadata's class and property."""
 
 SCHEMA: dict[str, Any] = {
     "id": "nearfar",
@@ -50,14 +49,14 @@ SCHEMA: dict[str, Any] = {
         }
     },
 }
-"""Of the metadata."""
+"""Schema of the metadata."""
 
 _HEADER = struct.Struct("<4sIQQ")
 _TO_Z_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
 
 
 def subtree_levels(levels: int) -> int:
-    """Levels of a subtree in a tree of so many; the lowest subtrees, which are most files, get as many as possible."""
+    """Return the levels of a subtree: the lowest subtrees, which are most files, get as many levels as possible."""
     return max(_LEVELS, key=lambda own: (levels - 1) % own)
 
 
@@ -67,18 +66,18 @@ def write(folder: Path, levels: int, leaves: NDArray[np.int64], box_of: Callable
     Parameters
     ----------
     folder
-        Where they come to lie.
+        Folder of the subtree files.
     levels
-        Of the tree.
+        Number of levels of the tree.
     leaves
         The leaves (N, 3) that have content, each once; at least one.
     box_of
-        Returns the box (2, 3) of a leaf's content, world, metres. It is asked once for each leaf.
+        Returns the bounding box (2, 3) of a leaf's content, world, metres; called once for each leaf.
 
     Returns
     -------
     NDArray
-        The box (2, 3) of all.
+        Bounding box (2, 3) of all leaves.
     """
     below: NDArray[np.int64] = leaves
     boxes: Floats | None = None
@@ -102,7 +101,7 @@ def write(folder: Path, levels: int, leaves: NDArray[np.int64], box_of: Callable
 
 
 def morton(cells: NDArray[np.int64], bits: int) -> NDArray[np.int64]:
-    """Morton numbers (N,) of cells (N, 3) whose numbers have so many bits."""
+    """Morton numbers (N,) of cells (N, 3) whose coordinates have `bits` bits."""
     numbers = np.zeros(len(cells), np.int64)
     for bit in range(bits):
         for axis in range(3):
@@ -111,7 +110,7 @@ def morton(cells: NDArray[np.int64], bits: int) -> NDArray[np.int64]:
 
 
 def volume(box: Floats) -> list[float]:
-    """A box (2, 3) of the world, y up, as tilesets state it, z up: the middle, then half of each edge."""
+    """Convert a box (2, 3) of the world, y up, to a tileset's, z up: the centre, then half of each edge."""
     turned = box @ _TO_Z_UP.T
     half = np.abs(turned[1] - turned[0]) / 2
     return [*turned.mean(axis=0).tolist(), *np.diag(half).ravel().tolist()]
@@ -125,10 +124,10 @@ def _place(row: NDArray[np.int64]) -> Place:
 def _encoded(
     numbers: NDArray[np.int64], depth: int, levels: int, boxes: Floats, *, has_content: bool
 ) -> tuple[bytes, Floats]:
-    """A subtree of so many levels, and the box of all in it.
+    """Encode a subtree; also return the bounding box of its content.
 
-    `numbers` are the Morton numbers, ascending, of the cells that are there at a depth below its first one: leaves,
-    which have content, or the first cells of subtrees below, which are one level deeper than its own.
+    `numbers` are the Morton numbers, ascending, of the cells that exist `depth` levels below the subtree's first cell:
+    leaves, which have content, or roots of child subtrees, one level below the subtree's own levels.
     """
     by_depth, of_depth = [numbers], [boxes]
     while len(by_depth) <= depth:
@@ -156,25 +155,25 @@ def _encoded(
 
 
 def start_of(level: int) -> int:
-    """Number of a subtree's cells before a level."""
+    """Number of a subtree's cells above a level."""
     return ((1 << 3 * level) - 1) // 7
 
 
 class _Views:
-    """Arrays of a subtree."""
+    """Buffer and buffer views of a subtree."""
 
     def __init__(self) -> None:
         self._data = b""
         self._views: list[dict[str, int]] = []
 
     def add(self, data: bytes) -> int:
-        """Add bytes at a multiple of eight; returns their number."""
+        """Append bytes, padded to a multiple of eight; return the index of their buffer view."""
         self._views.append({"buffer": 0, "byteOffset": len(self._data), "byteLength": len(data)})
         self._data += data + bytes(-len(data) % 8)
         return len(self._views) - 1
 
     def bits(self, numbers: NDArray[np.int64] | None, count: int) -> dict[str, int]:
-        """Add a bit for each of `count` things: whether its number is among some; None stands for no numbers."""
+        """Add a bitstream of `count` bits that are set at `numbers`; None sets none."""
         if numbers is None:
             return {"constant": 0}
         flags = np.zeros(count, bool)
@@ -182,7 +181,7 @@ class _Views:
         return {"bitstream": self.add(np.packbits(flags, bitorder="little").tobytes()), "availableCount": len(numbers)}
 
     def encoded(self, document: dict[str, Any]) -> bytes:
-        """The subtree's file."""
+        """Encode the subtree's file."""
         whole = {"buffers": [{"byteLength": len(self._data)}], "bufferViews": self._views, **document}
         text = json.dumps(whole, separators=(",", ":")).encode()
         text += b" " * (-len(text) % 8)

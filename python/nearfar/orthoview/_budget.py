@@ -1,4 +1,4 @@
-"""The splats of a picture: those of the cut's views, where levels blend some of them, and no more than a budget."""
+"""Chooses the splats of a picture within a budget: those of the cut's views, blended where levels overlap."""
 
 from __future__ import annotations
 
@@ -14,20 +14,20 @@ from nearfar.orthoview._cut import Cutter, OrthoCut, Settings
 from nearfar.orthoview._views import ViewKey, Views
 
 MOST = 64.0
-"""Greatest error that a budget leads to, over the one that is given."""
+"""Greatest factor by which a budget may raise the given error."""
 
 STEPS = 12
-"""Bisections of the error's logarithm: its last step is 0.1 %."""
+"""Bisection steps for the error's logarithm: the last step is 0.1 %."""
 
 TRIES = 10
-"""Cuts that are tried: the numbers of splats of views are known only once these are read."""
+"""Maximum number of cuts tried: a view's number of splats is known only once it is read."""
 
 CLOSE = 0.98
-"""Share of the budget from which on a continuous cut is taken: where levels blend, numbers are estimates at first."""
+"""Share of the budget from which a continuous cut is accepted: where levels blend, counts are estimates at first."""
 
 
 FINEST = 1.002
-"""Ratio of errors between which none is tried."""
+"""Ratio of two errors below which the search between them ends."""
 
 
 @dataclass(frozen=True)
@@ -36,13 +36,13 @@ class Fitted:
 
     cut: OrthoCut
     error_px: float
-    """Greatest width of a view's pixels in pixels of the picture, as it was chosen."""
+    """Greatest width of a view's pixels in pixels of the picture, as chosen by the fit."""
     layers: list[Sequence[_core.OrthoSplats]]
-    """Of each view that is drawn."""
+    """Splats of each drawn view, by layer."""
 
     @property
     def splats(self) -> list[_core.OrthoSplats]:
-        """Those of all layers."""
+        """Splats of all layers."""
         return [layer for layers in self.layers for layer in layers]
 
     @property
@@ -66,10 +66,10 @@ class Fitter:
         self._cutter, self._views = cutter, views
 
     def fit(self, camera: Camera, settings: Settings) -> Fitted:
-        """The cut of the least error, at least that of the settings, whose splats are no more than the budget.
+        """Find the cut of the least error, not below the settings' error, whose splats fit the budget.
 
-        Where no error is great enough, views are left out: those of farther cells first, the third ones of all cells
-        before any second one.
+        If even the greatest error exceeds the budget, views are left out: those of farther cells first, the third
+        views of all cells before any second one.
         """
         budget = settings.budget
         if budget is None:
@@ -105,7 +105,7 @@ class Fitter:
         return Fitted(cut, settings.error_px, layers)
 
     def _least(self, camera: Camera, settings: Settings, aim: int) -> float:
-        """The least error at which as many splats are expected."""
+        """Least error at which at most `aim` splats are expected."""
         low, high = math.log(settings.error_px), math.log(settings.error_px * MOST)
         if self._expected(camera, settings) <= aim:
             return settings.error_px
@@ -116,7 +116,7 @@ class Fitter:
         return math.exp(high)
 
     def _expected(self, camera: Camera, settings: Settings) -> float:
-        """About how many splats a cut has, with the views' numbers that are known so far."""
+        """Estimate the number of splats of a cut from the counts of views that are known so far."""
         cut = self._cutter.whole(camera, settings)
         keys = cut.keys()
         if not settings.continuous:
@@ -130,13 +130,13 @@ class Fitter:
 def _placed(
     cut: OrthoCut, keys: Sequence[ViewKey], layers: Sequence[Sequence[_core.OrthoSplats]]
 ) -> list[tuple[Sequence[_core.OrthoSplats], int, tuple[int, int, int], int, bool]]:
-    """The views that have layers as the core takes them."""
+    """Views that have layers, in the form that the core takes."""
     rows = zip(keys, layers, cut.parts(), strict=True)
     return [(own, level, place, direction, part) for (level, place, direction), own, part in rows if own]
 
 
 def _without_some(fitted: Fitted, budget: int) -> Fitted:
-    """A picture with the first views of all cells, then the second ones and so on, while there is room."""
+    """Keep the first views of all cells, then the second ones and so on, while the budget lasts."""
     ranks = np.argwhere(fitted.cut.directions >= 0)[:, 1]
     left, kept = budget, []
     for number in np.argsort(ranks, kind="stable").tolist():

@@ -1,4 +1,4 @@
-"""Builds a tree from a source: subtrees from the leaves up, each after those below it."""
+"""Builds a tree from a source, subtree by subtree from the leaves up."""
 
 from __future__ import annotations
 
@@ -46,72 +46,71 @@ def build(
 ) -> OrthoTree:
     """Build the tree of orthographic depth images of a world.
 
-    The world is queried leaf by leaf, depth first: memory holds the scene of a leaf and, for each level, the pictures
-    of one parent, 64 bytes for each pixel of its views. A call that ended early, by Ctrl-C, a crash or a source that
-    failed, goes on where it was when it is made again with the same arguments; a complete store is opened as it is.
+    The world is queried leaf by leaf, depth first: memory holds the scene of one leaf and, for each level, the pictures
+    of one parent, 64 bytes for each pixel of its views. A call that was ended by Ctrl-C, a crash or a failing source
+    resumes when it is repeated with the same arguments; a complete store is opened as it is.
 
     Parameters
     ----------
     source
-        World with `bounds` and `query`; where it has `touches`, empty parts are passed over. What moves is left
-        out.
+        World with `bounds` and `query`; if it has `touches`, empty parts are skipped. Moving objects are left out.
     path
         The store, a folder of Zarr v3: new, empty, or one that this function wrote.
     cell
         Side of the leaves' cubic cells, metres.
     aabb
-        World box (2, 3): only the leaves that cover it are built; sides may be infinite. By default all.
+        World box (2, 3): only the leaves that cover it are built; sides may be infinite. Default: the whole world.
     size
         Width and height of a view, pixels; a multiple of 4, at most 4096.
     directions
-        5 views of each cell (from four sides and above), 9 (and from between them), 13 (and from the upper corners) or
-        26 (from everywhere). "auto" takes the smallest set that hides little of some leaves from viewers above, which
-        takes seconds; a build that goes on keeps the set that it began with.
+        5 views of each cell (from four sides and the top), 9 (also from the upper edges), 13 (also from the upper
+        corners) or 26 (from everywhere). "auto" takes the smallest set that hides little of sampled leaves from viewers
+        above, which takes seconds; a build that resumes keeps its set.
     depth_bits
-        Bits of a depth, 8 to 16. They number the steps of a cell's depth, 4,092 for 12 bits, and surfaces are taken to
-        lie in the middle of theirs.
+        Bits of a depth, 8 to 16. They number the steps of a cell's depth range, 4,092 for 12 bits; a surface is taken
+        to lie in the middle of its step.
     normal_bits
-        Bits of a normal, 16 or 24: it is known to 0.96° or 0.06°.
+        Bits of a normal, 16 or 24: its error is at most 0.96° or 0.06°.
     color
-        How colours are compressed: "zstd", which all readers have, or "webp", smaller where a world has textures.
+        Compression of colours: "zstd", which every Zarr reader has, or "webp", smaller for textured worlds.
     quality
-        Of WebP, 0 to 100; None for lossless files.
+        Quality of WebP, 0 to 100; None for lossless files.
     geometry
-        Also write the triangles of leaves, what stands and what moves, as a tileset of 3D Tiles in the store's folder
-        "geometry": what is near is shown by triangles.
+        Also write the triangles of leaves, static and moving, as 3D Tiles into the store's folder "geometry": clients
+        draw near leaves as triangles.
     layers
-        2 also keeps the next surface behind the first one, more than 2 pixels farther away, for views in which that
-        shows more than 1 % of their pixels that no view of the cell shows.
+        2 also keeps the next surface behind the first one, more than 2 pixels farther away, for views in which it shows
+        in more than 1 % of the pixels what no view of the cell shows.
     cluster
-        "local" spreads subtrees over one process for each core of this machine, a `distributed.Client` over its
+        "local" distributes subtrees over one process for each core of this machine, a `distributed.Client` over its
         workers, which must see `path` as it is here. The source is pickled into the store for them, so a folder of
-        tiles suits better than a scene in memory. Files are the same for any number of workers. A subtree whose worker
-        is lost goes to another one, which goes on where it was.
+        tiles suits better than a scene in memory. Files do not depend on the number of workers. If a worker is lost,
+        another one resumes its subtree.
 
     Returns
     -------
     OrthoTree
-        Incomplete where the source failed for a leaf; `OrthoTree.failed` says for which, and why.
+        Incomplete if the source failed for a leaf; `OrthoTree.failed` lists these leaves and the reasons.
 
     Raises
     ------
     ValueError
-        A world without end and no `aabb`, an `aabb` beside the world, too many cells, numbers out of range, a store
+        An infinite world without `aabb`, an `aabb` outside the world, too many cells, numbers out of range, a store
         that was begun with other arguments.
     TypeError
-        Something that is no source, and values that are not numbers.
+        A value that is not a source, or values that are not numbers.
     SceneError
         A source that failed for a thousand leaves.
     ConnectionError
-        A cluster whose scheduler is lost, or whose workers end one after the other.
+        The cluster's scheduler is lost, or its workers fail one after the other.
     FormatError
-        A store that is damaged.
+        A damaged store.
     BlockingIOError
         Another build writes into the store (where the system has locks).
     OSError
-        A folder that holds other files, and files that cannot be written.
+        A folder that holds other files, or files that cannot be written.
     ImportError
-        The package zarr is missing, or distributed where a cluster is asked for.
+        The package zarr is missing, or distributed if a cluster is given.
 
     Notes
     -----
@@ -133,7 +132,7 @@ def build(
     )
     if quality is not None and color == "zstd":
         raise ValueError("quality: expected None with color='zstd', which is lossless")
-    _core.orthoview_steps(numbers)  # refuses sizes and bits that the limits above let through
+    _core.orthoview_steps(numbers)  # rejects sizes and bits that pass the limits above
     check_zarr()
     count = _count(directions, world, grid, target)
     layout = begin(grid, directions_of(count), *numbers, SUBTREE)
@@ -157,7 +156,7 @@ def _built(source: SceneSource, target: Path, layout: Layout, cluster: Any) -> O
 
 
 def _count(directions: SupportsIndex | str, source: SceneSource, grid: Grid, target: Path) -> SupportsIndex:
-    """The number of directions; for "auto" that of a store that was begun, or else the one to choose."""
+    """Number of directions; for "auto" that of a store that was begun, else the measured choice."""
     if not isinstance(directions, str):
         return directions
     if directions != "auto":
@@ -170,7 +169,7 @@ def _count(directions: SupportsIndex | str, source: SceneSource, grid: Grid, tar
 
 
 def _bounds(source: SceneSource, box: NDArray[np.float64] | None) -> NDArray[np.float64]:
-    """The part of a source's box that lies in another one, which must be finite and not empty."""
+    """Intersect a source's bounds with a box; ValueError unless the result is finite and not empty."""
     bounds = bounds_of(source)
     if box is not None:
         bounds = np.array([np.maximum(bounds[0], box[0]), np.minimum(bounds[1], box[1])])

@@ -1,4 +1,4 @@
-"""Chunks of complete stores, those of the newest generation that has them."""
+"""Chunks of a complete store, each from the newest generation that has it."""
 
 from __future__ import annotations
 
@@ -16,24 +16,24 @@ from nearfar.orthoview._files import Files
 from nearfar.orthoview._layout import Key, Layout
 
 MOST_INDEXES = 2048
-"""Indexes of shards that are kept, of 8 kB at most."""
+"""Maximum number of cached shard indexes, 8 kB each at most."""
 
 
 @dataclass(frozen=True)
 class Generation:
-    """A folder of shards."""
+    """A generation of a store: a folder of shards."""
 
     folder: str
-    """Below the store, with a slash at its end; empty for the store itself."""
+    """Path below the store with a trailing slash; empty for the store itself."""
     shards: Container[str] | None
-    """Paths of its shards below the folder; None where that is not known, so that they are looked for."""
+    """Paths of its shards below the folder; None if unknown, so that each is looked up in the folder."""
     geometry: Container[str] | None
-    """Paths of its files of geometry, likewise."""
+    """Paths of its geometry files, likewise."""
 
 
 @dataclass(frozen=True)
 class In:
-    """Paths that a function knows."""
+    """Container of the paths that satisfy a predicate."""
 
     has: Callable[[str], bool]
 
@@ -43,7 +43,7 @@ class In:
 
 @dataclass(frozen=True)
 class _Found:
-    """Where a chunk lies."""
+    """Byte range of a chunk in a file."""
 
     file: str
     first: int
@@ -51,16 +51,16 @@ class _Found:
 
 
 class Chunks:
-    """Reads chunks of a store; threads may share it.
+    """Reads chunks of a store; thread-safe.
 
     Parameters
     ----------
     files
-        Of the store.
+        Files of the store.
     layout
-        Of the tree.
+        Layout of the tree.
     generations
-        The newest one first.
+        Generations, the newest one first.
     """
 
     def __init__(self, files: Files, layout: Layout, generations: Sequence[Generation]) -> None:
@@ -69,18 +69,18 @@ class Chunks:
         self._lock = threading.Lock()
 
     def __reduce__(self) -> tuple[type[Chunks], tuple[Files, Layout, Sequence[Generation]]]:
-        """Leave out what was read."""
+        """Pickle without the cached indexes."""
         return Chunks, (self._files, self._layout, self._generations)
 
     def read(self, keys: Sequence[Key]) -> list[bytes | None]:
-        """Read chunks; None for those that are not there.
+        """Read chunks; None for missing ones.
 
         Raises
         ------
         UnusableError
             A shard that ends too early, or whose index is damaged.
         OSError
-            One that cannot be read.
+            A shard that cannot be read.
         """
         found = self._found(keys)
         there = {key: place for key, place in zip(keys, found, strict=True) if place is not None}
@@ -92,7 +92,7 @@ class Chunks:
         return [chunks.get(key) for key in keys]
 
     def geometry(self, name: str) -> bytes | None:
-        """Read a file of geometry; None for one that is not there, or no more."""
+        """Read a geometry file; None if it does not exist, or if an update removed it."""
         for generation in self._generations:
             if generation.geometry is None or name in generation.geometry:
                 content = self._files.whole(generation.folder + name)
@@ -102,11 +102,11 @@ class Chunks:
         return None
 
     def has_geometry(self, name: str) -> bool:
-        """Whether any generation has a file of geometry."""
+        """Whether any generation has, or may have, a geometry file."""
         return any(generation.geometry is None or name in generation.geometry for generation in self._generations)
 
     def lengths(self, keys: Sequence[Key]) -> list[int]:
-        """Lengths of chunks, bytes; 0 for those that are not there."""
+        """Lengths of chunks, bytes; 0 for missing ones."""
         return [0 if place is None else place.length for place in self._found(keys)]
 
     def _found(self, keys: Sequence[Key]) -> list[_Found | None]:
@@ -137,7 +137,7 @@ class Chunks:
         return generation.folder + path if generation.shards is None or path in generation.shards else None
 
     def _load(self, sides: dict[str, int]) -> None:
-        """Read the indexes of shards that are not kept, all at once."""
+        """Read the shard indexes that are not cached, in one batch of requests."""
         wanted = {name: side for name, side in sides.items() if name not in self._indexes}
         for name in sides.keys() - wanted.keys():
             self._indexes.move_to_end(name)

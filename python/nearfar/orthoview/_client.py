@@ -1,4 +1,4 @@
-"""A client of a tree on a virtual clock: what it asks for, what has come, and where its pictures stall."""
+"""A simulated client of a tree on a virtual clock: its requests, what has arrived, and the frames that stall."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ from nearfar.stream._link import Link
 from nearfar.stream._transport import Transport
 
 AT_ONCE = 16
-"""Requests that a client makes at the same time: two threads with eight views each."""
+"""Concurrent requests of a client: two threads with eight views each."""
 
 
 class Planner(Protocol):
-    """Says what a client wants where the viewer is, after what has come until a time."""
+    """Plans what a client needs at the viewer's position, after what has arrived until a time."""
 
     def __call__(
         self, camera: Camera, time: float, received: Received, busy: bool, held: Callable[[Part], bool]
     ) -> Plan:
-        """The plan for a frame."""
+        """Return the plan for a frame."""
 
 
 @dataclass
 class Course:
-    """Frames of a client."""
+    """Measures of a client, frame by frame."""
 
     stalled: list[bool] = field(default_factory=list)
     """Whether a frame lacks a part of its cut."""
@@ -40,9 +40,9 @@ class Course:
     """Number of parts of each frame's cut."""
     error_px: list[float] = field(default_factory=list)
     received: list[int] = field(default_factory=list)
-    """Bytes that had come by each frame."""
+    """Bytes received by each frame."""
     asked: int = 0
-    """Bytes of all that was asked for."""
+    """Bytes requested in total."""
 
 
 class Client:
@@ -51,13 +51,13 @@ class Client:
     Parameters
     ----------
     planner
-        Says what is wanted.
+        Plans the parts to fetch.
     sizes
-        Bytes of parts.
+        Returns the sizes of parts, bytes.
     link
         The link to the store.
     cache_bytes
-        Bytes of files that are kept.
+        Size of the cache, bytes.
     """
 
     def __init__(
@@ -74,7 +74,7 @@ class Client:
         self.course = Course()
 
     def frame(self, camera: Camera, time: float) -> None:
-        """Go on to a frame."""
+        """Advance to a frame."""
         busy = bool(self._awaited)
         self._advance(time)
         plan = self._planner(camera, time, self._received, busy, self._held.__contains__)
@@ -95,7 +95,7 @@ class Client:
         self._ask()
 
     def _advance(self, time: float) -> None:
-        """Let come what comes until a time; each place that gets free is taken at once."""
+        """Receive what arrives until a time; each request slot that becomes free is used at once."""
         while (moment := self._transport.next_time()) <= time:
             for name in self._transport.advance(moment):
                 self._take(name)

@@ -1,4 +1,4 @@
-"""Views as the chunks of a store, and back."""
+"""Encodes views as the chunks of a store, and decodes them."""
 
 from __future__ import annotations
 
@@ -16,26 +16,26 @@ from nearfar.orthoview._directions import Direction
 from nearfar.orthoview._layout import BEHIND, CHANNELS, COMPRESSION, CONNECTION_BITS, Layout
 
 CONNECTED = (4.0, 0.5, 0.7)
-"""Bounds of connected pixels: τ₁ in pixels (a plane at up to 70° from across the view), τ₂ = cos 60° between a normal
-and the vector to the neighbour, τ₃ = cos 46° between normals."""
+"""Thresholds for connected pixels: τ₁ in pixels (a plane at up to 70° from across the view), τ₂ = cos 60° between a
+normal and the vector to the neighbour, τ₃ = cos 46° between normals."""
 
 Encoded = dict[tuple[int, str], bytes]
-"""Compressed chunks of a cell, by the number of the direction and the channel; none for views that show nothing."""
+"""Compressed chunks of a cell by direction number and channel; empty views have none."""
 
 
 HIDDEN = 0.01
-"""Share of a view's pixels that its second layer must show, and no first layer of any view, to be kept."""
+"""Least share of a view's pixels that only its second layer, and no first layer of any view, must show to be kept."""
 
 
 def kept(views: _core.OrthoViews, layout: Layout) -> _core.OrthoViews:
-    """Leave out second layers that show little that is hidden else."""
+    """Drop second layers that show little that no first layer shows."""
     if layout.layers == 1:
         return views
     return views.keep_behind([share > HIDDEN for share in views.unseen()])
 
 
 def encoded(views: _core.OrthoViews, layout: Layout) -> Encoded:
-    """Compress the views of a cell, of both layers."""
+    """Compress both layers of a cell's views."""
     first, second = _encoded(views, layout), views.behind()
     if second is None:
         return first
@@ -46,7 +46,7 @@ def encoded(views: _core.OrthoViews, layout: Layout) -> Encoded:
 def _encoded(views: _core.OrthoViews, layout: Layout) -> Encoded:
     from numcodecs.zstd import Zstd
 
-    from nearfar._base import side_by_side  # its threads bring the module `logging`
+    from nearfar._base import side_by_side  # imported here: its threads import `logging`
 
     compressor = Zstd(**COMPRESSION)
     of_channel = {
@@ -68,12 +68,12 @@ def _encoded(views: _core.OrthoViews, layout: Layout) -> Encoded:
 
 
 def settled(views: _core.OrthoViews, chunks: Encoded, layout: Layout) -> _core.OrthoViews:
-    """The views as readers of their chunks see them. Parents are composed of these, as in a build that goes on."""
+    """Return the views as readers decode them. Parents are composed of these, as in a build that resumes."""
     return views if layout.quality is None else both(chunks, layout)
 
 
 def _summed(data: bytes) -> bytes:
-    """Bytes with their CRC32C, as Zarr's codec `crc32c` appends it."""
+    """Append the CRC32C of the bytes, as Zarr's codec `crc32c` does."""
     import google_crc32c
 
     return data + int(google_crc32c.value(data)).to_bytes(4, "little")
@@ -89,7 +89,7 @@ def _unsummed(chunk: bytes) -> bytes:
 
 
 def both(chunks: Mapping[tuple[int, str], bytes], layout: Layout) -> _core.OrthoViews:
-    """Views of a cell from their chunks, of both layers."""
+    """Decode both layers of a cell's views."""
     first = decoded(chunks, layout)[0]
     behind = {(n, name.removeprefix(BEHIND)): chunk for (n, name), chunk in chunks.items() if name.startswith(BEHIND)}
     return _core.OrthoViews.with_behind(first, decoded(behind, layout)[0]) if behind else first
@@ -98,16 +98,16 @@ def both(chunks: Mapping[tuple[int, str], bytes], layout: Layout) -> _core.Ortho
 def decoded(
     chunks: Mapping[tuple[int, str], bytes], layout: Layout, numbers: Sequence[int] | None = None
 ) -> tuple[_core.OrthoViews, NDArray[np.uint8]]:
-    """Views of a cell's first layer from their chunks, and the connections (D, size, size, 1) of their pixels.
+    """Decode the first layer of a cell's views, and the connections (D, size, size, 1) of their pixels.
 
     Parameters
     ----------
     chunks
-        By the numbers of directions and the channels; those that are missing show nothing.
+        Chunks by direction number and channel; missing ones show nothing.
     layout
-        Of the tree.
+        Layout of the tree.
     numbers
-        Numbers of the directions; by default all.
+        Direction numbers; by default all.
     """
     from numcodecs.zstd import Zstd
 
@@ -123,16 +123,16 @@ def decoded(
                     continue
                 _decompress(compressor, chunks[number, channel], whole[at])
         arrays[channel] = whole
-    arrays["color"][arrays["depth"][..., 0] == 0] = 0  # lossy colours cover what is not seen, too
+    arrays["color"][arrays["depth"][..., 0] == 0] = 0  # lossy colours also fill pixels that show nothing
     directions = tuple(layout.directions[number] for number in numbers)
     return _from_stored(arrays["color"], arrays["depth"], arrays["normal"], layout, directions)
 
 
 def _decompress(compressor: Any, chunk: bytes, target: NDArray[Any]) -> None:
-    """Write the content of a chunk, whose size is known; UnusableError if it was altered."""
+    """Decompress a chunk of known size into `target`; UnusableError if it is damaged."""
     content = bytearray(target.nbytes)
     try:
-        # Into memory of the right size: a damaged chunk may state any.
+        # A buffer of the expected size: a damaged chunk may state any size.
         found = compressor.decode(chunk, content)
     except (RuntimeError, ValueError) as error:
         raise UnusableError(f"a chunk: {error}") from None
@@ -146,7 +146,7 @@ def _from_stored(
     layout: Layout,
     directions: tuple[Direction, ...],
 ) -> tuple[_core.OrthoViews, NDArray[np.uint8]]:
-    """Views and connections from a store's arrays (D, size, size, values)."""
+    """Unpack views and connections from a store's arrays (D, size, size, values)."""
     depths = (depth >> CONNECTION_BITS).astype(np.uint16)
     bits = (depth & ((1 << CONNECTION_BITS) - 1)).astype(np.uint8)
     normals = _unpacked(normal, layout.normal_bits)
@@ -154,7 +154,7 @@ def _from_stored(
 
 
 def _packed(normals: NDArray[np.uint16], bits: int) -> NDArray[np.uint8]:
-    """Two numbers of 8 bits as two bytes, or of 12 bits as three."""
+    """Pack two 8-bit numbers into two bytes, or two 12-bit numbers into three."""
     if bits == 16:
         return normals.astype(np.uint8)
     x, y = normals[..., 0], normals[..., 1]

@@ -1,4 +1,4 @@
-"""Copies of a store's newest generation: plain Zarr again."""
+"""Copies a store's newest generation into a new store, which is plain Zarr."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from nearfar.orthoview._subtree import Described, Held, described, record_of, wr
 
 
 def compact(store: Files, attributes: dict[str, Any], target: Path) -> None:
-    """Write the newest generation of a complete store as a new one; `OrthoTree.compact` tells more."""
+    """Write the newest generation of a complete store as a new store; see `OrthoTree.compact`."""
     layout, newest = Layout.from_described(attributes["layout"]), int(attributes["generation"])
     with _store.new_folder(target) as folder, progress.bar("compacting") as report:
         _store.create(folder, layout)
@@ -39,10 +39,10 @@ def compact(store: Files, attributes: dict[str, Any], target: Path) -> None:
 
 
 _AT_ONCE = 64
-"""Chunks that are asked for at once."""
+"""Number of chunks read at once."""
 
 Subtree = tuple[int, Place]
-"""Tier and place."""
+"""Tier and place of a subtree."""
 
 
 class _Copy:
@@ -56,12 +56,12 @@ class _Copy:
         self._cells = _store.cells_of(store, layout, newest, listed)
 
     def subtrees(self) -> dict[Subtree, dict[str, tuple[int, str] | None]]:
-        """Shards of all subtrees by their paths, with the size and the hash of those that are as they were."""
+        """Shards of all subtrees by path, with size and hash if no update changed them, else None."""
         found: defaultdict[Subtree, dict[str, tuple[int, str] | None]] = defaultdict(dict)
         for recorded in self._records:
             for path, known in recorded.shards.items():
                 found[self._subtree_of(path)][path] = None if recorded.folder else known
-            if not recorded.folder and recorded.name and not recorded.shards:  # nothing is in it
+            if not recorded.folder and recorded.name and not recorded.shards:  # an empty subtree
                 tier, *place = map(int, recorded.name.split("_"))
                 found.setdefault((tier, (place[0], place[1], place[2])), {})
         for path in self._geometry:
@@ -71,7 +71,7 @@ class _Copy:
         return dict(sorted(found.items()))
 
     def _newest_geometry(self) -> dict[str, str]:
-        """Files of geometry below the store, by the names that they have in the copy."""
+        """Map the names of geometry files in the copy to their paths below the store."""
         found: dict[str, str] = {}
         for recorded in self._records:
             for path, (size, digest) in recorded.geometry.items():
@@ -86,7 +86,7 @@ class _Copy:
         return int(level) // self._layout.subtree, (int(x), int(y), int(z))
 
     def write(self, subtree: Subtree, shards: dict[str, tuple[int, str] | None]) -> None:
-        """Write the shards of a subtree, and its record."""
+        """Write a subtree's shards and its record."""
         held, presence = Held(), Presence(self._layout, subtree[0])
         written: dict[str, tuple[int, str]] = {}
         for path, known in sorted(shards.items()):
@@ -113,7 +113,7 @@ class _Copy:
         )
 
     def _leaves(self, subtree: Subtree) -> Described:
-        """Copy the geometry of a subtree's leaves; sizes and hashes."""
+        """Copy the geometry of a subtree's leaves; return sizes and hashes."""
         tier, shard = subtree
         if not self._layout.geometry or tier:
             return {}
@@ -130,7 +130,7 @@ class _Copy:
                 self._copy(source, path)
 
     def _places(self, level: int, shard: Place) -> list[Place]:
-        """Places of a shard's cells within the world."""
+        """Places of a shard's cells within the world, depth first."""
         side, counts = self._layout.shard_side(level), self._layout.grid.counts_at(level)
         first = [number * side for number in shard]
         places = (tuple(a + b for a, b in zip(first, within, strict=True)) for within in depth_first(side))
@@ -148,7 +148,7 @@ class _Copy:
         return None if is_empty else writer.finish()
 
     def _copy(self, source: str, path: str) -> None:
-        """Put a file into the new store; on one disk both have the same file, which nothing ever changes."""
+        """Copy a file into the new store, as a hard link if possible: files of a store never change."""
         target = self._folder / path
         target.parent.mkdir(parents=True, exist_ok=True)
         if isinstance(self._store, Local):

@@ -1,4 +1,4 @@
-"""Cuts: which cells of a tree a viewer sees at which level, from which directions, and which leaves as geometry."""
+"""Cuts: the cells of a tree that a viewer sees, their levels and directions, and the leaves drawn as geometry."""
 
 from __future__ import annotations
 
@@ -24,68 +24,68 @@ MOST_VIEWS = 8
 """Greatest number of views of a cell."""
 
 BAND = 0.25
-"""Width of the band of distances in which a level's splats take the places of finer ones, over its nearest distance."""
+"""Width of the distance band in which a level's splats replace finer ones, as a share of its nearest distance."""
 
 
 @dataclass(frozen=True)
 class Settings:
-    """How a tree is viewed."""
+    """Settings for viewing a tree."""
 
     views: int = 3
-    """Views of a cell: those whose directions are nearest to the viewer's, raised by `lift_deg`."""
+    """Number of views of a cell: those nearest to the viewer's direction, raised by `lift_deg`."""
     error_px: float = 1.0
     """Greatest width of a view's pixels, in pixels of the picture."""
     geometry: bool = True
     """Whether leaves so near that their views are too coarse are drawn as geometry."""
     continuous: bool = False
-    """Whether levels change splat by splat."""
+    """Whether levels blend splat by splat."""
     gaze: tuple[float, float] | None = None
-    """Place in the picture that the viewer looks at, pixels; None for a picture that is equally fine everywhere."""
+    """Pixel that the viewer looks at; None for a picture of uniform resolution."""
     budget: int | None = None
-    """Greatest number of splats; None for any."""
+    """Greatest number of splats; None for no limit."""
     lift_deg: float = 0.0
     """Degrees by which the viewer's direction is raised towards the zenith before views are chosen by it."""
 
 
 @dataclass(frozen=True, eq=False)
 class OrthoCut:
-    """The parts of a tree that a viewer sees; the nearest cells come first."""
+    """The parts of a tree that a viewer sees; nearest cells first."""
 
     level: NDArray[np.int64]
     """Level of each cell that is drawn from views (N,)."""
     place: NDArray[np.int64]
-    """Its place (N, 3)."""
+    """Place of each cell (N, 3)."""
     directions: NDArray[np.int8]
-    """Numbers of the directions it is drawn from (N, views), the nearest one first; −1 where fewer show anything."""
+    """Direction numbers that each cell is drawn from (N, views), the nearest first; −1 where fewer show anything."""
     distance: NDArray[np.float64]
-    """Distance of its nearest point from the viewer (N,), metres."""
+    """Distance of each cell's nearest point from the viewer (N,), metres."""
     in_picture: NDArray[np.bool_]
-    """Whether it reaches into the picture (N,)."""
+    """Whether each cell lies in the picture, at least partly (N,)."""
     partial: NDArray[np.bool_]
-    """Whether only some of its splats are drawn, and those of cells below it in the places of the others (N,)."""
+    """Whether only some of a cell's splats are drawn, and finer cells in place of the others (N,)."""
     leaves: NDArray[np.int64]
     """Places of the leaves that are drawn as geometry (M, 3)."""
     leaf_distance: NDArray[np.float64]
-    """Distance of their nearest points (M,), metres."""
+    """Distance of each leaf's nearest point from the viewer (M,), metres."""
     leaf_in_picture: NDArray[np.bool_]
-    """Whether they reach into the picture (M,)."""
+    """Whether each leaf lies in the picture, at least partly (M,)."""
     reach: float
-    """Distance from which on leaves are drawn from views, metres; cells of level k from 2ᵏ times as far, beside a gaze
-    from less. For parallel rays the width of a leaf's pixel in pixels of the picture, over `error_px`."""
+    """Distance beyond which leaves are drawn from views, metres; cells of level k beyond 2ᵏ times that, beside a gaze
+    beyond less. For parallel rays the width of a leaf's pixel in pixels of the picture, over `error_px`."""
     unknown: list[tuple[int, Place]] = field(default_factory=list, repr=False)
-    """Tiers and places of subtrees that were not read: the cells above stand for theirs. Cuts of trees have none."""
+    """Tiers and places of subtrees that are not read yet: coarser cells replace theirs. Empty in cuts of trees."""
 
     def __len__(self) -> int:
         """Number of cells that are drawn from views."""
         return len(self.level)
 
     def parts(self) -> list[bool]:
-        """Of each view in `keys` whether only some of its splats are drawn."""
+        """Return for each view in `keys` whether only some of its splats are drawn."""
         counts = (self.directions >= 0).sum(axis=1)
         return list(np.repeat(self.partial, counts).tolist())
 
     def keys(self, in_picture: bool = False) -> list[tuple[int, Place, int]]:
-        """Level, place and direction of each view, the nearest cells first; of those in the picture alone if asked."""
+        """Level, place and direction of each view, nearest cells first; `in_picture` omits those beside the picture."""
         in_picture = check.flag("in_picture", in_picture)
         rows = zip(self.level.tolist(), self.place.tolist(), self.directions.tolist(), self.in_picture, strict=True)
         return [
@@ -97,21 +97,21 @@ class OrthoCut:
         ]
 
     def leaf_places(self, in_picture: bool = False) -> list[Place]:
-        """Places of the leaves that are drawn as geometry; of those in the picture alone if asked."""
+        """Places of the leaves that are drawn as geometry; `in_picture` omits those outside the picture."""
         in_picture = check.flag("in_picture", in_picture)
         rows = zip(self.leaves.tolist(), self.leaf_in_picture, strict=True)
         return [(x, y, z) for (x, y, z), seen in rows if seen or not in_picture]
 
 
 class Cutter:
-    """Cuts a tree, whose subtrees it reads when a viewer comes to them.
+    """Cuts a tree; subtrees are read on demand.
 
     Parameters
     ----------
     layout
-        Of the tree.
+        Layout of the tree.
     read
-        Reads the cells of a subtree, given by its tier and its place.
+        Reads the cells of a subtree by its tier and place.
     """
 
     def __init__(self, layout: Layout, read: Callable[[int, Place], Cells]) -> None:
@@ -124,32 +124,32 @@ class Cutter:
 
     @property
     def grid(self) -> Grid:
-        """The tree's cells."""
+        """Grid of the tree's cells."""
         return self._layout.grid
 
     @property
     def known(self) -> int:
-        """Number of subtrees that were read."""
+        """Number of subtrees read so far."""
         return len(self._known)
 
     def knows(self, tier: int, place: Place) -> bool:
-        """Whether a subtree was read."""
+        """Whether a subtree has been read."""
         return (tier, place) in self._known
 
     def with_guests(self, leaves: Sequence[Place]) -> list[Place]:
-        """Leaves whose geometry has all triangles in some leaves: they themselves and their guests."""
+        """Return leaves and their guests: together their geometry has all triangles that reach into the leaves."""
         several = [leaf for place in leaves for leaf in (place, *self._guests.get(place, []))]
         return list(dict.fromkeys(several))
 
     def learn(self, tier: int, place: Place) -> None:
         """Read a subtree."""
         cells = self._read(tier, place)
-        self._guests |= cells.guests  # other threads may cut
+        self._guests |= cells.guests  # before the cells: other threads may cut meanwhile
         self._cells.add(tier, place, [mask.reshape(-1) for mask in cells.masks])
         self._known.add((tier, place))
 
     def rule(self, camera: Camera, settings: Settings) -> _core.OrthoRule:
-        """From which distance on a level is drawn."""
+        """Return the rule that sets the distance beyond which each level is drawn."""
         return _core.OrthoRule(
             camera._core,
             pitch=self._pitch,
@@ -159,7 +159,7 @@ class Cutter:
         )
 
     def cut(self, camera: Camera, settings: Settings, *, around: bool = False) -> OrthoCut:
-        """The cut with the subtrees that are known."""
+        """Cut with the subtrees read so far."""
         arrays, reach, unknown = self._cells.cut(
             camera._core,
             self.rule(camera, settings),
@@ -172,7 +172,7 @@ class Cutter:
         return _cut_of(arrays, unknown, reach, settings.views)
 
     def whole(self, camera: Camera, settings: Settings, *, around: bool = False) -> OrthoCut:
-        """The cut with all subtrees that it needs, which are read."""
+        """Cut with all subtrees that the cut needs; missing ones are read."""
         while True:
             found = self.cut(camera, settings, around=around)
             for tier, place in found.unknown:
@@ -198,7 +198,7 @@ def _cut_of(arrays: dict[str, Any], unknown: list[tuple[int, list[int]]], reach:
 
 
 def grid_of(samples: int) -> int:
-    """Samples along each axis of a pixel; ValueError for a number that is no square."""
+    """Return the samples along each axis of a pixel; ValueError unless `samples` is a square of at most MOST_GRID²."""
     grid = math.isqrt(samples)
     if grid * grid != samples or grid > MOST_GRID:
         raise ValueError(f"samples: expected 1, 4, 9 … {MOST_GRID**2} for orthoviews, got {samples}")

@@ -1,4 +1,4 @@
-"""The canonical directions that cells are seen from."""
+"""Canonical view directions of cells."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from nearfar import _core
 from nearfar._base import check
 
 Direction = tuple[int, int, int]
-"""−1, 0 or 1 along each axis: the side of a cell that the viewer is on."""
+"""Side of a cell that the viewer is on: −1, 0 or 1 along each axis."""
 
 _SIDES: list[Direction] = [(0, 0, 1), (1, 0, 0), (0, 0, -1), (-1, 0, 0)]
 _TOP: list[Direction] = [(0, 1, 0)]
@@ -25,7 +25,7 @@ COUNTS = (5, 9, 13, 26)
 
 
 def directions_of(count: SupportsIndex) -> tuple[Direction, ...]:
-    """Return the directions of a set; ValueError or TypeError for a number that has none."""
+    """Return the directions of a set; ValueError or TypeError if there is no set of that size."""
     number = check.integer("directions", count, 1, len(_ALL))
     if number not in COUNTS:
         raise ValueError(f"directions: expected one of {COUNTS}, got {number}")
@@ -33,5 +33,5 @@ def directions_of(count: SupportsIndex) -> tuple[Direction, ...]:
 
 
 def widest(directions: Iterable[Direction]) -> float:
-    """Width or height of the widest view of a cell, in sides of it."""
+    """Width or height of a cell's widest view, in sides of the cell."""
     return float(max(max(_core.orthoview_axes(direction)[1][:2]) for direction in directions))

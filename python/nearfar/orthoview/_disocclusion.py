@@ -1,4 +1,4 @@
-"""How much of a world its views hide from viewers (disocclusion), and the set of directions that hides little.
+"""Measures how much of a world its views hide from viewers (disocclusion); chooses a set of directions by that.
 
 A client draws a far cell from the 3 directions of the set that are nearest to its viewing direction. What the viewer
 sees of the cell and none of the 3 views shows is a hole in its picture.
@@ -23,45 +23,45 @@ from nearfar.orthoview._grid import Grid, Place
 from nearfar.orthoview._sampling import leaves
 
 DRAWN = 3
-"""Views that a client draws of a cell."""
+"""Number of views that a client draws of a cell."""
 
 VIEWERS = 32
-"""Directions from which the world is viewed."""
+"""Number of directions from which the world is viewed."""
 
 LOOKED = 32
-"""Leaves whose triangles are counted."""
+"""Number of sampled leaves whose triangles are counted."""
 
 FEWEST, CELLS = 4, 16
-"""Fewest and most leaves whose views are drawn."""
+"""Fewest and most leaves whose views are rendered."""
 
 ENOUGH = 1_000_000
-"""Triangles of such leaves after which no more than the fewest are taken."""
+"""Number of their triangles beyond which only the fewest leaves are taken."""
 
 SIZE = 128
 """Size of their views, pixels."""
 
 RAYS = 48
-"""Rays of a viewer along a leaf's side."""
+"""Rays along a leaf's side, for each viewer."""
 
 BOUND = 0.035
-"""Disocclusion that is good enough."""
+"""Disocclusion that counts as good enough."""
 
 GAIN = 0.01
-"""Disocclusion by which a larger set has to be better."""
+"""Least improvement of disocclusion that justifies a larger set."""
 
 DEFAULT = 9
-"""The set for a world of which nothing was found."""
+"""Set for a world in which nothing was found."""
 
 _REACH = 2.0
-"""Pixels of a view by which a point's depth may differ from one beside it, of the same surface.
+"""Greatest difference in depth between a point and a pixel beside it of the same surface, in pixels of a view.
 
-As far as in the kernel that reduces views, which takes 4 pixels of a picture of twice the size. The depths of a view
+The same reach as in the kernel that reduces views: 4 pixels of a picture of twice the size. The depths of a view
 are those of points that lie a pixel apart, so the nearest of them is at most √½ pixel away: a plane's depth differs by
 2 pixels where the angle between its normal and the view is 70°, for which tan is 2 √2.
 """
 
 _MARGIN = 8.0
-"""Roundings of the greatest coordinate by which surfaces may lie beyond a cell's sides, as in its views."""
+"""Float32 roundings of the greatest coordinate by which surfaces may lie beyond a cell's sides, as in its views."""
 
 _FORMAT = (16, 16)
 """Bits of a view's depths and normals."""
@@ -76,21 +76,21 @@ class Choice:
     shares: dict[int, float]
     """Disocclusion of each set; empty if nothing was found in the world."""
     cells: int
-    """Leaves that it is the mean of."""
+    """Number of leaves averaged."""
 
 
 def chosen(source: SceneSource, grid: Grid, *, below: bool = False) -> Choice:
     """Choose the set of directions for a world by what its views hide.
 
-    Of some leaves that are drawn at random, those with the most triangles are looked into. Leaves that the source fails
-    to give are passed over. The same world and grid have the same choice.
+    Leaves are sampled at random, and those with the most triangles are rendered. Leaves that the source cannot return
+    are skipped. The same world and grid give the same choice.
 
     Parameters
     ----------
     source
         The world.
     grid
-        Cells of the part of it that is built.
+        Grid of the part that is built.
     below
         Whether viewers look up from below as well.
     """
@@ -109,7 +109,7 @@ def chosen(source: SceneSource, grid: Grid, *, below: bool = False) -> Choice:
 
 
 def _densest(source: SceneSource, grid: Grid, report: Callable[[int], None]) -> list[Place]:
-    """Of the first `LOOKED` leaves in which something is, those with the most triangles."""
+    """Return the leaves with the most triangles among the first `LOOKED` that are not empty."""
     counts: dict[Place, int] = {}
     for place in leaves(source, grid):
         report(len(counts))
@@ -124,16 +124,16 @@ def _densest(source: SceneSource, grid: Grid, report: Callable[[int], None]) -> 
 
 
 def _queried(source: SceneSource, grid: Grid, place: Place) -> Scene | None:
-    """The scene of a leaf; None where the source has nothing, and where it fails."""
+    """Query the scene of a leaf; None if it is empty or the source fails."""
     try:
         part = source.query(grid.box(0, place))
-    except Exception:  # a source is anybody's code; the build names the leaves that it fails to give
+    except Exception:  # a source may raise anything; the build names the leaves that it cannot return
         return None
     return part if part.triangle_count else None
 
 
 def smallest(shares: Mapping[int, float]) -> int:
-    """The smallest set that is good enough, or than which no larger one is better by `GAIN`."""
+    """Return the smallest set that is good enough, or that no larger one improves by `GAIN`."""
     return next(
         count
         for count in sorted(shares)
@@ -149,11 +149,11 @@ def disocclusion(
     Parameters
     ----------
     part
-        What the source has in the leaf. What moves is left out, as in its views.
+        Scene of the leaf. Moving objects are left out, as in its views.
     grid, place
         The leaf.
     sets
-        Numbers of directions.
+        Numbers of directions of the sets.
     size
         Width and height of the views, pixels; a multiple of 4.
     below
@@ -167,7 +167,7 @@ def _shares(seen: int, hidden: Mapping[int, int], sets: Sequence[int]) -> dict[i
 
 
 def viewers(count: int = VIEWERS, *, below: bool = False) -> NDArray[np.float64]:
-    """Unit vectors towards viewers (count, 3), evenly over the upper half of the sphere, or over all of it.
+    """Unit vectors towards viewers (count, 3), uniform over the upper hemisphere, or with `below` over the sphere.
 
     A Fibonacci lattice: heights are the middles of equal steps, so the lowest viewers are 1° above the horizon.
     """
@@ -179,7 +179,7 @@ def viewers(count: int = VIEWERS, *, below: bool = False) -> NDArray[np.float64]
 
 
 def nearest(directions: NDArray[np.float64], viewer: NDArray[np.float64]) -> list[int]:
-    """Numbers of the unit vectors that a client takes for a viewer; of equally near ones the first."""
+    """Return the numbers of the `DRAWN` unit vectors nearest to a viewer; of equally near ones the first."""
     order = np.argsort(-np.round(directions @ viewer, 9), kind="stable")
     return [int(number) for number in order[:DRAWN]]
 
@@ -187,7 +187,7 @@ def nearest(directions: NDArray[np.float64], viewer: NDArray[np.float64]) -> lis
 def _counted(
     part: Scene, grid: Grid, place: Place, sets: Sequence[int], size: int, looks: NDArray[np.float64]
 ) -> tuple[int, Counter[int]]:
-    """The number of all viewers' pixels that show a leaf, and of those that are holes with each set."""
+    """Count the pixels of all viewers that show a leaf, and for each set those that are holes."""
     hidden: Counter[int] = Counter()
     if moving := part.poses:
         part = part.subset(objects=[name for name in part.object_names if name not in moving])
@@ -205,7 +205,7 @@ def _counted(
 
 
 def _visible(part: Scene, box: NDArray[np.float64], looks: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-    """The points (N, 3) of a cell that each viewer sees along parallel rays, `RAYS` of them along a side."""
+    """Points (N, 3) of a cell that each viewer sees along parallel rays, `RAYS` of them along a side."""
     margin = _MARGIN * float(np.finfo(np.float32).eps) * np.abs(box - part.origin).max()
     rays = [_rays(box + np.array([[-margin], [margin]]), viewer) for viewer in looks]
     counts = [len(starts) for starts, _ in rays]
@@ -219,7 +219,7 @@ def _visible(part: Scene, box: NDArray[np.float64], looks: NDArray[np.float64]) 
 
 
 def _rays(box: NDArray[np.float64], viewer: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Where a viewer's rays enter a cubic box (N, 3), and their lengths in it (N,)."""
+    """Return the points (N, 3) where a viewer's rays enter a cubic box, and the lengths (N,) of the rays in it."""
     right = np.cross([0.0, 1.0, 0.0], viewer)
     right /= np.linalg.norm(right)
     up, center, side = np.cross(viewer, right), box.mean(axis=0), float(box[1, 0] - box[0, 0])
@@ -233,13 +233,13 @@ def _rays(box: NDArray[np.float64], viewer: NDArray[np.float64]) -> tuple[NDArra
 
 
 def _middles(extent: float) -> NDArray[np.float64]:
-    """Middles of pixels that cover an extent, in pixels from its middle."""
+    """Centres of pixels that cover an extent, in pixels from its middle."""
     count = int(np.ceil(extent))
     return np.arange(count, dtype=np.float64) - (count - 1) / 2
 
 
 class _Views:
-    """The views of a leaf from the first directions of all."""
+    """Views of a leaf in the first `count` directions."""
 
     def __init__(self, part: Scene, grid: Grid, place: Place, count: int, size: int) -> None:
         directions, cell = directions_of(count), (grid.corner(0, place), grid.cell)
@@ -250,12 +250,12 @@ class _Views:
         self._center, self._size = grid.box(0, place).mean(axis=0), size
         codes = views.depths()[..., 0]
         metres = (codes - 0.5) * (self._extents[:, 2] / views.steps)[:, None, None]
-        # A frame of pixels that show nothing, so that each pixel has eight neighbours.
+        # A border of empty pixels, so that each pixel has eight neighbours.
         self._depths = np.pad(np.where(codes > 0, metres, np.inf), ((0, 0), (1, 1), (1, 1)), constant_values=np.inf)
         self.toward = self._axes[:, 2]
 
     def show(self, number: int, points: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """Whether a view shows points (N, 3), in their pixel or one beside it."""
+        """Whether a view shows points (N, 3), in their pixel or one of the eight around it."""
         (right, up, toward), (width, height, depth) = self._axes[number], self._extents[number]
         offset, size = points - self._center, self._size
         column = np.clip(np.floor((offset @ right / width + 0.5) * size), 0, size - 1).astype(np.int64)

@@ -1,4 +1,4 @@
-"""Files of a store, read whole or in part, in a local folder or behind a URL that fsspec knows."""
+"""Reads files of a store, whole or in part, from a local folder or a URL that fsspec knows."""
 
 from __future__ import annotations
 
@@ -11,24 +11,24 @@ from typing import Protocol
 from nearfar._base import files, remote
 
 Part = tuple[str, int, int]
-"""Name of a file, first byte and length; a first byte below 0 counts from the file's end, up to which the part goes."""
+"""File name, first byte and length; a negative first byte means the last bytes of the file."""
 
 
 class Files(Protocol):
-    """Where the files of a store are read from."""
+    """Reader of a store's files."""
 
     place: str
     """The folder or URL, for messages."""
 
     def whole(self, name: str) -> bytes | None:
-        """Bytes of a file; None if there is none."""
+        """Bytes of a file; None if it does not exist."""
 
     def parts(self, wanted: Sequence[Part]) -> list[bytes | None]:
-        """Parts of files, shorter where a file ends; None where there is none."""
+        """Parts of files, shorter where a file ends; None for files that do not exist."""
 
 
 def files_at(path: str | os.PathLike[str]) -> Files:
-    """The files of a store."""
+    """Return the reader for a folder or URL."""
     return Remote(str(path).rstrip("/")) if remote.is_url(path) else Local(remote.local(path))
 
 
@@ -40,14 +40,14 @@ class Local:
         self.folder, self.place = path, os.fspath(path)
 
     def whole(self, name: str) -> bytes | None:
-        """Bytes of a file; None if there is none."""
+        """Bytes of a file; None if it does not exist."""
         try:
             return (self.folder / name).read_bytes()
         except (FileNotFoundError, NotADirectoryError):
             return None
 
     def parts(self, wanted: Sequence[Part]) -> list[bytes | None]:
-        """Parts of files, one after the other."""
+        """Read parts of files, one after the other."""
         return [self._part(*part) for part in wanted]
 
     def _part(self, name: str, first: int, length: int) -> bytes | None:
@@ -69,14 +69,14 @@ class Local:
 
 
 class Remote:
-    """Files behind a URL; the parts of one call are asked for at once, where the file system can."""
+    """Files behind a URL; one call requests all its parts at once if the file system can."""
 
     def __init__(self, url: str) -> None:
         self._system, self._path = remote.system(url)
         self.place = url
 
     def whole(self, name: str) -> bytes | None:
-        """Bytes of a file; None if there is none."""
+        """Bytes of a file; None if it does not exist."""
         with remote.as_os_errors(f"{self.place}/{name}", "read"):
             try:
                 return bytes(self._system.cat_file(f"{self._path}/{name}"))
@@ -84,7 +84,7 @@ class Remote:
                 return None
 
     def parts(self, wanted: Sequence[Part]) -> list[bytes | None]:
-        """Parts of files."""
+        """Read parts of files."""
         if not wanted:
             return []
         paths = [f"{self._path}/{name}" for name, _, _ in wanted]
@@ -95,7 +95,7 @@ class Remote:
 
 
 def _part_of(found: bytes | Exception, part: Part) -> bytes | None:
-    """The part in what a server answered; some send the whole file."""
+    """Extract the part from a server's response; some servers send the whole file."""
     _, first, length = part
     if isinstance(found, FileNotFoundError):
         return None
@@ -109,5 +109,5 @@ def _part_of(found: bytes | Exception, part: Part) -> bytes | None:
 
 
 def missing(place: str, document: str) -> FileNotFoundError:
-    """The error for a place without a store."""
+    """Return the error for a place without a store."""
     return FileNotFoundError(errno.ENOENT, f"no store of orthoviews (no {document})", place)

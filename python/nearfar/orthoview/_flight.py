@@ -1,4 +1,4 @@
-"""Flights through a tree: pictures of what has come, while the rest is read in the background."""
+"""Flights through a tree: pictures of what has arrived, while threads read the rest in the background."""
 
 from __future__ import annotations
 
@@ -34,18 +34,18 @@ from nearfar.orthoview._standins import Cell, Piece, Shown, StandIns, Wanted
 from nearfar.orthoview._viewer import Parts, Viewer
 
 MOST_THREADS = 64
-"""Greatest number of threads that read."""
+"""Maximum number of reading threads."""
 
 Listener = Callable[[Exception], None]
-"""Takes an error of the background."""
+"""Callback for errors of the background threads."""
 
 
 class Flight(Pictured):
     """A viewer that moves through a tree and never waits.
 
-    A picture is drawn from what has come. Where the cut's views are not there yet, the picture keeps what it showed,
-    and else shows parts of coarser views. Threads read what is missing, the nearest first, then what the viewer needs
-    soon. `OrthoTree.fly` makes one; it ends with `close` or with its `with` block.
+    A picture is drawn from what has arrived. Where views of the cut are missing, it keeps what the previous picture
+    showed there, else it shows parts of coarser views. Threads read missing parts, the nearest first, then those that
+    the viewer needs soon. `OrthoTree.fly` begins a flight; `close` or its `with` block ends it.
     """
 
     def __init__(
@@ -72,7 +72,7 @@ class Flight(Pictured):
         self._before: list[Shown] = []
         self._clipped: dict[Piece, list[_core.OrthoSplats]] = {}
         self._device: _core.GpuDevice | None = None
-        """The adapter that draws; threads bring views there as soon as they have come."""
+        """Adapter that draws; threads upload views to it as soon as they arrive."""
         self._lock = threading.RLock()
         self._busy = False
         self._errors: list[Exception] = []
@@ -89,7 +89,7 @@ class Flight(Pictured):
         self.close()
 
     def close(self) -> None:
-        """Stop reading. What has come can still be drawn."""
+        """Stop reading. What has arrived can still be drawn."""
         self._loader.close()
 
     @property
@@ -99,42 +99,42 @@ class Flight(Pictured):
 
     @property
     def errors(self) -> tuple[Exception, ...]:
-        """Errors of reading so far: of each damaged part, and the first one of each time that the store was away."""
+        """Read errors so far: one for each damaged part, and the first one of each outage of the store."""
         self._hear()
         return tuple(self._errors)
 
     @property
     def waiting(self) -> int:
-        """Number of parts that are being read or wait for it."""
+        """Number of parts that are being read or queued."""
         return self._loader.waiting
 
     @property
     def bytes_read(self) -> int:
-        """Bytes of views and geometry that have come."""
+        """Bytes of views and geometry received."""
         return self._received().bytes
 
     @property
     def speed_limit(self) -> float:
-        """Metres a second up to which the link brings what the viewer's course asks for; above, pictures are coarser.
+        """Speed up to which the link keeps up with the viewer, metres a second; above it, pictures are coarser.
 
-        It is infinite until the viewer moves and something has been read.
+        Infinite until the viewer moves and something has been read.
         """
         return self._pilot.limit
 
     def look(self, camera: Camera, time: SupportsFloat | None = None) -> None:
-        """Tell where the viewer is, and read what it needs; nothing is drawn.
+        """Set the viewer's camera and read what it needs, without drawing.
 
         Parameters
         ----------
         camera
             The view.
         time
-            Seconds of any clock that rises; the computer's own by default.
+            Seconds of any monotonic clock; the computer's own by default.
 
         Raises
         ------
         ValueError, TypeError
-            Something that is no camera, and a time that is not finite.
+            A value that is not a camera, or a time that is not finite.
         """
         own = check.instance("camera", camera, Camera)
         now = clock.monotonic() if time is None else check.number("time", time)
@@ -150,22 +150,22 @@ class Flight(Pictured):
         channels: Iterable[str] | None = None,
         backend: str | None = None,
     ) -> Frame:
-        """Draw what has come, without waiting for more.
+        """Draw what has arrived, without waiting for more.
 
         Parameters
         ----------
         camera
             The view.
         time
-            Seconds of any clock that rises, from which the viewer's speed is known; the computer's own by default.
+            Seconds of any monotonic clock, for the viewer's speed; the computer's own by default.
         samples, channels, backend
-            As in `OrthoTree.render`. Views that come later are brought to the adapter in the background.
+            As in `OrthoTree.render`. Views that arrive later are uploaded to the adapter in the background.
 
         Returns
         -------
         Frame
             `stats` has, besides those of `OrthoTree.render`: `missing`, the cells of the cut that lack a view or their
-            geometry; `empty`, those of them in whose place nothing is drawn; `error_px` of the picture.
+            geometry; `empty`, those of them for which nothing is drawn; `error_px` of the picture.
 
         Raises
         ------
@@ -179,7 +179,7 @@ class Flight(Pictured):
         return frame
 
     def at(self, poses: Mapping[str, ArrayLike]) -> Renderable:  # type: ignore[override]
-        """Return the same flight with objects that move in other poses; `poses` as in `Scene.at`."""
+        """Return the same flight with moving objects in other poses; `poses` as in `Scene.at`."""
         if self._movers is None:
             return super().at(poses)
         return _Moment(self, None, self._movers.at(poses))
@@ -190,7 +190,7 @@ class Flight(Pictured):
     def _draw(
         self, shot: Shot, time: float | None, movers: Scene | None, device: _core.GpuDevice | None, report: Report
     ) -> list[Images]:
-        """The pictures of a shot at a time, with what moves."""
+        """Draw the pictures of a shot at a time, with moving objects."""
         self._device = device
         now = clock.monotonic() if time is None else time
         with self._lock:
@@ -209,17 +209,17 @@ class Flight(Pictured):
         return pictures
 
     def wait(self, seconds: SupportsFloat | None = None) -> bool:
-        """Wait until all is there that the last picture and the positions ahead need.
+        """Wait until everything is read that the last picture and the positions ahead need.
 
         Parameters
         ----------
         seconds
-            The longest time; None for any.
+            Timeout; None for no limit.
 
         Returns
         -------
         bool
-            False if it did not come in time, or cannot be read now.
+            False after a timeout, or if a part cannot be read now.
         """
         longest = None if seconds is None else check.within("seconds", seconds, 0.0, 1e9)
         ends = math.inf if longest is None else clock.monotonic() + longest
@@ -228,33 +228,33 @@ class Flight(Pictured):
                 camera = self._pilot.camera
                 if camera is None:
                     return True
-                # Records that came tell of more.
+                # Records that arrived may add parts to the plan.
                 plan = self._pilot.plan(self._has)
                 if all(map(self._has, plan.order)):
                     return True
                 before = self._loader.waiting
                 self._loader.want(plan.order)
-                if not before and not self._loader.waiting:  # what is left is damaged
+                if not before and not self._loader.waiting:  # the remaining parts are damaged
                     return False
         return False
 
     def refresh(self) -> bool:
-        """Take up the newest generation of the store; whether there is a newer one.
+        """Switch to the newest generation of the store; return whether there is a newer one.
 
-        Pictures keep the views that the update did not change, and show older ones of the others until the new ones
-        have come. Parts that were damaged are read again.
+        Pictures keep the views that the update did not change, and show the old versions of the others until the new
+        ones have arrived. Damaged parts are read again.
 
         Raises
         ------
         FormatError, OSError
-            Documents of the store that are damaged, or that cannot be read; the flight goes on with what it has.
+            Damaged or unreadable documents of the store; the flight keeps its state.
         """
         newer = self._opened.newer()
         with self._lock:
             self._loader.forget()
             if newer is None:
                 return False
-            if self._pilot.camera is not None:  # the picture stays while all else is read
+            if self._pilot.camera is not None:  # read the subtrees of the current picture before switching
                 newer.viewer.cutter.whole(self._pilot.camera, self._pilot.settings)
             self._opened = newer
             self._viewer = newer.viewer
@@ -270,7 +270,7 @@ class Flight(Pictured):
         return plan
 
     def _shown(self, number: int, camera: Camera, wanted: Wanted) -> Shown:
-        """The parts that one of a shot's pictures is drawn from."""
+        """Parts that one of a shot's pictures is drawn from."""
         while len(self._before) <= number:
             self._before.append(Shown())
         shown = self._stand_ins.shown(wanted, self._before[number], np.array(camera.position))
@@ -291,14 +291,14 @@ class Flight(Pictured):
         if piece not in self._clipped:
             level, place, _ = piece.part
             (low, high), sides = self._opened.grid.box(*piece.within), self._opened.grid.box(level, place)
-            # Steps of depth may take what lies on the view's own sides beyond them.
+            # Rounded depths may lie beyond the view's own sides, so these do not clip.
             low, high = np.where(low == sides[0], -np.inf, low), np.where(high == sides[1], np.inf, high)
             ends = low.tolist(), high.tolist()
             self._clipped[piece] = [one.within(*ends) for one in self._viewer.views.kept(piece.part)]
         return self._clipped[piece]
 
     def _trim(self, plan: Plan) -> None:
-        """Drop what no picture uses when memory is short, parts of views that are no longer drawn at once."""
+        """Evict views that no picture uses if memory is short; drop clipped pieces as soon as they are not drawn."""
         pieces = {piece for shown in self._before for parts in shown.cells.values() for piece in parts}
         self._clipped = {piece: splats for piece, splats in self._clipped.items() if piece in pieces}
         needed = {*plan.order, *(part for shown in self._before for part in shown.parts())}
@@ -328,12 +328,12 @@ class Flight(Pictured):
             self._bring(parts)
 
     def _bring(self, parts: Sequence[Part]) -> None:
-        """Bring views to the adapter that draws, before a picture shows them."""
+        """Upload views to the drawing adapter before a picture shows them."""
         device = self._device
         if device is None:
             return
         splats = [layer for part in parts for layer in self._viewer.views.kept(part)]
-        with contextlib.suppress(DeviceError, MemoryError):  # the picture that shows them brings them itself
+        with contextlib.suppress(DeviceError, MemoryError):  # the picture that shows them uploads them itself
             _core.gpu_keep_orthoviews(device, splats)
 
     def _received(self) -> Received:
@@ -346,7 +346,7 @@ class Flight(Pictured):
         return news
 
     def _tell(self) -> None:
-        """Report errors of the background where the caller hears of them."""
+        """Report background errors to `on_error`, or as warnings."""
         for error in self._hear():
             if self._on_error is not None:
                 self._on_error(error)
@@ -355,7 +355,7 @@ class Flight(Pictured):
 
 
 class _Moment(Pictured):
-    """A flight at a time, and objects that move in their poses."""
+    """A flight at a time, with moving objects in their poses."""
 
     def __init__(self, flight: Flight, time: float | None, movers: Scene | None) -> None:
         self._flight, self._time, self._movers = flight, time, movers

@@ -1,4 +1,4 @@
-"""The methods of a tree for viewers that move: flights, and what to read ahead of one."""
+"""Methods of a tree for moving viewers: flights and prefetch queues."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from nearfar.orthoview._prefetch import Outlook, PrefetchQueue, offsets, queue, 
 from nearfar.orthoview._shown import ShownTree, settings_of
 
 MARGIN = 5.0
-"""Degrees around the picture within which flights read ahead by default."""
+"""Default margin around the picture within which flights prefetch, degrees."""
 
 
 class FlownTree(ShownTree):
-    """A tree for viewers that move; `OrthoTree` tells what it raises."""
+    """A tree for moving viewers; for errors see `OrthoTree`."""
 
     def fly(
         self,
@@ -36,37 +36,37 @@ class FlownTree(ShownTree):
         threads: SupportsIndex = 2,
         on_error: Callable[[Exception], None] | None = None,
     ) -> Flight:
-        """Begin a flight: pictures that never wait, while threads read what they need now and soon.
+        """Begin a flight: pictures never wait, while threads read what they need now and soon.
 
         Parameters
         ----------
         views, error_px, geometry, lift_deg
             As in `cut`.
         prefetch
-            Whether what the viewer needs soon is read, besides what the picture shows.
+            Whether to read what the viewer needs soon, besides what the picture shows.
         margin_deg
-            Degrees around the picture within which it is, 0 to 180; None for all around, for viewers that turn faster
-            than views arrive.
+            Margin around the picture for prefetching, degrees, 0 to 180; None for all directions, for viewers that turn
+            faster than views arrive.
         adapt
             Whether pictures become coarser when the viewer moves faster than `Flight.speed_limit`.
         threads
-            Number of threads that read, 1 to 64.
+            Number of reading threads, 1 to 64.
         on_error
-            Is called with errors of reading, in the thread that draws; by default they are warnings.
+            Callback for read errors, called in the drawing thread; by default they are warnings.
 
         Returns
         -------
         Flight
-            A `Renderable` with views of its own in `cache_bytes` of memory; close it, or use it in a `with` block.
+            A `Renderable` with its own cache of `cache_bytes`; close it, or use it in a `with` block.
 
         Raises
         ------
         ValueError
-            Values out of range; a tree that is not complete.
+            Values out of range, or an incomplete tree.
         TypeError
-            Values of a wrong kind.
+            Values of a wrong type.
         FormatError, OSError
-            Documents of the store that are damaged, or that cannot be read.
+            Damaged or unreadable documents of the store.
 
         References
         ----------
@@ -88,10 +88,10 @@ class FlownTree(ShownTree):
         geometry: bool = True,
         lift_deg: SupportsFloat = 0.0,
     ) -> PrefetchQueue:
-        """Return what a viewer at a position needs now and soon, all around it.
+        """Return what a viewer at a position needs now and soon, in all directions.
 
-        Positions ahead are as far away as the smallest cell of the cut is long: the cut cannot change more until the
-        viewer has gone there.
+        Positions ahead are one side of the smallest cell of the cut away: the cut cannot change more until the viewer
+        has moved that far.
 
         Parameters
         ----------
@@ -108,7 +108,7 @@ class FlownTree(ShownTree):
         Returns
         -------
         PrefetchQueue
-            The parts in the order in which they are best read; ask anew after `renewed_after` metres.
+            The parts in the best order for reading; ask again after `renewed_after` metres.
 
         Raises
         ------
@@ -137,7 +137,7 @@ class FlownTree(ShownTree):
 
 
 def _paper(eye: tuple[float, float, float]) -> Camera:
-    """The paper's picture."""
+    """Return a camera with the paper's picture size and field of view."""
     return Camera(eye, fov=Fov.symmetric(60.0, 4 / 3), size=(640, 480))
 
 

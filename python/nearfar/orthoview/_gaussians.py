@@ -1,7 +1,7 @@
-"""Pixels of views as Gaussians, as splat viewers take them.
+"""Converts pixels of views to Gaussians for splat viewers.
 
 A surfel's pixel spans u and v on its tangent plane (docs/orthoview_view.md). The Gaussian of the covariance
-σ² (u uᵀ + v vᵀ), σ in pixels, has the same main axes as the ellipse of `tree.render`. Across the plane it is thin.
+σ² (u uᵀ + v vᵀ), σ in pixels, has the same main axes as the ellipse of `tree.render`. Along the normal it is thin.
 """
 
 from __future__ import annotations
@@ -18,10 +18,10 @@ Floats = NDArray[np.float32]
 
 SIGMA = 0.6
 """Standard deviation of a surfel in pixels of its view, by measurement (docs/orthoview_export.md): with smaller ones
-what lies behind shines through between pixels, greater ones blur edges."""
+the background shows through between pixels, greater ones blur edges."""
 
 THIN = 0.1
-"""Standard deviation across a surfel as a share of the smaller one along it."""
+"""Standard deviation along a surfel's normal, as a share of the smaller one in its plane."""
 
 LEAST_COSINE = 0.25
 """Least cosine between a surfel's normal and the direction of its view, as in `tree.render`."""
@@ -37,13 +37,13 @@ _LINEAR = to_linear(np.arange(256) / 255.0).astype(np.float32)
 
 @dataclass(frozen=True, eq=False)
 class Gaussians:
-    """Gaussians in one frame; the opacity of all is 1."""
+    """Gaussians in one frame, all with opacity 1."""
 
     middle: Floats
-    """(N, 3), metres from the frame's origin."""
+    """Centres (N, 3), metres from the frame's origin."""
     rotation: Floats
-    """Unit quaternions (N, 4) x, y, z, w, of whose numbers w is the greatest: the columns of the matrices are the main
-    axes, the third one the normal."""
+    """Unit quaternions (N, 4) x, y, z, w, w the greatest number: the columns of the matrices are the main axes, the
+    third one the normal."""
     scale: Floats
     """Standard deviations along the axes (N, 3), metres."""
     color: NDArray[np.uint8]
@@ -54,14 +54,14 @@ class Gaussians:
         return len(self.middle)
 
     def box(self) -> NDArray[np.float64]:
-        """The box (2, 3) of their ellipsoids of three standard deviations, metres."""
+        """Bounding box (2, 3) of the 3σ ellipsoids, metres."""
         axes = matrices(self.rotation) * self.scale[:, None, :]
         reach = 3.0 * np.sqrt(np.einsum("nij,nij->ni", axes, axes))
         low, high = (self.middle - reach).min(axis=0), (self.middle + reach).max(axis=0)
         return np.array([low, high], np.float64)
 
     def moved(self, shift: NDArray[np.float64]) -> Gaussians:
-        """The same in a frame whose origin lies elsewhere by minus a vector (3,), metres."""
+        """Return the Gaussians translated by a vector (3,), metres."""
         return replace(self, middle=(self.middle + shift).astype(np.float32))
 
 
@@ -71,7 +71,7 @@ NOTHING = Gaussians(
 
 
 def joined(parts: list[Gaussians]) -> Gaussians:
-    """Gaussians of one frame, one after the other."""
+    """Concatenate Gaussians of one frame."""
     return Gaussians(
         np.concatenate([part.middle for part in parts]),
         np.concatenate([part.rotation for part in parts]),
@@ -82,26 +82,26 @@ def joined(parts: list[Gaussians]) -> Gaussians:
 
 @dataclass(frozen=True, eq=False)
 class Surfaces:
-    """Pixels of a view that show something, in their order."""
+    """Pixels of a view that show something, in pixel order."""
 
     middle: Floats
-    """(N, 3), metres from the cell's centre."""
+    """Centres (N, 3), metres from the cell's centre."""
     normal: Floats
     """Unit normals (N, 3) towards the viewer."""
     color: NDArray[np.uint8]
     """Albedo, sRGB (N, 3)."""
     is_surfel: NDArray[np.bool_]
-    """Others are balls (N,)."""
+    """Whether each pixel is a surfel (N,); the others are balls."""
 
     def kept(self, mask: NDArray[np.bool_]) -> Surfaces:
-        """Those that a mask (N,) names."""
+        """Select surfaces by a mask (N,)."""
         return Surfaces(self.middle[mask], self.normal[mask], self.color[mask], self.is_surfel[mask])
 
 
 def gaussians_of(
     shown: Surfaces, axes: Floats, pitch: tuple[float, float], sun: tuple[float, float, float] | None
 ) -> Gaussians:
-    """Gaussians of the pixels of a view.
+    """Convert the pixels of a view to Gaussians.
 
     Parameters
     ----------
@@ -118,7 +118,7 @@ def gaussians_of(
     facing = np.maximum(shown.normal @ toward, np.float32(LEAST_COSINE))
     u = np.float32(pitch[0]) * (right - ((shown.normal @ right) / facing)[:, None] * toward)
     v = np.float32(pitch[1]) * (up - ((shown.normal @ up) / facing)[:, None] * toward)
-    # Turned in the plane of pixels until the images are perpendicular, u and v are the main axes of u uᵀ + v vᵀ.
+    # Rotating the pixel's axes until their images u and v are perpendicular gives the main axes of u uᵀ + v vᵀ.
     uu, vv, uv = (np.einsum("ni,ni->n", a, b) for a, b in ((u, u), (v, v), (u, v)))
     turn = 0.5 * np.arctan2(2.0 * uv, uu - vv)
     cosine, sine = np.cos(turn)[:, None], np.sin(turn)[:, None]
@@ -131,7 +131,7 @@ def gaussians_of(
 
     balls = ~shown.is_surfel
     across[balls] = np.eye(3, dtype=np.float32)
-    # A ball's disc bounds the pixel, whose corners lie on the ellipse of a surfel with the radius √½ in pixels.
+    # A ball's disc encloses the pixel, whose corners lie on the ellipse of a surfel with the radius √½ in pixels.
     scale[balls] = SIGMA * np.hypot(*pitch) / np.sqrt(2.0)
     rotation, order = _quaternions(across)
     scale = np.take_along_axis(scale, order, axis=1).astype(np.float32)
@@ -139,7 +139,7 @@ def gaussians_of(
 
 
 def lit(color: NDArray[np.uint8], normal: Floats, sun: tuple[float, float, float] | None) -> NDArray[np.uint8]:
-    """Colours (N, 3) in the light of all pictures, whose sun may stand elsewhere; sRGB in and out."""
+    """Shade albedo (N, 3) with the light of all pictures and the given sun; sRGB in and out."""
     if sun is None:
         return color
     sky = (0.5 + 0.5 * (normal @ _SKY))[:, None]
@@ -150,10 +150,10 @@ def lit(color: NDArray[np.uint8], normal: Floats, sun: tuple[float, float, float
 
 
 def _quaternions(matrix: Floats) -> tuple[Floats, NDArray[np.int64]]:
-    """Unit quaternions (N, 4) of rotation matrices (N, 3, 3) whose columns are axes, and the order (N, 3) of these.
+    """Convert rotation matrices (N, 3, 3), columns are axes, to unit quaternions (N, 4) and the order (N, 3) of axes.
 
-    Axes have no sign, and the first two may change places. Of the turns that are the same for a Gaussian the one with
-    the greatest w is taken: formats that derive w from the other numbers are exact where it is great.
+    Axes have no sign, and the first two may change places. Among the rotations that give the same Gaussian, the one
+    with the greatest w is taken: formats that derive w from the other numbers are most exact there.
     """
     swapped = np.stack([matrix[:, :, 1], -matrix[:, :, 0], matrix[:, :, 2]], axis=2)
     both = np.stack([_greatest(matrix), _greatest(swapped)])
@@ -163,12 +163,12 @@ def _quaternions(matrix: Floats) -> tuple[Floats, NDArray[np.int64]]:
 
 
 def _greatest(matrix: Floats) -> Floats:
-    """The quaternion of each matrix after that half turn about one of its axes, or none, whose w is the greatest."""
+    """Return each matrix's quaternion as it is or after a half turn about one of its axes: that of the greatest w."""
     x, y, z = (matrix[:, axis, axis] for axis in range(3))
     # 4 w², 4 x², 4 y², 4 z². Half turns about the axes permute the numbers up to their signs.
     squares = np.stack([1 + x + y + z, 1 + x - y - z, 1 - x + y - z, 1 - x - y + z], axis=1)
     turn = squares.argmax(axis=1)
-    # A half turn about axis k turns the signs of the two other columns.
+    # A half turn about axis k negates the two other columns.
     signs = np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]], np.float32)[turn]
     turned = matrix * signs[:, None, :]
     w = 0.5 * np.sqrt(np.maximum(squares.max(axis=1), 1.0))

@@ -1,8 +1,9 @@
-"""The triangles of a leaf as GLB files: those that stand, and those that move.
+"""Encodes the triangles of a leaf as GLB files: one of static triangles, one of moving ones.
 
-Files are as those of bundles: meshopt's compression, meshes of several placements once, materials as they are drawn,
-textures beside them as WebP. Positions are multiples of a step, relative to a point in the middle of the leaf. These
-points are an even number of steps apart, so that a corner is rounded alike in all leaves: what touches stays joined.
+Files are like those of bundles: meshopt compression, meshes with several placements stored once, materials as they are
+drawn, textures in WebP files beside them. Positions are multiples of a step, relative to a point in the middle of the
+leaf. These points are an even number of steps apart, so that a corner is rounded alike in all leaves: adjacent
+triangles of different leaves stay joined.
 """
 
 from __future__ import annotations
@@ -24,40 +25,40 @@ from nearfar.orthoview._grid import Grid, Place
 from nearfar.orthoview._owned import owned
 
 STEP = 2.0**-10
-"""Greatest step of positions, metres: what stands once is off by half of it at most, instances by all of it."""
+"""Greatest step of positions, metres: meshes placed once are off by at most half a step, instances by one step."""
 
 SHARE = 2.0**-14
 """Greatest step of positions as a share of a leaf's side."""
 
 _WIDEST = 16383
-"""Greatest side of a WebP picture; larger textures are halved."""
+"""Greatest side of a WebP image; larger textures are halved."""
 
 _LEAST_STEP = 2.0**-40
 """Least step that the exporter takes, metres."""
 
 _MIDDLE = 1024
-"""Steps of which the middles of leaves are multiples: a metre where the step is the greatest."""
+"""Leaves' middle points are multiples of this number of steps: of a metre if the step is the greatest."""
 
 QUALITY = 90
-"""Of textures as WebP, 0 to 100."""
+"""WebP quality of textures, 0 to 100."""
 
 IMAGES = "../../../../images"
-"""Folder of the files of textures, as seen from that of a GLB."""
+"""Folder of the texture files, relative to the folder of a GLB."""
 
 
 def step_of(grid: Grid) -> float:
-    """The step of positions in the leaves of a grid, a power of two, metres."""
+    """Step of positions in the leaves of a grid, a power of two, metres."""
     _, exponent = math.frexp(min(STEP, SHARE * grid.cell))
     return max(2.0 ** (exponent - 1), _LEAST_STEP)
 
 
 class Images:
-    """Files of textures, which all leaves share: they are named by what they show.
+    """Texture files, shared by all leaves and named by a hash of their content.
 
     Parameters
     ----------
     folder
-        Where they lie; it is made with the first file.
+        Folder of the files; created with the first file.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -65,9 +66,9 @@ class Images:
         self._known: set[str] = set()
 
     def add(self, texels: NDArray[np.uint8]) -> str:
-        """Write the file of a texture (H, W, 4), sRGB with alpha, unless it is there; returns its name."""
+        """Write a texture (H, W, 4), sRGB with alpha, unless its file exists; return the file's name."""
         shape = np.array(texels.shape, "<u4").tobytes()
-        # A quarter of a SHA-256, which no two textures share by chance.
+        # 64 bits of a SHA-256: no two textures share a name by chance.
         name = f"{hashlib.sha256(shape + texels.tobytes()).hexdigest()[:16]}.webp"
         path = self._folder / name
         if name not in self._known and not path.exists():
@@ -79,30 +80,30 @@ class Images:
 
 
 def _fitting(texels: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """A texture, halved until a picture holds it."""
+    """Halve a texture until it fits into a WebP image."""
     while max(texels.shape[:2]) > _WIDEST:
         texels = _core.halved_texture(texels, times=1, cutout=False)
     return texels
 
 
 def cell_glb(part: Scene, grid: Grid, place: Place, images: Images | None = None) -> bytes | None:
-    """Encode the triangles that stand in a leaf and belong to it (`owned`).
+    """Encode the static triangles that belong to a leaf (`owned`).
 
     Parameters
     ----------
     part
-        What a query of the leaf's box returned.
+        Result of a query of the leaf's box.
     grid, place
         The leaf.
     images
-        Takes the textures; None draws materials without them.
+        Stores the textures; with None materials have no textures.
 
     Returns
     -------
     bytes or None
-        A GLB in world metres, y up; None where nothing belongs to the leaf. The `extras` of its `asset` have the number
-        of `triangles`, the greatest `error` of a position along an axis, and the `box` of all, metres. Triangles that
-        have no area once their corners are rounded are left out.
+        A GLB in world metres, y up; None if no triangle belongs to the leaf. The `extras` of its `asset` have the
+        number of `triangles`, the greatest `error` of a position along an axis, and the `box` of all, metres. Triangles
+        without area after their corners are rounded are left out.
     """
     mine = _mine(part, grid, place, moving=False)
     if not mine.any():
@@ -113,10 +114,10 @@ def cell_glb(part: Scene, grid: Grid, place: Place, images: Images | None = None
 
 
 def moving_glb(part: Scene, grid: Grid, place: Place, images: Images | None = None) -> bytes | None:
-    """Encode the triangles that move and belong to a leaf where they are now; see `cell_glb`.
+    """Encode the moving triangles that belong to a leaf in its present pose; see `cell_glb`.
 
-    Each node is an instance with the name of its object. The `extras` also have `moving`, a row for each node in their
-    order: its `object`, and its load `transform` and its placement at `rest` where they are not the usual ones.
+    Each node is an instance with the name of its object. The `extras` also have `moving`, a row for each node in order:
+    its `object`, and its load `transform` and its placement at `rest` if they are not the defaults.
     """
     mine = _mine(part, grid, place, moving=True)
     if not mine.any():
@@ -132,7 +133,7 @@ def moving_glb(part: Scene, grid: Grid, place: Place, images: Images | None = No
 
 
 def _mine(part: Scene, grid: Grid, place: Place, *, moving: bool) -> NDArray[np.bool_]:
-    """Which triangles (T,) belong to a leaf and move, or do not; those that stand come first."""
+    """Mask (T,) of the moving, or of the static triangles that belong to a leaf; static ones come first."""
     standing = part._core.standing_triangle_count
     if moving and standing == part.triangle_count:
         return np.zeros(part.triangle_count, bool)
@@ -142,14 +143,14 @@ def _mine(part: Scene, grid: Grid, place: Place, *, moving: bool) -> NDArray[np.
 
 
 def _middle(grid: Grid, place: Place) -> NDArray[np.float64]:
-    """The point that positions in a leaf are relative to, world, metres."""
+    """Point that positions in a leaf are relative to, world, metres."""
     unit = _MIDDLE * step_of(grid)
     middle: NDArray[np.float64] = np.rint(grid.box(0, place).mean(axis=0) / unit) * unit
     return middle
 
 
 def _about(core: _core.Scene, origin: NDArray[np.float64] | None) -> _core.Scene:
-    """The same scene relative to another origin, without the textures that nothing shows."""
+    """The same scene relative to another origin, without unused textures."""
     parts = _core.scene_parts(core)
     if origin is not None:
         parts["placements"][:, :, 3] += np.array(parts["origin"]) - origin
@@ -160,12 +161,12 @@ def _about(core: _core.Scene, origin: NDArray[np.float64] | None) -> _core.Scene
 
 
 def _prune(parts: dict[str, Any], meshes: NDArray[np.uint64]) -> None:
-    """Leave out textures of materials that no face has."""
+    """Remove textures of materials that no face uses."""
     _, rows = np.unique(meshes, return_index=True)
     has = np.zeros(len(parts["material_colors"]) + 1, bool)
     for row in rows.tolist():
         has[_core.mesh_parts(parts["meshes"][row])["materials"]] = True
-    # The last flag was that of faces without a material, whose number is −1.
+    # The last flag belongs to faces without a material, whose index is −1.
     shown = np.zeros(len(parts["textures"]) + 1, bool)
     links = ("material_textures", "material_emission_textures")
     for name in links:
@@ -178,18 +179,18 @@ def _prune(parts: dict[str, Any], meshes: NDArray[np.uint64]) -> None:
 
 
 def _encoded(core: _core.Scene, step: float, images: Images | None, names: list[str]) -> bytes | None:
-    """The GLB of a scene; None if all its faces lose their area."""
+    """Encode a scene as a GLB; None if rounding leaves no face with an area."""
     uris: list[str | None] = [None] * core.texture_count
     if images is not None and uris:
         uris = [f"{IMAGES}/{images.add(texels)}" for texels in _core.scene_parts(core)["textures"]]
-    group = np.zeros(1, np.uint16)  # that of all objects
+    group = np.zeros(1, np.uint16)  # of all objects
     export = _core.Export(core, group, 1, names=names, images=uris, step=step, compressed=True)
     data, facts = export.glb(0, uris=[None] * len(export.shared()))
     if not facts["drawn"]:
         return None
     low, high = core.bounds()
     error = facts["position_error"]
-    # Whole steps, one of them beyond, so that boxes of flat leaves have a volume and roundings stay inside.
+    # Rounded outwards to whole steps plus one, so that boxes of flat leaves have a volume and contain all roundings.
     box = [(np.floor((low - error) / step) - 1) * step, (np.ceil((high + error) / step) + 1) * step]
     document, _ = glb.header(data)
     document["asset"]["extras"] = {

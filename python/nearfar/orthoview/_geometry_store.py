@@ -1,7 +1,7 @@
-"""Where a tree keeps the geometry of its leaves: a folder of its store that is a tileset of 3D Tiles.
+"""Stores the geometry of a tree's leaves as a tileset of 3D Tiles, in a folder of the tree's store.
 
-A leaf's files are written once, aside, and renamed, so that a build that was ended leaves whole files only. `finish`
-lists the files that are there, so that nothing else must be kept while the build goes on.
+A leaf's files are written to temporary names and then renamed, so that an interrupted build leaves whole files only.
+`finish` lists the existing files, so the build keeps no other record of them.
 """
 
 from __future__ import annotations
@@ -24,31 +24,31 @@ from nearfar.orthoview._geometry import Images, cell_glb, moving_glb, step_of
 from nearfar.orthoview._grid import Grid, Place
 
 FOLDER = "geometry"
-"""Folder of a tree's store."""
+"""Name of the geometry's folder in a store."""
 
 TILESET, MOVING, SUBTREES = "tileset.json", "moving.json", "subtrees"
 
 IMAGES = "images"
-"""Folder of textures."""
+"""Name of the folder of textures."""
 
 OTHERS = (SUBTREES, IMAGES)
-"""Folders of what belongs to no leaf alone."""
+"""Folders shared by all leaves."""
 
 STANDS, MOVES = "content", "moving"
-"""Folders of what stands and of what moves."""
+"""Folders of static and of moving triangles."""
 
 KIND, VERSION = "orthoview_moving", 1
-"""Of the list of what moves."""
+"""Kind and version of the list of moving objects."""
 
 _NAME = "{level}/{x}/{y}/{z}.glb"
 _FIRST = availability.NAME.format(level=0, x=0, y=0, z=0)
 _NUMBER = re.compile(r"0|[1-9][0-9]{0,9}")
 _CHUNK = 20
-"""Bytes of a GLB before its document."""
+"""Bytes of a GLB before its JSON document."""
 
 
 class Facts(NamedTuple):
-    """Facts that a GLB states about itself."""
+    """Properties of a GLB that it states itself."""
 
     bytes: int
     triangles: int
@@ -58,7 +58,7 @@ class Facts(NamedTuple):
 
 
 def names(grid: Grid, place: Place) -> tuple[str, str]:
-    """Names of a leaf's files below the store, of what stands and of what moves."""
+    """File names of a leaf's static and moving triangles, below the store."""
     stands, moves = (f"{FOLDER}/{_name(grid, folder, place)}" for folder in (STANDS, MOVES))
     return stands, moves
 
@@ -76,7 +76,7 @@ class GeometryStore:
     store
         The tree's folder.
     grid
-        Its leaves.
+        Grid of the tree's leaves.
     """
 
     def __init__(self, store: Path, grid: Grid) -> None:
@@ -84,14 +84,14 @@ class GeometryStore:
         self._images = Images(self._folder / IMAGES)
 
     def write(self, part: Scene, place: Place) -> int:
-        """Write the triangles that belong to a leaf; returns the number of bytes.
+        """Write the triangles that belong to a leaf; return the number of bytes.
 
         Parameters
         ----------
         part
-            What a query of the leaf's box returned.
+            Result of a query of the leaf's box.
         place
-            The leaf. Written again, its files get the same bytes.
+            The leaf. Writing it again gives the same bytes.
         """
         written = 0
         for folder, encode in ((STANDS, cell_glb), (MOVES, moving_glb)):
@@ -105,18 +105,18 @@ class GeometryStore:
         return written
 
     def finish(self) -> dict[str, Any]:
-        """Write the tileset of all leaves that have files, and the list of what moves.
+        """Write the tileset of all leaves that have files, and the list of moving objects.
 
         Returns
         -------
         dict
-            Numbers of `leaves`, `triangles` and `bytes` of what stands and of what is `moving`, and the greatest
-            `error` of a position along an axis in metres.
+            Numbers of `leaves`, `triangles` and `bytes` of static geometry, the same for `moving` geometry, and the
+            greatest `error` of a position along an axis in metres.
 
         Raises
         ------
         FormatError
-            A file that is damaged, and one that no leaf has.
+            A damaged file, or a file that belongs to no leaf.
         OSError
             Files that cannot be read or written.
         """
@@ -151,9 +151,9 @@ class GeometryStore:
         return {**total, "error": error, "step": step_of(self._grid), "moving": moving}
 
     def _tileset(self, box: NDArray[np.float64] | None, movers: dict[str, NDArray[np.float64]]) -> dict[str, Any]:
-        """The document of the tileset: the tree, and a tile for each file of what moves."""
+        """Return the tileset document: the tree, and a tile for each file of moving triangles."""
         levels = self._grid.levels
-        # A cell whose children are not shown lacks all that is in it.
+        # A cell whose children are not drawn lacks all its content.
         error = math.sqrt(3.0) * self._grid.side(levels - 1)
         children: list[dict[str, Any]] = []
         if box is not None:
@@ -187,7 +187,7 @@ class GeometryStore:
         }
 
     def _cube(self) -> list[float]:
-        """The root's cell; its axes are those of the grid, so that cells are numbered alike."""
+        """The root's cell as a box whose axes are those of the grid, so that cells have the same numbers in both."""
         half = self._grid.side(self._grid.levels - 1) / 2
         x, y, z = (low + half for low in self._grid.origin)
         return [x, 0.0 - z, y, half, 0.0, 0.0, 0.0, 0.0, half, 0.0, -half, 0.0]
@@ -206,13 +206,13 @@ class GeometryStore:
         return self._folder / self._name(folder, place)
 
     def _places(self, folder: str) -> NDArray[np.int64]:
-        """Leaves (N, 3) that have a file."""
+        """Leaves (N, 3) that have a file in a folder."""
         listed = np.fromiter((number for place in self._listed(folder) for number in place), np.int64)
         places: NDArray[np.int64] = listed.reshape(-1, 3)
         return places
 
     def _listed(self, folder: str) -> Iterator[Place]:
-        """The same one by one, in their order."""
+        """Leaves that have a file in a folder, in ascending order."""
         top = self._folder / folder / str(self._grid.levels - 1)
         for x, column in _numbered(top, ""):
             for y, layer in _numbered(column, ""):
@@ -237,7 +237,7 @@ class GeometryStore:
 
 
 def _numbered(folder: Path, suffix: str) -> Iterator[tuple[int, Path]]:
-    """Entries of a folder that are a number and a suffix, ascending; none where there is no folder."""
+    """Entries of a folder named by a number and a suffix, ascending; none if the folder does not exist."""
     if not folder.is_dir():
         return
     names = (path.name.removesuffix(suffix) for path in folder.iterdir() if path.name.endswith(suffix))

@@ -1,4 +1,4 @@
-"""The octree's cells: cubes of the world, eight of which make one of the next level."""
+"""The octree's cells: cubes of the world, eight of which form a cell of the next level."""
 
 from __future__ import annotations
 
@@ -11,24 +11,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 Place = tuple[int, int, int]
-"""Number of a cell along each axis, from 0."""
+"""Index of a cell along each axis, from 0."""
 
 MOST_CELLS = 1 << 31
-"""Greatest number of leaf cells in a tree's box."""
+"""Maximum number of leaf cells in a tree's box."""
 
 _ROUNDING = 1e-9
-"""Cells by which rounding may take the end of a world beyond a side."""
+"""Tolerance in cells for worlds that end on a cell's side up to rounding."""
 
 _SEEN_BEYOND = 8 * float(np.finfo(np.float32).eps)
 """Share of the greatest coordinate by which surfaces may lie beyond the sides of a cell that shows them."""
 
 OCTANTS: tuple[Place, ...] = tuple((x, y, z) for x, y, z in itertools.product((0, 1), repeat=3))
-"""Places of children in their parent, in the order in which they are drawn."""
+"""Places of children in their parent, in build order."""
 
 
 @dataclass(frozen=True)
 class Grid:
-    """Cells of a world. Level 0 has the leaves, the last level one cell."""
+    """Cells of a world. Level 0 has the leaves, the last level a single cell."""
 
     origin: tuple[float, float, float]
     """Least corner of leaf (0, 0, 0), world, metres."""
@@ -41,15 +41,15 @@ class Grid:
     def over(cls, bounds: NDArray[np.float64], cell: float) -> Grid:
         """Return the grid over a finite world box.
 
-        Along the ground, cells begin at multiples of their side, so that trees of one side fit together. Upwards they
-        begin at the whole metre below the box: a flat world takes one layer, wherever it lies.
+        Along the ground, cells begin at multiples of their side, so that trees of the same side fit together. Upwards
+        they begin at the whole metre below the box: a flat world takes one layer, whatever its height.
         """
         with np.errstate(over="ignore", invalid="ignore"):  # a side near 0 asks for infinitely many cells
             low = np.floor(bounds[0] / cell) * cell
-            # The product may round to beyond the world's side.
+            # Rounding may put the product beyond the world's side.
             low = np.where(low > bounds[0], low - cell, low)
             low[1] = np.floor(bounds[0, 1])
-            # A world that ends on a cell's side, up to rounding, ends with the cell: sides belong to it.
+            # A world that ends on a cell's side, up to rounding, needs no further cell: cells include their sides.
             counts = np.maximum(np.ceil((bounds[1] - low) / cell - _ROUNDING), 1)
             total = counts.prod()
         if not total <= MOST_CELLS:
@@ -88,19 +88,19 @@ class Grid:
         return np.array([self.corner(level, place), self.corner(level, (place[0] + 1, place[1] + 1, place[2] + 1))])
 
     def touches(self, level: int, place: Place, aabb: NDArray[np.float64]) -> bool:
-        """Whether surfaces in a box may be seen in a cell: it holds its sides, up to roundings of coordinates."""
+        """Whether surfaces in a box may be visible in a cell, which includes its sides up to rounding."""
         box = self.box(level, place)
         reach = _SEEN_BEYOND * np.abs(box).max()
         return bool((box[0] - reach <= aabb[1]).all() and (aabb[0] <= box[1] + reach).all())
 
     def leaves(self, level: int, place: Place) -> int:
-        """Number of leaves of the world in a cell."""
+        """Number of the world's leaves in a cell."""
         below = 1 << level
         parts = (min((n + 1) * below, count) - n * below for n, count in zip(place, self.counts, strict=True))
         return math.prod(max(part, 0) for part in parts)
 
     def children(self, level: int, place: Place) -> Iterator[tuple[Place, Place]]:
-        """Octants of a cell's children and their places on the level below, in the order in which they are drawn."""
+        """Octants of a cell's children and their places on the level below, in build order."""
         counts = self.counts_at(level - 1)
         for octant in OCTANTS:
             child = child_of(place, octant)
@@ -109,7 +109,7 @@ class Grid:
 
 
 def depth_first(side: int) -> Iterator[Place]:
-    """Places of a cube of cells, a power of two along each axis, in the order in which a build ends them."""
+    """Places of a cube of cells, a power of two along each axis, in the order in which a build finishes them."""
     if side == 1:
         yield 0, 0, 0
         return
@@ -120,6 +120,6 @@ def depth_first(side: int) -> Iterator[Place]:
 
 
 def child_of(place: Place, octant: Place) -> Place:
-    """Place, one level below, of a cell's child."""
+    """Place of a cell's child, one level below."""
     x, y, z = (2 * number + part for number, part in zip(place, octant, strict=True))
     return x, y, z

@@ -1,6 +1,6 @@
-"""Guests of a leaf: the other leaves to which triangles belong that reach into it.
+"""Guests of a leaf: other leaves that own triangles reaching into it.
 
-A triangle is in the file of one leaf. Who draws a leaf as geometry draws its guests, too, or would miss parts of it.
+Each triangle is in the file of one leaf. A leaf drawn as geometry therefore needs its guests' files, too.
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ from nearfar.orthoview._layout import Layout
 from nearfar.orthoview._owned import owners
 
 Guests = dict[Place, list[Place]]
-"""Guests by the places of leaves; leaves without any may be left out."""
+"""Guests by leaf; leaves without guests may be missing."""
 
 _MOST = 1 << 26
-"""Greatest number of bytes that a text unpacks to."""
+"""Maximum number of bytes that a text may unpack to."""
 
 
 def guests(part: Scene, grid: Grid, place: Place) -> list[Place]:
-    """The guests of a leaf, from the query of its box."""
+    """Return the guests of a leaf from the query of its box."""
     if not part.triangle_count:
         return []
     found = np.unique(owners(part, grid), axis=0)
@@ -34,13 +34,13 @@ def guests(part: Scene, grid: Grid, place: Place) -> list[Place]:
 
 
 def described(known: Mapping[Place, Sequence[Place]]) -> str:
-    """Guests as text: base64 of zlib of rows of six int32, a leaf and one of its guests."""
+    """Encode guests as text: base64 of zlib of rows of six int32, a leaf and one of its guests."""
     rows = np.array([(*leaf, *guest) for leaf in sorted(known) for guest in known[leaf]], "<i4")
     return base64.b64encode(zlib.compress(rows.tobytes(), 9)).decode()
 
 
 def guests_of(text: str, layout: Layout, tier: int, place: Place) -> Guests:
-    """The guests that `described` returned for a subtree; UnusableError for what it cannot have returned."""
+    """Decode the text that `described` returned for a subtree; UnusableError if it is invalid."""
     stream = zlib.decompressobj()
     try:
         content = stream.decompress(base64.b64decode(text, validate=True), _MOST)

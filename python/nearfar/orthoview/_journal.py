@@ -1,4 +1,4 @@
-"""The journal of a subtree: a line for each cell that is done, so that work that was ended goes on after it."""
+"""Journal of a subtree: a line for each finished cell, so that an interrupted build resumes after it."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ Chunk = tuple[int, int]
 
 
 class Journal:
-    """Cells that are done, each with the places of its chunks by the names of their arrays."""
+    """Finished cells, each with the byte ranges of its chunks by array name."""
 
     def __init__(self, path: Path) -> None:
         self._path = path
         self.cells: dict[tuple[int, Place], dict[str, Chunk]] = {}
         self.guests: dict[Place, list[Place]] = {}
-        """Guests of the leaves that are done and have some."""
+        """Guests of finished leaves that have some."""
         if path.exists():
             self._read()
 
     def _read(self) -> None:
-        """Read the lines up to the first that is none, and drop the rest: what a writer that was ended left."""
+        """Read the lines up to the first invalid one, and truncate the file there: the writer was interrupted."""
         whole = 0
         for line in self._path.read_bytes().splitlines(keepends=True):
             try:
@@ -44,7 +44,7 @@ class Journal:
             self.guests[x, y, z] = guests
 
     def add(self, level: int, place: Place, chunks: dict[str, Chunk], guests: list[Place]) -> None:
-        """Note that a cell is done, and its guests; its chunks have been handed to the system before."""
+        """Record a finished cell and its guests; its chunks must have been written before."""
         self._path.parent.mkdir(parents=True, exist_ok=True)
         entry = {"level": level, "place": place, "chunks": chunks} | ({"guests": guests} if guests else {})
         line = json.dumps(entry, separators=(",", ":")).encode() + b"\n"
@@ -57,13 +57,13 @@ class Journal:
             self.guests[place] = guests
 
     def of_array(self, array: str) -> Iterator[tuple[Place, Chunk]]:
-        """Places of an array's cells that have a chunk, with it."""
+        """Places of cells that have a chunk in an array, with the chunk."""
         for (_, place), chunks in self.cells.items():
             if array in chunks:
                 yield place, chunks[array]
 
     def sizes(self) -> dict[tuple[int, Place, str], int]:
-        """Bytes that the chunks of each array reach to, with the level and the place of one of its cells."""
+        """Bytes that each array's shard must have, by level and place of one of its cells and by array."""
         reached: dict[str, tuple[int, Place, int]] = {}
         for (level, place), chunks in self.cells.items():
             for array, (start, length) in chunks.items():
@@ -72,7 +72,7 @@ class Journal:
         return {(level, place, array): size for array, (level, place, size) in reached.items()}
 
     def remove(self) -> None:
-        """Forget all cells."""
+        """Forget all cells and delete the file."""
         self.cells.clear()
         self.guests.clear()
         self._path.unlink(missing_ok=True)

@@ -1,8 +1,8 @@
-"""Contents of a tree, and their places in its store.
+"""Layout of a tree, and the places of its parts in the store.
 
 A store is a group of Zarr v3. Level L, direction D and channel C have the array ``L/D/C`` of X × Y × Z cells, one chunk
-of size × size pixels each. A shard holds those of a subtree, which one piece of work writes: of 2ᵐ leaves along each
-axis and their parents on m levels, then of as many of those on the next m levels, and so on.
+of size × size pixels each. A shard holds the chunks of a subtree, which one task writes: 2ᵐ leaves along each axis and
+their parents on m levels, then as many cells of the next m levels, and so on.
 """
 
 from __future__ import annotations
@@ -29,17 +29,17 @@ Key = tuple[int, Place, str]
 """Level, place and array of a chunk."""
 
 CONNECTION_BITS = 4
-"""Bits below a depth's: connected with the neighbour to the right, below, below to the right, below to the left."""
+"""Bits below a depth's: connected to the neighbour to the right, below, below right, below left."""
 
 COMPRESSION: dict[str, Any] = {"level": 3, "checksum": True}
-"""Settings of Zstandard. A chunk carries a checksum of its content, so that readers notice what was altered."""
+"""Zstandard settings. A chunk carries a checksum of its content, so that readers detect damage."""
 
 FOLDER = "nearfar"
-"""Folder of a store for what Zarr does not know."""
+"""Folder in a store for files that are not part of Zarr."""
 
 
 def check_zarr() -> None:
-    """Raise an ImportError that tells what to install, where zarr and what it brings are missing."""
+    """Raise an ImportError that says what to install if zarr or one of its dependencies is missing."""
     try:
         import google_crc32c
         import numcodecs
@@ -61,21 +61,21 @@ class Layout:
     """Width and height of a view, pixels."""
     depth_bits: int
     normal_bits: int
-    """Bits of both of a normal's numbers."""
+    """Bits of both components of a normal together."""
     subtree: int
     """Levels of a subtree."""
     color: str = "zstd"
-    """How colours are compressed: by zstd or webp."""
+    """Compression of colours: zstd or webp."""
     quality: int | None = None
-    """Of WebP, 0 to 100; None for lossless files."""
+    """WebP quality, 0 to 100; None for lossless files."""
     geometry: bool = False
-    """Whether the store has the geometry of leaves, too."""
+    """Whether the store also has the geometry of leaves."""
     layers: int = 1
-    """1, or 2: surfaces behind the first ones, too, where no view shows them."""
+    """1, or 2 to keep also surfaces behind the first ones that no view shows."""
 
     @property
     def format(self) -> tuple[int, int, int]:
-        """The format of views, as the core takes it."""
+        """Format of views, as the core takes it."""
         return self.size, self.depth_bits, self.normal_bits
 
     @property
@@ -85,12 +85,12 @@ class Layout:
 
     @property
     def lossless(self) -> Layout:
-        """The same layout with colours that are stored as they are."""
+        """The same layout with lossless colours."""
         return replace(self, color="zstd", quality=None)
 
     @property
     def tiers(self) -> int:
-        """Number of subtrees from the leaves to the root."""
+        """Number of tiers of subtrees from the leaves to the root."""
         return -(-self.grid.levels // self.subtree)
 
     @cached_property
@@ -104,11 +104,11 @@ class Layout:
         )
 
     def shard_side(self, level: int) -> int:
-        """Cells of a level's shards along each axis."""
+        """Cells of a shard of a level, along each axis."""
         return 1 << (self.subtree - level % self.subtree)
 
     def shard_of(self, level: int, place: Place) -> tuple[Place, Place]:
-        """The shard that holds a cell, and the cell's place in it."""
+        """Shard that holds a cell, and the cell's place in it."""
         side = self.shard_side(level)
         (x, y, z), (u, v, w) = ([divmod(number, side)[part] for number in place] for part in (0, 1))
         return (x, y, z), (u, v, w)
@@ -122,7 +122,7 @@ class Layout:
         return Path(array, "c", *map(str, shard), "0", "0", "0")
 
     def keys(self, level: int, place: Place, numbers: Iterable[int] | None = None) -> dict[tuple[int, str], Key]:
-        """Keys of a cell's chunks by the number of the direction, of all by default, and the channel."""
+        """Keys of a cell's chunks by direction number (default all) and channel."""
         wanted = range(len(self.directions)) if numbers is None else numbers
         pairs = [(number, channel) for number in wanted for channel in self.channels]
         return {pair: (level, place, self.array(level, *pair)) for pair in pairs}
@@ -134,16 +134,16 @@ class Layout:
         return np.dtype("u1")
 
     def values(self, channel: str) -> int:
-        """Number of a pixel's values."""
+        """Number of values of a pixel."""
         return {"color": 3, "depth": 1, "normal": self.normal_bits // 8}[channel.removeprefix(BEHIND)]
 
     @property
     def steps(self) -> int:
-        """Number of steps of a depth."""
+        """Number of steps of a depth range."""
         return _core.orthoview_steps(self.format)
 
     def create(self, path: Path, attributes: dict[str, Any]) -> None:
-        """Make the store's group and its arrays, without chunks."""
+        """Create the store's group and its arrays, without chunks."""
         import zarr
 
         group = zarr.create_group(str(path), attributes=attributes)
@@ -174,7 +174,7 @@ class Layout:
         return {"serializer": WebpCodec(self.quality, self.quality is None), "compressors": [Crc32cCodec()]}
 
     def described(self) -> dict[str, Any]:
-        """The layout as JSON."""
+        """Return the layout as JSON."""
         return {
             "origin": list(self.grid.origin),
             "cell": self.grid.cell,
@@ -194,7 +194,7 @@ class Layout:
 
     @classmethod
     def from_described(cls, described: dict[str, Any]) -> Layout:
-        """The layout that `described` returned; KeyError, TypeError or ValueError for what it cannot have returned."""
+        """Return the layout that `described` encoded; KeyError, TypeError or ValueError for anything else."""
         x, y, z = (check.number("origin", value) for value in described["origin"])
         columns, layers, rows = (check.integer("counts", value, 1, MOST_CELLS) for value in described["counts"])
         grid = Grid((x, y, z), check.positive("cell", described["cell"]), (columns, layers, rows))

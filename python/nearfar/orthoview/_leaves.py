@@ -1,4 +1,4 @@
-"""The leaves of a tree, drawn from a source: what a build knows of the world."""
+"""Renders the leaves of a tree from a source: the part of a build that reads the world."""
 
 from __future__ import annotations
 
@@ -19,32 +19,32 @@ from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._subtree import Outcome, Subtree
 
 MOST_FAILED = 1000
-"""Leaves that a source may fail to give before the build ends."""
+"""Number of leaves that a source may fail to return before the build stops."""
 
 LOCKS = "locks"
-"""Folder with a lock for each subtree of leaves that is under work."""
+"""Folder with a lock for each subtree of leaves in work."""
 
 Elsewhere = Callable[[Place], Outcome | None]
-"""Returns the outcome of a subtree of leaves that another process built; None for one that none did."""
+"""Returns the outcome of a subtree of leaves that another process built, else None."""
 
 
 class Leaves:
-    """Draws leaves and builds the subtrees that hold them, each of them when its parent asks for it.
+    """Renders leaves and builds the subtrees that hold them, when their parents need them.
 
     Parameters
     ----------
     source
         The world.
     folder
-        Of the store, or of a generation of it.
+        Folder of the store, or of one of its generations.
     layout
-        Of the tree.
+        Layout of the tree.
     elsewhere
-        Gives subtrees of leaves that are built by other processes.
+        Returns subtrees of leaves that other processes build.
     """
 
     unchanged = 0
-    """Noted of cells that are not computed."""
+    """Mask value for cells that are not computed: empty."""
 
     def __init__(
         self, source: SceneSource, folder: Path, layout: Layout, elsewhere: Elsewhere = lambda _place: None
@@ -67,12 +67,12 @@ class Leaves:
         return self._subtree(place)
 
     def _subtree(self, place: Place) -> Outcome:
-        """Build a subtree of leaves. A worker that was taken for lost may be at it still: wait for its end."""
+        """Build a subtree of leaves. Wait first for the lock: a worker assumed lost may still be building it."""
         with locks.hold(self.folder / FOLDER / LOCKS / _store.name_of(place), None):
             return Subtree(self.layout, self.folder, 0, place, self).run()
 
     def base(self, tier: int, place: Place) -> Outcome:
-        """A leaf of the first tier; the whole subtree below a cell of the others."""
+        """Outcome of a leaf in the first tier; in other tiers, of the whole subtree below a cell."""
         if not tier:
             self.pass_over(0, place)
             return self._leaf(place)
@@ -87,7 +87,7 @@ class Leaves:
     def _leaf(self, place: Place) -> Outcome:
         try:
             part = self.source.query(self.layout.grid.box(0, place))
-        except Exception as error:  # a source is anybody's code; the rest of the world goes on
+        except Exception as error:  # a source may raise anything; the other leaves are still built
             return self.failure(place, error)
         self.write_geometry(part, place)
         near = guests(part, self.layout.grid, place) if self.layout.geometry else []
@@ -95,12 +95,12 @@ class Leaves:
         return Outcome(views, guests=near, counts=Counter(empty=views is None, drawn=views is not None))
 
     def write_geometry(self, part: Scene, place: Place) -> None:
-        """Write the geometry of a leaf, if the store has any; before the journal tells that the leaf is done."""
+        """Write the geometry of a leaf, if the store has any; call it before the journal records the leaf."""
         if self.geometry is not None:
             self.geometry.write(part, place)
 
     def failure(self, place: Place, error: Exception) -> Outcome:
-        """The outcome of a leaf that the source does not give."""
+        """Outcome of a leaf that the source failed to return."""
         reason = check.one_line(f"{type(error).__name__}: {error}", 180)
         outcome = Outcome(is_complete=False, failed={_store.name_of(place): reason})
         self._count_failures(outcome)
@@ -113,11 +113,11 @@ class Leaves:
             raise _core.SceneError(f"source: it failed for {self._failures:,} leaves, the last one with {reason}")
 
     def known(self, level: int, place: Place) -> Outcome | None:
-        """An empty outcome for a cell in which nothing is."""
+        """Return an empty outcome for a cell that the source does not touch, else None."""
         return None if may_touch(self.source, self.layout.grid.box(level, place)) else Outcome()
 
     def before(self, _level: int, _place: Place) -> AbstractSet[tuple[int, str]]:
-        """Nothing: a build makes the first generation."""
+        """Views of the cell in older generations: none, since a build makes the first generation."""
         return frozenset()
 
     def pass_over(self, level: int, place: Place) -> None:
@@ -128,7 +128,7 @@ class Leaves:
 
 
 def drawn(scene: Scene, layout: Layout, place: Place) -> _core.OrthoViews | None:
-    """Draw the views of a leaf; None if it shows nothing."""
+    """Render the views of a leaf; None if it shows nothing."""
     if not scene.triangle_count:
         return None
     grid = layout.grid

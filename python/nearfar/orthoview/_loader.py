@@ -1,4 +1,4 @@
-"""Background threads that read what a flight wants, the most urgent first."""
+"""Background threads that read the parts a flight needs, the most urgent first."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ from nearfar._base.errors import FormatError
 from nearfar.orthoview._parts import Part, kind
 
 BATCH = 8
-"""Views that a thread reads at once."""
+"""Number of views that a thread reads at once."""
 
 FIRST_PAUSE, LONGEST_PAUSE = 0.5, 30.0
-"""Seconds until a part that could not be read is read again; each failure in a row doubles them, up to the latter."""
+"""Seconds until a failed read is retried; each failure in a row doubles the pause, up to the second value."""
 
 
 class Loader:
-    """Reads parts.
+    """Reads parts in background threads.
 
     Parameters
     ----------
     read
-        Reads parts, all of one kind, and keeps them.
+        Reads parts, all of one kind, and stores them.
     held
-        Whether a part is there.
+        Whether a part has been read.
     threads
         Number of threads.
     """
@@ -44,7 +44,7 @@ class Loader:
         self._count = threads
 
     def want(self, parts: Sequence[Part]) -> None:
-        """Read these parts, the first ones first, and none of those that were wanted before; nothing after the end."""
+        """Replace the queue by these parts, the first ones first; no effect once closed."""
         with self._changed:
             if self._is_closed:
                 return
@@ -56,12 +56,12 @@ class Loader:
 
     @property
     def waiting(self) -> int:
-        """Number of parts that are read or wait for it."""
+        """Number of parts that are being read or queued."""
         with self._changed:
             return len(self._queue) + len(self._busy)
 
     def wait(self, seconds: float | None) -> bool:
-        """Wait until all that is wanted was read; False if it was not within some seconds, or cannot be now."""
+        """Wait until the queue is empty; False after a timeout, or if the rest cannot be read now."""
         with self._changed:
             return self._changed.wait_for(self._is_done, seconds) and not self._queue
 
@@ -69,18 +69,18 @@ class Loader:
         return not self._busy and (not self._queue or self._is_reported or self._is_closed)
 
     def errors(self) -> list[Exception]:
-        """The errors since the last call: each damaged part once; of places that cannot be reached the first one."""
+        """Errors since the last call: one for each damaged part, and the first one of an outage."""
         with self._changed:
             found, self._errors = self._errors, []
             return found
 
     def forget(self) -> None:
-        """Try again what was damaged."""
+        """Allow damaged parts to be read again."""
         with self._changed:
             self._damaged.clear()
 
     def close(self) -> None:
-        """Stop the threads, and wait for what they read."""
+        """Stop the threads, and wait for reads in progress."""
         with self._changed:
             self._is_closed = True
             self._queue.clear()
@@ -99,7 +99,7 @@ class Loader:
             self._try(batch)
 
     def _next(self) -> list[Part]:
-        """The next parts to read; none when the flight is over."""
+        """Wait for the next parts to read; empty once the loader is closed."""
         with self._changed:
             while not self._is_closed and (not self._queue or time.monotonic() < self._until):
                 self._changed.wait(max(self._until - time.monotonic(), 0.0) if self._queue else None)
@@ -115,7 +115,7 @@ class Loader:
         try:
             self._read(batch)
         except FormatError as error:
-            if len(batch) > 1:  # the others may be sound
+            if len(batch) > 1:  # the other parts may be intact
                 for part in batch:
                     self._try([part])
                 return

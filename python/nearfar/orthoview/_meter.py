@@ -1,4 +1,4 @@
-"""A client's measurements of its link: bytes a second, and bytes of a view and of a leaf's geometry."""
+"""A client's measurements of its link: bytes a second, and mean sizes of views and of leaves' geometry."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from nearfar.orthoview._parts import GEOMETRY, Part, kind
 
 HALF_LIFE = 1.0
-"""Seconds of reading after which a measurement counts half."""
+"""Seconds of reading after which a measurement's weight is halved."""
 
 
 @dataclass(frozen=True)
 class Received:
-    """All that has come until a time."""
+    """Totals received until a time."""
 
     views: int = 0
     view_bytes: int = 0
@@ -22,7 +22,7 @@ class Received:
 
     @property
     def bytes(self) -> int:
-        """Bytes of all."""
+        """Bytes of views and leaves."""
         return self.view_bytes + self.leaf_bytes
 
 
@@ -34,7 +34,7 @@ class Meter:
         self._weight = self._bytes = 0.0
 
     def note(self, time: float, received: Received, *, busy: bool) -> None:
-        """Note what has come until a time, and whether something was awaited since the last note."""
+        """Record the totals at a time; `busy` says whether requests were outstanding since the last call."""
         seconds = time - self._time
         if busy and seconds > 0.0:
             fade = 0.5 ** (seconds / HALF_LIFE)
@@ -44,11 +44,11 @@ class Meter:
 
     @property
     def rate(self) -> float:
-        """Bytes a second; infinite while nothing was measured."""
+        """Bytes a second; infinite before the first measurement."""
         return self._bytes / self._weight if self._weight > 0.0 and self._bytes > 0.0 else math.inf
 
     def bytes_of(self, part: Part) -> float:
-        """Bytes that a part is expected to have: the mean of those that came."""
+        """Expected bytes of a part: the mean of those received."""
         own = self._received
         if kind(part) == GEOMETRY:
             return own.leaf_bytes / max(own.leaves, 1)

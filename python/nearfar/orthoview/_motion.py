@@ -1,4 +1,4 @@
-"""How a viewer moves, and where that leads."""
+"""Estimates a viewer's motion and extrapolates it."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ WINDOW = 0.25
 """Seconds over which speed is measured."""
 
 FARTHEST_TURN = math.pi / 2
-"""Greatest turn that is foreseen, radians."""
+"""Greatest extrapolated turn, radians."""
 
 
 class Motion:
-    """Speed and turn of a viewer, from where it was in the last moments."""
+    """Velocity and turn rate of a viewer, from its last cameras."""
 
     def __init__(self) -> None:
         self._seen: deque[tuple[float, Camera]] = deque()
 
     def add(self, camera: Camera, time: float) -> None:
-        """Note where the viewer is; times that do not rise begin anew."""
+        """Add the viewer's camera at a time; a time that is not later restarts the measurement."""
         if self._seen and time <= self._seen[-1][0]:
             self._seen.clear()
         self._seen.append((time, camera))
@@ -35,7 +35,7 @@ class Motion:
 
     @property
     def velocity(self) -> NDArray[np.float64]:
-        """Metres a second (3,)."""
+        """Velocity (3,), metres a second."""
         if len(self._seen) < 2:
             return np.zeros(3)
         (begin, first), (end, last) = self._seen[0], self._seen[-1]
@@ -44,7 +44,7 @@ class Motion:
 
     @property
     def turn(self) -> NDArray[np.float64]:
-        """Radians a second about a world axis (3,)."""
+        """Angular velocity about the world axes (3,), radians a second."""
         if len(self._seen) < 2:
             return np.zeros(3)
         (begin, first), (end, last) = self._seen[0], self._seen[-1]
@@ -56,7 +56,7 @@ class Motion:
         return axis * (angle / length / (end - begin)) if length > 0.0 else np.zeros(3)
 
     def after(self, seconds: float, offset: NDArray[np.float64]) -> Camera:
-        """The viewer after some seconds of the same turn, at an offset in metres from where it is."""
+        """Extrapolate the camera by some seconds of the present turn, and move it by an offset in metres."""
         camera = self._seen[-1][1]
         turn = self.turn * seconds
         angle = float(np.linalg.norm(turn))

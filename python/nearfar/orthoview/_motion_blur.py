@@ -21,32 +21,33 @@ def motion_blur(frame: Frame, before: Camera, *, shutter: SupportsFloat = 0.5, p
     """Average a picture over the poses that its camera had while the shutter was open.
 
     Each pixel is warped forward to where each pose shows its surface, and the nearest surface counts; then the linear
-    colours of the poses are averaged, at each pixel of those that show something there. Only the camera moves: what
-    moves by itself is blurred no more than the rest.
+    colours of the poses are averaged, at each pixel over the poses that show something there. Only the camera's motion
+    is considered: moving objects are blurred like static ones.
 
     Parameters
     ----------
     frame
         The picture, with colour and range, by a camera of any projection.
     before
-        Camera of the picture before, whose position and orientation count. Between both the eye moves straight and
+        Camera of the previous picture; its position and orientation are used. In between the eye moves straight and
         turns evenly.
     shutter
-        Time that the shutter is open until the moment of the picture, in times between two pictures, 0 to 1.
+        Time for which the shutter is open before the picture, in intervals between two pictures, 0 to 1.
     poses
         Number of poses, 1 to 64.
 
     Returns
     -------
     Frame
-        The picture with averaged colours; all other images stay. Colours stay, too, if the camera has not moved.
+        The picture with averaged colours; its other images are unchanged, and so are colours if the camera did not
+        move.
 
     Raises
     ------
     ValueError
-        For a frame without colour or range, and for numbers out of range.
+        A frame without colour or range, or numbers out of range.
     TypeError
-        For something that is no frame or no camera.
+        A value that is not a frame or not a camera.
     """
     picture, earlier = ranged("frame", frame), check.instance("before", before, Camera)
     share = check.within("shutter", shutter, 0.0, 1.0)
@@ -57,7 +58,7 @@ def motion_blur(frame: Frame, before: Camera, *, shutter: SupportsFloat = 0.5, p
 
 
 def pose_between(camera: Camera, other: Camera, share: float) -> Camera:
-    """A camera moved towards another pose by a share of the way: straight, and turned evenly (Shoemake 1985)."""
+    """Interpolate between the poses of two cameras: a straight line, and an even turn (Shoemake 1985)."""
     x, y, z = ((1 - share) * np.array(camera.position) + share * np.array(other.position)).tolist()
     one, two = np.array(camera.orientation), np.array(other.orientation)
     cosine = float(one @ two)

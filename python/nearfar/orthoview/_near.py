@@ -1,4 +1,4 @@
-"""Leaves near the viewer as geometry: one scene of those that are drawn."""
+"""Reads leaves near the viewer as geometry, and joins those that are drawn into one scene."""
 
 from __future__ import annotations
 
@@ -23,23 +23,23 @@ from nearfar.orthoview._grid import Grid, Place
 _TEXTURE = re.compile("[0-9a-f]+[.]webp")
 
 MOST_LEAVES = 256
-"""Leaves that are kept beside those that are needed."""
+"""Maximum number of cached leaves besides those that are needed."""
 
 MOST_TEXTURES = 256
-"""Textures that are kept as files, since leaves share them."""
+"""Maximum number of cached texture files, which leaves share."""
 
 
 class Near:
-    """Reads the geometry of leaves; threads may share it.
+    """Reads the geometry of leaves; thread-safe.
 
     Parameters
     ----------
     place
-        Of the store, for messages.
+        Folder or URL of the store, for messages.
     chunks
-        Of the store.
+        Chunks of the store.
     grid
-        The tree's cells.
+        Grid of the tree's cells.
     """
 
     def __init__(self, place: str, chunks: Chunks, grid: Grid) -> None:
@@ -50,36 +50,36 @@ class Near:
         self._images: OrderedDict[str, bytes] = OrderedDict()
         self._last: tuple[tuple[Place, ...], Scene | None] = ((), None)
         self._old: set[Place] = set()
-        """Leaves that an update has changed since they were read."""
+        """Cached leaves that an update has changed since they were read."""
         self._lock = threading.Lock()
         self.read_bytes = 0
-        """Bytes of files that were read."""
+        """Bytes read so far."""
         self.reads = 0
-        """Number of leaves that were read."""
+        """Number of leaves read so far."""
 
     def __contains__(self, place: Place) -> bool:
-        """Whether a leaf is kept as it is now."""
+        """Whether a leaf is cached in its newest version."""
         return place in self._leaves and place not in self._old
 
     def keeps(self, place: Place) -> bool:
-        """Whether a leaf is kept, be it one that an update has changed."""
+        """Whether a leaf is cached, in any version."""
         return place in self._leaves
 
     def take_over(self, older: Near, changed: Callable[[Place], bool]) -> None:
-        """Keep the leaves of an older generation; those that have changed until they are read."""
+        """Take the cached leaves of an older generation; changed ones serve until they are read again."""
         self._leaves.update(older._leaves)
         self._old = {place for place in self._leaves if place in older._old or changed(place)}
         self.read_bytes, self.reads = older.read_bytes, older.reads
 
     def scene(self, places: Sequence[Place]) -> Scene | None:
-        """The geometry of leaves in one scene, which are read where they are not kept; None where there is none."""
+        """Geometry of leaves as one scene; leaves that are not cached are read. None if all are empty."""
         self.load(places)
         scene = self.kept(places)
         self.trim(set(places))
         return scene
 
     def kept(self, places: Sequence[Place]) -> Scene | None:
-        """The geometry of leaves that are kept in one scene; None where there is none."""
+        """Geometry of cached leaves as one scene; None if all are empty."""
         wanted = tuple(sorted(places))
         leaves = [self._leaf(place) for place in wanted]
         if wanted != self._last[0]:
@@ -88,7 +88,7 @@ class Near:
         return self._last[1]
 
     def trim(self, needed: Collection[Place]) -> None:
-        """Drop the leaves that were used the longest ago, none of those that are needed, until few more are kept."""
+        """Evict the least recently used leaves, but none that are needed, down to `MOST_LEAVES` others."""
         with self._lock:
             surplus = max(len(self._leaves) - len(needed) - MOST_LEAVES, 0)
             for place in [place for place in self._leaves if place not in needed][:surplus]:
@@ -96,7 +96,7 @@ class Near:
                 self._old.discard(place)
 
     def load(self, places: Sequence[Place]) -> None:
-        """Read the leaves that are not kept."""
+        """Read the leaves that are not cached."""
         for place in places:
             if place not in self:
                 with formats.guarded(self._place, "orthoviews"):
@@ -146,7 +146,7 @@ class Near:
 
 
 class _Images:
-    """Trimesh's resolver of the textures that the leaves share."""
+    """Resolver of the textures that leaves share, for trimesh."""
 
     parent = FOLDER
 
@@ -154,7 +154,7 @@ class _Images:
         self._near = near
 
     def get(self, uri: str) -> bytes:
-        """Bytes of a file beside the leaves' folders."""
+        """Bytes of a texture file, by its URI relative to a leaf's GLB."""
         folder, _, name = uri.rpartition("/")
         if folder.rpartition("/")[2] != IMAGES or not _TEXTURE.fullmatch(name):
             raise UnusableError(f"expected a texture in {IMAGES}, got {uri!r}")

@@ -1,4 +1,4 @@
-"""The near and the far part of a tree about a centre, as `nearfar.reduce` takes them."""
+"""Near and far part of a tree around a centre, for `nearfar.reduce`."""
 
 from __future__ import annotations
 
@@ -28,23 +28,23 @@ from nearfar.orthoview._shown import settings_of
 FACES = 6
 
 CHANNELS = ("color", "range")
-"""Channels that a map of a tree may have."""
+"""Channels available for a map of a tree."""
 
 
 @dataclass(frozen=True)
 class _FarParts:
-    """The parts of a map."""
+    """Input for rendering a map."""
 
     cameras: list[Camera]
-    """Of its faces."""
+    """Cameras of its faces."""
     splats: list[list[_core.OrthoSplats]]
-    """That each face shows."""
+    """Splats that each face shows."""
     near: Scene | None
     """Leaves that are drawn as geometry."""
     radius: float
 
     def baked(self, grid: int) -> dict[str, NDArray[Any]] | None:
-        """Images of the geometry beyond the radius, with some samples along each axis of a texel."""
+        """Bake the geometry beyond the radius, `grid` samples along each axis of a texel; None without geometry."""
         if self.near is None:
             return None
         how: dict[str, Any] = {"samples": 1, "channels": CHANNELS, "half": False, "device": None}
@@ -54,29 +54,29 @@ class _FarParts:
 
 
 class NearFarTree(FlownTree, Divided):
-    """A tree that near–far reduction takes like a scene; `OrthoTree` tells what it raises."""
+    """A tree that near–far reduction takes like a scene; for errors see `OrthoTree`."""
 
     def near_scene(self, center: ArrayLike, radius: SupportsFloat) -> Scene | None:
-        """Read the geometry of all leaves that reach within a radius of a vertical axis, with what moves.
+        """Read the geometry of all leaves that reach within a radius of a vertical axis, and moving objects.
 
         Parameters
         ----------
         center
             World position (3,) of a point on the axis, metres.
         radius
-            Metres.
+            Radius, metres.
 
         Returns
         -------
         Scene or None
-            None where there is nothing.
+            None if there is nothing.
 
         Raises
         ------
         ValueError
-            Values out of range, a tree without geometry or one that is not complete.
+            Values out of range, a tree without geometry, or an incomplete tree.
         FormatError, OSError
-            Files that are damaged, or that cannot be read.
+            Damaged or unreadable files.
         """
         at, reach = np.array(check.vector("center", center)), check.positive("radius", radius)
         if not self._layout.geometry:
@@ -99,31 +99,31 @@ class NearFarTree(FlownTree, Divided):
         views: SupportsIndex = 3,
         error_px: SupportsFloat = 1.0,
     ) -> EnvMap:
-        """Draw an environment map of what lies beyond a radius of the vertical axis through a centre.
+        """Render an environment map of the world beyond a radius of the vertical axis through a centre.
 
-        Leaves near the centre are baked as geometry, what is farther is drawn from views. What moves is not in it.
+        Leaves near the centre are baked as geometry; farther cells are drawn from views. Moving objects are left out.
 
         Parameters
         ----------
         center
             World position O (3,), metres.
         radius
-            Metres.
+            Radius, metres.
         face_size
             Number of texels across each face, 1 to 16,384.
         samples
             Number of colour samples of a texel, on a grid: 1, 4, 9 … 64.
         channels
-            "color" always, "range" if named.
+            "color" is always included, "range" if named.
         views, error_px
             As in `cut`.
 
         Raises
         ------
         ValueError
-            Values out of range; a tree that is not complete.
+            Values out of range, or an incomplete tree.
         FormatError, OSError
-            Parts of the store that are damaged, or that cannot be read.
+            Damaged or unreadable parts of the store.
         """
         x, y, z = check.vector("center", center)
         reach = check.positive("radius", radius)
@@ -138,12 +138,12 @@ class NearFarTree(FlownTree, Divided):
         parts = _FarParts(cameras, splats, near, reach)
         if grid == 1 or "range" not in channels:
             images = self._faces(parts, ("color", *({"range"} & {*channels})), grid)
-        else:  # range is that of texels' middles
+        else:  # range is taken at the texels' centres
             images = self._faces(parts, ("color",), grid) | self._faces(parts, ("range",), 1)
         return EnvMap((x, y, z), images["color"], images.get("range"))
 
     def _faces(self, parts: _FarParts, channels: tuple[str, ...], grid: int) -> dict[str, NDArray[Any]]:
-        """Images (6, S, S, …) of all faces, with some samples along each axis of a texel."""
+        """Render images (6, S, S, …) of all faces, with `grid` samples along each axis of a texel."""
         origin = self.origin.tolist()
         before = parts.baked(grid)
         faces = [
@@ -174,7 +174,7 @@ class NearFarTree(FlownTree, Divided):
         return found
 
     def _know(self, leaves: list[Place]) -> None:
-        """Read the records that tell of leaves' guests, where no cut has done so."""
+        """Read the records of the leaves' subtrees, which list guests, unless a cut has read them."""
         cutter, side = self._viewer.cutter, self._layout.shard_side(0)
         for x, y, z in dict.fromkeys((x // side, y // side, z // side) for x, y, z in leaves):
             if not cutter.knows(0, (x, y, z)):

@@ -1,4 +1,4 @@
-"""Subtrees of leaves, built by the workers of a cluster; whoever asked composes what is above them."""
+"""Lets the workers of a cluster build subtrees of leaves; the calling process composes the levels above."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from nearfar.orthoview._leaves import Elsewhere, Leaves
 from nearfar.orthoview._subtree import Outcome, record_of
 
 AHEAD = 8
-"""Subtrees for each thread of a cluster that may be done before their parents take them."""
+"""Number of subtrees per cluster thread that may be finished before their parents use them."""
 
 
 @dataclass(frozen=True)
@@ -28,17 +28,17 @@ class _Job:
     """The task of a worker."""
 
     folder: Path
-    """The store, which all of them see at this path."""
+    """Folder of the store, at the same path for all workers."""
     layout: Layout
     source: Path
     """The pickled source."""
     changed: int
-    """When it was written, nanoseconds: a worker keeps the source that it read last."""
+    """Time when it was written, nanoseconds: a worker caches the source that it read last."""
 
 
 @dataclass(frozen=True)
 class _Sent:
-    """The outcome of a subtree on its way; its views are those of the cell on top, sent once."""
+    """Outcome of a subtree as sent to the caller; it has the views of the subtree's top cell only."""
 
     place: Place
     chunks: _codec.Encoded
@@ -49,12 +49,12 @@ class _Sent:
 
 @contextmanager
 def subtrees(source: SceneSource, folder: Path, layout: Layout, client: Any) -> Iterator[Elsewhere]:
-    """Let a cluster build the subtrees of leaves that are not complete.
+    """Let a cluster build the incomplete subtrees of leaves.
 
     Yields
     ------
     Elsewhere
-        Gives their outcomes, which must be asked for depth first.
+        Returns their outcomes, which must be requested depth first.
     """
     pickled = (folder / FOLDER / "source.pickle").absolute()
     try:
@@ -68,19 +68,19 @@ def subtrees(source: SceneSource, folder: Path, layout: Layout, client: Any) -> 
 
 
 def _keep(source: SceneSource, path: Path) -> None:
-    """Write the source for the workers: within each task it would pass through the scheduler."""
+    """Write the source to a file for the workers: as part of each task it would pass through the scheduler."""
     with files.atomic_file(path) as temporary, temporary.open("wb") as file:
         try:
             pickle.dump(source, file, protocol=5)
         except OSError:
             raise
-        except Exception as error:  # whatever the parts of somebody's class raise
+        except Exception as error:  # pickling user classes may raise anything
             reason = check.one_line(str(error), 180)
             raise TypeError(f"source: expected one that can be pickled, for other processes: {reason}") from None
 
 
 def _places(source: SceneSource, folder: Path, layout: Layout, tier: int, place: Place) -> Iterator[Place]:
-    """Subtrees of leaves that are not complete, in the order in which their parents ask for them."""
+    """Incomplete subtrees of leaves, in the order in which their parents request them."""
     if record_of(folder, tier, place).exists():
         return
     if not tier:
@@ -99,21 +99,21 @@ def _places(source: SceneSource, folder: Path, layout: Layout, tier: int, place:
 
     top = lowest + layout.subtree
     root = layout.grid.levels - 1
-    if root == lowest:  # the root is the one cell of its tier
+    if root == lowest:  # the root is the only cell of its tier
         yield from _places(source, folder, layout, tier - 1, (0, 0, 0))
     else:
         yield from below(min(top, root), place)
 
 
 class _InTurn:
-    """Takes outcomes as they are asked for."""
+    """Returns the cluster's outcomes in order."""
 
     def __init__(self, results: Iterator[_Sent], layout: Layout) -> None:
         self._results, self._layout = results, layout
         self._next: _Sent | None = None
 
     def __call__(self, place: Place) -> Outcome | None:
-        """The outcome of a subtree; None for one that was complete before."""
+        """Outcome of a subtree; None if it was complete before."""
         self._next = self._next or next(self._results, None)
         if self._next is None or self._next.place != place:
             return None

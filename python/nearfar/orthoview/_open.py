@@ -1,4 +1,4 @@
-"""A store that is open for viewing: what draws its pictures, and what a newer generation keeps of it."""
+"""A store opened for viewing; a newer generation takes over its unchanged views and leaves."""
 
 from __future__ import annotations
 
@@ -47,16 +47,16 @@ class Opened:
 
     @property
     def grid(self) -> Grid:
-        """The tree's cells."""
+        """Grid of the tree's cells."""
         return self.layout.grid
 
     @property
     def units(self) -> NDArray[np.float64]:
-        """The tree's directions as unit vectors (D, 3)."""
+        """Unit vectors (D, 3) of the tree's directions."""
         return np.array([_core.orthoview_axes(direction)[0][2] for direction in self.layout.directions])
 
     def sizes(self, parts: Sequence[Part]) -> list[int]:
-        """Bytes of views, and of the geometry of leaves without their textures."""
+        """Bytes of views, and of leaves' geometry without textures."""
         layers = ("", BEHIND)[: self.layout.layers]
         keys = [
             (level, place, self.layout.array(level, direction, layer + channel))
@@ -76,7 +76,7 @@ class Opened:
         return sum(len(self.chunks.geometry(name) or b"") for name in names(self.grid, place))
 
     def newer(self) -> Opened | None:
-        """The newest generation, with the views and leaves of this one that it did not change; None if this is it."""
+        """Open the newest generation, with the unchanged views and leaves of this one; None if this is the newest."""
         attributes = _store.read(self.files)
         with formats.guarded(f"{self.files.place}/{_store.DOCUMENT}"):
             newest = int(attributes["generation"])
@@ -93,7 +93,7 @@ class Opened:
 
 
 def _changed_views(layout: Layout, overlays: list[Generation]) -> Callable[[ViewKey], bool]:
-    """Whether generations may have another view: they have a shard with its place."""
+    """Return whether generations may have changed a view: one of them has a shard with its place."""
 
     def changed(key: ViewKey) -> bool:
         level, place, direction = key
@@ -105,7 +105,7 @@ def _changed_views(layout: Layout, overlays: list[Generation]) -> Callable[[View
 
 
 def _changed_leaves(grid: Grid, overlays: list[Generation]) -> Callable[[Place], bool]:
-    """Whether generations have another file of a leaf."""
+    """Return whether one of the generations has another file of a leaf."""
 
     def changed(place: Place) -> bool:
         return any(

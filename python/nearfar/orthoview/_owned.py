@@ -1,13 +1,12 @@
-"""Which triangles belong to a leaf: each triangle of a world belongs to one leaf of those that it touches.
+"""Assigns each triangle of a world to one of the leaves that it touches.
 
-Queries return whole triangles that touch a box, so that neighbours get the same ones. A triangle belongs to the leaf
-that holds its first corner inside of the tree's box; cells are half-open, and the last ones have their far sides as
-well. Corners are compared with the same numbers by which a query compares them, so no rounding hides a triangle from
-its leaf.
+Queries return whole triangles that touch a box, so that neighbouring leaves get the same ones. A triangle belongs to
+the leaf that holds its first corner inside the tree's box; cells are half-open, except that the last ones include their
+far sides. Corners are compared with the same numbers as in a query, so no rounding hides a triangle from its leaf.
 
-A tree of a part of a world has triangles without any corner inside. Such a triangle belongs to the leaf that holds the
-mean corner of what is left of it inside of the tree's box. That point is off the triangle by some float64 roundings,
-which is less than what queries allow for.
+If a tree covers part of a world, triangles may have no corner inside it. Such a triangle is clipped to the tree's box
+and belongs to the leaf that holds the mean of the clipped polygon's corners. That point is off the triangle by some
+float64 roundings, which is less than the tolerance of queries.
 """
 
 from __future__ import annotations
@@ -32,11 +31,11 @@ def owned(part: Scene, grid: Grid, place: Place) -> NDArray[np.bool_]:
 
 
 def owners(part: Scene, grid: Grid) -> NDArray[np.int64]:
-    """The leaf (T, 3) to which each triangle of a query belongs; −1 for those of which nothing is in the tree's box."""
+    """Leaf (T, 3) that each triangle of a query belongs to; −1 for triangles outside the tree's box."""
     anchors = _anchors(part.triangles(), *_sides(grid, (0, 0, 0), grid.counts, part))
     places = np.empty(anchors.shape, np.int64)
     for axis, count in enumerate(grid.counts):
-        # The sides of all leaves, rounded as `owned` has them.
+        # Sides of all leaves, rounded as in `owned`.
         sides = grid.origin[axis] + np.arange(count + 1) * grid.cell - part.origin[axis]
         number = np.searchsorted(sides, anchors[:, axis], side="right") - 1
         places[:, axis] = np.where(anchors[:, axis] == sides[-1], count - 1, number)
@@ -45,12 +44,12 @@ def owners(part: Scene, grid: Grid) -> NDArray[np.int64]:
 
 
 def _sides(grid: Grid, first: Place, end: Place, part: Scene) -> tuple[Floats, Floats]:
-    """Least and greatest corner of the leaves from `first` to before `end`, relative to the scene's origin."""
+    """Least and greatest corner of the leaves [`first`, `end`), relative to the scene's origin."""
     return grid.corner(0, first) - part.origin, grid.corner(0, end) - part.origin
 
 
 def _anchors(corners: NDArray[np.float32], low: Floats, high: Floats) -> Floats:
-    """The point (T, 3) of each triangle that decides; NaN where nothing of a triangle is in the tree's box."""
+    """Point (T, 3) that decides a triangle's leaf; NaN for triangles outside the tree's box."""
     inside = np.asarray(((corners >= low) & (corners <= high)).all(axis=2))
     rows = np.arange(len(corners))
     anchors: Floats = corners[rows, inside.argmax(axis=1)].astype(np.float64)
@@ -60,7 +59,7 @@ def _anchors(corners: NDArray[np.float32], low: Floats, high: Floats) -> Floats:
 
 
 def _middle(triangle: Floats, low: Floats, high: Floats) -> Floats:
-    """The mean corner (3,) of a triangle (3, 3) cut to a box; NaN where nothing is left.
+    """Mean corner (3,) of a triangle (3, 3) clipped to a box; NaN if nothing is left.
 
     Sutherland and Hodgman, Reentrant polygon clipping, 1974: one side of the box after the other.
     """
@@ -79,7 +78,7 @@ def _middle(triangle: Floats, low: Floats, high: Floats) -> Floats:
             polygon = cut
     if not polygon:
         return np.full(3, np.nan)
-    # Rounding may take the mean beyond the triangle's own box, with which queries begin.
+    # Rounding may put the mean beyond the triangle's own box, which queries test first.
     least, greatest = np.maximum(low, triangle.min(axis=0)), np.minimum(high, triangle.max(axis=0))
     middle: Floats = np.clip(np.mean(polygon, axis=0), least, greatest)
     return middle

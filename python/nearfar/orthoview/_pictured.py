@@ -1,4 +1,4 @@
-"""Orthoviews with objects that move, as something that is rendered on the processor and on graphics adapters."""
+"""Renderable base of trees and flights, with moving objects, for the CPU and for graphics adapters."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ from nearfar._scene.scene import Scene
 
 
 class Pictured(Renderable):
-    """The source of a tree's pictures."""
+    """Base class of renderables that draw orthoviews."""
 
     _movers: Scene | None
-    """Objects that move."""
+    """Moving objects."""
 
     @property
     def default_channels(self) -> tuple[str, ...]:
@@ -35,12 +35,12 @@ class Pictured(Renderable):
 
     @property
     def object_names(self) -> tuple[str, ...]:
-        """Names of all objects that move, by number."""
+        """Names of all moving objects, by number."""
         return () if self._movers is None else self._movers.object_names
 
     @property
     def poses(self) -> dict[str, NDArray[np.float64]]:
-        """Present poses (4, 4), object→world, of the objects that move, as `at` takes them."""
+        """Present poses (4, 4), object→world, of the moving objects, as `at` takes them."""
         return {} if self._movers is None else self._movers.poses
 
     def trace(self, shot: Shot, report: Report = None) -> Sequence[Images]:
@@ -56,12 +56,12 @@ class Pictured(Renderable):
 
     @abstractmethod
     def _pictures(self, shot: Shot, device: _core.GpuDevice | None, report: Report) -> list[Images]:
-        """The pictures of a shot, drawn by a device or, without one, by the processor."""
+        """Draw the pictures of a shot on a device, or without one on the CPU."""
 
 
 @dataclass(frozen=True)
 class Drawn:
-    """A picture that is ready."""
+    """A finished picture."""
 
     images: dict[str, Any]
 

@@ -1,4 +1,4 @@
-"""A client's wishes at each moment: the cut of its picture, what comes next, and how coarse both may be."""
+"""Plans what a client reads: the cut of its picture, parts to prefetch, and how coarse both may be."""
 
 from __future__ import annotations
 
@@ -19,56 +19,56 @@ from nearfar.orthoview._prefetch import Outlook, PrefetchQueue, offsets, queue, 
 from nearfar.orthoview._standins import Wanted
 
 RENEWED_TURN = math.radians(5.0)
-"""Turn after which the queue is renewed; it also is when the viewer has become twice or half as fast."""
+"""Turn after which the queue is renewed; it is also renewed when the speed has doubled or halved."""
 
 LONGEST = 1.0
-"""Greatest number of seconds for which a turn is foreseen."""
+"""Maximum number of seconds for which a turn is extrapolated."""
 
 HORIZON = 1.0
-"""Seconds of its way that a viewer looks ahead, at most the side of the smallest cell."""
+"""Seconds of its course that a viewer looks ahead, at most the side of the smallest cell."""
 
 STEPS = 10
-"""Number of steps by which a picture becomes coarser when the viewer is too fast; each step is a factor of √2."""
+"""Number of steps, each a factor of √2, by which a picture becomes coarser when the viewer is too fast."""
 
 SLACK = 1.5
-"""Factor by which the limit of the speed must exceed the speed before the picture becomes finer again."""
+"""Factor by which the speed limit must exceed the speed before the picture becomes finer again (hysteresis)."""
 
 SHARE = 0.8
-"""Share of the link's rate that a viewer's course may ask for."""
+"""Share of the link's rate that the parts on a viewer's course may take."""
 
 LEAST_SPEED, SLOW = 1e-3, 1.0
-"""Metres a second below which a viewer rests, and below which a change of its speed does not count."""
+"""Metres a second below which a viewer counts as resting, and below which changes of speed are ignored."""
 
 
 @dataclass(frozen=True)
 class Ahead:
-    """How a client looks ahead."""
+    """Prefetch settings of a client."""
 
     prefetch: bool = True
-    """Whether it reads what comes next, besides what the picture shows."""
+    """Whether the client reads what it needs next, besides what the picture shows."""
     margin: float | None = math.radians(5.0)
-    """Radians around the picture within which it does; None for all around."""
+    """Margin around the picture for prefetching, radians; None for all directions."""
     adapt: bool = True
     """Whether pictures become coarser when the viewer moves faster than the link allows."""
 
 
 @dataclass(frozen=True)
 class Plan:
-    """A client's wishes."""
+    """Parts that a client needs."""
 
     wanted: Wanted
-    """Cells of the picture's cut, and the parts that each of them is to be drawn from."""
+    """Cells of the picture's cut, and the parts that each is to be drawn from."""
     order: list[Part]
-    """Parts to be read, the most urgent first; some that are there may be among them."""
+    """Parts to read, the most urgent first; it may include parts already read."""
     error_px: float
-    """Greatest width of a view's pixels, in pixels of the picture, of the picture's cut."""
+    """Greatest width of a view's pixels, in pixels of the picture, in the picture's cut."""
     beside: list[Wanted] = field(default_factory=list)
-    """Cells and parts of the pictures that are drawn beside it."""
+    """Cells and parts of further pictures drawn at the same time."""
 
 
 @dataclass(frozen=True)
 class _Renewed:
-    """A queue, and where it was made."""
+    """A queue, and the state for which it was made."""
 
     queue: PrefetchQueue
     camera: Camera
@@ -77,49 +77,49 @@ class _Renewed:
 
 
 class Pilot:
-    """Plans for a viewer.
+    """Plans reads for a viewer.
 
     Parameters
     ----------
     cutter
         Cuts the tree.
     settings
-        How it is viewed.
+        Settings for viewing the tree.
     ahead
-        How the client looks ahead.
+        Prefetch settings.
     """
 
     def __init__(self, cutter: Cutter, settings: Settings, ahead: Ahead) -> None:
         self._cutter, self._settings, self._ahead = cutter, settings, ahead
         self._motion = Motion()
         self.camera: Camera | None = None
-        """Where the viewer is."""
+        """Camera of the viewer."""
         self._beside: Sequence[Camera] = ()
         self._error = settings.error_px
         self._wished = settings.error_px
         self._renewed: _Renewed | None = None
         self._base: list[Part] = []
         self.meter = Meter()
-        """Of the link."""
+        """Measures the link."""
         self.limit = math.inf
-        """Metres a second that the link allows at the wanted error; it grows with the distance from what is small."""
+        """Speed that the link allows at the wanted error, metres a second; higher far from small cells."""
 
     @property
     def settings(self) -> Settings:
-        """How the tree is viewed now."""
+        """Settings with the error now in force."""
         return replace(self._settings, error_px=self._error)
 
     def take(self, cutter: Cutter) -> None:
-        """Go on with a newer generation of the tree."""
+        """Switch to a newer generation of the tree."""
         self._cutter, self._renewed = cutter, None
 
     def look(self, camera: Camera, time: float, beside: Sequence[Camera] = ()) -> None:
-        """Note where the viewer is at a time in seconds, and the cameras of pictures beside its own."""
+        """Set the viewer's camera at a time in seconds, and the cameras of further pictures."""
         self._motion.add(camera, time)
         self.camera, self._beside = camera, beside
 
     def plan(self, held: Callable[[Part], bool]) -> Plan:
-        """The wishes where the viewer is; `held` tells what is there."""
+        """Plan for the viewer's camera; `held` says which parts have been read."""
         camera = self.camera
         if camera is None:
             raise RuntimeError("expected a look before a plan")
@@ -132,7 +132,7 @@ class Pilot:
         wanted = self.wanted(cut)
         if not self._base:
             self._base = self._top(camera)
-        # A finer picture can wait until nothing else does.
+        # A finer picture is read last.
         then = [*soon, *coming] if self._wished < self._error else [*coming, *soon]
         others = [self._cutter.cut(other, self.settings) for other in self._beside]
         beside = [self.wanted(other) for other in others]
@@ -142,16 +142,17 @@ class Pilot:
         return Plan(wanted, list(dict.fromkeys(order)), self._error, beside)
 
     def wanted(self, cut: OrthoCut) -> Wanted:
-        """The cells of a picture's cut with the parts of each: leaves as geometry, then cells as views, by distance."""
+        """Cells of a picture's cut with the parts of each: leaves as geometry, then cells as views, by distance."""
         found: Wanted = {(0, leaf): leaf_parts([leaf], self._cutter) for leaf in cut.leaf_places(in_picture=True)}
         for level, place, direction in cut.keys(in_picture=True):
             found.setdefault((level, place), []).append((level, place, direction))
         return found
 
     def _cut(self, camera: Camera, held: Callable[[Part], bool]) -> tuple[OrthoCut, list[Part]]:
-        """The picture's cut at the error in force, and the parts of that at the wished one.
+        """Return the cut at the error in force, and the parts of the cut at the wished error.
 
-        A coarser cut comes into force when it is there, or when the finer one is not; a finer one when it is there.
+        The wished error comes into force once all its parts are read; a coarser one also if parts of the finer cut are
+        missing.
         """
         now = self._cutter.cut(camera, self.settings)
         if self._wished == self._error:
@@ -165,12 +166,12 @@ class Pilot:
         return now, coming
 
     def _top(self, camera: Camera) -> list[Part]:
-        """The coarsest views, parts of which stand for all else until it comes."""
+        """Coarsest views, parts of which stand in for all cells not yet read."""
         coarsest = replace(self._settings, error_px=1e30, geometry=False)
         return self._cutter.cut(camera, coarsest, around=True).keys()
 
     def _renew(self, camera: Camera) -> PrefetchQueue:
-        """The queue, made anew where the viewer has moved or turned, or what was unknown may be known."""
+        """Return the queue; make a new one if the viewer has moved or turned, or if records were unknown."""
         old = self._renewed
         speed = float(np.linalg.norm(self._motion.velocity))
         if speed <= LEAST_SPEED:
@@ -203,7 +204,7 @@ class Pilot:
         return bool(is_as_fast and moved <= old.queue.renewed_after and math.acos(cosine) <= RENEWED_TURN)
 
     def _adapt(self, speed: float, way: tuple[Camera, Camera], metres: float, outlook: Outlook) -> None:
-        """Wish for the least error at which the link brings what the viewer's course asks for."""
+        """Set the wished error: the least one at which the link keeps up with the viewer's course."""
         own = self._settings.error_px
         for step in range(STEPS + 1):
             error = own * 2.0 ** (step / 2.0)
@@ -215,7 +216,7 @@ class Pilot:
         self._wished = error
 
     def _limit(self, way: tuple[Camera, Camera], metres: float, outlook: Outlook, settings: Settings) -> float:
-        """Speed at which the parts that come into sight on a way are read as fast as they are needed."""
+        """Speed at which the parts that come into sight on a way arrive as fast as they are needed."""
         cutter = self._cutter
         here, there = (seen_parts(cutter, cutter.cut(camera, settings, around=True), camera, outlook) for camera in way)
         count = sum(self.meter.bytes_of(part) for part in there.keys() - here.keys())

@@ -1,4 +1,4 @@
-"""Prefetching: what a viewer needs soon, from cuts at positions ahead."""
+"""Prefetching: the parts that a viewer needs soon, from cuts at positions ahead."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from nearfar.orthoview._grid import Grid, Place
 from nearfar.orthoview._parts import Part, leaf_parts, records_of
 
 RENEWED_AFTER = 0.1
-"""Metres that a viewer moves before the queue is renewed, in metres of look-ahead."""
+"""Share of the look-ahead distance that a viewer moves before the queue is renewed."""
 
 _AXES = np.array([[-1, 0, 0], [1, 0, 0], [0, -1, 0], [0, 1, 0], [0, 0, -1], [0, 0, 1]], np.float64)
 """Directions of the positions ahead of a viewer at rest."""
@@ -27,45 +27,44 @@ SIDEWAYS = math.tan(math.radians(15.0))
 
 @dataclass(frozen=True, eq=False)
 class PrefetchQueue:
-    """The parts that a viewer needs now and soon, in the order in which they are best read."""
+    """Parts that a viewer needs now and soon, in the best order for reading."""
 
     needed: list[Part]
-    """Level, place and direction of each view of the cut at the position, the nearest first; of the geometry of a leaf
-    with the direction −1."""
+    """Views of the cut at the position, as (level, place, direction), nearest first; of leaves' geometry with −1."""
     soon: list[Part]
-    """Those that the cuts at the positions ahead have beside them: of each position in turn, by distance and level."""
+    """Further parts of the cuts at the positions ahead, position by position, by distance and level."""
     positions: NDArray[np.float64]
     """World positions ahead (N, 3), metres."""
     ahead: float
     """Distance of the positions ahead, metres: the side of the smallest cell of the cut."""
     unknown: list[Part] = field(default_factory=list, repr=False)
-    """Records that were not read, in whose subtrees nothing is queued. Queues of trees have none."""
+    """Records of subtrees not read yet, whose cells are not queued. Empty in queues of trees."""
 
     @property
     def renewed_after(self) -> float:
-        """Metres that the viewer moves before the queue is to be asked for anew: a tenth of the look-ahead."""
+        """Metres that the viewer may move before the queue should be renewed: a tenth of the look-ahead."""
         return RENEWED_AFTER * self.ahead
 
     def __len__(self) -> int:
-        """Number of parts, those that are needed now and those of later."""
+        """Number of parts, needed now and soon."""
         return len(self.needed) + len(self.soon)
 
 
 class Outlook:
-    """Which cells come into the pictures of cameras, or may when these turn by a margin.
+    """Frustum test: cells that lie in the pictures of cameras, or may when these turn by a margin.
 
     Parameters
     ----------
     cameras
-        Of now and of moments ahead.
+        Cameras now and at moments ahead.
     margin
-        Radians around their pictures; None for all around.
+        Margin around their pictures, radians; None for all directions.
     """
 
     def __init__(self, cameras: Iterable[Camera], margin: float | None) -> None:
         self._planes: list[NDArray[np.float64]] = []
-        """Inward normals (4, 3) of the sides of each picture, fewer where it ends beyond a right angle; none if all
-        cells count."""
+        """Inward normals (4, 3) of each frustum's sides, fewer if a side is beyond a right angle; empty if all cells
+        count."""
         for camera in cameras:
             if margin is None or not isinstance(camera.fov, Fov):
                 self._planes = []
@@ -75,19 +74,19 @@ class Outlook:
     def sees(
         self, eye: NDArray[np.float64], corners: NDArray[np.float64], sides: NDArray[np.float64]
     ) -> NDArray[np.bool_]:
-        """Whether cells (N,), given by their least corners (N, 3) and sides (N,), reach into one of the pictures."""
+        """Whether cells, given by least corners (N, 3) and sides (N,), reach into one of the pictures (N,)."""
         if not self._planes:
             return np.ones(len(corners), bool)
         half = sides[:, None] / 2.0
         to = corners + half - eye
-        # The corner that lies farthest inwards decides.
+        # The corner farthest along the plane's normal decides.
         inside = [(to @ planes.T + half * np.abs(planes).sum(axis=1) >= 0.0).all(axis=1) for planes in self._planes]
         seen: NDArray[np.bool_] = np.any(inside, axis=0)
         return seen
 
 
 def _sides(camera: Camera, fov: Fov, margin: float) -> NDArray[np.float64]:
-    """Inward normals of the sides of a picture that is wider by a margin in radians."""
+    """Inward normals of a frustum's sides, widened by a margin in radians."""
     right, up, back = rotation(camera.orientation).T
     found = []
     for across, ends in ((right, (fov.left, fov.right)), (up, (fov.down, fov.up))):
@@ -99,14 +98,14 @@ def _sides(camera: Camera, fov: Fov, margin: float) -> NDArray[np.float64]:
 
 
 def smallest(cut: OrthoCut, grid: Grid) -> float:
-    """Side of the smallest cell of a cut, metres; of the whole world for one without any."""
+    """Side of the smallest cell of a cut, metres; of the whole world for an empty cut."""
     if len(cut.leaves):
         return grid.cell
     return grid.side(int(cut.level.min()) if len(cut) else grid.levels - 1)
 
 
 def offsets(ahead: float, course: NDArray[np.float64] | None) -> NDArray[np.float64]:
-    """Where to look ahead, relative to the viewer (N, 3), metres: along its course and beside it, or to all sides."""
+    """Offsets (N, 3) of positions ahead from the viewer, metres: along and beside its course, or along all axes."""
     if course is None:
         return ahead * _AXES
     across = np.cross(course, _AXES[np.abs(course).argmin() * 2])
@@ -123,7 +122,7 @@ def queue(
     ahead: Sequence[Camera],
     outlook: Outlook,
 ) -> PrefetchQueue:
-    """The parts of the cut at a position and at positions ahead, of cells that an outlook sees."""
+    """Collect the parts of the cuts at a position and at positions ahead, for cells that an outlook sees."""
     here_cut = cutter.cut(here, settings, around=True)
     needed = seen_parts(cutter, here_cut, here, outlook)
     unknown = dict.fromkeys(records_of(here_cut))

@@ -1,4 +1,4 @@
-"""Which cells of a subtree show something, from which directions: its record tells, so that readers need not look."""
+"""Presence masks: which cells of a subtree show something, from which directions, without reading the shards."""
 
 from __future__ import annotations
 
@@ -14,23 +14,23 @@ from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import Layout
 
 AS_BEFORE = 1 << 31
-"""Stands for a cell that is as in the generations before."""
+"""Mask of a cell that is unchanged from older generations."""
 
 Masks = list[NDArray[np.uint32]]
-"""For each level of a subtree, the lowest one first, (X, Y, Z): bit D says whether direction D shows something."""
+"""Masks (X, Y, Z) for each level of a subtree, lowest first: bit D is set if direction D shows something."""
 
 
 class Presence:
-    """Takes note of the chunks of a subtree's cells.
+    """Collects the masks of a subtree from its chunks.
 
     Parameters
     ----------
     layout
-        Of the tree.
+        Layout of the tree.
     tier
-        Of the subtree.
+        Tier of the subtree.
     value
-        Of cells of which nothing is noted: 0 where they show nothing, or `AS_BEFORE`.
+        Initial mask of all cells: 0 for empty, or `AS_BEFORE`.
     """
 
     def __init__(self, layout: Layout, tier: int, value: int = 0) -> None:
@@ -38,14 +38,14 @@ class Presence:
         self._masks = [np.full(shape, value, np.uint32) for shape in shapes(layout, tier)]
 
     def computed(self, level: int, place: Place) -> None:
-        """Note that a cell is none of those that are as before."""
+        """Record that a cell has been computed, so that its mask no longer is `AS_BEFORE`."""
         _, within = self._layout.shard_of(level, place)
         mask = self._masks[level - self._lowest]
         if mask[within] == AS_BEFORE:
             mask[within] = 0
 
     def add(self, level: int, place: Place, array: str, length: int) -> None:
-        """Note a chunk of a computed cell, of length 0 if it is not there."""
+        """Record a chunk of a computed cell; length 0 means that it is missing."""
         _, within = self._layout.shard_of(level, place)
         mask = self._masks[level - self._lowest]
         _, name, channel = array.split("/")
@@ -53,19 +53,19 @@ class Presence:
             mask[within] |= np.uint32(1 << self._layout.names.index(name))
 
     def described(self) -> list[str]:
-        """The masks as JSON."""
+        """Encode the masks as JSON."""
         return [base64.b64encode(zlib.compress(mask.astype("<u4").tobytes(), 9)).decode() for mask in self._masks]
 
 
 def shapes(layout: Layout, tier: int) -> list[tuple[int, int, int]]:
-    """Numbers of cells of a subtree's levels, the lowest one first."""
+    """Numbers of cells of a subtree's levels along each axis, lowest level first."""
     lowest = tier * layout.subtree
     levels = range(lowest, min(lowest + layout.subtree, layout.grid.levels))
     return [(side, side, side) for side in map(layout.shard_side, levels)]
 
 
 def masks_of(described: Sequence[str], layout: Layout, tier: int) -> Masks:
-    """The masks that `Presence.described` returned; UnusableError for what it cannot have returned."""
+    """Decode the masks that `Presence.described` returned; UnusableError if they are invalid."""
     expected = shapes(layout, tier)
     if len(described) != len(expected):
         raise UnusableError(f"expected views of {len(expected)} levels, got {len(described)}")
@@ -78,7 +78,7 @@ def masks_of(described: Sequence[str], layout: Layout, tier: int) -> Masks:
 def _mask(text: str, shape: tuple[int, int, int]) -> NDArray[np.uint32]:
     size, stream = 4 * int(np.prod(shape)), zlib.decompressobj()
     try:
-        # No more than is expected: a damaged text may state any length.
+        # Limited to the expected size: a damaged text may unpack to any length.
         content = stream.decompress(base64.b64decode(text, validate=True), size + 1)
     except (ValueError, zlib.error) as error:
         raise UnusableError(f"views: {error}") from None
@@ -90,7 +90,7 @@ def _mask(text: str, shape: tuple[int, int, int]) -> NDArray[np.uint32]:
 
 
 def newest_of(generations: Sequence[Masks], layout: Layout, tier: int, unknown: int = 0) -> Masks:
-    """Masks of the newest of some generations, which is the first one, that tells of a cell."""
+    """Merge masks of generations, newest first: each cell takes the first one that is not `AS_BEFORE`."""
     found = [np.full(shape, AS_BEFORE, np.uint32) for shape in shapes(layout, tier)]
     for masks in generations:
         for mask, own in zip(found, masks, strict=True):

@@ -1,4 +1,4 @@
-"""Pictures of a cell's views beside each other."""
+"""Contact sheet of a cell's views."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from numpy.typing import NDArray
 from nearfar.orthoview._view import OrthoView
 
 NOTHING = (28, 30, 48)
-"""sRGB where nothing is seen: dark blue, which few worlds have."""
+"""sRGB of empty pixels: dark blue, which few worlds have."""
 
 GAP = 4
 """Pixels between two views."""
 
 
 def sheet(views: Sequence[OrthoView | None], size: int) -> NDArray[np.uint8]:
-    """Views in rows; as many in a row as rows, or one more."""
+    """Arrange views in a square grid, or with one more column than rows."""
     columns = math.isqrt(len(views) - 1) + 1
     rows, pitch = -(-len(views) // columns), size + GAP
     picture = np.full((rows * pitch - GAP, columns * pitch - GAP, 3), 255, np.uint8)

@@ -1,4 +1,4 @@
-"""The size of views that a display needs."""
+"""Computes the size of views that a display needs."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _MOST = 4096
 """Greatest size of a view."""
 
 _ROUNDING = 1e-12
-"""Share by which rounding may lift a whole number above itself."""
+"""Relative rounding error allowed before a whole number is rounded up."""
 
 
 def size_for(
@@ -33,32 +33,32 @@ def size_for(
     cell
         Side of a leaf, s, metres.
     distance
-        Distance from which on views replace geometry, r, metres.
+        Distance beyond which views replace geometry, r, metres.
     fov
         Horizontal field of view, α, radians, between 0 and π.
     angle
-        Angle between a surface's normal and the view, θ, radians, at least 0 and below π/2: a view shows surfaces that
-        lean by it with fewer pixels.
+        Angle between a surface's normal and the view, θ, radians, at least 0 and below π/2: a view shows a surface
+        tilted by θ with fewer pixels.
     directions
-        As of `nearfar.orthoview.build`. The widest view of a cell is w sides wide: w = 1 for 5, √2 for 9, 1.633 for
+        As in `nearfar.orthoview.build`. The widest view of a cell is w sides wide: w = 1 for 5, √2 for 9, 1.633 for
         13 and 26.
 
     Returns
     -------
     int
-        The least multiple of 4 that is not below q = p/cos θ · w s/(2 r tan(α/2)).
+        Least multiple of 4 that is at least q = p/cos θ · w s/(2 r tan(α/2)).
 
     Raises
     ------
     ValueError
-        Values out of range, and views of more than 4096 pixels.
+        Values out of range, or a size above 4096 pixels.
     TypeError
         Values that are not numbers.
 
     Notes
     -----
-    Chaudhuri et al., section 4.1, who take w = 1. A display's pixel at the distance r is 2 r tan(α/2)/p wide, the
-    largest side of a view's pixel w s/q.
+    Chaudhuri et al., section 4.1, who take w = 1. At the distance r a display's pixel is 2 r tan(α/2)/p wide; the
+    largest side of a view's pixel is w s/q.
     """
     width = check.integer("pixels", pixels, 1, 1 << 20)
     side, away = check.positive("cell", cell), check.positive("distance", distance)

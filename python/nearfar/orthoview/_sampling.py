@@ -1,4 +1,4 @@
-"""Leaves of a world to look into, spread over it, without a visit to each."""
+"""Samples leaves spread over a world without visiting each leaf."""
 
 from __future__ import annotations
 
@@ -13,29 +13,29 @@ from nearfar._source.protocol import SceneSource, may_touch
 from nearfar.orthoview._grid import Grid, Place
 
 KEPT = 48
-"""Cells of a level that the descent goes on with."""
+"""Number of cells of a level that the descent continues with."""
 
 BLIND = 128
-"""Leaves that are drawn where the source does not say what it touches."""
+"""Number of leaves sampled if the source has no `touches`."""
 
 TRIANGLES = 4096
-"""Triangles that are drawn from a scene in memory."""
+"""Number of triangles sampled from a scene in memory."""
 
 _MOST_TRIANGLES = 100_000_000
-"""Triangles of scenes from which some are drawn; each takes a byte meanwhile."""
+"""Greatest triangle count of a scene whose triangles are sampled; each takes a byte meanwhile."""
 
 _SEED = 0
 
 _EVENLY, _NUMBERS, _POINTS, _ORDER, _DESCENT = range(5)
-"""Quantities that are drawn; the descent has one for each level."""
+"""Keys of the random quantities; the descent has one for each level."""
 
 
 def leaves(source: SceneSource, grid: Grid) -> Iterator[Place]:
-    """Leaves in which something may be, in a random order that is the same each time; none twice.
+    """Leaves that may contain something, in a random but reproducible order, without duplicates.
 
-    A scene in memory has its triangles drawn: most worlds are empty or level in most of their leaves, which look alike
-    from everywhere. Any other source has cells drawn level by level, among the children that it says it touches, or
-    leaves drawn evenly.
+    Scenes in memory are sampled by triangle: most worlds are empty or flat in most of their leaves, which look alike
+    from everywhere. Other sources are sampled level by level, among the children that `touches` admits, or uniformly
+    if they have no `touches`.
     """
     found: dict[Place, None] = {}
     for place in _candidates(source, grid):
@@ -54,13 +54,13 @@ def _candidates(source: SceneSource, grid: Grid) -> Iterator[Place]:
 
 
 def _of_triangles(scene: Scene, grid: Grid) -> Iterator[Place]:
-    """Leaves of the grid in which random points of random triangles lie."""
+    """Leaves of the grid that hold random points of random triangles."""
     total = scene.triangle_count
     chosen = np.zeros(total, bool)
     chosen[(random.uniform(_SEED, _NUMBERS, np.arange(TRIANGLES)) * total).astype(np.int64)] = True
     corner, one, other = np.moveaxis(scene._core.subset_of_triangles(chosen).triangles().astype(np.float64), 1, 0)
     share, along = random.uniform(_SEED, _POINTS, np.arange(2 * len(corner))).reshape(2, -1, 1)
-    # Square roots of one number spread points evenly over a triangle (Turk, Generating random points in triangles).
+    # The square root of one number spreads points evenly over a triangle (Turk, Generating random points in triangles).
     root = np.sqrt(share)
     points = scene.origin + corner + root * ((1 - along) * (one - corner) + along * (other - corner))
     order = np.argsort(random.uniform(_SEED, _ORDER, np.arange(len(points))), kind="stable")
@@ -70,7 +70,7 @@ def _of_triangles(scene: Scene, grid: Grid) -> Iterator[Place]:
 
 
 def _drawn_evenly(grid: Grid) -> Iterator[Place]:
-    """Leaves of the grid, each with the same chance."""
+    """Leaves of the grid, sampled uniformly."""
     total = grid.leaves(grid.levels - 1, (0, 0, 0))
     luck = random.uniform(_SEED, _EVENLY, np.arange(min(total, BLIND)))
     numbers = np.argsort(luck, kind="stable") if total <= BLIND else (luck * total).astype(np.int64)
@@ -82,7 +82,7 @@ def _as_places(rows: NDArray[np.int64]) -> Iterator[Place]:
 
 
 def _descended(source: SceneSource, grid: Grid) -> list[Place]:
-    """Leaves that a source may touch. `touches` is called for `KEPT` cells' children on each level."""
+    """Leaves that a source may touch. `touches` is called for the children of `KEPT` cells on each level."""
     places: list[Place] = [(0, 0, 0)]
     for level in reversed(range(grid.levels - 1)):
         children = [child for place in places for _, child in grid.children(level + 1, place)]
@@ -91,7 +91,7 @@ def _descended(source: SceneSource, grid: Grid) -> list[Place]:
 
 
 def _shuffled(places: list[Place], grid: Grid, level: int) -> list[Place]:
-    """At most `KEPT` of a level's cells in a random order, which does not depend on what other cells there are."""
+    """At most `KEPT` of a level's cells in a random order; a cell's rank key does not depend on the other cells."""
     numbers = np.array([np.ravel_multi_index(place, grid.counts_at(level)) for place in places], np.uint64)
     order = np.argsort(random.uniform(_SEED, _DESCENT + level, numbers), kind="stable")
     return [places[number] for number in order[:KEPT].tolist()]

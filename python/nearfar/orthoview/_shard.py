@@ -1,10 +1,10 @@
 """Shards: files of Zarr's codec `sharding_indexed`, written chunk by chunk.
 
-A shard is the chunks of some cells, one after the other in the order in which they came, and an index: first byte and
-length of each chunk as little-endian uint64, both 2⁶⁴ − 1 for a chunk that is not there, and the index's CRC32C. So a
-chunk is written once, when its cell is done, and lies in its final place.
+A shard consists of the chunks of some cells in the order in which they were written, and an index: first byte and
+length of each chunk as little-endian uint64, both 2⁶⁴ − 1 for a missing chunk, then the index's CRC32C. So a chunk is
+written once, when its cell is finished, to its final place.
 
-A chunk of length 0, which Zarr does not know, says in an overlay that an older generation's chunk is there no more.
+A chunk of length 0, which Zarr does not know, marks in an overlay that an older generation's chunk has been removed.
 """
 
 from __future__ import annotations
@@ -22,26 +22,26 @@ from nearfar.orthoview._grid import Place
 from nearfar.orthoview._journal import Chunk
 
 ABSENT = (1 << 64) - 1
-"""First byte and length of a chunk that is not there."""
+"""First byte and length of a missing chunk."""
 
 PART = ".part"
-"""Suffix of a shard that still grows."""
+"""Suffix of an unfinished shard."""
 
 _CHECKSUM = 4
 _PIECE = 1 << 20
 
 
 class ShardWriter:
-    """Appends chunks to a shard, and ends it with its index. Between two calls no file is open.
+    """Appends chunks to a shard, and finishes it with its index. No file stays open between calls.
 
     Parameters
     ----------
     path
-        The shard's file; until it has its index it has the suffix `PART`.
+        Path of the shard; until the index is written it has the suffix `PART`.
     side
-        Number of its chunks along each axis of the grid.
+        Number of chunks along each axis of the grid.
     chunks
-        Places and chunks that an earlier writer finished; what follows them in the file is dropped.
+        Places and chunks that an earlier writer finished; any bytes after them in the file are dropped.
     """
 
     def __init__(self, path: Path, side: int, chunks: Iterable[tuple[Place, Chunk]] = ()) -> None:
@@ -56,7 +56,7 @@ class ShardWriter:
             self._resume()
 
     def _resume(self) -> None:
-        # A shard of cells that are there has its name while other cells of the subtree are missing.
+        # A finished shard already has its final name while other cells of the subtree are missing.
         if not self._part.exists():
             os.replace(self._path, self._part)
         os.truncate(self._part, self._size)
@@ -65,7 +65,7 @@ class ShardWriter:
                 self._hash.update(piece)
 
     def append(self, place: Place, chunk: bytes) -> Chunk:
-        """Write a chunk; returns its first byte and its length."""
+        """Write a chunk; return its first byte and its length."""
         start = self._size
         self._write(chunk, sync=False)
         self._index[place] = start, len(chunk)
@@ -85,7 +85,7 @@ class ShardWriter:
         self._size += len(data)
 
     def read(self, place: Place) -> bytes | None:
-        """Read a chunk again, for work that was interrupted; None for one that is not there."""
+        """Read a chunk back, for a build that resumes; None if it is missing."""
         start, length = (int(number) for number in self._index[place])
         if start == ABSENT:
             return None
@@ -94,8 +94,8 @@ class ShardWriter:
             return complete(self._path, file.read(length), start, length)
 
     def finish(self) -> tuple[int, str]:
-        """Write the index and give the file its name; returns its size and the SHA-256 of its bytes."""
-        import google_crc32c  # `import nearfar` does without it
+        """Write the index and rename the file; return its size and the SHA-256 of its bytes."""
+        import google_crc32c  # imported here: `import nearfar` does not need it
 
         index = self._index.tobytes()
         self._write(index + google_crc32c.value(index).to_bytes(_CHECKSUM, "little"), sync=True)
@@ -104,14 +104,14 @@ class ShardWriter:
 
 
 def holds(path: Path, size: int) -> bool:
-    """Whether a shard, growing or complete, has at least so many bytes."""
+    """Whether a shard, finished or not, has at least `size` bytes."""
     part = path.with_name(path.name + PART)
     found = part if part.exists() else path
     return found.exists() and found.stat().st_size >= size
 
 
 def index_length(side: int) -> int:
-    """Bytes of the index of a shard with so many chunks along each axis, which its file ends with."""
+    """Bytes of the index at the end of a shard with `side` chunks along each axis."""
     return side**3 * 2 * 8 + _CHECKSUM
 
 
@@ -121,7 +121,7 @@ def index_of(name: str, end: bytes, side: int) -> NDArray[np.uint64]:
     Raises
     ------
     UnusableError
-        A file that is too short, and an index with another checksum.
+        A file that is too short, or an index with a wrong checksum.
     """
     import google_crc32c
 
@@ -134,7 +134,7 @@ def index_of(name: str, end: bytes, side: int) -> NDArray[np.uint64]:
 
 
 def complete(name: object, chunk: bytes, start: int, length: int) -> bytes:
-    """Return a chunk if it is as long as the shard's index says."""
+    """Return a chunk; UnusableError if it is shorter than the shard's index says."""
     if len(chunk) < length:
         raise UnusableError(f"{name}: expected {length} bytes at {start}, got {len(chunk)}")
     return chunk

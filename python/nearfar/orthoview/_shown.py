@@ -1,4 +1,4 @@
-"""A tree as something that is rendered."""
+"""A tree as a renderable."""
 
 from __future__ import annotations
 
@@ -29,14 +29,14 @@ from nearfar.orthoview._stored import StoredTree
 from nearfar.orthoview._viewer import Viewer
 
 MOST_SPLATS = (1 << 32) - 2
-"""Greatest number of splats of a picture."""
+"""Maximum number of splats of a picture."""
 
 CACHE_BYTES = 1 << 30
-"""Bytes of memory for views by default."""
+"""Default size of the view cache, bytes."""
 
 
 class ShownTree(StoredTree, Pictured):
-    """A tree as `nearfar.render` takes it; `OrthoTree` tells what it raises."""
+    """A tree for `nearfar.render`; for errors see `OrthoTree`."""
 
     def __init__(self, path: str | os.PathLike[str], *, cache_bytes: SupportsIndex = CACHE_BYTES) -> None:
         super().__init__(path)
@@ -54,41 +54,41 @@ class ShownTree(StoredTree, Pictured):
         return self._opened().viewer
 
     def _opened(self) -> Opened:
-        """The store, open for a viewer of its own."""
+        """Open the store for a new viewer."""
         if not self.is_complete:
             raise ValueError(f"path: {self.path} is not complete, build it again")
         return Opened.of(self._files, self._layout, self.generation, self._cache_bytes)
 
     def __getstate__(self) -> dict[str, Any]:
-        """Leave out the views that are kept: another process reads them itself."""
+        """Pickle without cached views: another process reads them itself."""
         return {name: value for name, value in self.__dict__.items() if name != "_viewer"}
 
     def with_dynamic(self, scene: Scene) -> Self:
-        """Return the same tree with objects that move, which pictures show before and behind it by their distance.
+        """Return the same tree with moving objects, which pictures show in front of and behind it by depth.
 
         Parameters
         ----------
         scene
-            The objects, at their first poses. They are drawn as geometry, and `object_id` numbers them; it is −1 on all
-            else.
+            The objects, in their initial poses. They are drawn as geometry, and `object_id` numbers them; it is −1
+            elsewhere.
 
         Raises
         ------
         TypeError
-            Something that is no scene.
+            A value that is not a scene.
         """
         core_of(scene)
         return self._with(scene.with_dynamic(scene.object_names))
 
     def at(self, poses: Mapping[str, ArrayLike]) -> Self:
-        """Return the same tree with objects that move in other poses; `poses` as in `Scene.at`."""
+        """Return the same tree with moving objects in other poses; `poses` as in `Scene.at`."""
         if self._movers is None:
             return super().at(poses)
         return self._with(self._movers.at(poses))
 
     def _with(self, movers: Scene) -> Self:
         shown = copy.copy(self)
-        shown.__dict__["_viewer"] = self._viewer  # views that it reads are kept for the next picture
+        shown.__dict__["_viewer"] = self._viewer  # the views that it reads stay cached for the next picture
         shown._movers = movers
         return shown
 
@@ -104,29 +104,29 @@ class ShownTree(StoredTree, Pictured):
         gaze: ArrayLike | None = None,
         lift_deg: SupportsFloat = 0.0,
     ) -> OrthoCut:
-        """Return the cells that a viewer sees: leaves near it as geometry, others from views, the coarser the farther.
+        """Return the cells that a viewer sees: near leaves as geometry, others from views, coarser with distance.
 
         Parameters
         ----------
         camera
             The view.
         views
-            Number of views of a cell, 1 to 8: of those that show something the ones whose directions are nearest to the
-            viewer's.
+            Number of views of a cell, 1 to 8: among those that show something, the ones whose directions are nearest to
+            the viewer's.
         error_px
-            Greatest width of a view's pixels, in pixels of the picture. 2 suits thin clients: cells
-            are drawn from half as far.
+            Greatest width of a view's pixels, in pixels of the picture. 2 suits thin clients: cells are drawn from half
+            as far.
         geometry
-            Whether leaves so near that their views are too coarse are drawn as geometry, where the tree has it; else
-            views are drawn at any distance.
+            Whether leaves so near that their views are too coarse are drawn as geometry, if the tree has it; else views
+            are drawn at any distance.
         around
-            Whether cells outside of the picture count, too: viewers turn faster than views arrive.
+            Whether to include cells outside the picture: viewers turn faster than views arrive.
         continuous
-            Whether levels change splat by splat: then cells of two levels are drawn in a band of distances, some splats
-            of each.
+            Whether levels blend splat by splat: in a band of distances cells of two levels are drawn, some splats of
+            each.
         gaze
-            Place in the picture that the viewer looks at, pixels: `error_px` is over `nearfar.lod.acuity` beside it, at
-            the least angle of a cell's points. None for a picture that is equally fine everywhere.
+            Pixel that the viewer looks at: elsewhere `error_px` is divided by `nearfar.lod.acuity` of the least angle
+            between the gaze and the cell's points. None for a picture of uniform resolution.
         lift_deg
             Degrees, 0 to 90, by which the viewer's direction is raised towards the zenith (+y), at most to it, before
             the nearest views are chosen; straight down stays. For viewers above and directions of the upper half.
@@ -134,17 +134,17 @@ class ShownTree(StoredTree, Pictured):
         Returns
         -------
         OrthoCut
-            With a reach r of p/(t `error_px`), where p is the width of a leaf's pixel and t that of the picture's at a
-            distance of 1 m, cells of level k are drawn from views if they are no nearer than 2ᵏ r.
+            Cells of level k are drawn from views at distances of at least 2ᵏ r. The reach r is p/(t `error_px`), where
+            p is the width of a leaf's pixel and t that of the picture's at a distance of 1 m.
 
         Raises
         ------
         ValueError
-            Values out of range; a tree that is not complete.
+            Values out of range, or an incomplete tree.
         TypeError
-            Something that is no camera, values of a wrong kind.
+            A value that is not a camera, or values of a wrong type.
         FormatError, OSError
-            A record of the store that is damaged, or that cannot be read.
+            A damaged or unreadable record of the store.
 
         References
         ----------
@@ -181,45 +181,46 @@ class ShownTree(StoredTree, Pictured):
         views, error_px, geometry, continuous, gaze, lift_deg
             As in `cut`.
         budget
-            Greatest number of splats in `stats`, None for any: the error is the least one from `error_px` on for which
-            they are no more. Where no error is great enough, views are left out.
+            Greatest number of splats in `stats`, None for no limit: the error is the least one, from `error_px` on,
+            that
+            keeps the limit. If no error does, views are left out.
         t_min, t_max, clip
-            As in `nearfar.render`; a splat is drawn if its middle is within them.
+            As in `nearfar.render`; a splat is drawn if its centre is within them.
         samples
             Number of colour samples of each pixel, on a grid: 1, 4, 9 … 64.
         channels
             Images to compute, as in `nearfar.render`: splats have "color", "coverage", "range", "position", "normal",
-            "albedo" and "shading_normal"; where they are seen, `object_id` and `face_id` are −1. On geometry these are
-            numbers within this picture alone, see `with_dynamic`. The default is colour and range.
+            "albedo" and "shading_normal"; their `object_id` and `face_id` are −1. On geometry these numbers are valid
+            within this picture only, see `with_dynamic`. The default is colour and range.
         backend
-            As in `nearfar.render`. On an adapter views stay in its memory, without loss and in fewer bytes.
+            As in `nearfar.render`. An adapter keeps views in its memory, without loss and in fewer bytes.
 
         Returns
         -------
         Frame
-            The bytes are the same for any number of threads. Both backends evaluate the same formulas; where a splat's
-            edge passes through a sample's place, or two splats are equally near, either may be shown. `stats` has the
-            `error_px` that was chosen and counts the `cells` and `views` of the cut, its `leaves` of geometry, all
-            `splats` of the views, `splats_in_picture` of parts that reach into it, `splats_seen` of those that are not
-            hidden, and `splats_projected`, on the CPU once for each tile of the screen.
+            The bytes do not depend on the number of threads. Both backends evaluate the same formulas; where a splat's
+            edge passes through a sample, or two splats are equally near, either may be shown. `stats` has the chosen
+            `error_px` and counts the `cells` and `views` of the cut, its `leaves` of geometry, all `splats` of the
+            views, `splats_in_picture` of parts that reach into it, `splats_seen` that are not hidden, and
+            `splats_projected`, on the CPU once for each tile of the screen.
 
         Raises
         ------
         ValueError
-            Values out of range; a tree that is not complete.
+            Values out of range, or an incomplete tree.
         TypeError
-            Something that is no camera, values of a wrong kind.
+            A value that is not a camera, or values of a wrong type.
         DeviceError
-            As in `nearfar.render`; a picture whose views do not fit into the adapter's memory.
+            As in `nearfar.render`, or a picture whose views do not fit into the adapter's memory.
         FormatError, OSError
-            A part of the store that is damaged, or that cannot be read.
+            A damaged or unreadable part of the store.
 
         References
         ----------
         Chaudhuri et al., A System for View-Dependent Rendering of Very Large Scenes Using Orthoviews, section 4.
         """
         shown = copy.copy(self)
-        shown.__dict__["_viewer"] = self._viewer  # views that it reads are kept for the next picture
+        shown.__dict__["_viewer"] = self._viewer  # the views that it reads stay cached for the next picture
         settings = settings_of(views, error_px, geometry, continuous, gaze, lift_deg)
         shown._settings = replace(
             settings, budget=None if budget is None else check.integer("budget", budget, 1, MOST_SPLATS)
@@ -241,7 +242,7 @@ def settings_of(
     gaze: ArrayLike | None = None,
     lift_deg: SupportsFloat = 0.0,
 ) -> Settings:
-    """The settings that a caller asks for."""
+    """Check the arguments of a cut and return them as settings."""
     return Settings(
         views=check.integer("views", views, 1, MOST_VIEWS),
         error_px=check.positive("error_px", error_px),

@@ -1,4 +1,4 @@
-"""Flights over a link on a virtual clock."""
+"""Simulates flights over a link on a virtual clock."""
 
 from __future__ import annotations
 
@@ -30,20 +30,20 @@ VALUES = ("bytes", "missing", "error_px")
 
 @dataclass(frozen=True, eq=False, repr=False)
 class FlightLog:
-    """Frames of a simulated flight, (N,) each."""
+    """Frame-by-frame results of a simulated flight, (N,) each."""
 
     time: NDArray[np.float64]
-    """Seconds."""
+    """Time of the frame, seconds."""
     missing: NDArray[np.int64]
-    """Parts of the picture's cut, views or files of geometry, that were not there."""
+    """Number of parts of the picture's cut, views or files of geometry, that had not arrived."""
     wanted: NDArray[np.int64]
-    """Parts of the picture's cut."""
+    """Number of parts of the picture's cut."""
     error_px: NDArray[np.float64]
-    """Greatest width of a view's pixels of the cut, in pixels of the picture."""
+    """Greatest width of a view's pixels in the cut, in pixels of the picture."""
     received: NDArray[np.int64]
-    """Bytes that had come."""
+    """Bytes received by the frame."""
     asked: int
-    """Bytes of all that was asked for."""
+    """Bytes requested in total."""
 
     @property
     def stalled(self) -> NDArray[np.bool_]:
@@ -63,16 +63,16 @@ class FlightLog:
         Parameters
         ----------
         ax
-            Axes of matplotlib; new ones by default.
+            Matplotlib axes; new ones by default.
         value
-            "bytes" that have come, "missing" or "error_px".
+            "bytes" received, "missing" or "error_px".
 
         Raises
         ------
         ImportError
             If matplotlib is not installed.
         ValueError, TypeError
-            For other names, and for what is not axes.
+            Another name, or a value that is not axes.
         """
         check.choice("value", value, VALUES)
         rows = {"bytes": self.received, "missing": self.missing, "error_px": self.error_px}
@@ -102,8 +102,8 @@ def simulate(
 ) -> FlightLog:
     """Fly through a tree over a link as `OrthoTree.fly` does, on a virtual clock; nothing is drawn.
 
-    At most 16 parts are asked for at a time, each by one request for the bytes of all its channels. Reading records
-    and decoding take no time.
+    At most 16 requests are outstanding, each for the bytes of all channels of one part. Reading records and decoding
+    take no time.
 
     Parameters
     ----------
@@ -118,23 +118,23 @@ def simulate(
     views, error_px, geometry, prefetch, margin_deg, adapt
         As in `OrthoTree.fly`.
     cache_bytes
-        Bytes of files that are kept, those of one picture and of the positions ahead at least.
+        Size of the cache, bytes; parts of one picture and of the positions ahead are always kept.
     seed
-        Seed of the lost packets.
+        Random seed of packet loss.
 
     Returns
     -------
     FlightLog
-        What was there, frame by frame.
+        Results, frame by frame.
 
     Raises
     ------
     ValueError
-        Values out of range, no cameras, a tree that is not complete.
+        Values out of range, no cameras, or an incomplete tree.
     TypeError
         Arguments of another type.
     FormatError, OSError
-        Parts of the store that are damaged, or that cannot be read.
+        Damaged or unreadable parts of the store.
 
     References
     ----------
@@ -157,7 +157,7 @@ def simulate(
 
 
 def flown(client: Client, cameras: Sequence[Camera], rate: float) -> FlightLog:
-    """The frames of a client."""
+    """Run a client through the frames of a flight."""
     for number, camera in enumerate(cameras):
         client.frame(camera, number / rate)
     course = client.course
@@ -172,7 +172,7 @@ def flown(client: Client, cameras: Sequence[Camera], rate: float) -> FlightLog:
 
 
 class _Planned:
-    """The plans of a pilot that knows all records."""
+    """Planner that reads all records at once, without the link."""
 
     def __init__(self, pilot: Pilot, cutter: Cutter) -> None:
         self._pilot, self._cutter = pilot, cutter

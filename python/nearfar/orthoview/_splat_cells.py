@@ -1,4 +1,4 @@
-"""Cells of a tree as Gaussians: all views of a cell in one frame, each surface once."""
+"""Converts cells of a tree to Gaussians: all views of a cell in one frame, each surface once."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ from nearfar.orthoview._thinned import Picture, seen_better
 Sun = tuple[float, float, float] | None
 
 Chunk = tuple[int, dict[str, bytes]]
-"""Number of a view's direction, and its chunks by their channels."""
+"""Direction number of a view, and its chunks by channel."""
 
 _SUBTREES = 64
-"""Subtrees whose records are kept."""
+"""Number of subtrees whose records are cached."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,10 +35,10 @@ class Cell:
     level: int
     place: Place
     center: NDArray[np.float64]
-    """World position (3,) that they are relative to, metres."""
+    """World position (3,) that the Gaussians are relative to, metres."""
     gaussians: Gaussians
     pixels: int
-    """Number of pixels of its views that show something within the box."""
+    """Number of its views' non-empty pixels within the box."""
 
 
 class Cells:
@@ -49,7 +49,7 @@ class Cells:
     files, layout, newest
         The store, and the number of its newest generation.
     box
-        World box (2, 3) that middles must lie in.
+        World box (2, 3) that must contain the Gaussians' centres.
     sun
         Unit vector towards the sun; None for colours without light.
     """
@@ -64,12 +64,12 @@ class Cells:
         )
 
     def bounds(self) -> NDArray[np.float64]:
-        """World box (2, 3) of all middles, metres."""
+        """World box (2, 3) of all centres, metres."""
         whole = self.layout.grid.box(self.layout.grid.levels - 1, (0, 0, 0))
         return np.array([np.maximum(whole[0], self._box[0]), np.minimum(whole[1], self._box[1])])
 
     def shown(self, level: int, place: Place) -> int:
-        """Which directions of a cell show something, a bit for each; 0 for a cell outside of the box."""
+        """Mask of the directions from which a cell shows something, a bit for each; 0 for a cell outside the box."""
         if not self.layout.grid.touches(level, place, self._box):
             return 0
         shard, within = self.layout.shard_of(level, place)
@@ -77,7 +77,7 @@ class Cells:
         return int(self._masks(tier, shard)[own][within])
 
     def below(self, finest: int) -> Iterator[tuple[int, Place]]:
-        """Cells that show something from a level upwards, each after those below it."""
+        """Cells that show something, from the root down to level `finest`, each after its descendants."""
         yield from self._below(self.layout.grid.levels - 1, (0, 0, 0), finest)
 
     def at(self, level: int) -> Iterator[tuple[int, Place]]:
@@ -93,7 +93,7 @@ class Cells:
         yield level, place
 
     def chunks(self, level: int, place: Place) -> list[Chunk]:
-        """Read the chunks of all views of a cell, of both layers; from one thread at a time."""
+        """Read the chunks of all views of a cell, of both layers; not thread-safe."""
         mask = self.shown(level, place)
         numbers = [number for number in range(len(self.layout.directions)) if mask >> number & 1]
         pairs = [(number, layer) for layer in ("", BEHIND)[: self.layout.layers] for number in numbers]
@@ -108,7 +108,7 @@ class Cells:
         return [(number, chunks) for number, chunks in found if chunks]  # few views have a second layer
 
     def made(self, level: int, place: Place, chunks: list[Chunk]) -> Cell:
-        """The Gaussians of a cell."""
+        """Convert a cell's chunks to Gaussians."""
         pictures = self._pictures(level, chunks)
         center = self.layout.grid.box(level, place).mean(axis=0)
         low, high = ((corner - center).astype(np.float32) for corner in self._box)
@@ -126,7 +126,7 @@ class Cells:
         return self.made(level, place, self.chunks(level, place))
 
     def _pictures(self, level: int, chunks: list[Chunk]) -> list[Picture]:
-        """The views of a cell."""
+        """Decode the views of a cell."""
         side, pictures = self.layout.grid.side(level), []
         with formats.guarded(self._place, "orthoviews"):
             for number, own in chunks:

@@ -1,4 +1,4 @@
-"""Trees for splat viewers: files of Gaussians and tiles of them; `OrthoTree.export_splats` tells more."""
+"""Exports trees for splat viewers: files of Gaussians, or tiles of them; see `OrthoTree.export_splats`."""
 
 from __future__ import annotations
 
@@ -65,14 +65,14 @@ def _check_any(counts: dict[str, int]) -> None:
 
 
 def format_of(path: Path) -> str:
-    """The format that a file's suffix names."""
+    """Return the format for a file's suffix."""
     if path.suffix.lower() not in SUFFIXES:
         raise ValueError(f"path: expected a file .spz or .glb, or a folder without a suffix, got {path.name}")
     return SUFFIXES[path.suffix.lower()]
 
 
 def sun_of(light: str | ArrayLike | None) -> Sun:
-    """The unit vector towards the sun that `light` names; None for no light."""
+    """Return the unit vector towards the sun for an argument `light`; None for no light."""
     if light is None:
         return None
     if isinstance(light, str):

@@ -1,4 +1,4 @@
-"""The cells of a level as one file of Gaussians, SPZ or GLB, whose parts gather aside: memory holds few cells."""
+"""Writes the cells of a level as one file of Gaussians, SPZ or GLB; sections gather in temporary files."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ from nearfar.orthoview._gaussians import SIGMA, Gaussians
 from nearfar.orthoview._splat_cells import Cell, Cells
 
 _PIECE = 1 << 22
-"""Bytes between two looks for Ctrl-C."""
+"""Bytes copied between two checks for Ctrl-C."""
 
 _LEVEL = 6
-"""Of gzip."""
+"""Compression level of gzip."""
 
 
 class _Gathered:
-    """Sections of a file, each in a temporary file of its own."""
+    """Sections of a file, each in a temporary file."""
 
     def __init__(self, folder: Path, names: tuple[str, ...]) -> None:
         self._paths = {name: folder / str(number) for number, name in enumerate(names)}
@@ -36,10 +36,10 @@ class _Gathered:
         self.pixels = 0
         self.cells = 0
         self.extent = np.array([[np.inf] * 3, [-np.inf] * 3])
-        """Least and greatest coordinates (2, 3) of middles."""
+        """Least and greatest coordinates (2, 3) of the centres."""
 
     def add(self, sections: Mapping[str, bytes], cell: Cell) -> None:
-        """Take the sections of a cell's Gaussians."""
+        """Append the sections of a cell's Gaussians."""
         for name, data in sections.items():
             self._files[name].write(data)
         self.cells += 1
@@ -47,7 +47,7 @@ class _Gathered:
         self.pixels += cell.pixels
 
     def widen(self, extent: NDArray[np.float64]) -> None:
-        """Take the extent of a cell's middles."""
+        """Enlarge the extent by that of a cell's centres."""
         self.extent = np.array([np.minimum(self.extent[0], extent[0]), np.maximum(self.extent[1], extent[1])])
 
     def close(self) -> None:
@@ -73,20 +73,20 @@ def write(
     Parameters
     ----------
     path, target
-        The file, and the one whose place it takes.
+        The file to write, and the final file, beside which temporary files are made.
     cells
-        Of the tree.
+        Cells of the tree.
     level
-        Of the cells.
+        Level of the cells.
     packed, is_gltf
         Both for SPZ in a GLB, one of them for SPZ alone or a GLB with plain attributes.
     extras
-        Facts about all, for a GLB.
+        Entries for the GLB's `extras`.
 
     Returns
     -------
     dict
-        Numbers of `cells`, `splats`, `pixels` that they stand for, and `bytes`; no splats if nothing is there.
+        Numbers of `cells`, `splats`, `pixels` that they represent, and `bytes`; no splats if nothing is in the box.
 
     Raises
     ------
@@ -119,7 +119,7 @@ def write(
 
 @contextmanager
 def _beside(target: Path) -> Iterator[Path]:
-    """A folder for a file's parts beside it, where there is room; the next call clears what a kill left."""
+    """Temporary folder beside the target, on the same disk; first removes folders that killed processes left."""
     parts = target.with_name(f"{target.name[:100]}.parts")
     aside.clear(parts)
     with aside.held(parts, folder=True) as folder:
@@ -176,7 +176,7 @@ def _compress(path: Path, header: spz.Header, gathered: _Gathered) -> None:
 
 
 def _wrap(inner: Path, path: Path, gathered: _Gathered, center: NDArray[np.float64], extras: Mapping[str, Any]) -> None:
-    """Put an SPZ file into a GLB."""
+    """Wrap an SPZ file in a GLB."""
     size = os.stat(inner).st_size
     with inner.open("rb") as file, path.open("wb") as target:
         target.write(gltf.packed_start(gathered.count, size, gathered.extent, center, extras))

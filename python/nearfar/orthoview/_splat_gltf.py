@@ -1,4 +1,4 @@
-"""Gaussians as GLB files: the glTF extension KHR_gaussian_splatting, with plain attributes or an SPZ file inside."""
+"""Encodes Gaussians as GLB files: the glTF extension KHR_gaussian_splatting, plain or with an SPZ file inside."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from nearfar.orthoview._gaussians import Gaussians
 
 SPLATS = "KHR_gaussian_splatting"
 PACKED = "KHR_gaussian_splatting_compression_spz_2"
-"""Draft; the SPZ file has version 2."""
+"""Draft extension; its SPZ file has version 2."""
 
 ATTRIBUTES: dict[str, tuple[int, str, int, bool]] = {
     "POSITION": (5126, "VEC3", 12, False),
@@ -28,7 +28,7 @@ ATTRIBUTES: dict[str, tuple[int, str, int, bool]] = {
     f"{SPLATS}:SH_DEGREE_0_COEF_0": (5126, "VEC3", 12, False),
     "COLOR_0": (5121, "VEC4", 4, True),
 }
-"""Types of components and elements, bytes, and whether whole numbers stand for 0..1 or −1..1."""
+"""Component and element type, bytes, and whether integers are normalised to 0..1 or −1..1."""
 
 _PLACEHOLDERS: dict[str, tuple[int, str, bool]] = {
     "POSITION": (5126, "VEC3", False),
@@ -36,7 +36,7 @@ _PLACEHOLDERS: dict[str, tuple[int, str, bool]] = {
     f"{SPLATS}:SCALE": (5126, "VEC3", False),
     f"{SPLATS}:ROTATION": (5126, "VEC4", False),
 }
-"""Attributes that a reader takes from an SPZ file."""
+"""Accessors without data; a reader fills them from the SPZ file."""
 
 MOST_BYTES = (1 << 32) - 1
 """Greatest size of a GLB."""
@@ -47,11 +47,11 @@ _COEFFICIENTS = ((_CODES - 0.5) / _HARMONIC).astype("<f4")
 _LINEAR = np.rint(to_linear(_CODES) * 255.0).astype(np.uint8)
 
 Extent = NDArray[np.float64]
-"""Least and greatest coordinates (2, 3) of middles."""
+"""Least and greatest coordinates (2, 3) of the centres."""
 
 
 def columns(gaussians: Gaussians) -> dict[str, bytes]:
-    """The bytes of attributes of some Gaussians."""
+    """Encode the attributes of some Gaussians."""
     solid = np.full((len(gaussians), 1), 255, np.uint8)
     values = {
         "POSITION": gaussians.middle.astype("<f4"),
@@ -65,16 +65,16 @@ def columns(gaussians: Gaussians) -> dict[str, bytes]:
 
 
 def plain_start(count: int, extent: Extent, center: NDArray[np.float64], extras: Mapping[str, Any]) -> bytes:
-    """All of a GLB before the attributes of `columns`, which follow one after the other.
+    """Return the start of a GLB, up to the attributes of `columns`, which must follow one after the other.
 
     Parameters
     ----------
     count, extent
-        Of the Gaussians.
+        Number and extent of the Gaussians.
     center
         World position (3,) that they are relative to, metres.
     extras
-        Facts about them.
+        Entries for the asset's `extras`.
     """
     views, accessors, at = [], [], 0
     for number, (component, kind, width, is_normalized) in enumerate(ATTRIBUTES.values()):
@@ -88,7 +88,7 @@ def plain_start(count: int, extent: Extent, center: NDArray[np.float64], extras:
 
 
 def plain(gaussians: Gaussians, center: NDArray[np.float64], extras: Mapping[str, Any]) -> bytes:
-    """A GLB of some Gaussians with plain attributes."""
+    """Encode Gaussians as a GLB with plain attributes."""
     start = plain_start(len(gaussians), extent_of(gaussians), center, extras)
     return b"".join([start, *columns(gaussians).values()])
 
@@ -96,7 +96,7 @@ def plain(gaussians: Gaussians, center: NDArray[np.float64], extras: Mapping[str
 def packed_start(
     count: int, size: int, extent: Extent, center: NDArray[np.float64], extras: Mapping[str, Any]
 ) -> bytes:
-    """All of a GLB before an SPZ file of some size, which `padding` bytes follow."""
+    """Return the start of a GLB, up to an SPZ file of `size` bytes, which must follow with `padding` bytes."""
     accessors: list[dict[str, Any]] = [
         {"componentType": component, "count": count, "type": kind} | ({"normalized": True} if is_normalized else {})
         for component, kind, is_normalized in _PLACEHOLDERS.values()
@@ -114,19 +114,19 @@ def packed_start(
 
 
 def packed(gaussians: Gaussians, center: NDArray[np.float64], extras: Mapping[str, Any]) -> bytes:
-    """A GLB of some Gaussians as an SPZ file."""
+    """Encode Gaussians as a GLB with an SPZ file inside."""
     data = _spz.encoded(gaussians, version=2)
     start = packed_start(len(gaussians), len(data), extent_of(gaussians), center, extras)
     return start + data + bytes(padding(len(data)))
 
 
 def padding(size: int) -> int:
-    """Bytes that fill a chunk up to whole words."""
+    """Number of bytes that pad a chunk to a multiple of 4."""
     return -size % 4
 
 
 def extent_of(gaussians: Gaussians) -> Extent:
-    """Least and greatest coordinates of middles."""
+    """Least and greatest coordinates of the centres."""
     return np.array([gaussians.middle.min(axis=0), gaussians.middle.max(axis=0)], np.float64)
 
 
@@ -137,7 +137,7 @@ def _corners(extent: Extent) -> dict[str, Any]:
 def _document(
     own: dict[str, Any], attributes: list[str], center: NDArray[np.float64], extras: Mapping[str, Any]
 ) -> dict[str, Any]:
-    """The document that all files have: one node with one mesh of points."""
+    """Return the document shared by all files: one node with one mesh of points."""
     splats = {
         "kernel": "ellipse",
         "colorSpace": "srgb_rec709_display",
@@ -149,7 +149,7 @@ def _document(
         "mode": 0,
         "extensions": {SPLATS: splats | own},
     }
-    # Some viewers read a node's matrix and no other form of its place.
+    # Some viewers read only a node's matrix, not its translation.
     matrix = np.eye(4)
     matrix[3, :3] = center
     return {
@@ -163,7 +163,7 @@ def _document(
 
 
 def _start(document: dict[str, Any], size: int) -> bytes:
-    """A GLB's header, its document, and the header of a chunk of so many bytes."""
+    """Encode a GLB's header, its document, and the header of a binary chunk of `size` bytes."""
     text = json.dumps(document, separators=(",", ":"), allow_nan=False).encode()
     text += b" " * padding(len(text))
     whole = 12 + 8 + len(text) + 8 + size

@@ -1,7 +1,8 @@
-"""A tree as tiles of Gaussians: a tileset of 3D Tiles 1.1 with a GLB for each cell of each level.
+"""Writes a tree as tiles of Gaussians: a tileset of 3D Tiles 1.1 with a GLB for each cell of each level.
 
-A cell's children take its place. So that no document grows with the world, one lists the tiles of four levels at most
-and refers to others below. Cells are written after those below them, and only what their parents need is kept.
+Children replace their parent (refinement REPLACE). To keep documents small in any world, each lists at most four
+levels of tiles and refers to other documents for those below. Cells are written after their descendants, and only
+what their parents need stays in memory.
 """
 
 from __future__ import annotations
@@ -27,18 +28,18 @@ from nearfar.orthoview._splat_cells import Cells, Chunk
 TILESET = "tileset.json"
 
 _LEVELS = 4
-"""Levels of a document."""
+"""Maximum number of levels of a document."""
 
 ERROR = 8.0
 """A cell's geometric error in pixels of its views: at a viewer's usual bound of 16 screen pixels they are 2 wide."""
 
 _UP = "../../../../"
-"""From a document to the folder of all."""
+"""Relative path from a document to the export's folder."""
 
 
 @dataclass(frozen=True)
 class _Tile:
-    """A cell's tile."""
+    """Tile of a cell."""
 
     level: int
     place: Place
@@ -48,11 +49,11 @@ class _Tile:
     """Number of pixels of its views."""
     splats: int
     data: bytes
-    """Its file."""
+    """Content of its file."""
 
 
 class _Tree:
-    """Puts tiles together, each after those below it."""
+    """Assembles tiles to documents, each tile after its descendants."""
 
     def __init__(self, folder: Path, cells: Cells, finest: int, contents: list[str]) -> None:
         self._folder, self._grid, self._finest, self._contents = folder, cells.layout.grid, finest, contents
@@ -61,7 +62,7 @@ class _Tree:
         self._boxes: dict[tuple[int, Place], NDArray[np.float64]] = {}
 
     def add(self, tile: _Tile) -> None:
-        """Take a tile; its children are there."""
+        """Add a tile; its children must have been added."""
         key, children, boxes = (tile.level, tile.place), [], [] if tile.box is None else [tile.box]
         if tile.level > self._finest:
             for _, child in self._grid.children(*key):
@@ -71,7 +72,7 @@ class _Tree:
         if not boxes:
             return
         box = np.array([np.min(boxes, axis=0)[0], np.max(boxes, axis=0)[1]])
-        # Without children there is nothing that a viewer could refine.
+        # A tile without children cannot be refined.
         error = ERROR * self._pixel * 2.0**tile.level if children else 0.0
         node: dict[str, Any] = {"boundingVolume": {"box": volume(box)}, "geometricError": error, "refine": "REPLACE"}
         if tile.box is not None:
@@ -84,7 +85,7 @@ class _Tree:
         self._open[key], self._boxes[key] = node, box
 
     def _apart(self, key: tuple[int, Place], node: dict[str, Any]) -> dict[str, Any]:
-        """Write a tile and those below it into a document of their own; a tile that refers to it."""
+        """Write a tile and its descendants into a separate document; return a tile that refers to it."""
         name = _name("tilesets", *key, "json")
         path = self._folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -94,7 +95,7 @@ class _Tree:
         return shared | {"content": {"uri": name}}
 
     def finish(self) -> None:
-        """Write the document on top, if there is anything."""
+        """Write the root document, if there is any tile."""
         top = (self._grid.levels - 1, (0, 0, 0))
         if top not in self._open:
             return
@@ -113,25 +114,25 @@ class _Tree:
 
 
 def write(folder: Path, cells: Cells, finest: int, *, packed: bool, extras: Mapping[str, Any]) -> dict[str, int]:
-    """Write the tiles of all levels from one upwards into an empty folder.
+    """Write the tiles of all levels from `finest` upwards into an empty folder.
 
     Parameters
     ----------
     folder
-        Where they come to lie.
+        Folder of the tileset.
     cells
-        Of the tree.
+        Cells of the tree.
     finest
-        The lowest level.
+        Lowest level.
     packed
         Whether contents hold SPZ files.
     extras
-        Facts for all contents.
+        Entries for all contents' `extras`.
 
     Returns
     -------
     dict
-        Numbers of `tiles`, `splats`, `pixels` that they stand for, and `bytes` of contents; none if nothing is there.
+        Numbers of `tiles`, `splats`, `pixels` that they represent, and `bytes` of contents; 0 if nothing is in the box.
     """
     contents = [gltf.SPLATS, gltf.PACKED] if packed else [gltf.SPLATS]
     tree = _Tree(folder, cells, finest, contents)
@@ -147,7 +148,7 @@ def write(folder: Path, cells: Cells, finest: int, *, packed: bool, extras: Mapp
         for tile in side_by_side.results(jobs()):
             total["pixels"] += tile.pixels
             if tile.data:
-                # Not in the jobs: those that go on after Ctrl-C would write into a folder that is removed.
+                # Not in the jobs: those still running after Ctrl-C would write into a folder that is being removed.
                 path = folder / _name("content", tile.level, tile.place, "glb")
                 path.parent.mkdir(parents=True, exist_ok=True)
                 files.write(path, tile.data)
@@ -163,7 +164,7 @@ def write(folder: Path, cells: Cells, finest: int, *, packed: bool, extras: Mapp
 
 
 def _made(cells: Cells, chunks: list[Chunk], level: int, place: Place, encode: Callable[..., bytes]) -> _Tile:
-    """A cell's tile, from the chunks of its views."""
+    """Make a cell's tile from the chunks of its views."""
     cell = cells.made(level, place, chunks)
     splats = cell.gaussians
     if not len(splats):
@@ -178,7 +179,7 @@ def _name(folder: str, level: int, place: Place, suffix: str) -> str:
 
 
 def _moved(node: dict[str, Any]) -> dict[str, Any]:
-    """A tile with places of files as a document in a folder below has them."""
+    """Copy a tile with URIs rewritten for a document in a subfolder."""
     moved = dict(node)
     if "content" in node:
         moved["content"] = node["content"] | {"uri": _UP + node["content"]["uri"]}

@@ -1,6 +1,6 @@
-"""SPZ files (Niantic, versions 2 and 3): Gaussians in 19 or 20 bytes, then gzip.
+"""Encodes and decodes SPZ files (Niantic, versions 2 and 3): Gaussians in 19 or 20 bytes, then gzip.
 
-A header, then the positions of all, their opacities, colours, scales and rotations. The axes are those of glTF.
+A file has a header, then the positions, opacities, colours, scales and rotations of all. The axes are those of glTF.
 """
 
 from __future__ import annotations
@@ -21,27 +21,27 @@ MAGIC = 0x5053474E
 """The letters NGSP."""
 
 HEADER = struct.Struct("<IIIBBBB")
-"""Magic number, version, number of Gaussians, degree of spherical harmonics, bits of fractions, flags, nothing."""
+"""Magic number, version, number of Gaussians, degree of spherical harmonics, fraction bits, flags, reserved."""
 
 MOST = 10_000_000
-"""Greatest number of Gaussians that the reference implementation reads."""
+"""Maximum number of Gaussians that the reference implementation reads."""
 
 MOST_SCALE = math.exp(255 / 16 - 10)
-"""Greatest standard deviation."""
+"""Greatest standard deviation that a scale code can express."""
 
 SECTIONS = ("positions", "alphas", "colors", "scales", "rotations")
-"""In their order."""
+"""Sections in file order."""
 
 _LIMIT = (1 << 23) - 1
 _MOST_BITS = 20
 _FINE = 32
-"""Steps of positions in the smallest standard deviation along a surface."""
+"""Steps of positions per smallest standard deviation along a surface."""
 
 _HARMONIC = 0.282_094_791_773_878_1
-"""The spherical harmonic of degree 0."""
+"""Spherical harmonic of degree 0."""
 
 _COLOR = 0.15
-"""Factor of its coefficients in files."""
+"""Factor of its coefficients in a file."""
 
 _COLOR_CODES = np.rint(((np.arange(256) / 255.0 - 0.5) / _HARMONIC * _COLOR + 0.5) * 255.0).astype(np.uint8)
 _LARGEST_OF_THREE = math.sqrt(0.5)
@@ -49,20 +49,20 @@ _LARGEST_OF_THREE = math.sqrt(0.5)
 
 @dataclass(frozen=True)
 class Header:
-    """Facts about all Gaussians of a file."""
+    """Header fields of a file."""
 
     version: int
     count: int
     fraction_bits: int
-    """Positions are multiples of 2 to the power of minus so many."""
+    """Positions are multiples of 2^−fraction_bits."""
 
     def packed(self) -> bytes:
-        """Its bytes."""
+        """Encode the header."""
         return HEADER.pack(MAGIC, self.version, self.count, 0, self.fraction_bits, 0, 0)
 
 
 def fraction_bits(reach: float, finest: float) -> int:
-    """Bits of fractions with which 24 bits hold coordinates up to a reach, no more than fine splats need.
+    """Number of fraction bits for 24-bit coordinates up to `reach`, at most as many as fine splats need.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ def fraction_bits(reach: float, finest: float) -> int:
     Raises
     ------
     UnusableError
-        24 bits hold no whole numbers so far out.
+        The integer part alone does not fit into 24 bits.
     """
     held = math.floor(math.log2(_LIMIT / max(reach, 2.0**-_MOST_BITS)))
     if held < 0:
@@ -83,7 +83,7 @@ def fraction_bits(reach: float, finest: float) -> int:
 
 
 def sections(gaussians: Gaussians, bits: int, version: int) -> dict[str, bytes]:
-    """The bytes of some Gaussians by the names of sections, those of files with so many bits of fractions."""
+    """Encode some Gaussians by section, for files with `bits` fraction bits."""
     fixed = np.rint(gaussians.middle.astype(np.float64) * 2.0**bits).clip(-_LIMIT, _LIMIT).astype("<i4")
     scales = np.rint((np.log(np.maximum(gaussians.scale, 1e-30)) + 10.0) * 16.0).clip(0, 255).astype(np.uint8)
     rotations = _first_three(gaussians.rotation) if version == 2 else _smallest_three(gaussians.rotation)
@@ -97,7 +97,7 @@ def sections(gaussians: Gaussians, bits: int, version: int) -> dict[str, bytes]:
 
 
 def encoded(gaussians: Gaussians, *, version: int = 3) -> bytes:
-    """A file of some Gaussians, relative to their frame's origin."""
+    """Encode Gaussians as a file, relative to their frame's origin."""
     reach = float(np.abs(gaussians.middle).max(initial=0.0))
     bits = fraction_bits(reach, float(gaussians.scale[:, :2].min(initial=1.0)))
     content = sections(gaussians, bits, version)
@@ -106,7 +106,7 @@ def encoded(gaussians: Gaussians, *, version: int = 3) -> bytes:
 
 
 def decoded(data: bytes) -> Gaussians:
-    """The Gaussians of a file that `encoded` made; UnusableError for others."""
+    """Decode a file that `encoded` made; UnusableError for others."""
     try:
         content = gzip.decompress(data)
     except (OSError, EOFError, zlib.error) as error:
@@ -138,7 +138,7 @@ def decoded(data: bytes) -> Gaussians:
 
 
 def _first_three(rotation: NDArray[np.float32]) -> NDArray[np.uint8]:
-    """x, y and z as bytes (N, 3); w is not below 0."""
+    """Encode x, y and z as bytes (N, 3); w must not be negative."""
     codes: NDArray[np.uint8] = np.rint(rotation[:, :3] * 127.5 + 127.5).clip(0, 255).astype(np.uint8)
     return codes
 
@@ -150,9 +150,9 @@ def _of_first_three(codes: NDArray[np.uint8]) -> NDArray[np.float64]:
 
 
 def _smallest_three(rotation: NDArray[np.float32]) -> NDArray[np.uint32]:
-    """32 bits (N,): the number of the greatest component, w, then sign and nine bits of x, y and z."""
+    """Pack into 32 bits (N,): the index of the greatest component, w, then sign and nine bits of x, y and z."""
     scaled = np.abs(rotation[:, :3]) * (511.0 / _LARGEST_OF_THREE)
-    # With w the greatest, no other component is above √½ but by rounding.
+    # As w is the greatest, no other component exceeds √½ except by rounding.
     magnitude = np.rint(scaled).clip(0, 511).astype(np.uint32)
     codes = (rotation[:, :3] < 0).astype(np.uint32) << np.uint32(9) | magnitude
     packed: NDArray[np.uint32] = (

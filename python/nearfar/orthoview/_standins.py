@@ -1,4 +1,4 @@
-"""Drawing a cut whose views are not all there: what was drawn before, finer cells, parts of coarser ones."""
+"""Draws a cut some of whose views are missing: as drawn before, from finer cells, or from parts of coarser ones."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ Cell = tuple[int, Place]
 """Level and place."""
 
 Wanted = dict[Cell, list[Part]]
-"""The parts that each cell of a cut is to be drawn from, the best direction first."""
+"""Parts that each cell of a cut is to be drawn from, best direction first."""
 
 
 @dataclass(frozen=True)
 class Piece:
-    """A view that is drawn, or the part of one that stands for a smaller cell."""
+    """A view to draw, or the part of a coarser view that replaces a smaller cell."""
 
     part: Part
     within: Cell | None = None
@@ -28,37 +28,37 @@ class Piece:
 
 @dataclass(frozen=True)
 class Shown:
-    """The parts that a picture is drawn from."""
+    """Parts that a picture is drawn from."""
 
     cells: dict[Cell, list[Piece]] = field(default_factory=dict)
-    """Cells that are drawn from views, each from some of its own or from parts of those above it."""
+    """Cells drawn from views: each from its own views or from parts of coarser cells' views."""
     leaves: dict[Place, list[Part]] = field(default_factory=dict)
-    """Leaves that are drawn as geometry, with the files of each: its own and those of its guests."""
+    """Leaves drawn as geometry, with the files of each: its own and those of its guests."""
     missing: int = 0
-    """Cells of the cut that lack a part."""
+    """Number of cells of the cut that lack a part."""
     empty: int = 0
-    """Cells of these in whose place nothing is shown."""
+    """Number of these cells for which nothing is drawn."""
 
     def parts(self) -> set[Part]:
-        """All parts that are drawn."""
+        """All parts in use."""
         pieces = {piece.part for pieces in self.cells.values() for piece in pieces}
         return pieces.union(*self.leaves.values())
 
 
 class StandIns:
-    """Chooses what is drawn.
+    """Chooses the parts to draw.
 
     Parameters
     ----------
     grid
-        The tree's cells.
+        Grid of the tree's cells.
     directions
-        Its directions as unit vectors (D, 3).
+        Unit vectors (D, 3) of the tree's directions.
     held
-        Whether a part is there as it is now.
+        Whether a part has been read in its newest version.
     drawable
-        The directions from which a cell can be drawn, and `GEOMETRY` for the file of a leaf: parts that are there,
-        those included that an update has changed.
+        Directions from which a cell can be drawn, and `GEOMETRY` for the file of a leaf: parts that have been read,
+        in any version.
     views
         Greatest number of views of a cell.
     """
@@ -74,11 +74,11 @@ class StandIns:
         self._grid, self._units, self._held, self._drawable, self._views = grid, directions, held, drawable, views
 
     def shown(self, wanted: Wanted, before: Shown, eye: NDArray[np.float64]) -> Shown:
-        """Choose how wanted cells are drawn from what is there.
+        """Choose how wanted cells are drawn from the parts that have been read.
 
-        A cell whose parts are all there is drawn from them. Otherwise, in this order: it stays as it was drawn before;
-        cells below it that were drawn before stay, and its rest is drawn as follows; the finest cell above it that is
-        there stands for it, but only what lies within the cell; it is drawn from those of its views that are there.
+        A cell all of whose parts have been read is drawn from them. Otherwise, in this order: it stays as it was drawn
+        before; its descendants that were drawn before stay, and the rest of it is drawn as follows; the finest ancestor
+        with views replaces it, clipped to the cell; it is drawn from those of its own views that have been read.
         """
         found = Shown()
         missing = empty = 0
@@ -105,9 +105,9 @@ class StandIns:
             found.cells[cell] = [Piece(part) for part in parts]
 
     def _below(self, before: Shown) -> dict[Cell, list[Cell]]:
-        """By each cell those that were drawn before within it, itself included, if that is still there.
+        """Map each cell to its descendants, itself included, that were drawn before from their own parts.
 
-        Parts of coarser views that stood for a cell are not among them: a better choice may be there by now.
+        Cells drawn from parts of coarser views are left out: a better choice may exist by now.
         """
         own = [cell for cell, pieces in before.cells.items() if pieces[0].within is None]
         found: dict[Cell, list[Cell]] = {}
@@ -118,13 +118,13 @@ class StandIns:
         return found
 
     def _up(self, cell: Cell) -> Iterable[Cell]:
-        """A cell and those above it, the lowest first."""
+        """A cell and its ancestors, lowest first."""
         level, (x, y, z) = cell
         for up in range(self._grid.levels - level):
             yield level + up, (x >> up, y >> up, z >> up)
 
     def _beside(self, cell: Cell, kept: Collection[Cell], above: Collection[Cell]) -> Iterator[Cell]:
-        """The greatest cells within one that share nothing with those that stay; `above` has these and all above."""
+        """Largest cells within one that contain no kept cell; `above` has the kept cells and all their ancestors."""
         if cell not in above:
             yield cell
         elif cell not in kept:
@@ -132,7 +132,7 @@ class StandIns:
                 yield from self._beside((cell[0] - 1, child), kept, above)
 
     def _keep(self, found: Shown, cells: Iterable[Cell], before: Shown) -> set[Cell]:
-        """Draw cells as before, from what of it is there; those of which something is."""
+        """Draw cells as before from the parts that remain; return the cells that have any."""
         kept: set[Cell] = set()
         for cell in cells:
             _, place = cell
@@ -150,7 +150,7 @@ class StandIns:
         return kept
 
     def _standing(self, cell: Cell, eye: NDArray[np.float64]) -> list[Piece]:
-        """The views of the finest cell above that is there, as far as they lie within the cell; else its own views."""
+        """Views of the finest ancestor that has any, clipped to the cell; else the cell's own views."""
         own, *above = self._up(cell)
         for other in above:
             if views := self._nearest(other, eye):
@@ -158,7 +158,7 @@ class StandIns:
         return [Piece(part) for part in self._nearest(own, eye)]
 
     def _nearest(self, cell: Cell, eye: NDArray[np.float64]) -> list[Part]:
-        """The views of a cell that are there whose directions are nearest to the viewer's."""
+        """Views of a cell that have been read, those nearest to the viewer's direction first."""
         level, place = cell
         held = [direction for direction in self._drawable(cell) if direction != GEOMETRY]
         if not held:

@@ -1,4 +1,4 @@
-"""The `Steady` class: pictures that fade from one to the next, so that a change of the cut does not pop."""
+"""The `Steady` class: fades from one picture to the next, so that a change of the cut does not pop."""
 
 from __future__ import annotations
 
@@ -14,26 +14,26 @@ from nearfar._render.ranged import Ranged, motion_of, ranged
 class Steady:
     """Fades each picture of a sequence into the next one, surface by surface.
 
-    The picture before is looked up where each pixel's surface was then, and mixed with the new one by the weight
-    e^(−Δt/τ), Δt the time between them. A surface that was seen there counts if the new camera would show it within
-    Δt/τ pixels of the pixel, at most half a pixel: either it is the same surface, or it is one that the new picture
-    should still show there and does not, and so fades. All else, what comes into sight above all, is new.
+    The previous picture is looked up where each pixel's surface was then, and blended with the new one by the weight
+    e^(−Δt/τ), Δt the time between them. A surface found there counts if the new camera would show it within Δt/τ
+    pixels of the pixel, at most half a pixel: either it is the same surface, or the new picture should still show it
+    there and does not, and so it fades out. All other pixels, above all disoccluded ones, are taken as they are.
 
     Parameters
     ----------
     seconds
-        τ where the picture stands still: time in which a difference falls to 1/e.
+        τ where the picture stands still: time in which a difference decays to 1/e.
     moving
-        τ where the picture moves by a tenth of a pixel or more; between them it falls from one to the other. Looking up
-        the picture before between its pixels blurs, so that this time is best short.
+        τ where the picture moves by a tenth of a pixel or more; interpolated in between. The lookup between pixels of
+        the previous picture blurs, so this time is best short.
     least
-        Least share of pixels that must agree, 0 to 1; with fewer, as after a jump to another place, the new picture
-        passes as it is.
+        Least share of pixels that must agree, 0 to 1; with fewer, as after a jump to another place, the new picture is
+        returned unchanged.
 
     Raises
     ------
     ValueError, TypeError
-        For values out of range.
+        Values out of range.
     """
 
     def __init__(
@@ -44,7 +44,7 @@ class Steady:
         self.restart()
 
     def restart(self) -> None:
-        """Forget the picture before; for a change of world."""
+        """Forget the previous picture; for a change of world."""
         self._past: tuple[float, Ranged] | None = None
 
     def next(self, frame: Frame, time: SupportsFloat) -> Frame:
@@ -53,24 +53,25 @@ class Steady:
         Parameters
         ----------
         frame
-            The picture, with colour and range, by a camera of any projection and size. With the channel "motion", since
-            the picture before, things may move by themselves: surfaces are looked up by it, and count only at the same
-            distance, within 2 %. Without it only the camera moves.
+            The picture, with colour and range, by a camera of any projection and size. With the channel "motion", which
+            must be relative to the previous picture, objects may move: surfaces are looked up by it, and count only at
+            the same distance, within 2 %. Without it only the camera moves.
         time
-            Its moment in seconds, later than that of the picture before.
+            Its time in seconds, later than that of the previous picture.
 
         Returns
         -------
         Frame
-            The picture with faded colours; all other images stay. `stats` has the share of its pixels that `agreed`
-            with the picture before; it is 0 for the first one.
+            The picture with faded colours; its other images are unchanged. `stats` has the share of pixels that
+            `agreed`
+            with the previous picture; 0 for the first one.
 
         Raises
         ------
         ValueError
-            For a frame without colour or range, and for a time that is not later.
+            A frame without colour or range, or a time that is not later.
         TypeError
-            For something that is no frame or no number.
+            A value that is not a frame or not a number.
         """
         now, moment = ranged("frame", frame), check.number("time", time)
         motion = motion_of("frame", frame) if "motion" in frame.channels else None
@@ -83,6 +84,6 @@ class Steady:
             mixed, agrees = _core.blend_past(past, now, fade=(still, moving), motion=motion)
             agreed = float(agrees.mean())
             color = mixed if agreed >= self._least else color
-        # The arrays of a frame are its owner's, who may write into them.
+        # Copies: the caller owns the arrays of a frame and may write into them.
         self._past = moment, (now[0], color.copy() if color is now[1] else color, now[2].copy())
         return replace(frame, color=color, stats={**frame.stats, "agreed": agreed})

@@ -1,4 +1,4 @@
-"""The documents of a store: what it holds, whether it is complete, and its generations."""
+"""Documents of a store: its content, whether it is complete, and its generations."""
 
 from __future__ import annotations
 
@@ -34,21 +34,21 @@ KIND, VERSION = "orthoview", 1
 DOCUMENT = "zarr.json"
 
 _NO_FILE = "nearfar/none"
-"""Name of a file that no folder has."""
+"""Name of a file that no folder has: no folder counts as replaceable."""
 
 _SHARD = re.compile(r"[0-9]+/[a-z_]+/[a-z_]+/c/[0-9]+/[0-9]+/[0-9]+/0/0/0")
 _GEOMETRY_FILE = re.compile(
     r"geometry/((content|moving)(/[0-9]+){4}[.]glb|images/[0-9a-f]+[.]webp|subtrees/[0-9.]+[.]subtree"
     r"|(tileset|moving)[.]json)"
 )
-"""Paths that records may have: copies of stores are written to them."""
+"""Allowed paths in records: copies of stores write to these paths."""
 
 _KEY = "nearfar"
 """Name of the group's attribute."""
 
 _RECORDS, _RECORDS_VERSION = "orthoview_records", 1
 _RECORDS_FILE = f"{FOLDER}/records.json"
-"""Names and hashes of the records of all subtrees: places behind URLs cannot be listed."""
+"""Names and hashes of the records of all subtrees, since folders behind URLs cannot be listed."""
 
 _GENERATION, _GENERATION_VERSION = "orthoview_generation", 1
 _GENERATION_FILE = "generation.json"
@@ -56,36 +56,36 @@ _GENERATION_FILE = "generation.json"
 
 @dataclass(frozen=True)
 class Recorded:
-    """A folder of shards, of a subtree or of a generation, and its record."""
+    """Record of a folder of shards: of a subtree or of a generation."""
 
     folder: str
-    """Below the store, with a slash at its end; empty for the store itself."""
+    """Path below the store with a trailing slash; empty for the store itself."""
     name: str
     shards: Described
     geometry: Described
     held: dict[str, int]
     cells: Any = None
-    """Its words about cells, which `cells_of` reads."""
+    """Raw entries about cells, for `cells_of`."""
 
 
 def name_of(place: Place) -> str:
-    """Name of a cell among those of its level."""
+    """Name of a cell within its level."""
     return "_".join(map(str, place))
 
 
 def place_of(name: str) -> Place:
-    """Place of the cell of a name."""
+    """Parse the name of a cell."""
     x, y, z = map(int, name.split("_"))
     return x, y, z
 
 
 def begin(path: Path, layout: Layout) -> None:
-    """Make a store, completely or not at all, or check that one was begun with the same layout.
+    """Create a store atomically, or check that an existing one was begun with the same layout.
 
     Raises
     ------
     ValueError
-        One that was begun with another layout, or updated since it was built.
+        A store that was begun with another layout, or updated since it was built.
     OSError
         A folder that holds other files.
     """
@@ -95,7 +95,7 @@ def begin(path: Path, layout: Layout) -> None:
                 create(temporary, layout)
             return
         except FileExistsError:
-            if not (path / DOCUMENT).is_file():  # else another build has made it meanwhile
+            if not (path / DOCUMENT).is_file():  # else another build has created it meanwhile
                 raise
     attributes, wanted = read(Local(path)), layout.described()
     with formats.guarded(path / DOCUMENT):
@@ -109,7 +109,7 @@ def begin(path: Path, layout: Layout) -> None:
 
 @contextmanager
 def new_folder(path: Path) -> Iterator[Path]:
-    """Write a new store completely or not at all; a folder that has anything in it is never replaced."""
+    """Write a new store atomically; a folder that is not empty is never replaced."""
     try:
         with files.atomic_folder(path, marker=_NO_FILE) as temporary:
             yield temporary
@@ -121,7 +121,7 @@ def new_folder(path: Path) -> Iterator[Path]:
 
 
 def create(folder: Path, layout: Layout) -> None:
-    """Make a store without chunks in an empty folder."""
+    """Create a store without chunks in an empty folder."""
     held = {"cells": 0, "leaves": 0, "chunks": 0, "bytes": 0}
     own = {"layout": layout.described(), "complete": False, "failed": {}, "held": held, "done": {}, "generation": 0}
     own |= {"geometry": None}
@@ -129,7 +129,7 @@ def create(folder: Path, layout: Layout) -> None:
 
 
 def end(path: Path, *, failed: Mapping[str, str], done: Mapping[str, int]) -> None:
-    """Note what the store holds, and what the build did; a store without failures is complete."""
+    """Record the content of the store and the work of the build; a store without failures becomes complete."""
     if read(Local(path))["complete"]:
         return
     own = {"failed": dict(failed), "held": dict(held_below(path)), "done": dict(done)}
@@ -137,11 +137,11 @@ def end(path: Path, *, failed: Mapping[str, str], done: Mapping[str, int]) -> No
 
 
 def _end_files(path: Path) -> dict[str, Any]:
-    """Write the tileset of the geometry, and list the records of all subtrees; the attributes that follow."""
+    """Write the tileset of the geometry, and list the records of all subtrees; return the resulting attributes."""
     layout = Layout.from_described(read(Local(path))["layout"])
     facts = GeometryStore(path, layout.grid).finish() if layout.geometry else None
     digests = {record.name: hashlib.sha256(record.read_bytes()).hexdigest() for record in _records(path)}
-    # The files of leaves stand in the records of their subtrees.
+    # Files of leaves are listed in the records of their subtrees.
     others = [path / GEOMETRY / name for name in (TILESET, MOVING)]
     others += sorted(file for folder in OTHERS for file in (path / GEOMETRY / folder).glob("*"))
     listed = {file.relative_to(path).as_posix(): described(file) for file in others if file.is_file()}
@@ -151,7 +151,7 @@ def _end_files(path: Path) -> dict[str, Any]:
 
 
 def held_below(folder: Path) -> Counter[str]:
-    """Cells, leaves, chunks and bytes of a store's or a generation's complete subtrees."""
+    """Count cells, leaves, chunks and bytes of the complete subtrees of a store or a generation."""
     held: Counter[str] = Counter(cells=0, leaves=0, chunks=0, bytes=0)
     for record in _records(folder):
         held.update(formats.read_json(record, RECORD, RECORD_VERSION)["held"])
@@ -163,7 +163,7 @@ def _records(folder: Path) -> list[Path]:
 
 
 def change(path: Path, **attributes: Any) -> None:
-    """Change attributes of the store, all of them at once."""
+    """Change attributes of the store atomically."""
     document = _document(Local(path))
     document["attributes"][_KEY] |= attributes
     with files.atomic_file(path / DOCUMENT) as temporary:
@@ -171,12 +171,12 @@ def change(path: Path, **attributes: Any) -> None:
 
 
 def end_compact(folder: Path, tree: Mapping[str, Any]) -> None:
-    """Complete a store that is the newest generation of another one, whose attributes are given."""
+    """Complete a compacted store; `tree` has the attributes of the original store."""
     change(folder, complete=True, held=tree["held"], done=tree["done"], **_end_files(folder))
 
 
 def read(store: Files) -> dict[str, Any]:
-    """Return the attributes of a store; FormatError for what is none."""
+    """Return the attributes of a store; FormatError if it is not a store."""
     attributes = _document(store).get("attributes")
     found = attributes.get(_KEY) if isinstance(attributes, dict) else None
     return formats.check(found, KIND, VERSION, store.place)
@@ -195,12 +195,12 @@ def _document(store: Files) -> dict[str, Any]:
 
 
 def overlay(number: int) -> str:
-    """Folder of a generation below the store, with a slash at its end."""
+    """Folder of a generation below the store, with a trailing slash."""
     return f"{FOLDER}/generations/{number}/"
 
 
 def end_generation(path: Path, number: int, aabb: NDArray[np.float64], held: Mapping[str, int]) -> None:
-    """Write the record of a generation, from those of its subtrees."""
+    """Write the record of a generation from those of its subtrees."""
     folder = path / overlay(number)
     shards: Described = {}
     geometry: Described = {}
@@ -218,14 +218,14 @@ def end_generation(path: Path, number: int, aabb: NDArray[np.float64], held: Map
 
 
 def generations(store: Files, newest: int) -> list[Generation]:
-    """The generations of a store, the newest one first."""
+    """Generations of a store, newest first."""
     overlays = (_generation(store, number) for number in range(newest, 0, -1))
     known = (Generation(found.folder, found.shards.keys(), found.geometry.keys()) for found in overlays)
     return [*known, Generation("", None, None)]
 
 
 def recorded_generations(store: Files, layout: Layout, newest: int, listed: Listed | None = None) -> list[Generation]:
-    """The same, where what the first generation has is looked up in its records, so that lost files are noticed."""
+    """Generations of a store; the first one's content is looked up in its records, so that lost files are detected."""
     listed = listed or Listed(store, layout)
     *overlays, _ = generations(store, newest)
     return [*overlays, Generation("", In(listed.has_shard), In(listed.has_geometry))]
@@ -245,7 +245,7 @@ def _recorded(folder: str, name: str, document: Mapping[str, Any]) -> Recorded:
 
 
 def recorded(store: Files, newest: int) -> Iterator[Recorded]:
-    """The records of a complete store: of all subtrees of the first generation, then of the others."""
+    """Records of a complete store: of all subtrees of the first generation, then of the later generations."""
     records = _json(store, _RECORDS_FILE, _RECORDS, _RECORDS_VERSION)
     with formats.guarded(f"{store.place}/{_RECORDS_FILE}"):
         digests = dict(records["records"])
@@ -264,15 +264,15 @@ def recorded(store: Files, newest: int) -> Iterator[Recorded]:
 
 @dataclass(frozen=True)
 class Cells:
-    """The cells of a subtree, as its records tell."""
+    """Cells of a subtree, according to its records."""
 
     masks: Masks
     guests: Guests
-    """Of leaves."""
+    """Guests of leaves."""
 
 
 def cells_of(store: Files, layout: Layout, newest: int, listed: Listed) -> Callable[[int, Place], Cells]:
-    """A function that reads the cells of a subtree, given by its tier and its place."""
+    """Return a function that reads the cells of a subtree by its tier and place."""
     overlays = []
     for found in (_generation(store, number) for number in range(newest, 0, -1)):
         with formats.guarded(f"{store.place}/{found.folder}{_GENERATION_FILE}"):
@@ -307,7 +307,7 @@ def _json(store: Files, name: str, kind: str, version: int, digest: str | None =
 
 
 def _listed(listed: Mapping[str, Any], pattern: re.Pattern[str]) -> Described:
-    """Sizes and hashes by paths, of which none leads elsewhere."""
+    """Sizes and hashes by path; ValueError for a path that does not belong into a store."""
     wrong = next((path for path in listed if not pattern.fullmatch(path)), None)
     if wrong is not None:
         raise ValueError(f"the path {wrong!r} is none of a store")
@@ -315,7 +315,7 @@ def _listed(listed: Mapping[str, Any], pattern: re.Pattern[str]) -> Described:
 
 
 class Listed:
-    """Files of the first generation of a complete store by its records; a record is read when it is asked for."""
+    """Files of a complete store's first generation, from its records, which are read on demand."""
 
     def __init__(self, store: Files, layout: Layout) -> None:
         self._store, self._layout = store, layout
@@ -323,13 +323,13 @@ class Listed:
 
     @cached_property
     def _digests(self) -> dict[str, str]:
-        """SHA-256 of all records by their names."""
+        """SHA-256 of all records by name."""
         document = _json(self._store, _RECORDS_FILE, _RECORDS, _RECORDS_VERSION)
         with formats.guarded(f"{self._store.place}/{_RECORDS_FILE}"):
             return dict(check.mapping("records", document["records"], "hashes by names"))
 
     def record(self, tier: int, place: Place) -> Recorded | None:
-        """The record of a subtree; None for one in which nothing is."""
+        """Read the record of a subtree; None for an empty subtree."""
         path = record_of(Path(), tier, place)
         if path.name not in self._digests:
             return None
@@ -347,7 +347,7 @@ class Listed:
         return record is not None and path in record.shards
 
     def has_geometry(self, path: str) -> bool:
-        """Whether a file of a leaf's geometry was written; of textures what leaves refer to."""
+        """Whether a geometry file of a leaf was written; textures count as written, since leaves refer to them."""
         if path.startswith(f"{GEOMETRY}/{IMAGES}/"):
             return True
         side = 1 << self._layout.subtree

@@ -1,4 +1,4 @@
-"""Contents of the store of an open tree: its cells, their views, and the geometry of leaves."""
+"""Content of the store of an open tree: cells, their views, and the geometry of leaves."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from nearfar.orthoview._view import OrthoView
 
 
 class StoredTree:
-    """The store of a tree in a folder or behind a URL; `OrthoTree` tells what it raises."""
+    """Store of a tree in a folder or behind a URL; for errors see `OrthoTree`."""
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
         check_zarr()
@@ -43,7 +43,7 @@ class StoredTree:
     def generation(self) -> int:
         """Number of updates since the tree was built.
 
-        A tree that is open shows the generation that was the newest when it was opened.
+        An open tree shows the generation that was the newest when it was opened.
         """
         return int(self._attributes["generation"])
 
@@ -69,7 +69,7 @@ class StoredTree:
 
     @property
     def directions(self) -> tuple[tuple[int, int, int], ...]:
-        """−1, 0 or 1 along each axis: the sides that cells are seen from."""
+        """Sides that cells are seen from: −1, 0 or 1 along each axis."""
         return self._layout.directions
 
     @property
@@ -79,25 +79,25 @@ class StoredTree:
 
     @property
     def is_complete(self) -> bool:
-        """Whether all cells are there."""
+        """Whether no cell is missing."""
         return self._is_complete
 
     @property
     def failed(self) -> dict[tuple[int, int, int], str]:
-        """Reasons why the source did not give leaves, by their places; the cells above them are missing, too."""
+        """Errors of the source by leaf; the cells above these leaves are missing, too."""
         return dict(self._failed)
 
     @property
     def held(self) -> dict[str, int]:
-        """Number of cells and leaves in which something is, of their chunks, and of the chunks' bytes.
+        """Number of `cells` and `leaves` that are not empty, of their `chunks`, and of the chunks' `bytes`.
 
-        Those of subtrees that are complete: 8 × 8 × 8 leaves or cells of levels 3, 6 and so on.
+        Only complete subtrees count: 8 × 8 × 8 leaves or cells of levels 3, 6 and so on.
         """
         return dict(self._attributes["held"])
 
     @property
     def done(self) -> dict[str, int]:
-        """Counts of the work of the build or the update that ended last.
+        """Counts of the work of the last build or update.
 
         Leaves "drawn" and found "empty", cells "composed", chunks "reloaded" from the store, and "sent" by the workers
         of a cluster.
@@ -125,7 +125,7 @@ class StoredTree:
         direction
             Number of the direction in `directions`.
         layer
-            0 for the nearest surfaces, 1 for those behind them.
+            0 for the nearest surfaces, 1 for the second layer behind them.
 
         Returns
         -------
@@ -135,11 +135,11 @@ class StoredTree:
         Raises
         ------
         ValueError
-            Numbers out of range, and a cell that is missing because the build did not end or its source failed.
+            Numbers out of range, or a cell that is missing because the build is unfinished or its source failed.
         FormatError
-            A shard that is damaged.
+            A damaged shard.
         OSError
-            One that cannot be read.
+            A shard that cannot be read.
         """
         number = check.integer("level", level, 0, self.levels - 1)
         at, seen = self._place(number, place), check.integer("direction", direction, 0, len(self.directions) - 1)
@@ -156,7 +156,7 @@ class StoredTree:
         return None
 
     def _missing(self, level: int, place: Place) -> str:
-        """Why a cell that shows nothing may be missing; empty if it does show nothing."""
+        """Reason why an empty cell may be missing; empty text if the cell is really empty."""
         if not self._is_complete and not self._failed:
             return "the build has not ended"
         reasons = (why for leaf, why in self._failed.items() if tuple(number >> level for number in leaf) == place)
@@ -178,7 +178,7 @@ class StoredTree:
     def geometry(self) -> dict[str, Any] | None:
         """Numbers of leaves, triangles and bytes of the geometry, and the greatest error of a position in metres.
 
-        Those of the build; None for a tree without geometry.
+        These are the numbers of the build; None for a tree without geometry.
         """
         found = self._attributes["geometry"]
         return None if found is None else dict(found)
@@ -191,18 +191,18 @@ class StoredTree:
         place
             The leaf.
         moving
-            Those that move, instead of those that stand.
+            Read the moving triangles instead of the static ones.
 
         Returns
         -------
         bytes or None
-            A GLB in world metres; None where there are none.
+            A GLB in world metres; None if there are no such triangles.
 
         Raises
         ------
         ValueError
-            Numbers out of range, a tree without geometry, a leaf that is missing because the build did not end or its
-            source failed.
+            Numbers out of range, a tree without geometry, or a leaf that is missing because the build is unfinished or
+            its source failed.
         OSError
             A file that cannot be read.
         """

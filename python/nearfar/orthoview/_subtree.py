@@ -1,4 +1,4 @@
-"""One piece of a build: the cells of a subtree, depth first, each written once to the subtree's shards."""
+"""Unit of work of a build: the cells of a subtree, depth first, each written once to the subtree's shards."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ from nearfar.orthoview._presence import Presence
 from nearfar.orthoview._shard import ShardWriter, holds
 
 Views = _core.OrthoViews | None
-"""Views of a cell; None for one in which nothing is."""
+"""Views of a cell; None for an empty cell."""
 
 Described = dict[str, tuple[int, str]]
-"""Sizes and SHA-256 of files by their paths."""
+"""Sizes and SHA-256 of files by path."""
 
 DONE = "done"
 """Folder in `FOLDER` with a record of each complete subtree."""
@@ -41,9 +41,9 @@ class Outcome:
 
     views: Views = None
     is_complete: bool = True
-    """False if a cell below could not be drawn."""
+    """False if a leaf below could not be rendered."""
     failed: dict[str, str] = field(default_factory=dict)
-    """Why cells could not be drawn, by their names."""
+    """Errors of leaves that could not be rendered, by name."""
     guests: list[Place] = field(default_factory=list)
     """Guests of a leaf."""
     counts: Counter[str] = field(default_factory=Counter)
@@ -51,26 +51,26 @@ class Outcome:
 
 
 def record_of(store: Path, tier: int, place: Place) -> Path:
-    """The record of a subtree, which is there once it is complete."""
+    """Path of a subtree's record, which exists once the subtree is complete."""
     return store / FOLDER / DONE / f"{tier}_{'_'.join(map(str, place))}.json"
 
 
 class Held:
-    """Counts what shards hold."""
+    """Counts the content of shards."""
 
     def __init__(self) -> None:
         self._cells: set[tuple[int, Place]] = set()
         self._chunks, self._bytes = 0, 0
 
     def add(self, level: int, place: Place, length: int) -> None:
-        """Count a chunk of a cell; its length is 0 if it is not there."""
+        """Count a chunk of a cell; length 0 means that it is missing."""
         if length:
             self._cells.add((level, place))
             self._chunks += 1
             self._bytes += length
 
     def counts(self) -> dict[str, int]:
-        """Numbers of cells and leaves in which something is, of their chunks and of the chunks' bytes."""
+        """Numbers of cells and leaves that are not empty, of their chunks and of the chunks' bytes."""
         leaves = sum(level == 0 for level, _ in self._cells)
         return {"cells": len(self._cells), "leaves": leaves, "chunks": self._chunks, "bytes": self._bytes}
 
@@ -92,39 +92,39 @@ def write_record(
 
 
 class Below(Protocol):
-    """The world and the subtrees below, as a subtree sees them."""
+    """Interface of a subtree to the world and to the subtrees below."""
 
     unchanged: int
-    """Noted of cells that are not computed: 0 where they show nothing, or `AS_BEFORE`."""
+    """Initial mask of cells that are not computed: 0 for empty, or `AS_BEFORE`."""
 
     def base(self, tier: int, place: Place) -> Outcome:
-        """Return the outcome of a cell of a tier's lowest level: a leaf that is drawn, or a subtree below."""
+        """Return the outcome of a cell of a tier's lowest level: of a rendered leaf, or of a subtree below."""
 
     def known(self, level: int, place: Place) -> Outcome | None:
-        """The outcome of a cell in which nothing is to be done; None if it must be looked into."""
+        """Return the outcome of a cell that needs no work; None if it must be visited."""
 
     def before(self, level: int, place: Place) -> AbstractSet[tuple[int, str]]:
-        """Chunks of a cell that an older generation of the store has."""
+        """Chunks of a cell in an older generation of the store."""
 
     def pass_over(self, level: int, place: Place) -> None:
-        """Take note that nothing is to be done in a cell."""
+        """Count a cell that needs no work as done."""
 
 
 class Subtree:
-    """Builds the cells below one cell of level `top`, which is not written but returned to its parent's subtree.
+    """Builds the cells below one cell of level `top`, whose views are returned to the parent subtree, not written.
 
     Parameters
     ----------
     layout
-        Of the tree.
+        Layout of the tree.
     store
-        Its folder.
+        Folder of the store.
     tier
-        Number of subtrees below.
+        Number of subtrees below, up to the leaves.
     place
         Place of the cell on top, on level (tier + 1) × `Layout.subtree`.
     below
-        Gives the cells of this subtree's lowest level.
+        Provides the cells of this subtree's lowest level.
     """
 
     def __init__(self, layout: Layout, store: Path, tier: int, place: Place, below: Below) -> None:
@@ -136,13 +136,13 @@ class Subtree:
         self._outcome = Outcome()
 
     def run(self) -> Outcome:
-        """Build what is not there yet; the outcome has the views of the cell on top."""
+        """Build what is missing; the outcome has the views of the top cell."""
         if self._record.exists():
-            self._journal.remove()  # the build may have ended before it did
+            self._journal.remove()  # an earlier build may have ended before this
             self._below.pass_over(min(self._top, self._root), self._place)
             return self._reloaded()
         if not self._is_sound():
-            self._journal.remove()  # what the system had promised to write is gone, so all is drawn again
+            self._journal.remove()  # data lost after a system crash: start the subtree again
         if self._top > self._root:
             _, self._outcome.is_complete = self._views(self._root, (0, 0, 0))
         else:
@@ -157,14 +157,14 @@ class Subtree:
         return self._layout.grid.levels - 1
 
     def _is_sound(self) -> bool:
-        """Whether the shards have all bytes that the journal tells of."""
+        """Whether the shards have all bytes recorded in the journal."""
         return all(
             holds(self._store / self._layout.shard_path(array, self._layout.shard_of(level, place)[0]), size)
             for (level, place, array), size in self._journal.sizes().items()
         )
 
     def _views(self, level: int, place: Place) -> tuple[Views, bool]:
-        """The views of a cell of this subtree, and whether all below it is there."""
+        """Views of a cell of this subtree, and whether everything below it is complete."""
         if (level, place) in self._journal.cells:
             self._below.pass_over(level, place)
             return self._reread(level, place), True
@@ -184,7 +184,7 @@ class Subtree:
         return views, is_complete
 
     def _composed(self, level: int, place: Place) -> tuple[Views, bool]:
-        """The views of a cell from those of its children, which are built."""
+        """Compose the views of a cell from those of its children, which are built first."""
         parent, is_complete = None, True
         for octant, child in self._layout.grid.children(level, place):
             views, is_whole = self._views(level - 1, child)
@@ -201,7 +201,7 @@ class Subtree:
         return _core.OrthoParent(self._layout.directions, self._layout.format, behind=self._layout.layers == 2)
 
     def _write(self, level: int, place: Place, views: Views, guests: list[Place]) -> Views:
-        """Write the views of a cell, and note its guests; returns the views as readers see them."""
+        """Write the views of a cell and record its guests; return the views as readers decode them."""
         shard, within = self._layout.shard_of(level, place)
         encoded = _codec.encoded(views, self._layout) if views else {}
         gone = dict.fromkeys(self._below.before(level, place) - encoded.keys(), b"")
@@ -233,15 +233,15 @@ class Subtree:
             )
 
     def _decoded(self, chunks: dict[tuple[int, str], bytes | None]) -> Views:
-        """Views of a cell from those of its chunks that are there."""
+        """Decode a cell's views from those of its chunks that exist."""
         shown = {pair: chunk for pair, chunk in chunks.items() if chunk}
         self._outcome.counts["reloaded"] += len(shown)
         return _codec.both(shown, self._layout) if shown else None
 
     def _named(self) -> Described:
-        """Give all shards their index and their names; their sizes and SHA-256 by their paths.
+        """Write the index of all shards and rename them; return sizes and SHA-256 by path.
 
-        Those of a subtree that is not complete become `PART` again when it goes on; until then readers find its cells.
+        Shards of an incomplete subtree become `PART` again when it resumes; until then readers find its cells.
         """
         shards = {}
         for level, place, array in self._journal.sizes():
@@ -271,7 +271,7 @@ class Subtree:
         return {path: described(self._store / path) for path in paths if (self._store / path).exists()}
 
     def _reloaded(self) -> Outcome:
-        """The outcome of a subtree that is complete: its views are composed again of those of its highest level."""
+        """Outcome of a complete subtree: its views are composed again from those of its highest level."""
         if self._top > self._root:
             return self._outcome
         self._check(formats.read_json(self._record, RECORD, VERSION)["shards"])
@@ -287,7 +287,7 @@ class Subtree:
         return self._outcome
 
     def _check(self, shards: dict[str, Any]) -> None:
-        """Raise a FormatError for a shard of a record that is gone."""
+        """Raise a FormatError if a shard of a record is missing."""
         for path in shards:
             if not (self._store / path).exists():
                 raise FormatError(f"{self._store / path}: damaged orthoviews: the shard is gone")

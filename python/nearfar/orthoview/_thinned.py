@@ -1,13 +1,13 @@
-"""Surfaces that several views of a cell show: which pixels are left out because another view shows them better.
+"""Removes duplicates of surfaces that several views of a cell show: which pixels another view shows better.
 
-A pixel's *fineness* is the number of pixels on a square metre of its surface. A surfel is left out if all four pixels
-of another view about its place are surfels of the same plane and finer; of equal ones those of the first view count.
+A pixel's *fineness* is the number of pixels per square metre of its surface. A surfel is left out if the four pixels
+of another view around its place are all surfels of the same plane and finer; of equal ones the first view's count.
 Each pixel's fineness is fixed, so no two leave each other out; what is left out lies between better pixels.
 A ball is left out where another view has a surfel at its place, or an earlier view a ball.
 
-Gaussians have no back. Where two sides of a surface lie closer than the pixels, one would shine through the other: of
-floors the upper side counts, of walls the one that more views show. So the ground has no lower side, and the insides of
-houses that a cell's side cuts open do not show in their outsides.
+Gaussians have no back side. Where the two sides of a surface are closer than the pixel size, one would shine through
+the other: of floors the upper side is kept, of walls the side that more views show. So the ground has no lower side,
+and interiors of houses that a cell's side cuts open do not show through their outer walls.
 """
 
 from __future__ import annotations
@@ -29,10 +29,10 @@ ALIKE = 0.7
 """Least cosine between the normals of surfels of one surface, as of connected pixels."""
 
 LEVEL = 0.5
-"""Least upward part of a unit normal at which a surface is a floor."""
+"""Least y component of a unit normal (either sign) at which a surface is a floor."""
 
 _TIE = np.float32(1e-4)
-"""Share by which rounding may change a fineness."""
+"""Relative tolerance for rounding of a fineness."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,17 +40,17 @@ class Picture:
     """A view of a cell: arrays (size, size) of its pixels."""
 
     axes: Floats
-    """Rows (3, 3): to the right, up, towards the viewer."""
+    """Rows (3, 3): right, up, towards the viewer."""
     extents: tuple[float, float, float]
-    """Of the picture to the right and upwards, and of depths, metres."""
+    """Width and height of the picture and range of depths, metres."""
     depth: Floats
-    """Metres behind the front; NaN where nothing is."""
+    """Metres behind the front; NaN for empty pixels."""
     normal: Floats
-    """Towards the viewer, world axes (size, size, 3)."""
+    """Unit normals towards the viewer, world axes (size, size, 3)."""
     color: NDArray[np.uint8]
     is_surfel: NDArray[np.bool_]
     fineness: Floats
-    """Pixels on a square metre; 0 for balls, −1 where nothing is."""
+    """Pixels per square metre of surface; 0 for balls, −1 for empty pixels."""
 
     @classmethod
     def of(
@@ -61,7 +61,7 @@ class Picture:
         extents: NDArray[np.float64],
         steps: int,
     ) -> Picture:
-        """The first of some views, whose pixels are connected as `bits` say."""
+        """Convert the first of some views, whose pixels have the connections `bits`."""
         width, height, depth = extents.tolist()
         codes, rows = views.depths()[0, ..., 0], axes.astype(np.float32)
         shown = codes > 0
@@ -87,7 +87,7 @@ class Picture:
         return self.extents[0] / size, self.extents[1] / size
 
     def surfaces(self) -> Surfaces:
-        """The pixels that show something, row by row."""
+        """Non-empty pixels, row by row."""
         row, column = np.nonzero(self.fineness >= 0.0)
         (width, height), half = self.pitch, np.array(self.extents, np.float32) / 2
         place = np.stack(
@@ -114,14 +114,14 @@ def seen_better(pictures: list[Picture], number: int, rows: NDArray[np.int64]) -
     pictures
         All views of the cell.
     number
-        Of the one that the pixels are from.
+        Number of the picture that the pixels are from.
     rows
-        Which of its `surfaces()`.
+        Indices of pixels in its `surfaces()`.
 
     Returns
     -------
     NDArray
-        For each row whether it is left out.
+        Whether each row is left out.
     """
     own = pictures[number]
     shown = own.surfaces()
@@ -132,7 +132,7 @@ def seen_better(pictures: list[Picture], number: int, rows: NDArray[np.int64]) -
             continue
         balls = left[~shown.is_surfel[left]]
         surfels = left[shown.is_surfel[left]]
-        # By its own normal a surfel of the other view would have this fineness.
+        # Fineness that a surfel of the other view with this normal would have.
         pixel = np.float32(picture.pitch[0] * picture.pitch[1])
         could = (shown.normal[surfels] @ picture.axes[2]) / pixel
         surfels = surfels[could >= fineness[surfels] * (1 - _TIE)]
@@ -145,13 +145,13 @@ def seen_better(pictures: list[Picture], number: int, rows: NDArray[np.int64]) -
 
 
 def _is_back(pictures: list[Picture], number: int, middle: Floats, normal: Floats) -> NDArray[np.bool_]:
-    """Whether surfels (N,) of a picture are the side of a thin surface that does not count."""
+    """Whether surfels (N,) of a picture are the side of a thin surface that is left out."""
     others = [picture for other, picture in enumerate(pictures) if other != number]
     behind = np.zeros(len(middle), np.int32)
     for picture in others:
         behind += _has_plane(picture, middle, -normal)
     thin = np.flatnonzero(behind)
-    own = np.ones(len(thin), np.int32)  # their own picture shows their side
+    own = np.ones(len(thin), np.int32)  # their own picture shows this side
     for picture in others:
         own += _has_plane(picture, middle[thin], normal[thin])
     up = normal[thin, 1]
@@ -161,7 +161,7 @@ def _is_back(pictures: list[Picture], number: int, middle: Floats, normal: Float
 
 
 def _has_plane(picture: Picture, middle: Floats, normal: Floats) -> NDArray[np.bool_]:
-    """Whether the pixels of a picture about points (N,) are surfels of planes with their normals."""
+    """Whether the pixels of a picture at points (N,) are surfels of planes with the given normals."""
     has = np.zeros(len(middle), bool)
     at = np.flatnonzero(normal @ picture.axes[2] > 0)
     column, row, depth = _placed(picture, middle[at])
@@ -170,7 +170,7 @@ def _has_plane(picture: Picture, middle: Floats, normal: Floats) -> NDArray[np.b
     at, column, row, depth = at[is_inside], column[is_inside], row[is_inside], depth[is_inside]
     c, r = column.astype(np.int64), row.astype(np.int64)
     near = np.float32(NEAR * max(width, height))
-    # On a plane that leans by 75.5° depths differ by 4.8 pixels, within reach of its pixel and `near`.
+    # On a plane tilted by 75.5° depths differ by 4.8 pixels within reach of a pixel and `near`.
     could = picture.is_surfel[r, c] & (np.abs(depth - picture.depth[r, c]) <= 10 * near)
     at, column, row, depth, c, r = at[could], column[could], row[could], depth[could], c[could], r[could]
     could = np.einsum("ni,ni->n", picture.normal[r, c], normal[at]) >= ALIKE
@@ -180,7 +180,7 @@ def _has_plane(picture: Picture, middle: Floats, normal: Floats) -> NDArray[np.b
 
 
 def _placed(picture: Picture, middle: Floats) -> tuple[Floats, Floats, Floats]:
-    """Columns, rows and depths of points in a picture, in pixels and metres."""
+    """Project points into a picture: columns and rows in pixels, depths in metres."""
     width, height, depth = picture.extents
     size = np.float32(len(picture.depth))
     right, up, toward = (middle @ picture.axes.T).T
@@ -194,7 +194,7 @@ def _placed(picture: Picture, middle: Floats) -> tuple[Floats, Floats, Floats]:
 def _same_surfel(
     picture: Picture, middle: Floats, normal: Floats, fineness: Floats, is_before: bool
 ) -> NDArray[np.bool_]:
-    """Whether surfels (N,) lie between four finer ones of a picture that are of their plane."""
+    """Whether surfels (N,) lie between four finer surfels of a picture that are in their plane."""
     column, row, depth = _placed(picture, middle)
     size, (width, height) = len(picture.depth), picture.pitch
     same = (column >= 0) & (column < size) & (row >= 0) & (row < size)
@@ -204,7 +204,7 @@ def _same_surfel(
         at = np.flatnonzero(same)
         if not len(at):
             break
-        # At the picture's sides the outermost pixels stand for those beyond.
+        # Beyond the picture's sides the outermost pixels are repeated.
         c = np.clip(first_column[at] + along, 0, size - 1).astype(np.int64)
         r = np.clip(first_row[at] + down, 0, size - 1).astype(np.int64)
         theirs = picture.fineness[r, c]
@@ -218,7 +218,7 @@ def _same_surfel(
 def _off_plane(
     picture: Picture, columns: tuple[Integers, Floats], rows: tuple[Integers, Floats], depth: Floats
 ) -> Floats:
-    """Distances (N,) of points at columns, rows and depths from the planes of pixels, which come first, metres."""
+    """Distances (N,) in metres of points, given by column, row and depth, from the planes of pixels (c, r)."""
     (c, column), (r, row), (width, height) = columns, rows, picture.pitch
     normal = picture.normal[r, c] @ picture.axes.T
     distance: Floats = np.abs(
@@ -230,7 +230,7 @@ def _off_plane(
 
 
 def _same_ball(picture: Picture, middle: Floats, own: Picture, is_before: bool) -> NDArray[np.bool_]:
-    """Whether balls (N,) of a picture lie at places where another one shows a surfel, or an earlier one a ball."""
+    """Whether balls (N,) lie at places where another picture shows a surfel, or an earlier one a ball."""
     column, row, depth = _placed(picture, middle)
     size = len(picture.depth)
     same = (column >= 0) & (column < size) & (row >= 0) & (row < size)

@@ -1,4 +1,4 @@
-"""A tree of orthoviews that is open."""
+"""The `OrthoTree` class: an open tree of orthoviews."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ from nearfar.orthoview._shown import CACHE_BYTES
 
 
 class OrthoTree(NearFarTree):
-    """A world as an octree of orthographic depth images, which `nearfar.orthoview.build` makes.
+    """A world as an octree of orthographic depth images, built by `nearfar.orthoview.build`.
 
     Parameters
     ----------
     path
-        The folder that it wrote, or the URL of one: https://…, s3://… and all else that fsspec knows.
+        The store's folder, or the URL of one: https://…, s3://… or any other that fsspec knows.
     cache_bytes
-        Bytes of memory for views. Those of one picture may take more; those of earlier ones stay while there is room.
+        Size of the view cache, bytes. Views of one picture may exceed it; older ones stay while there is room.
 
     Raises
     ------
@@ -47,7 +47,7 @@ class OrthoTree(NearFarTree):
         Parameters
         ----------
         level, place
-            The cell; by default the one on top, which has the whole world.
+            The cell; by default the root, which covers the whole world.
 
         Raises
         ------
@@ -61,48 +61,47 @@ class OrthoTree(NearFarTree):
         )
 
     def update(self, aabb: ArrayLike, source: SceneSource) -> OrthoTree:
-        """Write a new generation, in which a part of the world is as it is now.
+        """Write a new generation, in which a part of the world has changed.
 
-        Leaves that the box touches are drawn again, and the cells above them composed: about k + log n of them for k
-        leaves of n. Their views become a new generation beside those of the cells that stay, and one document
-        changes at the end. Trees that are open go on with the generation that they have. An update that ends early
-        leaves the store as it was.
+        Leaves that the box touches are rendered again, and the cells above them composed: about k + log n of them for k
+        leaves of n. Their views become a new generation beside the unchanged cells, and one document changes at the
+        end. Open trees keep the generation that they have. An update that is interrupted leaves the store as it was.
 
         Parameters
         ----------
         aabb
             World box (2, 3) within which the world has changed, metres.
         source
-            The whole world as it is now.
+            The whole changed world.
 
         Returns
         -------
         OrthoTree
-            The new generation; `done` tells what was drawn and composed.
+            The new generation; `done` counts what was rendered and composed.
 
         Raises
         ------
         ValueError
-            A store behind a URL, one that is not complete, and a world that goes beyond the tree's `bounds` within the
+            A store behind a URL, an incomplete store, or a world that extends beyond the tree's `bounds` within the
             box.
         TypeError
-            Something that is no source.
+            A value that is not a source.
         FormatError
-            A shard that is damaged.
+            A damaged shard.
         BlockingIOError
             A build or another update writes into the store.
         Exception
-            What the source raises.
+            Any exception of the source.
         """
         box, world = check.box("aabb", aabb), source_of("source", source)
         _update.update(self._folder("update"), box, world)
         return OrthoTree(self.path)
 
     def compact(self, path: str | os.PathLike[str]) -> OrthoTree:
-        """Write this generation as a store of its own, which any reader of Zarr v3 opens.
+        """Write this generation as a new store, which any reader of Zarr v3 opens.
 
-        Shards that no update touched are not copied where both stores are on one disk: they are the same files. Cells
-        have the bytes and the order that a build of the changed world would have given them.
+        Shards that no update touched are hard-linked instead of copied if both stores are on one disk. Cells have the
+        bytes and the order that a build of the changed world would have given them.
 
         Parameters
         ----------
@@ -112,9 +111,9 @@ class OrthoTree(NearFarTree):
         Raises
         ------
         ValueError
-            A store that is not complete; the place of this one.
+            An incomplete store, or the folder of this store.
         FormatError
-            A shard that is damaged or missing.
+            A damaged or missing shard.
         OSError
             Files that cannot be written.
         """
@@ -138,24 +137,26 @@ class OrthoTree(NearFarTree):
     ) -> dict[str, int]:
         """Write this generation for viewers of Gaussian splats: each pixel of the views becomes a Gaussian.
 
-        What several views of a cell show is written once. One light is part of the colours. The files are written
-        aside and renamed.
+        Surfaces that several views of a cell show are written once. Shading by one light is part of the colours. The
+        files are written to temporary names and renamed.
 
         Parameters
         ----------
         path
-            File or folder to make or replace; a folder must be empty or an older export.
+            File or folder to create or replace; a folder must be empty or an older export.
         format
             "spz": one file of SPZ version 3, in world metres. "gltf": one GLB with KHR_gaussian_splatting. "tiles": a
-            folder with a tileset of 3D Tiles 1.1, of a GLB for each cell of each level. By default .spz and .glb name
-            the format, and a path without a suffix is a folder of tiles.
+            folder with a tileset of 3D Tiles 1.1, with a GLB for each cell of each level. By default the suffixes .spz
+            and
+            .glb select the format, and a path without a suffix is a folder of tiles.
         level
-            Of the cells in a file; of the finest tiles.
+            Level of the cells in a file, or of the finest tiles.
         aabb
-            World box (2, 3) of the splats' middles, metres; by default everything.
+            World box (2, 3) of the splats' centres, metres; by default everything.
         light
-            "sun": that of all pictures. A vector (3,) towards the sun: the same light with the sun elsewhere. None:
-            colours without light.
+            "sun": the light of all pictures. A vector (3,) towards the sun: the same light with another sun. None:
+            unshaded
+            colours.
         compression
             "spz" puts an SPZ file of version 2 into each GLB (KHR_gaussian_splatting_compression_spz_2, a draft). By
             default the attributes are plain.
@@ -163,15 +164,16 @@ class OrthoTree(NearFarTree):
         Returns
         -------
         dict
-            Numbers of `cells` or `tiles`, of `splats`, of the `pixels` that they stand for, and of `bytes`.
+            Numbers of `cells` or `tiles`, of `splats`, of the `pixels` that they represent, and of `bytes`.
 
         Raises
         ------
         ValueError
-            A store that is not complete, arguments out of range, a box without anything, and more splats than a file
-            holds: 10,000,000 in SPZ, 4 GiB in a GLB.
+            An incomplete store, arguments out of range, an empty box, or more splats than a file holds: 10,000,000 in
+            SPZ,
+            4 GiB in a GLB.
         FormatError
-            A shard that is damaged.
+            A damaged shard.
         OSError
             Files that cannot be read or written.
 
@@ -201,14 +203,14 @@ class OrthoTree(NearFarTree):
         Returns
         -------
         int
-            Number of shards, those of older generations included.
+            Number of shards and geometry files, including those of older generations.
 
         Raises
         ------
         FormatError
-            For the first record or shard that is missing or differs; the message names it.
+            The first record or file that is missing or differs; the message names it.
         ValueError
-            A store that is not complete.
+            An incomplete store.
         """
         if not self._is_complete:
             raise ValueError(f"path: {self.path} is not complete, build it again")
@@ -234,7 +236,7 @@ class OrthoTree(NearFarTree):
         return card.page("OrthoTree", facts, picture)
 
     def __repr__(self) -> str:
-        """Return a line."""
+        """Return a summary in one line."""
         state = "" if self.is_complete else ", incomplete"
         name = self.path.rpartition("/")[2]
         return (
@@ -249,10 +251,10 @@ def open(path: str | os.PathLike[str], *, cache_bytes: SupportsIndex = CACHE_BYT
     Parameters
     ----------
     path
-        The folder that `nearfar.orthoview.build` wrote, or the URL of one: https://…, s3://… and all else that fsspec
-        knows. Parts of shards are read as they are needed.
+        The folder that `nearfar.orthoview.build` wrote, or the URL of one: https://…, s3://… or any other that fsspec
+        knows. Parts of shards are read on demand.
     cache_bytes
-        Bytes of memory for views. Those of one picture may take more; those of earlier ones stay while there is room.
+        Size of the view cache, bytes. Views of one picture may exceed it; older ones stay while there is room.
 
     Raises
     ------

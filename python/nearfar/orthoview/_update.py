@@ -1,7 +1,7 @@
-"""Updates: the cells that a change of the world touches, drawn again into a new generation of the store.
+"""Updates: cells that a change of the world touches are rendered again into a new generation of the store.
 
 A generation is a folder of shards that have the changed cells only. Readers take a chunk from the newest generation
-that has it. Files of older generations stay as they are, so who reads one goes on.
+that has it. Files of older generations never change, so their readers continue unaffected.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from nearfar.orthoview._subtree import Outcome
 
 
 def update(path: Path, aabb: NDArray[np.float64], source: SceneSource) -> None:
-    """Write a new generation in which a box of the world is as a source has it now; `OrthoTree.update` tells more."""
+    """Write a new generation in which a box of the world comes from a changed source; see `OrthoTree.update`."""
     with locks.hold(path / FOLDER / "lock", f"another build writes into {path}"):
         store = Local(path)
         attributes = _store.read(store)
@@ -39,7 +39,7 @@ def update(path: Path, aabb: NDArray[np.float64], source: SceneSource) -> None:
         _check_reach(layout, aabb, source)
         newest = int(attributes["generation"])
         folder = path / _store.overlay(newest + 1)
-        shutil.rmtree(folder, ignore_errors=True)  # of an update that ended early
+        shutil.rmtree(folder, ignore_errors=True)  # left by an interrupted update
         changed = Changed(
             source, folder, layout, Chunks(store, layout, _store.recorded_generations(store, layout, newest)), aabb
         )
@@ -55,7 +55,7 @@ def update(path: Path, aabb: NDArray[np.float64], source: SceneSource) -> None:
 
 
 def _check_reach(layout: Layout, aabb: NDArray[np.float64], source: SceneSource) -> None:
-    """Raise a ValueError where the source has something in the box, but beyond the tree."""
+    """Raise a ValueError if the source has something in the box that lies outside the tree."""
     grid = layout.grid
     low, high = np.array(grid.origin), np.array(grid.origin) + np.array(grid.counts) * grid.cell
     bounds = bounds_of(source)
@@ -73,7 +73,7 @@ def _check_reach(layout: Layout, aabb: NDArray[np.float64], source: SceneSource)
 
 
 class Changed(Leaves):
-    """The leaves that a change touches; all other cells are as they are in the store."""
+    """Leaves that a change touches; all other cells are read from the store."""
 
     unchanged = AS_BEFORE
 
@@ -83,10 +83,10 @@ class Changed(Leaves):
         super().__init__(source, folder, layout)
         self._chunks, self._aabb = chunks, aabb
         self.replaced: Counter[str] = Counter()
-        """Cells, leaves, chunks and bytes of older generations that are no longer read."""
+        """Cells, leaves, chunks and bytes of older generations that this one replaces."""
 
     def write_geometry(self, part: Scene, place: Place) -> None:
-        """Write the geometry of a leaf; an empty file says that what was there is gone."""
+        """Write the geometry of a leaf; an empty file marks the removal of an older one."""
         super().write_geometry(part, place)
         if self.geometry is None:
             return
@@ -97,11 +97,11 @@ class Changed(Leaves):
                 path.touch()
 
     def failure(self, _place: Place, error: Exception) -> Outcome:
-        """Give up: the store stays as it is."""
+        """Abort the update: the store stays as it was."""
         raise error
 
     def known(self, level: int, place: Place) -> Outcome | None:
-        """The views in the store of a cell that the change does not touch."""
+        """Read the views of a cell that the change does not touch; None if it must be rendered again."""
         keys = self.layout.keys(level, place)
         if not self.layout.grid.touches(level, place, self._aabb):
             with formats.guarded(self.folder, "orthoviews"):
@@ -116,7 +116,7 @@ class Changed(Leaves):
         return super().known(level, place)
 
     def _had_geometry(self, level: int, place: Place) -> bool:
-        """Whether leaves of a cell may have geometry in the store: some triangles are too small for a pixel."""
+        """Whether leaves of a cell may have geometry in the store: some triangles are too small for any pixel."""
         if not self.layout.geometry or level >= self.layout.subtree:
             return self.layout.geometry
         first = [number << level for number in place]

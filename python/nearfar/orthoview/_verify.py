@@ -11,7 +11,7 @@ from nearfar.orthoview._files import Files
 
 
 def verify(store: Files, newest: int) -> int:
-    """Check the size and the SHA-256 of all shards and files of geometry; returns their number."""
+    """Check the size and the SHA-256 of all shards and geometry files; return their number."""
     records = list(_store.recorded(store, newest))
     listed = [
         (recorded.folder + path, *described)

@@ -1,4 +1,4 @@
-"""A view of a cell, as trees return it."""
+"""The `OrthoView` class: a view of a cell."""
 
 from __future__ import annotations
 
@@ -10,29 +10,29 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True)
 class OrthoView:
-    """A cell seen along parallel rays."""
+    """A cell seen in parallel projection."""
 
     color: NDArray[np.uint8]
-    """sRGB without light (size, size, 3)."""
+    """Unshaded colours, sRGB (size, size, 3)."""
     depth: NDArray[np.float32]
-    """Metres behind the front of the cell's extent along the view (size, size); infinite where nothing is."""
+    """Metres behind the front of the cell's extent along the view (size, size); infinite for empty pixels."""
     normal: NDArray[np.float32]
-    """Unit normals towards the viewer, world axes (size, size, 3); NaN where nothing is."""
+    """Unit normals towards the viewer, world axes (size, size, 3); NaN for empty pixels."""
     surfel: NDArray[np.bool_]
-    """Whether a pixel is a piece of a plane (size, size); others are balls."""
+    """Whether each pixel is a surfel, a piece of a plane (size, size); the others are balls."""
     right: NDArray[np.float64]
-    """Unit vector along a row."""
+    """Unit vector towards the right of the picture."""
     up: NDArray[np.float64]
-    """Unit vector against a column."""
+    """Unit vector towards the top of the picture."""
     toward: NDArray[np.float64]
     """Unit vector towards the viewer."""
     extents: NDArray[np.float64]
-    """Extents of the picture to the right and upwards, and of depths, metres."""
+    """Width and height of the picture and range of depths, metres."""
     center: NDArray[np.float64]
     """World position of the cell's centre, metres."""
 
     def points(self) -> NDArray[np.float64]:
-        """World positions (size, size, 3) of the surfaces, metres; NaN where nothing is."""
+        """World positions (size, size, 3) of the surfaces, metres; NaN for empty pixels."""
         place = (np.arange(len(self.depth)) + 0.5) / len(self.depth) - 0.5
         across, down = np.meshgrid(place, place)
         behind = np.where(np.isfinite(self.depth), self.depth, np.nan).astype(np.float64)

@@ -1,4 +1,4 @@
-"""Pictures of a tree: the cut, its views as splats, and the geometry of the nearest leaves."""
+"""Draws pictures of a tree: views of the cut as splats, and the nearest leaves as geometry."""
 
 from __future__ import annotations
 
@@ -22,22 +22,22 @@ from nearfar.orthoview._near import Near
 from nearfar.orthoview._views import Views
 
 SAMPLED = ("color", "coverage")
-"""Channels of all samples of a pixel; others describe its middle."""
+"""Channels averaged over all samples of a pixel; the others are taken at its centre."""
 
 Report = Callable[[int, int], None] | None
 
 
 @dataclass(frozen=True)
 class Parts:
-    """The parts of a picture."""
+    """Content of a picture."""
 
     splats: list[_core.OrthoSplats]
     near: Scene | None
-    """Leaves that are drawn as geometry."""
+    """Leaves drawn as geometry."""
     movers: Scene | None
-    """Objects that move."""
+    """Moving objects."""
     counts: dict[str, float]
-    """Of the cut."""
+    """Counts of the cut, for `stats`."""
 
 
 class Viewer:
@@ -46,11 +46,11 @@ class Viewer:
     Parameters
     ----------
     cutter
-        Cuts it.
+        Cuts the tree.
     views
-        Reads its views.
+        Reads the tree's views.
     near
-        Reads the geometry of its leaves.
+        Reads the geometry of leaves.
     """
 
     def __init__(self, cutter: Cutter, views: Views, near: Near) -> None:
@@ -71,7 +71,7 @@ class Viewer:
         report: Report = None,
         device: _core.GpuDevice | None = None,
     ) -> list[Images]:
-        """The pictures of a shot with what moves, one for each camera."""
+        """Draw the pictures of a shot with moving objects, one for each camera."""
         several = ((camera, self._gathered(camera, settings, movers)) for camera in shot.cameras)
         return [self.picture(camera, shot, parts, report, device) for camera, parts in several]
 
@@ -83,12 +83,12 @@ class Viewer:
         report: Report = None,
         device: _core.GpuDevice | None = None,
     ) -> Images:
-        """The picture of one of a shot's cameras from parts of a tree, drawn by a device or by the processor."""
+        """Draw the picture of one of a shot's cameras from given parts, on a device or on the CPU."""
         grid = grid_of(shot.samples)
         sampled = tuple(name for name in shot.channels if name in SAMPLED)
         middle = tuple(name for name in shot.channels if name not in SAMPLED)
         if sampled and middle and grid > 1:
-            passes = [(1, middle), (grid, sampled)]  # which splat a pixel's middle shows does not depend on `samples`
+            passes = [(1, middle), (grid, sampled)]  # the splat at a pixel's centre must not depend on `samples`
         else:
             passes = [(grid if sampled else 1, shot.channels)]
         images: Images = {}
@@ -123,7 +123,7 @@ class Viewer:
         return images
 
     def _gathered(self, camera: Camera, settings: Settings, movers: Scene | None) -> Parts:
-        """Read a picture's parts, one picture after the other: threads may share the viewer."""
+        """Read a picture's parts, one picture at a time: threads may share the viewer."""
         with self._lock:
             fitted = self._fitter.fit(camera, settings)
             near = self.near.scene(self.cutter.with_guests(fitted.cut.leaf_places()))
@@ -139,7 +139,7 @@ def _geometry(
     grid: int,
     device: _core.GpuDevice | None,
 ) -> dict[str, Any] | None:
-    """Images of what is drawn as geometry, with a pixel for each sample."""
+    """Render geometry and moving objects, with a pixel for each sample."""
     several = [scene for scene in (parts.near, parts.movers) if scene is not None]
     if not several:
         return None
@@ -159,6 +159,6 @@ def _geometry(
 
 
 def _numbered(scene: Scene, movers: Scene) -> NDArray[np.int32]:
-    """Numbers among what moves of a scene's objects, −1 for others; the last one is for rays that hit nothing."""
+    """Map a scene's object numbers to those of the moving objects, −1 for others; the last entry is for misses."""
     numbers = {name: number for number, name in enumerate(movers.object_names)}
     return np.array([*(numbers.get(name, -1) for name in scene.object_names), -1], np.int32)

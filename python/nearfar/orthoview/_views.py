@@ -1,4 +1,4 @@
-"""Views of a tree as splats, those that were used last kept in memory."""
+"""Views of a tree as splats, with a cache of those used last."""
 
 from __future__ import annotations
 
@@ -19,28 +19,28 @@ ViewKey = tuple[int, Place, int]
 """Level, place and direction of a view."""
 
 _SHOWN = 0.125
-"""Share of the pixels that show something in views of which none was read."""
+"""Assumed share of non-empty pixels before any view has been read."""
 
 _ALL = -1
-"""Stands for all levels."""
+"""Key of the totals over all levels."""
 
 _AT_ONCE = 64
-"""Views whose chunks are asked for at once."""
+"""Number of views whose chunks are read at once."""
 
 
 class Views:
-    """Reads views, and keeps those that were used last.
+    """Reads views, and caches those used last.
 
     Parameters
     ----------
     place
-        Of the store, for messages.
+        Folder or URL of the store, for messages.
     chunks
-        Of the store.
+        Chunks of the store.
     layout
-        Of the tree.
+        Layout of the tree.
     most
-        Bytes of memory that views may take; those of one picture may take more.
+        Size of the cache, bytes; the views of one picture may exceed it.
     """
 
     def __init__(self, place: str, chunks: Chunks, layout: Layout, most: int) -> None:
@@ -48,35 +48,35 @@ class Views:
         self._kept: OrderedDict[ViewKey, tuple[_core.OrthoSplats, ...]] = OrderedDict()
         self._directions: dict[tuple[int, Place], frozenset[int]] = {}
         self._old: set[ViewKey] = set()
-        """Views that an update has changed since they were read."""
+        """Cached views that an update has changed since they were read."""
         self._lock = threading.Lock()
         self._counts: dict[ViewKey, int] = {}
         self._of_level: dict[int, tuple[int, int]] = {}
         self.bytes = 0
-        """Bytes of memory of the views that are kept."""
+        """Bytes of the cached views."""
         self.read_bytes = 0
-        """Bytes of chunks that were read."""
+        """Bytes of chunks read so far."""
         self.reads = 0
-        """Number of views that were read."""
+        """Number of views read so far."""
 
     def __contains__(self, key: ViewKey) -> bool:
-        """Whether a view is kept as it is now."""
+        """Whether a view is cached in its newest version."""
         with self._lock:
             return key in self._kept and key not in self._old
 
     def get(self, keys: Sequence[ViewKey]) -> list[_core.OrthoSplats]:
-        """The splats of views, of both layers, which are read where they are not kept."""
+        """Splats of views, of both layers; views that are not cached are read."""
         return [splats for layers in self.layers(keys) for splats in layers]
 
     def layers(self, keys: Sequence[ViewKey]) -> list[tuple[_core.OrthoSplats, ...]]:
-        """The splats of views layer by layer, which are read where they are not kept."""
+        """Splats of views layer by layer; views that are not cached are read."""
         self.load(keys)
         found = [self.kept(key) for key in keys]
         self.trim(set(keys))
         return found
 
     def expected(self, key: ViewKey) -> float:
-        """Number of a view's splats: of one that was never read the mean of its level, or of all views."""
+        """Number of a view's splats; if it was never read, the mean of its level, else of all views."""
         known = self._counts.get(key)
         if known is not None:
             return known
@@ -84,17 +84,17 @@ class Views:
         return total / views
 
     def is_counted(self, key: ViewKey) -> bool:
-        """Whether a view was read once."""
+        """Whether a view has ever been read."""
         return key in self._counts
 
     def load(self, keys: Sequence[ViewKey]) -> None:
-        """Read the views that are not kept; threads may do so at the same time."""
+        """Read the views that are not cached; thread-safe."""
         missing = [key for key in keys if key not in self]
         for first in range(0, len(missing), _AT_ONCE):
             self._read(missing[first : first + _AT_ONCE])
 
     def kept(self, key: ViewKey) -> tuple[_core.OrthoSplats, ...]:
-        """The layers of a view, which counts as used now; none if it is not kept."""
+        """Layers of a view, which becomes the most recently used; empty if it is not cached."""
         with self._lock:
             if key not in self._kept:
                 return ()
@@ -102,12 +102,12 @@ class Views:
             return self._kept[key]
 
     def of_cell(self, level: int, place: Place) -> frozenset[int]:
-        """The directions of the views of a cell that are kept, those included that an update has changed."""
+        """Directions of a cell's cached views, of any version."""
         with self._lock:
             return self._directions.get((level, place), frozenset())
 
     def take_over(self, older: Views, changed: Callable[[ViewKey], bool]) -> None:
-        """Keep the views of an older generation; those that have changed until they are read."""
+        """Take the cached views of an older generation; changed ones serve until they are read again."""
         for key, splats in list(older._kept.items()):
             self._keep(key, splats, 0)
             if key in older._old or changed(key):
@@ -115,7 +115,7 @@ class Views:
         self.read_bytes, self.reads = older.read_bytes, older.reads
 
     def trim(self, needed: Container[ViewKey]) -> None:
-        """Drop the views that were used the longest ago, none of those that are needed, until there is room."""
+        """Evict the least recently used views, but none that are needed, until the cache fits its size."""
         with self._lock:
             if self.bytes <= self._most:
                 return
@@ -169,7 +169,7 @@ class Views:
                 self._of_level[level] = total + splats, views + 1
 
     def _taken(self, key: ViewKey, contents: Iterator[bytes | None], layers: int) -> list[dict[str, bytes]]:
-        """Chunks by their channels, of the layers of the next view that show something: the first one does."""
+        """Chunks by channel of the next view's layers that show something; the first layer always does."""
         taken = [{channel: chunk for channel in CHANNELS if (chunk := next(contents))} for _ in range(layers)]
         if any(len(layer) not in (0, len(CHANNELS)) for layer in taken) or not taken[0]:
             level, place, direction = key

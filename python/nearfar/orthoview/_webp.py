@@ -1,4 +1,4 @@
-"""Colours of views as WebP, lossless or lossy."""
+"""Encodes and decodes colours of views as WebP, lossless or lossy."""
 
 from __future__ import annotations
 
@@ -19,10 +19,9 @@ def encode(picture: NDArray[np.uint8], quality: int | None = None, seen: NDArray
         sRGB (size, size, 3).
     quality
         0 to 100, or None for a lossless file, which decodes to the same picture.
-    seen
-        Pixels (size, size) in which something is; by default all. A lossy file gives the others colours from about
-        them: black ones would darken the pixels beside them, and an edge takes bytes. Readers know them by their
-        depth, 0.
+    Mask (size, size) of non-empty pixels; by default all. In a lossy file empty pixels take colours from their
+    surroundings: black ones would darken neighbouring pixels, and edges take bytes. Readers recognise empty
+    pixels by their depth, 0.
     """
     from PIL import Image
 
@@ -35,7 +34,7 @@ def encode(picture: NDArray[np.uint8], quality: int | None = None, seen: NDArray
 
 
 def _spread(colors: NDArray[np.float32], seen: NDArray[np.bool_]) -> NDArray[np.float32]:
-    """Give what is not seen the mean colour of the least block of 2ᵏ × 2ᵏ pixels about it that holds something."""
+    """Fill empty pixels with the mean colour of the smallest block of 2ᵏ × 2ᵏ pixels around them that is not empty."""
     if seen.all():
         return colors
     size = len(seen)
@@ -54,13 +53,13 @@ def decode(data: bytes, size: int) -> NDArray[np.uint8]:
     Raises
     ------
     ValueError
-        Bytes that are no WebP file, and a picture of another size.
+        Bytes that are not a WebP file, or a picture of another size.
     """
     from PIL import Image, UnidentifiedImageError
 
     try:
         with warnings.catch_warnings():
-            # The size is known and checked before anything is decoded.
+            # The size is checked before anything is decoded.
             warnings.simplefilter("ignore", Image.DecompressionBombWarning)
             image = Image.open(io.BytesIO(data), formats=["webp"])
         with image:

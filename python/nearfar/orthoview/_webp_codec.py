@@ -1,6 +1,6 @@
-"""WebP as a codec of Zarr v3, under the name and with the settings of the package imagecodecs.
+"""WebP as a codec of Zarr v3, with the name and the settings of the package imagecodecs.
 
-So readers with imagecodecs-zarr open such stores without nearfar, and those with nearfar without imagecodecs.
+So readers with imagecodecs-zarr open such stores without nearfar, and readers with nearfar without imagecodecs.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ NAME = "imagecodecs_webp"
 
 @dataclass(frozen=True)
 class WebpCodec(ArrayBytesCodec):  # type: ignore[misc]  # zarr's types are not read
-    """Codec of chunks whose last axes are a square picture of sRGB, and whose other axes have the length 1."""
+    """Codec of chunks whose last axes are a square sRGB picture, and whose other axes have the length 1."""
 
     level: float | None = None
     """Quality of a lossy file, 0 to 100."""
@@ -33,16 +33,16 @@ class WebpCodec(ArrayBytesCodec):  # type: ignore[misc]  # zarr's types are not 
 
     @classmethod
     def from_dict(cls, data: dict[str, Any]) -> WebpCodec:
-        """The codec that an array's document describes."""
+        """Create the codec from its entry in an array's document."""
         return cls(**data.get("configuration", {}))
 
     def to_dict(self) -> dict[str, Any]:
-        """The codec in an array's document."""
+        """Return the codec's entry for an array's document."""
         settings = {"lossless": True} if self.lossless else {"level": self.level, "lossless": False}
         return {"name": NAME, "configuration": settings}
 
     def compute_encoded_size(self, input_byte_length: int, chunk_spec: Any) -> int:
-        """Only codecs whose files all have one length are asked."""
+        """Raise: the length of a WebP file is not known beforehand; zarr asks only codecs of fixed size."""
         raise ValueError(f"{NAME}: lengths of files are not known beforehand")
 
     def _encode_sync(self, chunk: Any, spec: Any) -> Any:
@@ -65,14 +65,14 @@ class WebpCodec(ArrayBytesCodec):  # type: ignore[misc]  # zarr's types are not 
 
 
 def register() -> None:
-    """Let zarr know the codec, where no package that is installed does."""
+    """Register the codec with zarr, unless an installed package has done so."""
     try:
         get_codec_class(NAME)
     except KeyError:
         register_codec(NAME, WebpCodec)
 
 
-# Of two classes with one name zarr takes any and warns: the entry point names theirs where it is installed.
+# zarr warns if two classes have the same name: the entry point therefore uses that of imagecodecs if installed.
 try:
     from imagecodecs.zarr import Webp as Codec
 except ImportError:

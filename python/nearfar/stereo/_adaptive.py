@@ -11,28 +11,28 @@ from nearfar.stereo._rig import HybridRig
 
 
 class AdaptivePlane:
-    """Moves the mono plane to the least distance whose error at the depths in view is small enough.
+    """Moves the mono plane to the least distance with a small enough error at the depths in view.
 
     Parameters
     ----------
     hmd
         The headset.
     error_px
-        Greatest error in pixels, to the side.
+        Maximum horizontal error in pixels.
     nearest
         Least distance of the plane, 0.1 to 100,000 metres.
     size
         Width and height of an eye's picture in pixels; `Hmd.render_size` by default.
     hysteresis
-        Share by which the plane may be farther away than necessary before it comes nearer.
+        Share by which the plane may be farther than necessary before it is moved nearer.
     rate
-        Greatest change of the plane's distance for each second, as the natural logarithm of a ratio: 1 allows a factor
-        of 2.7 in a second.
+        Maximum change of the plane's distance per second, as the natural logarithm of a ratio: 1 allows a factor of 2.7
+        per second.
 
     Raises
     ------
     ValueError, TypeError
-        For values out of range.
+        Values out of range.
     """
 
     def __init__(
@@ -55,7 +55,7 @@ class AdaptivePlane:
 
     @property
     def rig(self) -> HybridRig:
-        """The rig with the present plane, which is at first the one for an infinite depth."""
+        """The rig with the present plane; at first the plane for an infinite depth."""
         return self._rig
 
     def wanted(self, depth: float) -> float:

@@ -1,4 +1,4 @@
-"""The geometry of a hybrid rig: two eyes, the mono plane, the camera behind the eyes, the error of its pictures."""
+"""Geometry of a hybrid rig: two eyes, the mono plane, the camera behind the eyes, and the error of its pictures."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ UNITS = ("pixels", "arcmin")
 
 @dataclass(frozen=True, kw_only=True)
 class RigGeometry(WithTwin):
-    """Where the cameras of a rig stand, how their pictures fit together, and how far off they are."""
+    """Positions of a rig's cameras, the mapping between their pictures, and their errors."""
 
     left: Eye
     right: Eye
@@ -45,7 +45,7 @@ class RigGeometry(WithTwin):
         object.__setattr__(self, "size", check.size("size", self.size))
         if self.hmd is not None:
             check.instance("hmd", self.hmd, Hmd, "an Hmd")
-        # Making it checks the rest, at once rather than on first use.
+        # Creating it checks the rest now rather than on first use.
         _ = self._core
 
     def with_plane(self, mono_plane: float | tuple[float, float]) -> Self:
@@ -63,7 +63,7 @@ class RigGeometry(WithTwin):
 
     @property
     def has_zone(self) -> bool:
-        """Whether there is a zone between two planes, in which rays bend, instead of a single plane."""
+        """Whether rays bend in a zone between two planes, instead of at a single plane."""
         return self.planes[1] > self.planes[0]
 
     @property
@@ -88,9 +88,9 @@ class RigGeometry(WithTwin):
 
     @property
     def overlap(self) -> float:
-        """Distance ε before the plane m₂ at which the third camera begins to draw, metres.
+        """Distance ε in metres before the plane m₂ from which the third camera draws.
 
-        2 s m₂ as published; more where pixels are coarse or the plane is far away, so that floors and walls a metre or
+        2 s m₂ as published; more if pixels are coarse or the plane is far away, so that floors and walls a metre or
         more beside the line of sight have no gap: 1.5 pixels of depth, at most m₂/2.
         """
         return self._core.overlap
@@ -100,7 +100,7 @@ class RigGeometry(WithTwin):
     ) -> tuple[Camera, Camera, Camera]:
         """Return the cameras of the left eye, the right eye and the third one.
 
-        The pose of the head is a world position in metres and a unit quaternion (x, y, z, w) that turns head axes into
+        The pose of the head is a world position in metres and a unit quaternion (x, y, z, w) that rotates head axes to
         world axes, as for `Hmd.camera`.
         """
         head, place = quaternion(orientation), np.array(check.vector("position", position))
@@ -122,7 +122,7 @@ class RigGeometry(WithTwin):
         near: float = 0.0,
         far: float = math.inf,
     ) -> Clip:
-        """Return what lies between two depths in front of the plane of the eyes, for `nearfar.render` and others.
+        """Return the space between two depths in front of the plane of the eyes, for `nearfar.render` and others.
 
         Parameters
         ----------
@@ -134,7 +134,7 @@ class RigGeometry(WithTwin):
         Raises
         ------
         ValueError, TypeError
-            For depths below 0 and out of order, and for poses that `cameras` refuses.
+            Depths below 0 or out of order, and invalid poses.
         """
         begin, end = check.at_least_zero("near", near), check.number("far", far, finite=False)
         if not end > begin:
@@ -166,10 +166,10 @@ class RigGeometry(WithTwin):
         *,
         blend: float = 0.3,
     ) -> NDArray[np.float64]:
-        """Return unit vectors from surface points to the viewer, for shading that depends on the view.
+        """Return unit vectors from surface points to the viewer, for view-dependent shading.
 
-        Beyond the plane the third camera is the viewer, before it the eye. Over the last `blend` metres before it the
-        vectors of both are interpolated linearly, so that highlights do not jump at the plane. Of a zone that is m₂.
+        The viewer is the third camera beyond the plane, and the eye before it. Over the last `blend` metres before the
+        plane, m₂ for a zone, both vectors are interpolated linearly, so that highlights do not jump there.
 
         Parameters
         ----------
@@ -190,7 +190,7 @@ class RigGeometry(WithTwin):
         Raises
         ------
         ValueError, TypeError
-            For arguments out of their domains.
+            Arguments out of range.
 
         References
         ----------
@@ -214,13 +214,13 @@ class RigGeometry(WithTwin):
     def homography(self, eye: str) -> NDArray[np.float64]:
         """Return the matrix (3, 3) that maps pixels of the third camera to pixels of an eye, "left" or "right" (Eq. 5).
 
-        It takes (x, y, 1) to (x w, y w, w), w being the distance in metres of the plane's point along the eye's axis.
+        It maps (x, y, 1) to (x w, y w, w), where w is the distance in metres of the plane's point along the eye's axis.
         Pixel centres are at +0.5.
         """
         return np.array(self._core.homography(check.choice("eye", eye, EYES)))
 
     def shown(self, eye: str, at: ArrayLike, *, depth: float = math.inf) -> tuple[float, float]:
-        """Return the tangents at which an eye is shown a point that it would see at the tangents `at` (2,).
+        """Return the tangents at which an eye's picture shows a point; its true tangents are `at` (2,).
 
         `depth` is the point's distance in metres ahead of the plane of the eyes.
         """
@@ -232,20 +232,20 @@ class RigGeometry(WithTwin):
         return x, y
 
     def max_error(self, depth: float = math.inf, axis: str = "horizontal") -> float:
-        """Return the greatest error over both eyes, pixels.
+        """Return the maximum error over both eyes, pixels.
 
         Parameters
         ----------
         depth
-            Depth of the points in metres ahead of the plane of the eyes; infinite by default, where the error is
-            greatest.
+            Depth of the points in metres ahead of the plane of the eyes; by default infinite, the depth with the
+            greatest error.
         axis
             "horizontal", "vertical" or "both", the length of the error.
 
         Raises
         ------
         ValueError, TypeError
-            For depths that are not above 0, and unknown axes.
+            Depths that are not above 0, and unknown axes.
         """
         return self._core.max_error(_depth(depth), check.choice("axis", axis, AXES))
 
@@ -259,12 +259,12 @@ class RigGeometry(WithTwin):
         depth
             Depth of the points in metres ahead of the plane of the eyes.
         unit
-            "pixels", or "arcmin", minutes of arc as the eye sees them at that place.
+            "pixels", or "arcmin": minutes of arc for the eye at that pixel.
 
         Raises
         ------
         ValueError, TypeError
-            For depths that are not above 0, and unknown eyes and units.
+            Depths that are not above 0, and unknown eyes or units.
         """
         side = check.choice("eye", eye, EYES)
         check.choice("unit", unit, UNITS)
@@ -274,26 +274,26 @@ class RigGeometry(WithTwin):
         return field if unit == "pixels" else self._in_arc_minutes(side, field)
 
     def kink_angle(self, eye: str, at: ArrayLike, direction: ArrayLike) -> NDArray[np.float64]:
-        """Return the angles in degrees by which straight lines seem to bend where they pass the plane.
+        """Return the angles in degrees by which straight lines appear bent at the plane.
 
         Parameters
         ----------
         eye
             "left" or "right".
         at
-            Tangents (N, 2) at which the eye sees the points where the lines pass the plane m₁.
+            Tangents (N, 2) at which the eye sees the intersections of the lines with the plane m₁.
         direction
-            Directions (N, 2) of the lines in head axes: metres to the right and upwards for each metre ahead.
+            Directions (N, 2) of the lines in head axes: metres to the right and upwards per metre ahead.
 
         Returns
         -------
         ndarray
-            (N,) degrees, 0 to 180; NaN for lines through the eye, which it sees as a point.
+            (N,) degrees, 0 to 180; NaN for lines through the eye, which it sees as points.
 
         Raises
         ------
         ValueError, TypeError
-            For other shapes, and for a zone, which has no kink.
+            Arrays of other shapes, and rigs with a zone, which have no kink.
         """
         m, end = self.planes
         if end > m:
@@ -307,13 +307,13 @@ class RigGeometry(WithTwin):
         return kink_angles(relative, m, self.center_offset, places, ways)
 
     def _in_arc_minutes(self, eye: str, field: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Errors in pixels as angles: pixels across the line of sight count less away from the eye's axis."""
+        """Convert errors in pixels to angles: pixels far from the eye's axis subtend smaller angles."""
         fov, (width, height) = getattr(self, eye).fov, self.size
         pitch = np.array([(fov.right - fov.left) / width, (fov.up - fov.down) / height])
         x = fov.left + pitch[0] * (np.arange(width) + 0.5)
         y = fov.up - pitch[1] * (np.arange(height) + 0.5)
         moved = field * pitch
-        # atan changes by 1/(1 + x²) for each unit of tangent; exactly, the difference of two angles.
+        # atan changes by 1/(1 + x²) per unit of tangent; the exact value is the difference of two angles.
         across = np.arctan2(moved[..., 0], 1.0 + x * (x + moved[..., 0]))
         upright = np.arctan2(moved[..., 1], 1.0 + y[:, None] * (y[:, None] + moved[..., 1]))
         return np.asarray(np.degrees(np.stack([across, upright], axis=-1)) * 60.0)

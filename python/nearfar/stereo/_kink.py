@@ -1,4 +1,4 @@
-"""The bend of straight lines at the mono plane, in closed form."""
+"""Bend of straight lines at the mono plane, in closed form."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ Array = NDArray[np.float64]
 
 
 def kink_angles(eye: Eye, m: float, s: float, at: Array, direction: Array) -> Array:
-    """Angles (N,) in degrees between the images of lines just before and just behind the plane m.
+    """Compute the angles (N,) in degrees between the images of lines just before and just behind the plane m.
 
-    The eye's position is relative to the middle between both; s is the third camera's distance behind it. With X the
-    point of the plane and v the line's direction, for each metre ahead, the vector from the eye to what it is shown
-    changes by (v, −1) before the plane, and by (v − X/(m + s), 0) behind it, where it follows the point through which
-    the third camera sees the line.
+    The eye's position is relative to the middle between both; s is the third camera's distance behind it. Let X be the
+    point on the plane and v the line's direction per metre ahead. The vector from the eye to the displayed point
+    changes by (v, −1) before the plane, and by (v − X/(m + s), 0) behind it, where it follows the intersection of the
+    third camera's ray with the plane.
     """
     turn, position = rotation(eye.orientation), np.array(eye.position)
     ways = np.column_stack([at, -np.ones(len(at))]) @ turn.T
@@ -34,6 +34,6 @@ def kink_angles(eye: Eye, m: float, s: float, at: Array, direction: Array) -> Ar
 
 
 def _image_of(place: Array, change: Array) -> Array:
-    """Changes (N, 2) of the tangents of a place (N, 3) in an eye's axes that changes."""
+    """Changes (N, 2) of the tangents of a moving point (N, 3) in an eye's axes."""
     ahead = -place[:, 2:]
     return np.asarray(change[:, :2] / ahead + place[:, :2] * change[:, 2:] / ahead**2)

@@ -1,4 +1,4 @@
-"""The shared picture as a compositor shows it: a rectangle in space."""
+"""Placement of the shared picture for compositors: a rectangle in space."""
 
 from __future__ import annotations
 
@@ -6,13 +6,13 @@ from typing import NamedTuple
 
 
 class QuadLayer(NamedTuple):
-    """A rectangle that faces the head and carries the shared picture, for the compositor of a headset.
+    """A rectangle parallel to the head's image plane with the shared picture, for a headset's compositor.
 
-    Drawn behind an eye's own picture, it shows what the homography of the mono plane shows. It goes into
-    XrCompositionLayerQuad of OpenXR as it is; WebXR's XRQuadLayer takes half of the width and of the height.
+    Drawn behind an eye's own picture, it shows the same as the homography of the mono plane. Its values are those of
+    XrCompositionLayerQuad in OpenXR; WebXR's XRQuadLayer takes half of the width and of the height.
     """
 
     position: tuple[float, float, float]
-    """Its centre in head axes, metres; it is not turned against the head."""
+    """Centre in head axes, metres; the rectangle is not rotated relative to the head."""
     size: tuple[float, float]
-    """Its width and height, metres."""
+    """Width and height, metres."""

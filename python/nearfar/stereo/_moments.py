@@ -1,4 +1,4 @@
-"""Moments of a rig: the head's pose and the source then; how pixels of the shared picture move for an eye."""
+"""Moments of a rig (head pose and posed source), and motion of the shared picture's pixels for an eye."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from nearfar.stereo._geometry import RigGeometry
 
 @dataclass(frozen=True)
 class Moment:
-    """A head in a source that has a pose."""
+    """Pose of the head, and the source in its pose."""
 
     position: tuple[float, float, float]
     """World position of the head, metres."""
@@ -46,7 +46,7 @@ def moment_before(source: Renderable, before: object, at: Mapping[str, ArrayLike
 
 
 def shifted(camera: Camera, jitter: tuple[float, float]) -> Camera:
-    """The camera with its pixels to the right and down by a part of a pixel."""
+    """Shift a camera's pixels to the right and down by a fraction of a pixel."""
     fov, (width, height) = camera.fov, camera.size
     assert isinstance(fov, Fov)
     if jitter == (0.0, 0.0):
@@ -56,9 +56,9 @@ def shifted(camera: Camera, jitter: tuple[float, float]) -> Camera:
 
 
 def carried(homography: list[list[float]], shown: NDArray[np.bool_], moved: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Motion (N, 2) in an eye's picture where it shows the shared one (`shown`, (H, W)), whose pixels moved (N, 2).
+    """Motion (N, 2) in an eye's picture at pixels `shown` (H, W) of the shared one, which moved by `moved` (N, 2).
 
-    The homography belongs to the head, so that it was the same before. To first order this is Eq. 9 of Fink et al.
+    The homography depends on the rig only, so that it was the same before. To first order this is Eq. 9 of Fink et al.
     """
     to_eye = np.array(homography)
     rows, columns = np.nonzero(shown)
@@ -68,6 +68,6 @@ def carried(homography: list[list[float]], shown: NDArray[np.bool_], moved: NDAr
 
 
 def _mapped(matrix: NDArray[np.float64], places: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Places (N, 2) mapped by a homography."""
+    """Map places (N, 2) by a homography."""
     mapped = np.column_stack([places, np.ones(len(places))]) @ matrix.T
     return np.asarray(mapped[:, :2] / mapped[:, 2:])

@@ -30,16 +30,16 @@ from nearfar.stereo._geometry import RigGeometry
 from nearfar.stereo._moments import Moment, carried, shifted
 
 CULLS = ("frustum", "discard", "occlusion")
-"""Ways of leaving out what no eye looks up in the shared picture, by name."""
+"""Names of culling modes for pixels and geometry of the shared picture that no eye needs."""
 _BITS = {"left": 1, "right": 2, "center": 4}
-"""Bits of the views in what `contents` tells of each instance."""
+"""Bit of each view in the masks of instances that `contents` returns."""
 ASSEMBLIES = ("bilinear", "resolved")
-"""Ways of looking up the shared picture, by name."""
+"""Names of ways to look up the shared picture."""
 
 
 @dataclass
 class Passes:
-    """The passes of one frame of a rig; `stats` grows with them."""
+    """Passes of one frame of a rig; they add to `stats`."""
 
     rig: RigGeometry
     moment: Moment
@@ -50,9 +50,9 @@ class Passes:
     near: float
     far: float
     before: Moment | None = None
-    """The moment that motion is relative to; None is this one."""
+    """Moment that motion is relative to; None for this one."""
     jitter: tuple[float, float] = (0.0, 0.0)
-    """Part of a pixel by which the pixels of all three pictures are to the right and down."""
+    """Fraction of a pixel by which the pixels of all three pictures are shifted to the right and down."""
     stats: dict[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -60,7 +60,7 @@ class Passes:
         self._views: NDArray[np.uint8] | None = None
 
     def draw(self) -> tuple[Images, Images, Images | None]:
-        """Return the images of the left eye, the right eye, and the shared ones if anything lies beyond the plane."""
+        """Return the images of the left and the right eye, and the shared ones if anything lies beyond the plane."""
         self.stats |= {"seconds": {}, "pixels": {}}
         left, right, center = self._cameras(self.moment)
         with self._timed("culling"):
@@ -106,10 +106,10 @@ class Passes:
         faces: bool = False,
         stage: str | None = None,
     ) -> Images:
-        """Draw one picture; its seconds count for the stage, which has the picture's name by default."""
+        """Draw one picture; its seconds count for `stage`, by default the picture's name."""
         extra = ["coverage"] if near or self._fills else []
         if faces or (near and self._others):
-            extra += ["face_id", "range"]  # what is no triangle has a range alone
+            extra += ["face_id", "range"]  # surfaces other than triangles have a range only
         channels = dict.fromkeys([*self.view.shot.channels, *extra])
         shot = Shot(
             cameras=(camera,),
@@ -135,7 +135,7 @@ class Passes:
         return images
 
     def _plain(self, left: Camera, right: Camera) -> tuple[Images, Images]:
-        """Pictures of both eyes as plain stereo, drawn at once where the adapter can do so."""
+        """Draw both eyes as plain stereo, at once if the adapter can."""
         shot = Shot(
             cameras=(left, right),
             channels=self.view.shot.channels,
@@ -152,14 +152,14 @@ class Passes:
         return eyes[0], eyes[1]
 
     def _pictures(self, shot: Shot) -> list[Images]:
-        """The pictures of a shot, one for each camera."""
+        """Draw the pictures of a shot, one for each camera."""
         if self.device is None:
             return list(self.view.drawn.trace(shot, self._report))
         jobs = self.view.drawn.begin(self.device, shot, self._report)
         return [job.finish(self._report) for job in jobs]
 
     def _zone(self, side: str, camera: Camera, shot: Shot) -> Images:
-        """An eye's own picture up to m₂, along rays that bend beyond m₁."""
+        """Draw an eye's own picture up to m₂, along rays that bend beyond m₁."""
         scene, pose = self.view.drawn, (self.moment.position, self.moment.orientation)
         assert isinstance(scene, Scene)
         depths = (self.near, self.far)
@@ -185,7 +185,7 @@ class Passes:
             return
         nearest = core.nearest(side, coverage)
         if self._others:
-            # They are sampled at the pixel's centre, where the eye's own surface counts if there is one.
+            # These are sampled at the pixel's centre: the eye's own surface counts if there is one.
             far = np.isinf(images["range"])
             for name in self._others:
                 values = shared[name].reshape(-1, *shared[name].shape[2:])[nearest[far]]
@@ -195,19 +195,19 @@ class Passes:
                     values = carried(core.homography(side), far, values)
                 images[name][far] = values
         if "coverage" in shared:
-            # The share of its own surfaces, and of the shared picture's behind the rest.
+            # Coverage by the eye's own surfaces, plus that by the shared picture's on the rest.
             images["coverage"] = coverage + (1.0 - coverage) * shared["coverage"].reshape(-1)[nearest]
 
     def _fill(self, side: str, camera: Camera, images: Images) -> None:
-        """Show what the eye sees beyond the plane in narrow gaps that both pictures leave open, in place.
+        """Draw surfaces beyond the plane in narrow gaps of the assembled picture, in place.
 
-        A surface that is seen on its edge, or crosses the plane beside the line of sight, shows the eye one side, and
-        the third camera the other one.
+        A surface that is seen edge-on, or crosses the plane beside the line of sight, shows one side to the eye and the
+        other one to the third camera.
         """
         beyond = self._between(self.rig.planes[1], self.far)
         covered, tried = images["coverage"] > 0.0, np.zeros(images["coverage"].shape, bool)
         self.stats["pixels"].setdefault("filled", 0)
-        # Where one is filled, its neighbour may turn out to be one.
+        # After a gap is filled, its neighbour may be a narrow gap.
         while (holes := narrow_gaps(covered) & ~tried).any():
             found = self._pass(side, camera, beyond, mask=holes, stage="filling")
             filled = holes & (found["coverage"] > 0.0)
@@ -218,22 +218,22 @@ class Passes:
 
     @property
     def _fills(self) -> bool:
-        """Whether narrow gaps are filled: by the tracer, whose work is that of these pixels alone."""
+        """Whether narrow gaps are filled: only by the tracer, whose cost is proportional to these pixels."""
         return self.device is None and not self.rig.has_zone
 
     @property
     def _others(self) -> list[str]:
-        """Wanted channels of one sample."""
+        """Requested channels with one sample per pixel."""
         return [name for name in self.view.wanted if name not in ("color", "coverage")]
 
     def _cameras(self, moment: Moment) -> list[Camera]:
-        """The cameras of the eyes and the third one."""
+        """Cameras of the eyes and the third one."""
         return [shifted(camera, self.jitter) for camera in self.rig.cameras(moment.position, moment.orientation)]
 
     def _motion(
         self, name: str, camera: Camera, images: Images, wanted: NDArray[np.bool_] | None
     ) -> NDArray[np.float32]:
-        """How far each wanted pixel's surface has moved in one of the pictures."""
+        """Compute the motion of each pixel's surface in one of the pictures; NaN outside `wanted`."""
         before = self.moment if self.before is None else self.before
         origin = check.vector("origin", self.view.drawn.origin)
         frame = Frame(camera, origin, position=images["position"], object_id=images.get("object_id"))
@@ -244,7 +244,7 @@ class Passes:
     def _range(
         self, values: NDArray[np.float32], pixels: NDArray[np.uint32], camera: Camera, center: Camera
     ) -> NDArray[np.float32]:
-        """Distances from an eye to the points that pixels of the third camera show at these distances from it."""
+        """Distances from an eye to the points that pixels of the third camera show at distances `values` from it."""
         starts, ways = (rays.reshape(-1, 3)[pixels] for rays in center.rays())
         hit = np.isfinite(values)
         points = starts + ways * np.where(hit, values, 0.0)[:, None].astype(np.float64)
@@ -252,7 +252,7 @@ class Passes:
         return np.where(hit, away, np.inf).astype(np.float32)
 
     def _nothing(self, camera: Camera) -> Images:
-        """Images of an eye that has no surface before the plane."""
+        """Images of an eye without surfaces before the plane."""
         width, height = camera.size
         misses = {"face_id": np.int64(-1), "object_id": np.int32(-1), "range": np.float32(math.inf)}
         dark = {"color": np.float32(0.0), "coverage": np.float32(0.0)}
@@ -264,7 +264,7 @@ class Passes:
         return empty
 
     def _has_near_and_far(self) -> tuple[bool, bool]:
-        """Whether anything is drawn before the plane, and beyond it; both where the source does not say."""
+        """Whether anything is drawn before the plane, and beyond it; both if the source does not tell."""
         scene, has_zone = self.view.drawn, self.rig.has_zone
         if self.far <= self.rig.planes[1] and not has_zone:
             return True, False
@@ -278,12 +278,12 @@ class Passes:
         }
         if self.device is not None and far:
             self._views = views
-        # Rays bend in a zone, so that it needs its own pass also where nothing is beyond it.
+        # Rays bend in a zone, so that it needs its own pass even if nothing lies beyond it.
         return near, far or has_zone
 
     @property
     def _begin(self) -> float:
-        """Depth from which on the third camera draws, metres."""
+        """Depth from which the third camera draws, metres."""
         return max(self.near, min(self.rig.planes[1], self.far) - self.rig.overlap)
 
     @property
@@ -302,7 +302,7 @@ class Passes:
 
 
 def narrow_gaps(covered: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Pixels (H, W) in gaps of one or two pixels, across or down, between covered ones; beyond the edge counts as such.
+    """Find pixels (H, W) in gaps of one or two pixels, across or down, between covered ones; outside counts as covered.
 
     Outside a straight outline there are none, whatever its direction.
     """
@@ -310,7 +310,7 @@ def narrow_gaps(covered: NDArray[np.bool_]) -> NDArray[np.bool_]:
 
 
 def _bridged(covered: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Pixels with covered ones to the left and the right that are at most three pixels apart."""
+    """Find pixels with covered ones to the left and to the right that are at most three pixels apart."""
     padded = np.pad(covered, ((0, 0), (2, 2)), constant_values=True)
     second, first, after, behind = padded[:, :-4], padded[:, 1:-3], padded[:, 3:-1], padded[:, 4:]
     bridged: NDArray[np.bool_] = (first & after) | (first & behind) | (second & after)
@@ -341,7 +341,7 @@ def render(
     before: Moment | None = None,
     jitter: tuple[float, float] = (0.0, 0.0),
 ) -> tuple[StereoFrame, Moment]:
-    """Check the arguments of `HybridRig.render`, and draw; `pose` is the head's, `at` has those of objects."""
+    """Check the arguments of `HybridRig.render`, and draw; `pose` is the head's, `at` has the objects' poses."""
     check.choice("cull", cull, CULLS)
     check.choice("assembly", assembly, ASSEMBLIES)
     near, far = check_depths(rig, *depths)

@@ -1,4 +1,4 @@
-"""Choosing the mono plane by the error or by the bend of lines that a picture may have."""
+"""Choice of the mono plane by a maximum error or by a maximum bend of lines."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from nearfar.stereo._geometry import AXES
 from nearfar.stereo._rig import HybridRig
 
 NEAREST, FARTHEST = 0.1, 1e5
-"""Least and greatest distance of a plane that is chosen, metres."""
+"""Least and greatest distance of a chosen plane, metres."""
 _HALVINGS = 80
 
 
@@ -24,16 +24,16 @@ def mono_plane_for(
     axis: str = "horizontal",
     slope: float = 1.0,
 ) -> float:
-    """Return the least distance of the mono plane, metres, for an error in pixels or for a bend in degrees.
+    """Return the least distance of the mono plane, metres, for a maximum error in pixels or bend in degrees.
 
     Parameters
     ----------
     hmd
         The headset.
     error_px
-        Greatest error in pixels of points up to `depth` (`HybridRig.max_error`).
+        Maximum error in pixels of points up to `depth` (`HybridRig.max_error`).
     kink_deg
-        Instead of `error_px`: greatest angle in degrees, below 90, by which straight lines may bend at the plane.
+        Instead of `error_px`: maximum angle in degrees, below 90, by which straight lines may bend at the plane.
     size
         Width and height of an eye's picture in pixels; `Hmd.render_size` by default.
     depth
@@ -41,24 +41,24 @@ def mono_plane_for(
     axis
         "horizontal", "vertical" or "both", for `error_px`.
     slope
-        For `kink_deg`: least slope of the lines against the line of sight, in metres across it for each metre along it.
-        A line that runs along the line of sight, slope 0, may bend by any angle, at any plane.
+        For `kink_deg`: least slope of the lines against the line of sight, in metres across it per metre along it.
+        Lines along the line of sight, with slope 0, may bend by any angle, at any plane.
 
     Returns
     -------
     float
-        Metres, from 0.1 on: the result for a greater error or bend is 0.1 m.
+        Metres, at least 0.1; this is also the result if a nearer plane would do.
 
     Raises
     ------
     ValueError, TypeError
-        If not exactly one of `error_px` and `kink_deg` is given, for values out of range, and for errors that no plane
-        within 100 km keeps.
+        Neither or both of `error_px` and `kink_deg`, values out of range, or an error that no plane within 100 km
+        achieves.
 
     Notes
     -----
-    Of eyes that are not turned, max |a s − p| (z − m)/((z + s) m) = e gives m = z E/(E + e (z + s)), and a line bends
-    by at most asin(E/((m + s) slope)), with E = max |a s − p| over both views (`HybridRig`).
+    For eyes that are not rotated, max |a s − p| (z − m)/((z + s) m) = e gives m = z E/(E + e (z + s)), and a line bends
+    by at most asin(E/((m + s) slope)), where E = max |a s − p| over both views (`HybridRig`).
     """
     check.instance("hmd", hmd, Hmd, "an Hmd")
     check.choice("axis", axis, AXES)
@@ -90,7 +90,7 @@ def _for_error(hmd: Hmd, size: tuple[int, int] | None, error: float, depth: floa
     low, high = NEAREST, FARTHEST
     if rig.with_plane(low).max_error(depth, axis) <= error:
         return low
-    # The error falls with the plane's distance.
+    # The error decreases with the plane's distance.
     for _ in range(_HALVINGS):
         middle = math.sqrt(low * high)
         if not low < middle < high:

@@ -1,4 +1,4 @@
-"""The `HybridRig` class: two eyes that share one picture beyond a plane, and the pictures that they see."""
+"""The `HybridRig` class: two eyes that share one picture beyond a plane, and the rendering of their pictures."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ from nearfar.stereo._passes import check_depths, render
 
 @dataclass(frozen=True, kw_only=True)
 class HybridRig(RigGeometry):
-    """Two eyes and a third camera behind them, whose picture both share beyond the mono plane.
+    """Two eyes, and a third camera behind them whose picture both share beyond the mono plane.
 
-    The plane lies `mono_plane` metres ahead of the plane of the eyes, in head axes, whichever way the eyes are turned.
-    Each eye draws what is nearer, the third camera what is farther away; its picture is mapped to each eye by the
-    homography of the plane. So the picture has no seam at the plane, and a point beyond it is shown off by
-    (a s − p)(z − m)/((z + s) m) in tangents: a is the tangent at which the eye at p would see it, z its depth, m the
+    The plane lies `mono_plane` metres ahead of the plane of the eyes, in head axes, regardless of the eyes'
+    orientation. Each eye draws nearer geometry, the third camera farther geometry; its picture is mapped to each eye by
+    the homography of the plane. The picture thus has no seam at the plane, and the error of a point beyond it is
+    (a s − p)(z − m)/((z + s) m) in tangents: a is the true tangent of the point for the eye at p, z its depth, m the
     plane, s the `center_offset`.
 
     Parameters
@@ -36,20 +36,20 @@ class HybridRig(RigGeometry):
     left, right
         The eyes: field of view, position and orientation on the head.
     mono_plane
-        Distance m of the plane from the plane of the eyes, metres; or a pair (m₁, m₂) of a zone: eyes draw up to m₂,
-        and from m₁ on points move smoothly from their own places to those of the shared picture, so that straight lines
+        Distance m of the plane from the plane of the eyes, metres; or a pair (m₁, m₂) for a zone: eyes draw up to m₂,
+        and beyond m₁ points move smoothly from their own places to those of the shared picture, so that straight lines
         become parabolas without a kink. Both pictures meet on the plane m with 1/m = (1/m₁ + 1/m₂)/2. Zones are drawn
-        for scenes, on the CPU.
+        for scenes only, on the CPU.
     size
         Width and height of an eye's picture, pixels.
     hmd
-        The headset, whose lens warps the pictures; None for no headset.
+        The headset, whose lens distorts the pictures; None for no headset.
 
     Raises
     ------
     ValueError, TypeError
-        For eyes that are not beside each other, that look farther than 90° from the head's forward axis, or whose views
-        do not overlap on the plane; for a plane behind an eye, and a zone that ends before it begins.
+        Eyes that are not beside each other, that look farther than 90° from the head's forward axis, or whose views do
+        not overlap on the plane; a plane behind an eye, or a zone that ends before it begins.
 
     References
     ----------
@@ -60,7 +60,7 @@ class HybridRig(RigGeometry):
 
     @classmethod
     def of(cls, hmd: Hmd, *, mono_plane: float | tuple[float, float], size: tuple[int, int] | None = None) -> HybridRig:
-        """Make the rig of a headset; `size` in pixels is its `render_size` by default."""
+        """Return the rig of a headset; `size` in pixels is its `render_size` by default."""
         check.instance("hmd", hmd, Hmd, "an Hmd")
         pixels = hmd.render_size if size is None else size
         return cls(left=hmd.left, right=hmd.right, mono_plane=mono_plane, size=pixels, hmd=hmd)
@@ -83,11 +83,10 @@ class HybridRig(RigGeometry):
         before: tuple[ArrayLike, ArrayLike] | None = None,
         before_at: Mapping[str, ArrayLike] | None = None,
     ) -> StereoFrame:
-        """Render near geometry for each eye, and what lies beyond the plane once for both.
+        """Render near geometry for each eye, and geometry beyond the plane once for both.
 
-        A surface that crosses the plane is drawn by all three cameras. Where nothing is before the plane, only the
-        shared picture is drawn; where nothing is beyond it, the result is plain stereo. Both are found out for scenes
-        only.
+        A surface that crosses the plane is drawn by all three cameras. For scenes, if nothing lies before the plane,
+        only the shared picture is drawn; if nothing lies beyond it, the result is plain stereo.
 
         Parameters
         ----------
@@ -97,41 +96,41 @@ class HybridRig(RigGeometry):
         position
             World position (3,) of the head, metres.
         orientation
-            Unit quaternion (x, y, z, w) that turns head axes into world axes; by default the head looks along −z.
+            Unit quaternion (x, y, z, w) that rotates head axes to world axes; by default the head looks along −z.
         at
             Poses of dynamic objects, as `Scene.at` takes them.
         channels, samples, lod, backend
-            As in `render`. Samples of an eye that show no surface of its own show the shared picture, so that edges
-            before the plane are as smooth as in `render`; channels other than colour and coverage are taken from its
-            nearest pixel. Levels of detail are chosen once, for the point between the eyes.
+            As in `render`. Samples of an eye without a surface of its own show the shared picture, so that edges before
+            the plane are as smooth as in `render`; channels other than colour and coverage are taken from its nearest
+            pixel. Levels of detail are chosen once, for the point between the eyes.
         cull
-            Which pixels of the shared picture are drawn: "frustum" all, "discard" those that an eye looks up,
-            "occlusion" the same without geometry that they hide wholly. The pictures of the eyes are the same for all.
-            The tracer needs no culling of geometry: its "occlusion" is "discard".
+            Drawn pixels of the shared picture: "frustum" draws all, "discard" those that an eye looks up, "occlusion"
+            the same without geometry that is completely occluded. The pictures of the eyes are the same for all. The
+            tracer needs no culling of geometry: its "occlusion" is "discard".
         assembly
-            How eyes look up the shared picture. "bilinear": four pixels are mixed, as graphics adapters do, which
-            softens textures and edges. "resolved": the third camera's ray through the place is intersected with the
-            triangles that these four pixels show, and shaded there, for scenes only. The CPU assembles pictures of
-            graphics adapters, too.
+            How eyes look up the shared picture. "bilinear" interpolates four pixels, as graphics adapters do, which
+            softens textures and edges. "resolved" intersects the third camera's ray through the place with the
+            triangles that these four pixels show, and shades there, for scenes only. The CPU also assembles pictures of
+            graphics adapters.
         near, far
             Depths in metres in front of the eyes between which surfaces are drawn.
         before, before_at
             For the channel "motion": position and orientation of the head in an earlier frame, and poses of dynamic
-            objects then, by default the source's own. What the shared picture shows moves with it: by its own motion,
-            mapped to the eye (Eq. 9).
+            objects then, by default the source's own. Pixels of the shared picture move by its own motion, mapped to
+            the eye (Eq. 9).
 
         Returns
         -------
         StereoFrame
-            `left`, `right` and `center`. `stats` has `pixels`: how many of each eye show a surface of its own, how many
-            of the third camera were drawn and how many discarded; `instances`: for scenes, how many each of the three
-            views may show; and `seconds`, the wall time of each stage.
+            `left`, `right` and `center`. `stats` contains `pixels`: number of pixels of each eye with a surface of its
+            own, and of drawn and discarded pixels of the third camera; `instances`: for scenes, number that each of the
+            three views may show; and `seconds`, the wall time of each stage.
 
         Raises
         ------
         ValueError, TypeError
-            For arguments out of their domains; for a plane that is nearer than `near`; for a zone or "resolved" with
-            another source than a scene; for a zone on a graphics adapter.
+            Arguments out of range; a plane nearer than `near`; a zone or "resolved" with a source other than a scene; a
+            zone on a graphics adapter.
         DeviceError
             As in `render`.
 
@@ -167,8 +166,8 @@ class HybridRig(RigGeometry):
     ) -> dict[str, int]:
         """Count the triangles that each camera draws, and those of plain stereo, without drawing.
 
-        Where `left`, `right` and `center` together are more than `plain`, the plane is so far away that three pictures
-        cost more geometry than two.
+        If `left`, `right` and `center` together exceed `plain`, the plane is so far away that three pictures cost more
+        geometry than two.
 
         Parameters
         ----------
@@ -180,13 +179,13 @@ class HybridRig(RigGeometry):
         Returns
         -------
         dict
-            `left`, `right` and `center`: triangles that reach into the part of space that this camera draws; `thrice`:
-            those that cross the plane, so that all three draw them; `plain`: those of both eyes without a plane.
+            `left`, `right` and `center`: triangles that intersect the part of space that this camera draws; `thrice`:
+            those that cross the plane and are drawn by all three; `plain`: those of both eyes without a plane.
 
         Raises
         ------
         ValueError, TypeError
-            For arguments out of their domains.
+            Arguments out of range.
         """
         check.instance("scene", scene, Scene)
         depths = check_depths(self, near, far)

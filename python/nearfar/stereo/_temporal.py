@@ -1,4 +1,4 @@
-"""The `TemporalAntialiasing` class: pictures of a rig that gather detail and smooth edges from one to the next."""
+"""The `TemporalAntialiasing` class: pictures of a rig that accumulate detail and smooth edges over time."""
 
 from __future__ import annotations
 
@@ -26,24 +26,22 @@ _GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 
 
 class TemporalAntialiasing:
-    """Renders the pictures of a rig one after another, and mixes each with what those before it have gathered.
+    """Renders successive pictures of a rig, and blends each with the accumulated previous ones.
 
-    The pixels of each picture lie beside those of the picture before by a part of a pixel, the same one for all three
-    cameras. What was gathered is looked up where each surface was before, and held within the colours of the pixels
-    around, so that it does not trail behind what moves. In a still picture, n frames are nearly as smooth as one frame
-    with n samples.
+    Each picture is shifted from the previous one by a fraction of a pixel, the same for all three cameras. Accumulated
+    colour is looked up at each surface's previous place, and clamped to the colours of the surrounding pixels, so that
+    moving objects leave no trail. In a still picture, n frames are nearly as smooth as one frame with n samples.
 
     Parameters
     ----------
-    share
-        Weight of a new picture, above 0 to 1, once 1/`share` of them are gathered; before that, all weigh the same.
+    Weight of a new picture, above 0 to 1, after 1/`share` pictures; before that, all pictures have equal weights.
     offsets
-        Number of different places of the pixels, 1 to 1024.
+        Number of different shifts, 1 to 1024.
 
     Raises
     ------
     ValueError, TypeError
-        For values out of range.
+        Values out of range.
 
     References
     ----------
@@ -56,7 +54,7 @@ class TemporalAntialiasing:
         self.restart()
 
     def restart(self) -> None:
-        """Forget all pictures; for a change of scene."""
+        """Discard all accumulated pictures; for a change of scene."""
         self._gathered: dict[str, NDArray[np.float32]] = {}
         self._before: Moment | None = None
         self._rig: HybridRig | None = None
@@ -64,7 +62,7 @@ class TemporalAntialiasing:
 
     @property
     def count(self) -> int:
-        """Number of pictures since the start."""
+        """Number of pictures since the last restart."""
         return self._count
 
     def render(
@@ -89,16 +87,15 @@ class TemporalAntialiasing:
         Parameters
         ----------
         rig
-            The rig. Its plane may change from picture to picture; with other eyes or another size, gathering starts
-            again.
+            The rig. Its plane may change between pictures; other eyes or another size restart the accumulation.
         source, position, orientation, at, channels, samples, lod, backend, cull, assembly, near, far
-            As in `HybridRig.render`. "motion" is that since the picture before, 0 in the first one.
+            As in `HybridRig.render`. "motion" is relative to the previous picture, 0 in the first one.
 
         Returns
         -------
         StereoFrame
-            As from `HybridRig.render`; the colours of `left` and `right` are what has been gathered. All other images
-            are those of the new picture, whose pixels lie beside the frame's by a part of a pixel.
+            As from `HybridRig.render`; the colours of `left` and `right` are the accumulated ones. All other images are
+            those of the new picture, which is shifted by a fraction of a pixel.
 
         Raises
         ------
@@ -128,7 +125,7 @@ class TemporalAntialiasing:
         return replace(frame, left=left, right=right, center=center)
 
     def _mixed(self, side: str, frame: Frame) -> Frame:
-        """The frame with the colours that were gathered up to it."""
+        """Return the frame with accumulated colours."""
         color, share = frame.require("color"), max(self._share, 1.0 / self._count)
         if side in self._gathered:
             moved, away = frame.require("motion"), frame.require("range")
@@ -138,13 +135,13 @@ class TemporalAntialiasing:
 
 
 def _only(channels: Iterable[str], frame: Frame) -> Frame:
-    """The frame without images that nobody asked for."""
+    """Return the frame without channels that were not requested."""
     dropped: dict[str, Any] = {name: None for name in frame.channels if name not in set(channels)}
     return replace(frame, **dropped)
 
 
 def _in_turn(count: int) -> list[tuple[float, float]]:
-    """Places of the pixels' samples, in an order in which those that follow each other lie apart."""
+    """Shifts of the pixels, ordered so that successive ones are far apart."""
     places = [(x - 0.5, y - 0.5) for x, y in _core.sample_offsets(count)]
     step = next(n for n in range(max(round(count * _GOLDEN), 1), count + 1) if math.gcd(n, count) == 1)
     return [places[n * step % count] for n in range(count)]

@@ -1,4 +1,4 @@
-"""Unit vectors from surface points to the viewer, for shading that depends on it: computed, and as shader text."""
+"""Unit vectors from surface points to the viewer, for view-dependent shading: computed, and as shader text."""
 
 from __future__ import annotations
 
@@ -10,21 +10,21 @@ from numpy.typing import NDArray
 from nearfar._base import check
 
 LANGUAGES = ("wgsl", "glsl")
-"""Shading languages by name."""
+"""Names of shading languages."""
 
 
 def view_vector_shader(language: str = "wgsl") -> str:
-    """Return the text of a function `view_vector`, which computes in a shader what `HybridRig.view_vectors` does.
+    """Return the text of a function `view_vector`, the shader version of `HybridRig.view_vectors`.
 
     Parameters
     ----------
     language
-        "wgsl" or "glsl". The text has the function alone, without a version, and its comment explains the arguments.
+        "wgsl" or "glsl". The text has only the function, without a version; its comment explains the arguments.
 
     Raises
     ------
     ValueError, TypeError
-        For other languages.
+        Other languages.
 
     References
     ----------
@@ -50,6 +50,6 @@ def view_vectors(
     with np.errstate(invalid="ignore", over="ignore"):
         share = np.clip((plane - depths) / blend, 0.0, 1.0)[:, None]
         units = [v / np.linalg.norm(v, axis=1, keepdims=True) for v in (to_eye, to_center)]
-        # Where only one viewer counts, the other one may stand at the point.
+        # If only one viewer counts, the other one may be at the point.
         mixed = np.where(share > 0.0, share * units[0], 0.0) + np.where(share < 1.0, (1.0 - share) * units[1], 0.0)
         return np.asarray(mixed / np.linalg.norm(mixed, axis=1, keepdims=True))

@@ -1,4 +1,4 @@
-"""Checks of arguments: each error message names the argument, the expected value and the value passed."""
+"""Checks of arguments: each error message names the argument, the expected value and the actual one."""
 
 from nearfar._base.check.arrays import FARTHEST, array, box, not_finite, output, plain, spheres, vector
 from nearfar._base.check.describe import described, one_line, printable, shortened, shown

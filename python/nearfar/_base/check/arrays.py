@@ -13,10 +13,10 @@ from nearfar._base.check.describe import described
 from nearfar._base.check.numbers import is_masked
 
 FARTHEST = 1e30
-"""Greatest coordinate of a position, metres: beyond it squares of distances overflow float32 and nothing is drawn."""
+"""Greatest coordinate of a position, metres: beyond it squared distances overflow float32 and nothing is drawn."""
 
 _SMALL = 1 << 30
-"""Bytes that any machine has."""
+"""Bytes that every machine has."""
 
 
 def array(
@@ -41,14 +41,14 @@ def array(
         Type of the result. None keeps float32 and float64 and converts other types to float64. An integer type accepts
         only whole numbers within its range.
     finite
-        Whether to refuse NaN and infinities. This reads the whole array; callers whose kernels check it leave it off.
+        Whether to reject NaN and infinities. This reads the whole array; leave it off if the kernel checks it.
 
     Raises
     ------
     TypeError
-        For values that are not real numbers, and for fractions where whole numbers are wanted.
+        Values that are not real numbers, or fractions where integers are required.
     ValueError
-        For a wrong shape, for whole numbers out of range, and for NaN and infinities if `finite`.
+        A wrong shape, integers out of range, or NaN and infinities with `finite`.
     """
     values = _numbers(name, value)
     target = _target_type(values.dtype, dtype)
@@ -65,8 +65,8 @@ def array(
 def plain(name: str, value: ArrayLike) -> NDArray[Any]:
     """Convert an argument to an array of any type.
 
-    TypeError for masked values, which would lose their mask; ValueError for rows of unequal length, and for views of
-    little memory that stand for more than the machine has.
+    TypeError for masked values, which would lose their mask; ValueError for rows of unequal length, and for views that
+    repeat little memory into more than the machine has.
     """
     if is_masked(value):
         raise TypeError(f"{name}: expected an array without masked values, got one with a mask")
@@ -74,14 +74,14 @@ def plain(name: str, value: ArrayLike) -> NDArray[Any]:
         values = np.asarray(value)
     except ValueError:
         raise ValueError(f"{name}: expected rows of equal length") from None
-    # Contiguous arrays have their memory, be it that of a mapped file.
+    # Contiguous arrays own their memory, or map a file.
     if values.nbytes > _SMALL and not values.flags.forc and values.nbytes > memory.installed():
         raise _too_large(name, values)
     return values
 
 
 def not_finite(name: str, values: NDArray[Any]) -> ValueError | None:
-    """Make the error for an array with NaN or infinities, which names the first; None for an array without any."""
+    """Return an error that names the first NaN or infinity of an array; None if all values are finite."""
     if values.dtype.kind != "f" or np.isfinite(values).all():
         return None
     bad = np.argwhere(~np.isfinite(values))
@@ -116,7 +116,7 @@ def vector(name: str, value: ArrayLike) -> tuple[float, float, float]:
 def box(name: str, value: ArrayLike) -> NDArray[np.float64]:
     """Return a box (2, 3), least and greatest corner, as float64; sides may be infinite.
 
-    ValueError for NaN, for another shape and for a least corner above the greatest; TypeError for what is no numbers.
+    ValueError for NaN, a wrong shape, or a least corner above the greatest; TypeError for values that are not numbers.
     """
     corners = array(name, value, columns=None, dtype=np.float64)
     if corners.shape != (2, 3):
@@ -138,7 +138,7 @@ def spheres(centers: ArrayLike, radii: ArrayLike) -> tuple[NDArray[np.float64], 
 def _numbers(name: str, value: ArrayLike) -> NDArray[Any]:
     values = plain(name, value)
     if values.dtype.kind not in "iuf":
-        # An empty list passes the test above, because NumPy makes it float64.
+        # Empty lists pass: NumPy makes them float64.
         raise TypeError(f"{name}: expected real numbers, got {described(value)} of type {values.dtype}")
     return values
 
@@ -161,7 +161,7 @@ def _whole(name: str, values: NDArray[Any], target: np.dtype[Any]) -> None:
 
 
 def _converted(name: str, values: NDArray[Any], target: np.dtype[Any]) -> NDArray[Any]:
-    """Convert the type and the layout; numbers beyond the range of a smaller float type become infinite."""
+    """Convert type and layout; numbers beyond the range of a smaller float type become infinite."""
     if values.dtype == target and values.flags.c_contiguous and values.flags.aligned:
         return values
     try:

@@ -1,4 +1,4 @@
-"""Describes wrong values in error messages, in few words and without fail."""
+"""Describes invalid values for error messages: short, and without failing."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ _LONGEST = 60
 """Greatest number of characters of a value in a message."""
 
 _MOST_ITEMS = 4
-"""Length of sequences of numbers that are written out."""
+"""Greatest length of number sequences that are written out."""
 
 _MOST_BITS = 192
-"""Size of whole numbers that are written out; those of thousands of digits cannot even be converted to text."""
+"""Greatest bit length of integers that are written out; with thousands of digits, conversion to text fails."""
 
 
 def described(value: object) -> str:
@@ -33,7 +33,7 @@ def _is_long(value: object) -> bool:
 
 
 def shortened(value: object) -> str:
-    """Return the representation of a value, cut after 60 characters; text is escaped, so that any file can hold it."""
+    """Return a value's representation, cut after 60 characters; text is escaped, so that any file can hold it."""
     if isinstance(value, int) and _is_long(value):
         return f"a number of {value.bit_length():,} bits"
     if isinstance(value, np.generic):
@@ -52,5 +52,5 @@ def one_line(text: str, most: int | None = None) -> str:
 
 
 def printable(text: str) -> str:
-    """Escape lone surrogates, which no file and no terminal can hold."""
+    """Escape lone surrogates, which files and terminals cannot hold."""
     return text.encode("utf-8", "backslashreplace").decode()

@@ -16,7 +16,7 @@ Value = TypeVar("Value")
 
 
 def instance(name: str, value: object, kind: type[Kind], expected: str = "") -> Kind:
-    """Return a value of a type, which `expected` describes if "a" and the type's name do not; TypeError otherwise."""
+    """Check a value's type; TypeError, with `expected` in place of the type's name if given."""
     if not isinstance(value, kind):
         raise TypeError(f"{name}: expected {expected or f'a {kind.__name__}'}, got {type(value).__name__}")
     return value
@@ -33,7 +33,7 @@ def choice(name: str, value: str, options: Collection[str]) -> str:
 
 
 def text(name: str, value: str) -> str:
-    """Return a text that files can hold; ValueError for a lone surrogate, TypeError for anything but a string."""
+    """Check a text that files can hold; ValueError for a lone surrogate, TypeError for anything but a string."""
     if not isinstance(value, str):
         raise TypeError(f"{name}: expected a string, got {described(value)}")
     try:
@@ -45,7 +45,7 @@ def text(name: str, value: str) -> str:
 
 
 def path(name: str, value: str | os.PathLike[str]) -> Path:
-    """Return a path that the file system can hold; ValueError otherwise, TypeError for anything but text or a path."""
+    """Check a path that the file system can hold; ValueError otherwise, TypeError for anything but text or a path."""
     written = os.fspath(value) if isinstance(value, str | os.PathLike) else None
     if not isinstance(written, str):
         raise TypeError(f"{name}: expected a string or a path, got {described(value)}")
@@ -61,7 +61,7 @@ def path(name: str, value: str | os.PathLike[str]) -> Path:
 
 
 def mapping(name: str, value: Mapping[str, Value], expected: str) -> Mapping[str, Value]:
-    """Return a mapping by names; TypeError for other keys, and for anything but a mapping."""
+    """Check a mapping with string keys; TypeError otherwise."""
     if not isinstance(value, Mapping):
         raise TypeError(f"{name}: expected {expected}, got {described(value)}")
     for key in value:
@@ -71,9 +71,9 @@ def mapping(name: str, value: Mapping[str, Value], expected: str) -> Mapping[str
 
 
 def iterable(name: str, value: Iterable[Value], expected: str) -> Iterable[Value]:
-    """Return what can be iterated; TypeError for texts, mappings and all else.
+    """Check an iterable; TypeError for texts, mappings and anything that is not iterable.
 
-    `expected` describes the whole in messages, such as "a sequence of Cameras".
+    `expected` describes the whole argument in messages, such as "a sequence of Cameras".
     """
     is_single = isinstance(value, str | bytes | Mapping) or (isinstance(value, np.ndarray) and value.ndim == 0)
     if is_single or not isinstance(value, Iterable):
@@ -82,10 +82,10 @@ def iterable(name: str, value: Iterable[Value], expected: str) -> Iterable[Value
 
 
 def items(name: str, value: Iterable[object], kind: type[Kind], expected: str) -> list[Kind]:
-    """Return the items of an iterable, all of a type; TypeError for others, and for what `iterable` refuses."""
+    """Check an iterable whose items all have a type, and return them as a list; TypeError otherwise."""
     found = []
     for number, item in enumerate(iterable(name, value, expected)):
-        # At the first wrong one, because a view of one number may be endless.
+        # Stops at the first wrong item: an iterable may be endless.
         if not isinstance(item, kind):
             raise TypeError(f"{name}: expected {expected}, got {described(item)} at index {number}")
         found.append(item)
@@ -93,7 +93,7 @@ def items(name: str, value: Iterable[object], kind: type[Kind], expected: str) -
 
 
 def texts(name: str, value: Iterable[str]) -> list[str]:
-    """Return texts that files can hold; TypeError for anything but strings, ValueError for a lone surrogate."""
+    """Check texts that files can hold; TypeError for anything but strings, ValueError for a lone surrogate."""
     found = items(name, value, str, "a sequence of strings")
     try:
         "".join(found).encode()

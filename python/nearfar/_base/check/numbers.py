@@ -66,7 +66,7 @@ def size(name: str, value: tuple[int, int]) -> tuple[int, int]:
 
 
 def radii(r1: SupportsFloat, r2: SupportsFloat) -> tuple[float, float]:
-    """Return the radii in metres that bound the near and the intermediate zone, 0 ≤ r1 < r2; ValueError otherwise."""
+    """Check the radii in metres that bound the near and the intermediate zone, 0 ≤ r1 < r2; ValueError otherwise."""
     inner, outer = number("r1", r1), number("r2", r2)
     if inner < 0.0:
         raise ValueError(f"r1: expected a radius of at least 0, got {inner}")
@@ -76,7 +76,7 @@ def radii(r1: SupportsFloat, r2: SupportsFloat) -> tuple[float, float]:
 
 
 def flag(name: str, value: bool) -> bool:
-    """Return True or False; TypeError for all else, because every text and most arrays would count as true."""
+    """Check a bool; TypeError for anything else, since texts and most arrays would count as true."""
     if not isinstance(value, bool | np.bool_):
         raise TypeError(f"{name}: expected True or False, got {described(value)}")
     return bool(value)
@@ -103,15 +103,15 @@ def _index(name: str, value: SupportsIndex) -> int:
 
 
 def _is_number(value: object) -> bool:
-    """Whether a value may be one real number: no truth value, text, date, complex number or array with axes."""
+    """Whether a value may be a real number: not a bool, text, date, complex number or array with axes."""
     if isinstance(value, np.ndarray | np.generic):
         return value.ndim == 0 and value.dtype.kind in "iuf" and not is_masked(value)
     return not isinstance(value, str | bytes | bool)
 
 
 def is_masked(value: object) -> bool:
-    """Whether a value is an array with masked values, which a conversion would show."""
-    # Only subclasses are tested, because the first use of `np.ma` loads it.
+    """Whether a value is an array with masked values, which a conversion would reveal."""
+    # Only subclasses are tested: the first use of `np.ma` imports it.
     return isinstance(value, np.ndarray) and type(value) is not np.ndarray and bool(np.ma.is_masked(value))
 
 

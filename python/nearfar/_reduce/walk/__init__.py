@@ -1,1 +1,1 @@
-"""Near–far scenes along a whole walk: a reduction for each region, made ahead, and the pictures of changes between."""
+"""Near–far scenes along a walk: a reduction for each region, made ahead, and transitions between regions."""

@@ -1,4 +1,4 @@
-"""How far a user may walk from a centre before the picture folds, and how far a path climbs around a centre."""
+"""Distances that a user may walk before the picture folds, and height differences of a path around a centre."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from nearfar._bend import fold_margin
 Floats = NDArray[np.float64]
 
 STEP = 0.1
-"""Step in metres of the heights for which margins are computed."""
+"""Quantum in metres of the heights for which margins are computed."""
 
 _NOISE = 1e-6
-"""Part of a step that is rounding of the height."""
+"""Tolerance in steps for rounding of the height."""
 
 _HIGHEST = 1e6
 """Height in metres above which all pictures count as folded."""
@@ -26,8 +26,8 @@ _HIGHEST = 1e6
 def walkable(kind: str, r1: float, r2: float, height: float) -> float:
     """Horizontal distance in metres from the centre at which the picture folds; infinite for the conventional method.
 
-    `height` is the user's height above or below the centre, metres. The margin is less the farther the user is above or
-    below, so that it is computed for the next multiple of `STEP`: `fold_margin` takes longer than a frame may.
+    `height` is the user's height above or below the centre, metres. It is rounded up to a multiple of `STEP`, which
+    only reduces the margin, so that results can be cached: `fold_margin` takes longer than a frame may.
     """
     if kind == "none":
         return math.inf
@@ -40,7 +40,7 @@ def _walkable(kind: str, r1: float, r2: float, steps: int) -> float:
 
 
 def climbs(path: Floats, centers: Floats, reach: float) -> Floats:
-    """Greatest difference in height (K,) between centres (K, 3) and what lies within reach of them of a path (N, 3)."""
+    """Greatest height difference (K,) between centres (K, 3) and the part of a path (N, 3) within reach of each."""
     starts, ends = (path[:-1], path[1:]) if len(path) > 1 else (path, path)
     steps, found = ends - starts, np.zeros(len(centers))
     square = steps[:, 0] ** 2 + steps[:, 2] ** 2

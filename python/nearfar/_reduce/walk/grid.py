@@ -12,19 +12,19 @@ Floats = NDArray[np.float64]
 Cells = NDArray[np.int64]
 
 CANDIDATES = 8
-"""Number of sides whose directions are tried for the rows of a grid."""
+"""Number of path pieces whose directions are tried for the rows of a grid."""
 
 _STEP = 0.5
-"""Distance of samples along a path in spacings: each cell that the path visits is a sample's cell or beside it."""
+"""Spacing of samples along a path, in cell spacings: each visited cell is a sample's cell or adjacent to it."""
 
 _BLOCK = 1 << 17
-"""Number of samples that are looked at together."""
+"""Number of samples processed at once."""
 
 _SIX = np.array([[0, 0], [1, 0], [0, 1], [-1, 1], [-1, 0], [0, -1], [1, -1]])
-"""A cell and the six beside it."""
+"""Offsets of a cell and its six neighbours."""
 
 _SLACK = 1e-9
-"""Widening of cells as a share of the spacing, so that rounding loses no cell."""
+"""Relative widening of cells, so that rounding loses no cell."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +32,7 @@ class Grid:
     """Centres (x, z) of a hexagonal grid, metres."""
 
     origin: tuple[float, float]
-    """A centre."""
+    """Position of one centre."""
     turn: float
     """Angle in radians from x towards z of the rows, in which neighbours are `spacing` apart."""
     spacing: float
@@ -52,7 +52,7 @@ class Grid:
     def nearest(self, points: Floats) -> Cells:
         """Cells (N, 2) whose centres are nearest to points (N, 2)."""
         first, second, _ = self._normals
-        # Third coordinate: the three add up to 0, and the one that was rounded most follows from the others.
+        # Of three coordinates that add up to 0, the one with the largest rounding error is computed from the others.
         basis = np.linalg.inv(np.column_stack([first, second]) * self.spacing)
         exact = (points - self.origin) @ basis.T
         exact = np.column_stack([exact, -exact.sum(axis=1)])
@@ -63,9 +63,9 @@ class Grid:
         return np.asarray(rounded[:, :2], np.int64)
 
     def clipped(self, cells: Cells, starts: Floats, ends: Floats) -> tuple[Floats, Floats]:
-        """Parts of segments (N, 2) within their cells (N, 2), from one share of the way to another, empty if greater.
+        """Clip segments (N, 2) to their cells (N, 2): parameters of start and end of each part, empty if start > end.
 
-        A cell is a hexagon, the points that are nearer to its centre than to any other.
+        A cell is a hexagon: the points nearer to its centre than to any other.
         """
         places, half = self.places(cells), self.spacing * (0.5 + _SLACK)
         begin, end = np.zeros(len(cells)), np.ones(len(cells))
@@ -81,10 +81,10 @@ class Grid:
         return begin, end
 
     def visited(self, path: Floats) -> tuple[Cells, Floats]:
-        """Cells (K, 2) that straight pieces of a path visit, in the order of the first visit, and facts (K, 3) on each.
+        """Cells (K, 2) visited by the straight pieces of a path, in order of first visit, and values (K, 3).
 
-        `path` is (N, 3) as x, height, z. The facts are the path's least and greatest height in the cell, and the number
-        of the piece that visits it first plus the share of its way.
+        `path` is (N, 3) as x, height, z. The values are the path's least and greatest height in the cell, and the
+        number of the piece that visits it first plus the parameter along it.
         """
         starts, ends = (path[:-1], path[1:]) if len(path) > 1 else (path, path)
         found: list[tuple[Cells, Floats]] = []
@@ -103,7 +103,7 @@ class Grid:
         return cells[order], facts[order]
 
     def touched(self, corners: Floats) -> Cells:
-        """Cells (K, 2) that have points of a polygon with corners (N, 2), N ≥ 3."""
+        """Cells (K, 2) that intersect a polygon with corners (N, 2), N ≥ 3."""
         closed = np.insert(np.concatenate([corners, corners[:1]]), 1, 0.0, axis=1)
         border, _ = self.visited(closed)
         # Rows and columns of the grid are slanted, so that all four corners of the bounds count.
@@ -115,10 +115,10 @@ class Grid:
 
 
 def grids(outline: Floats, spacing: float) -> list[Grid]:
-    """Grids (x, z) to choose from for an outline (N, 2) of straight pieces.
+    """Candidate grids (x, z) for an outline (N, 2) of straight pieces.
 
-    Rows along a long piece have a centre on it: such a grid needs the fewest cells for a straight way, and its centres
-    follow each other in the direction of the walk, in which a change shows no jump.
+    Rows along a long piece have a centre on it: such a grid needs the fewest cells for a straight walk, and its centres
+    follow each other in walking direction, in which a change causes no jump.
     """
     starts, ends = (outline[:-1], outline[1:]) if len(outline) > 1 else (outline, outline)
     lengths = np.hypot(*(ends - starts).T)
@@ -141,7 +141,7 @@ def _main_axis(starts: Floats, ends: Floats, lengths: Floats) -> tuple[Floats, F
 
 
 def _samples(starts: Floats, ends: Floats, step: float) -> list[tuple[NDArray[np.int64], Floats]]:
-    """Number of the piece and share of its way for samples at most `step` apart, in blocks."""
+    """Piece number and parameter of samples at most `step` apart, in blocks."""
     counts = np.ceil(np.hypot(*(ends - starts)[:, [0, 2]].T) / step).astype(np.int64) + 1
     # A piece may have more samples than a block, and a block may have several pieces.
     total, before = int(counts.sum()), np.concatenate([[0], np.cumsum(counts)])
@@ -155,7 +155,7 @@ def _samples(starts: Floats, ends: Floats, step: float) -> list[tuple[NDArray[np
 
 
 def _merged(cells: Cells, facts: Floats) -> tuple[Cells, Floats]:
-    """Cells without repetition; of the facts of a cell the least, the greatest and the least."""
+    """Merge duplicate cells; of their values keep the minimum, the maximum and the minimum."""
     unique, which = np.unique(cells, axis=0, return_inverse=True)
     joined = np.tile([np.inf, -np.inf, np.inf], (len(unique), 1))
     for column, keep in enumerate((np.minimum, np.maximum, np.minimum)):
@@ -164,13 +164,13 @@ def _merged(cells: Cells, facts: Floats) -> tuple[Cells, Floats]:
 
 
 def _inside(points: Floats, corners: Floats) -> NDArray[np.bool_]:
-    """Whether points (M, 2) lie within a polygon (N, 2), by the number of its sides that a ray crosses."""
+    """Whether points (M, 2) lie within a polygon (N, 2), by the parity of ray crossings."""
     inside = np.zeros(len(points), bool)
     x, z = points.T
     for (x0, z0), (x1, z1) in zip(corners, np.roll(corners, -1, axis=0), strict=True):
         if z0 != z1:
             crosses = (z0 > z) != (z1 > z)
-            # Where it crosses, the share is from 0 to 1; elsewhere it may be any number.
+            # The parameter of a crossing is from 0 to 1; without a crossing it may be any number.
             with np.errstate(over="ignore", invalid="ignore"):
                 inside ^= crosses & (x < x0 + (z - z0) / (z1 - z0) * (x1 - x0))
     return inside

@@ -1,4 +1,4 @@
-"""Heights of the ground at places of a grid, by vertical rays from above and from below."""
+"""Ground heights at places of a grid, from vertical rays from above and from below."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ _RINGS = ((6, 0.5), (12, 0.95))
 
 
 def ground_heights(scene: Scene, places: Floats, radius: float) -> Floats:
-    """Find the ground (K,) in metres at places (K, 2) as x, z, each in the middle of a cell of a radius.
+    """Find the ground height (K,) in metres at places (K, 2) as x, z, each the centre of a cell with a radius.
 
-    The ground is the surface that a ray from above meets, unless it falls away more steeply than 45° to what other rays
-    in the cell meet: then the place is on a roof, a tree or a car, and the lowest of those surfaces counts. Models of
-    cities often have no ground. Where a ray in the cell meets nothing, the lowest surface seen from below counts, such
-    as the bottom of a house; where all meet nothing, the lowest height of the scene.
+    The ground is the surface hit from above, unless it rises more steeply than 45° from surfaces hit by other rays in
+    the cell: then the place is on a roof, a tree or a car, and the lowest of those surfaces is used. City models often
+    have no ground. If a ray in the cell misses, the lowest surface hit from below is used, such as the bottom of a
+    house; if all rays miss, the lowest height of the scene.
     """
     turns = [np.arange(count) * (2.0 * np.pi / count) for count, _ in _RINGS]
     offsets = np.concatenate(

@@ -1,4 +1,4 @@
-"""How far the picture of a far point jumps where a user is handed from one centre to another."""
+"""Jump of a far point in the picture at the change from one centre to another."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _FACES = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
 
 
 def focal_length(camera: Camera) -> float:
-    """Pixels for each unit of tangent in the middle of a perspective picture; ValueError for parallel rays."""
+    """Focal length in pixels of a perspective picture; ValueError for parallel rays."""
     if isinstance(camera.fov, CubeFace):
         return camera.width / 2.0
     if isinstance(camera.fov, Fov):
@@ -31,10 +31,10 @@ def forward(camera: Camera) -> NDArray[np.float64]:
 
 
 def predicted(step: ArrayLike, camera: Camera, distance: float) -> float:
-    """Jump f·|ΔO⊥|/ρ in pixels of what the camera sees straight ahead, ρ metres from the old centre.
+    """Predict the jump f·|ΔO⊥|/ρ in pixels of a point straight ahead, ρ metres from the old centre.
 
-    The map shows a far point P in the direction P − O. A step ΔO of the centre turns it by |ΔO⊥|/ρ, with ΔO⊥ the part
-    of the step across the line of sight.
+    The map shows a far point P in the direction P − O. A step ΔO of the centre rotates it by |ΔO⊥|/ρ, where ΔO⊥ is the
+    component perpendicular to the line of sight.
     """
     across = np.cross(np.asarray(step, np.float64), forward(camera))
     return focal_length(camera) * math.hypot(*across) / distance

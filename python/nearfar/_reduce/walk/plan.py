@@ -23,10 +23,10 @@ from nearfar._scene.scene import Scene, core_of
 Floats = NDArray[np.float64]
 
 MOST_REGIONS = 100_000
-"""Greatest number of regions of a walk, about."""
+"""Approximate maximum number of regions of a walk."""
 
 MOST_CORNERS = 1000
-"""Greatest number of corners of an area."""
+"""Maximum number of corners of an area."""
 
 
 def regions(
@@ -71,12 +71,12 @@ def regions(
         As in `choose_radii`; either `r2` or `budget`, which is kept about every centre. All regions have the same
         radii.
     eye_height
-        Height of the eyes above the ground, metres, above 0. A path says how high the eyes are; then this one only
-        counts for the shear of the ground.
+        Height of the eyes above the ground, metres, above 0. A path states its own heights; then this value is only
+        used for the shear of the ground.
     face_size, samples, channels, range_dtype, morph, backend
         As in `reduce`. "cylinder" suits users who stay at the height of the centre.
     keep
-        Number of reduced scenes that are kept in memory, at least 3: the user's, the one before and the next.
+        Number of reduced scenes to cache, at least 3: the present, the previous and the next one.
 
     Returns
     -------
@@ -86,11 +86,11 @@ def regions(
     Raises
     ------
     ValueError
-        Unless exactly one of `path` and `area` is given; for a reach that is not less than r2; for paths and areas that
-        leave the scene's bounds; where pictures would fold within `reach`, because r2 is too small or the path climbs
-        too much within one region; and for more than about a hundred thousand regions.
+        Neither or both of `path` and `area`; a reach that is not less than r2; a path or area that leaves the scene's
+        bounds; pictures that would fold within `reach`, because r2 is too small or the path climbs too much within a
+        region; or more than about a hundred thousand regions.
     TypeError
-        For values of other types.
+        Values of other types.
 
     References
     ----------
@@ -120,7 +120,7 @@ def regions(
 
 
 def _length(name: str, value: SupportsFloat) -> float:
-    """Return a length in metres above zero with which grids can be computed; ValueError or TypeError otherwise."""
+    """Check a length in metres, above zero and small enough for grids; ValueError or TypeError otherwise."""
     length = check.positive(name, value)
     if length > check.FARTHEST:
         raise ValueError(f"{name}: expected up to {check.FARTHEST:g} m, got {length:g}")
@@ -204,7 +204,7 @@ def _radii(
     budget: SupportsIndex | None,
     shear: SupportsFloat,
 ) -> Radii:
-    """Radii for all centres; a budget's are those of the centre with the most triangles around it."""
+    """Radii for all centres; for a budget those of the centre with the most triangles around it."""
     worst = centers[0]
     if budget is not None and r2 is None:
         count = check.integer("budget", budget, 0, 2**63 - 1)
@@ -216,7 +216,7 @@ def _radii(
 
 
 def _check_heights(centers: Floats, heights: Floats, radii: Radii, morph: str) -> None:
-    """Raise ValueError where the path climbs so much within one region that its picture would fold."""
+    """Raise ValueError if the path climbs so much within a region that its picture would fold."""
     steepest = int(np.argmax(heights))
     if walkable(morph, radii.r1, radii.r2, float(heights[steepest])) < radii.reach:
         x, y, z = centers[steepest]

@@ -1,4 +1,4 @@
-"""Reductions that are made in the background: about another centre, with the same scene and the same settings."""
+"""Background reductions of the same scene around another centre, with the same settings."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from nearfar._reduce.baking import Baking
 
 
 class Reduction(Protocol):
-    """Interface of `ReducedScene` that recentering uses; that class comes later in the data flow."""
+    """Interface of `ReducedScene` for recentering; the class itself belongs to a later stage."""
 
     _is_whole: bool
     _baking: Baking
@@ -25,7 +25,7 @@ Source = TypeVar("Source", bound=Reduction)
 
 
 class Recentering(Generic[Made]):
-    """A reduction that is being made in the background; `ReducedScene.recentered` begins it."""
+    """A reduction in progress in the background; returned by `ReducedScene.recentered`."""
 
     def __init__(self, center: ArrayLike, make: Callable[[], Made]) -> None:
         self._center = check.vector("center", center)
@@ -44,14 +44,14 @@ class Recentering(Generic[Made]):
         return self._later.ready
 
     def result(self) -> Made:
-        """Wait until it is made, and return the reduced scene, the same one each time.
+        """Wait for the reduced scene and return it, the same object each time.
 
         Ctrl-C ends the wait, not the work: another call gets the result.
 
         Raises
         ------
         Exception
-            Whatever partition or baking raised, such as MemoryError or DeviceError.
+            Any exception of partition or baking, such as MemoryError or DeviceError.
         """
         return self._later.result()
 
@@ -64,7 +64,7 @@ class Recenters:
     """Moves of a reduced scene to another centre; a base of `ReducedScene`."""
 
     def recentered(self: Source, center: ArrayLike) -> Recentering[Source]:
-        """Begin to reduce the same scene about another centre, in the background.
+        """Start reducing the same scene around another centre, in the background.
 
         Radii, morph, boundary, poses and all settings of the map stay. The scene is shared, with its meshes, search
         trees and textures: only the partition and the map are new.
@@ -77,12 +77,12 @@ class Recenters:
         Returns
         -------
         Recentering
-            Says when it is `ready`; `result()` waits for the new `ReducedScene`.
+            `ready` says whether it is finished; `result()` waits for the new `ReducedScene`.
 
         Raises
         ------
         ValueError, TypeError
-            For a centre that is no position; and after `load`, because far geometry is not saved.
+            An invalid centre, or a loaded scene, whose far geometry was not saved.
         """
         place = check.vector("center", center)
         if not self._is_whole:

@@ -1,4 +1,4 @@
-"""Regions of a walk: a centre for each, its reduced scene on demand or ahead, and the way from one to the next."""
+"""Regions of a walk: centres, reduced scenes made on demand or ahead, and the changes between regions."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ from nearfar._reduce.walk.walker import Walk
 from nearfar._scene.scene import Scene, core_of
 
 MOST_KEPT = 1 << 16
-"""Greatest number of reduced scenes that are kept."""
+"""Maximum number of cached reduced scenes."""
 
 
 class Regions:
-    """Regions in which a user walks, each with a centre and a reduced scene of its own; made by `regions`.
+    """Regions in which a user walks, each with its own centre and reduced scene; made by `regions`.
 
-    A reduced scene is made when it is first asked for, or ahead in the background (`prefetch`). The last ones are kept.
-    All share the scene, with its meshes, search trees and textures.
+    A reduced scene is made on first use, or ahead in the background (`prefetch`). The last ones are cached. All share
+    the scene, with its meshes, search trees and textures.
     """
 
     def __init__(
@@ -75,7 +75,7 @@ class Regions:
 
     @property
     def hysteresis(self) -> float:
-        """Least way b in metres between two changes."""
+        """Least distance b in metres between two changes."""
         return self._hysteresis
 
     @property
@@ -85,12 +85,12 @@ class Regions:
 
     @property
     def bytes(self) -> NDArray[np.int64]:
-        """(K,) bytes of each region's map and copies of near geometry; 0 for regions that were never made."""
+        """(K,) bytes of each region's map and copies of near geometry; 0 for regions not made yet."""
         return self._bytes.copy()
 
     @property
     def memory(self) -> int:
-        """Bytes of the regions that are kept now."""
+        """Bytes of the cached regions."""
         return int(self._bytes[list(self._kept)].sum())
 
     def __len__(self) -> int:
@@ -110,7 +110,7 @@ class Regions:
         Returns
         -------
         int
-            `current`, or the region whose centre is nearest. On the path or in the area that one is within R − b, so
+            `current`, or the region with the nearest centre. On the path or in the area that centre is within R − b, so
             that the next change is at least b metres away.
         """
         place = check.vector("position", position)
@@ -129,12 +129,12 @@ class Regions:
         Parameters
         ----------
         i
-            Number of the region, 0 to K − 1. If it is not kept, it is made now; if it is in the making, this waits.
+            Number of the region, 0 to K − 1. If it is not cached, it is made now; if it is being made, this waits.
 
         Raises
         ------
         ValueError, TypeError
-            For numbers that are no region.
+            Invalid region numbers.
         DeviceError, MemoryError
             As in `reduce`.
         """
@@ -154,7 +154,7 @@ class Regions:
         return self._kept[number]
 
     def prefetch(self, position: ArrayLike, velocity: ArrayLike, current: int | None = None) -> int | None:
-        """Begin to make the region that a user walks towards, in the background.
+        """Start making the region that a user walks towards, in the background.
 
         Parameters
         ----------
@@ -166,9 +166,8 @@ class Regions:
         Returns
         -------
         int or None
-            The region at the place where the user would leave the present one; None for a user who stands still or
-            leaves to no other region. One region at a time is in the making, so that this one may have to wait for
-            a later call.
+            Region at the point where the user would leave the present one; None for a standing user, or if no other
+            region follows. Only one region at a time is being made, so this one may have to wait for a later call.
         """
         place, way = check.vector("position", position), check.vector("velocity", velocity)
         here = self.index(place, current)
@@ -179,7 +178,7 @@ class Regions:
         return following
 
     def jump(self, i: int, j: int, camera: Camera, distance: float | None = None) -> float:
-        """Predict by how far the picture jumps at a hard change from region i to region j.
+        """Predict the picture's jump at a hard cut from region i to region j.
 
         Parameters
         ----------
@@ -188,14 +187,14 @@ class Regions:
         camera
             The view; it must not have parallel rays.
         distance
-            Distance ρ in metres from the centre of region i to what the camera sees straight ahead, above 0; by default
-            r2, the nearest that can jump so far.
+            Distance ρ in metres from the centre of region i to the surface straight ahead, above 0; by default r2, at
+            which jumps are largest.
 
         Returns
         -------
         float
-            f·|ΔO⊥|/ρ in pixels: f the focal length in pixels, ΔO⊥ the part of the step between the centres that is
-            across the line of sight. With R = 8 m, b = 0 and f = 480 px at most 133 px at 50 m.
+            f·|ΔO⊥|/ρ in pixels: f the focal length in pixels, ΔO⊥ the component of the step between the centres
+            perpendicular to the line of sight. With R = 8 m, b = 0 and f = 480 px at most 133 px at 50 m.
         """
         start, end = (self._centers[self._number(name, value)] for name, value in (("i", i), ("j", j)))
         check.instance("camera", camera, Camera)
@@ -227,14 +226,14 @@ class Regions:
     def _following(
         self, place: tuple[float, float, float], velocity: tuple[float, float, float], here: int
     ) -> int | None:
-        """Region at the place where a straight way leaves the present region's reach."""
+        """Region at the point where a straight line leaves the present region's reach."""
         speed = math.hypot(velocity[0], velocity[2])
         if not 0.0 < speed < math.inf:
             return None
         dx, dz = velocity[0] / speed, velocity[2] / speed
         x, z = place[0] - self._centers[here, 0], place[2] - self._centers[here, 2]
         along, across = x * dx + z * dz, x * dz - z * dx
-        # Outside the reach the user is about to be handed over where they stand.
+        # A user outside the reach is handed over at once.
         way = math.sqrt(self.reach**2 - across**2) - along if abs(across) < self.reach else 0.0
         way = max(way, 0.0)
         following = int(np.argmin(self._distances((place[0] + way * dx, place[1], place[2] + way * dz))))
@@ -248,10 +247,10 @@ class Regions:
         return reduce(self._scene, **zones, **how, morph=self._morph, backend=baking.backend)
 
     def _collect(self, following: int | None) -> None:
-        """Store what was made in the background.
+        """Store a region made in the background.
 
-        What failed is left for `reduced`, which raises its error, as long as it is the region that follows: it is not
-        tried again for each picture.
+        A failed one is kept for `reduced`, which raises its error, while it is the next region: it is not retried for
+        each picture.
         """
         if self._ahead is not None and self._ahead[1].ready:
             number, made = self._ahead
@@ -286,7 +285,7 @@ def checked_hysteresis(hysteresis: SupportsFloat, reach: float) -> float:
 
 
 def checked_keep(keep: int) -> int:
-    """Return how many reduced scenes are kept, at least the user's, the one before and the next."""
+    """Check the number of cached reduced scenes: at least the present, the previous and the next one."""
     return check.integer("keep", keep, 3, MOST_KEPT)
 
 

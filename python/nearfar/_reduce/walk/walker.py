@@ -1,4 +1,4 @@
-"""Pictures of a user who walks from region to region, with cross-fades or hard cuts between the regions."""
+"""Pictures of a user who walks between regions, with cross-fades or hard cuts."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from nearfar._render.blend import blend
 from nearfar._render.frame import Frame
 
 TRANSITIONS = ("fade", "cut")
-"""Names of what happens at a change of regions."""
+"""Names of transitions between regions."""
 
 LONGEST_FADE = 60.0
 """Greatest duration of a cross-fade, seconds."""
@@ -28,7 +28,7 @@ Point = tuple[float, float, float]
 
 
 class Source(Protocol):
-    """Interface of `Regions` that a walk uses; that class comes later in the data flow."""
+    """Interface of `Regions` for walks; the class itself belongs to a later stage."""
 
     @property
     def index(self) -> Callable[..., int]: ...
@@ -44,7 +44,7 @@ class Source(Protocol):
 
 @dataclass(frozen=True)
 class _Shown:
-    """A region that is shown."""
+    """A region in the picture."""
 
     number: int
     reduced: ReducedScene
@@ -56,9 +56,9 @@ class _Shown:
 
 
 class Walk:
-    """Pictures of one user's walk through regions; `Regions.walk` makes it.
+    """Pictures of one user's walk through regions; created by `Regions.walk`.
 
-    It remembers the region that the user is in, and the one before while the two are cross-faded.
+    It stores the present region, and the previous one during a cross-fade.
     """
 
     def __init__(self, regions: Source, *, fade: float = 0.5, transition: str = "fade", ahead: bool = True) -> None:
@@ -87,20 +87,20 @@ class Walk:
         camera
             The view.
         seconds
-            Time on any clock. The user's velocity follows from the way since the last picture of another time. Several
-            views of one time, such as two eyes, are given the same `seconds` and `user`.
+            Time on any clock. The user's velocity is computed from the previous picture of another time. Several views
+            of one time, such as two eyes, must have the same `seconds` and `user`.
         options
             Arguments of `ReducedScene.render`. `user` is the eye U where that is not the camera's position.
 
         Returns
         -------
         Frame
-            While two regions are cross-faded, colour is the linear blend of their pictures, and all other images
-            are those of the newer region. A fade ends early where the picture of the older region would fold. `stats`
-            are those of the newer region's picture, and: `region`, its number; `fade`, its share of the colour, 1
-            without a fade; `jump`, the predicted jump in pixels at r2 of the change that this picture is in, 0 without
-            one; `waited`, seconds that it had to wait for the region to be made; `fold_margin`, the least of the shown
-            pictures, metres, at the user's height rounded away from the centre to decimetres.
+            During a cross-fade, colour is the linear blend of both pictures, and all other images are those of the
+            newer region. A fade ends early if the older region's picture would fold. `stats` are those of the newer
+            region's picture, plus: `region`, its number; `fade`, its share of the colour, 1 without a fade; `jump`, the
+            predicted jump in pixels at r2 of the present change, 0 without one; `waited`, seconds spent waiting for the
+            region; `fold_margin`, the least of the shown pictures, metres, at the user's height rounded away from the
+            centre to decimetres.
 
         Raises
         ------
@@ -133,7 +133,7 @@ class Walk:
         return replace(frame, stats={**frame.stats, **facts})
 
     def _step(self, user: Point, now: float) -> float:
-        """Move the user; returns the seconds that a region had to be waited for."""
+        """Move the user; return the seconds spent waiting for a region."""
         waited = 0.0
         number = self._regions.index(user, self.region)
         if number != self.region:
@@ -151,7 +151,7 @@ class Walk:
         if self._seen is not None and now != self._seen[1]:
             with np.errstate(all="ignore"):
                 velocity = np.subtract(user, self._seen[0]) / (now - self._seen[1])
-            # Times that are all but equal say nothing.
+            # Nearly equal times give no velocity.
             if np.isfinite(velocity).all():
                 self._velocity = (float(velocity[0]), float(velocity[1]), float(velocity[2]))
         if self._seen is None or now != self._seen[1]:

@@ -1,1 +1,1 @@
-"""Readers of cities: CityJSON by its surfaces, and outlines of buildings with heights, extruded."""
+"""Readers of cities: surfaces of CityJSON, and footprints of buildings extruded by their heights."""

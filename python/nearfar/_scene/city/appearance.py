@@ -1,4 +1,4 @@
-"""Colours of a geometry's surfaces: of the materials that a document gives them, or else of their classes."""
+"""Colours of a geometry's surfaces: those of their materials, else those of their classes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from nearfar._scene.materials import BaseColor
 
 
 class Appearance:
-    """Materials of a document, and what of them is not drawn.
+    """Materials of a document, and notes on parts that are not drawn.
 
     Parameters
     ----------
@@ -29,7 +29,7 @@ class Appearance:
             for number, item in enumerate(entry(appearance, "materials", list, "appearance.", []))
         ]
         self.notes = Counter[tuple[str, str]]()
-        """Parts that are not drawn, as a noun and its complement, with their number."""
+        """Numbers of parts that are not drawn, by a noun and its complement."""
         if textures := len(entry(appearance, "textures", list, "appearance.", [])):
             self.notes["texture", "not drawn"] = textures
 
@@ -65,7 +65,7 @@ class Appearance:
         return [_at(self._materials, label, color) for label, color in zip(labels, chosen, strict=True)]
 
     def _theme_of(self, themes: dict[str, Any]) -> dict[str, Any]:
-        """The default theme's materials, or else those of the first theme."""
+        """Return the default theme's materials, else those of the first theme."""
         chosen = themes.get(self._theme) if isinstance(self._theme, str) else None
         chosen = next(iter(themes.values()), None) if chosen is None else chosen
         return chosen if isinstance(chosen, dict) else {}
@@ -76,7 +76,7 @@ def _at(items: list[BaseColor], number: int | None, default: BaseColor) -> BaseC
 
 
 def _labels(values: Any, boundaries: list[Any], depth: int) -> list[int | None]:
-    """The number of each surface in lists that are nested like the boundaries; None where there is none."""
+    """Index for each surface from lists nested like the boundaries; None where missing."""
     parts = values if isinstance(values, list) else []
     padded = [*parts[: len(boundaries)], *[None] * (len(boundaries) - len(parts))]
     if depth:

@@ -1,4 +1,4 @@
-"""Reads CityJSON 1.0 to 2.0 and CityJSONSeq: surfaces of city objects with the colours of their classes."""
+"""Reads CityJSON 1.0 to 2.0 and CityJSONSeq: surfaces of city objects, coloured by material or class."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ from nearfar._scene.content import Content, Nodes, Shape
 from nearfar._scene.report import count
 
 _DEPTHS = {"MultiSurface": 0, "CompositeSurface": 0, "Solid": 1, "MultiSolid": 2, "CompositeSolid": 2}
-"""Levels of lists above that of surfaces, by type of geometry."""
+"""Depth of nested lists above the surfaces, by geometry type."""
 
 _INSTANCE = "GeometryInstance"
 DRAWN = (*_DEPTHS, _INSTANCE)
 
 _TURN = np.array([[1.0, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]])
-"""From z up to y up."""
+"""Rotation from z up to y up."""
 
 
 def read(label: str, header: dict[str, Any], lod: float | None, *, drop: bool) -> Content:
@@ -39,9 +39,9 @@ def read(label: str, header: dict[str, Any], lod: float | None, *, drop: bool) -
     header
         The document.
     lod
-        Greatest level of detail that is drawn; None draws the highest one of each object.
+        Greatest level of detail to draw; None draws the highest one of each object.
     drop
-        Whether surfaces that cannot be used are left out.
+        Whether unusable surfaces are left out instead of raising an error.
     """
     return _Reader(label, header, lod, drop).content([header])
 
@@ -170,7 +170,7 @@ class _Reader:
 
 
 def _system(header: dict[str, Any]) -> list[str]:
-    """Phrases on the coordinate system and the extent that a document states; UnusableError for degrees."""
+    """Notes on the stated coordinate system and extent; UnusableError if coordinates are in degrees."""
     metadata = entry(header, "metadata", dict, "", {})
     name = metadata.get("referenceSystem")
     notes = []

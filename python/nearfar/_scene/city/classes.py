@@ -1,4 +1,4 @@
-"""Colours of the classes of surfaces and city objects, which city models name but seldom colour."""
+"""Colours by class of surface and city object, which city models name but seldom colour."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from nearfar._scene.srgb import to_linear
 
 
 def color(srgb: tuple[float, float, float]) -> BaseColor:
-    """Base colour of sRGB values in 0..1."""
+    """Return the base colour for sRGB values in 0..1."""
     red, green, blue = to_linear(np.array(srgb)).tolist()
     return BaseColor(factor=(red, green, blue, 1.0))
 
@@ -42,7 +42,7 @@ SURFACES = {
     "TransportationMarking": _color("#e8e8e2"),
     "TransportationHole": _GROUND,
 }
-"""Colours of semantic surfaces."""
+"""Colours of surfaces by semantic class."""
 
 OBJECTS = {
     "Building": _WALL,
@@ -65,9 +65,9 @@ OBJECTS = {
     "Waterway": _WATER,
     "TINRelief": _GRASS,
 }
-"""Colours of city objects' surfaces that have no semantics; other objects have the plain colour."""
+"""Colours of surfaces without semantics by type of city object; other types have the plain colour."""
 
 
 def of(surface: str | None, kind: str) -> BaseColor:
-    """Colour of a surface by its class, or else by the kind of its object."""
+    """Return the colour of a surface by its class, else by the type of its object."""
     return SURFACES.get(surface or "", OBJECTS.get(kind, PLAIN))

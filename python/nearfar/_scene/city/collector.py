@@ -1,4 +1,4 @@
-"""Collects the surfaces of a city model, triangulates all of them at once, and makes a shape of each owner."""
+"""Collects the surfaces of a city model, triangulates all of them at once, and makes a shape for each owner."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ from nearfar._scene.materials import BaseColor
 
 @dataclass(frozen=True)
 class Part:
-    """Surfaces of a geometry: those of an owner, with the place in the document for messages."""
+    """Owner of a geometry's surfaces, and its place in the document for messages."""
 
     owner: str
     place: str
 
 
 class Collector:
-    """Collects surfaces whose corners are numbers of vertices.
+    """Collects surfaces whose corners are vertex indices.
 
-    `vertices` adds vertices that the numbers of the following parts count from; `add` adds the surfaces of a geometry.
+    `vertices` adds the vertices that indices of the following parts refer to; `add` adds the surfaces of a geometry.
     """
 
     def __init__(self) -> None:
@@ -46,7 +46,7 @@ class Collector:
         self._vertices.append(rows)
 
     def add(self, part: Part, surfaces: list[Any], colors: list[BaseColor]) -> None:
-        """Add surfaces, lists of rings of vertex numbers, with a colour for each; UnusableError for other types."""
+        """Add surfaces, lists of rings of vertex indices, each with a colour; UnusableError for anything else."""
         rings = flattened(surfaces, 1, part.place)
         corners = flattened(rings, 1, part.place)
         if set(map(type, corners)) - {int}:
@@ -63,10 +63,10 @@ class Collector:
         self._colors += colors
 
     def shapes(self, *, drop: bool) -> tuple[dict[str, tuple[Shape, NDArray[np.float64]]], int]:
-        """The shape of each owner, relative to a place in whole metres (3,), and the number of surfaces left out.
+        """Make the shape of each owner, relative to a point in whole metres (3,), and count the surfaces left out.
 
-        Axes are turned from z up to y up. Surfaces whose rings have fewer than three corners are left out with `drop`,
-        else an UnusableError names the first.
+        Axes are turned from z up to y up. Surfaces with rings of fewer than three corners are left out with `drop`,
+        else an UnusableError names the first one.
         """
         surfaces, kept, lost = self._checked(drop)
         faces, of_surface = surfaces.triangles()
@@ -86,7 +86,7 @@ class Collector:
         return shapes, lost
 
     def _checked(self, drop: bool) -> tuple[Surfaces, NDArray[np.int64], int]:
-        """The usable surfaces, their numbers, and how many are not."""
+        """Usable surfaces, their numbers, and the number of unusable ones."""
         ring_sizes = np.array(self._ring_sizes, np.int64)
         surface_rings = np.array(self._surface_rings, np.int64)
         good = surface_rings > 0
@@ -121,13 +121,13 @@ def _shape(
     color: NDArray[np.int32],
     palette: list[BaseColor],
 ) -> tuple[Shape, NDArray[np.float64]]:
-    """Shape of some surfaces, relative to a place; only the materials that it uses."""
+    """Shape of some surfaces, relative to a point, with only the materials that it uses."""
     first = surfaces.rings[surfaces.surfaces]
     lengths = np.diff(first)[chosen]
     rows = rows_of(first[chosen], lengths)
     counts = np.diff(of_surface)[chosen]
     own = faces[rows_of(of_surface[chosen], counts)].astype(np.int64)
-    # A surface's corners move by as much as the others before it are left out.
+    # Indices shrink by the number of corners before the surface that are left out.
     own -= (first[chosen] - offsets(lengths)[:-1]).repeat(counts)[:, None]
     corners = surfaces.corners[rows]
     base = np.rint(corners.min(axis=0) / 2 + corners.max(axis=0) / 2) if len(corners) else np.zeros(3)
@@ -142,5 +142,5 @@ def _shape(
 
 
 def turned(points: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Points (…, 3) with x east, y north and z up as x east, y up and z south."""
+    """Turn points (…, 3) from x east, y north, z up to x east, y up, z south."""
     return np.stack([points[..., 0], points[..., 2], -points[..., 1]], axis=-1)

@@ -1,4 +1,4 @@
-"""Coordinate systems that files state: degrees, or metres of a projection."""
+"""Coordinate reference systems stated by files: degrees, or metres of a projection."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _GEOGRAPHIC = {
     6697,
     7844,
 }
-"""EPSG codes of systems in degrees that files of cities name; all are within a few metres of WGS84, or 200 m (4230)."""
+"""EPSG codes of systems in degrees that city files name; all are within a few metres of WGS84, 4230 within 200 m."""
 
 
 def epsg(name: str) -> int | None:
@@ -37,12 +37,12 @@ def epsg(name: str) -> int | None:
 
 
 def is_degrees(name: str) -> bool:
-    """Whether a coordinate system's name stands for longitudes and latitudes."""
+    """Whether a coordinate system's name means longitude and latitude."""
     return "CRS84" in name.upper() or epsg(name) in _GEOGRAPHIC
 
 
 def of_projjson(crs: Any) -> tuple[str, bool, float]:
-    """Name of a coordinate system in PROJJSON, whether it is in degrees, and metres in its unit."""
+    """Name of a coordinate system in PROJJSON, whether it is in degrees, and metres per unit."""
     if not isinstance(crs, dict):
         return "unknown", False, 1.0
     if crs.get("type") == "BoundCRS":

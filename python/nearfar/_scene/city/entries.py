@@ -1,4 +1,4 @@
-"""Entries of JSON documents that anyone may have written: each is checked for its type, and errors name its place."""
+"""Checked access to entries of untrusted JSON documents: wrong types raise errors that name the place."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _KINDS = {dict: "an object", list: "a list", str: "a text", int: "a whole number
 
 
 def document(data: bytes, place: str = "") -> Any:
-    """Parse JSON; UnusableError for text that is none, also for NaN and infinity, which JSON does not have."""
+    """Parse JSON; UnusableError for invalid JSON, including NaN and infinity."""
 
     def refuse(word: str) -> NoReturn:
         raise UnusableError(f"{place}it is no JSON: {word} stands where a number belongs")
@@ -29,7 +29,7 @@ def document(data: bytes, place: str = "") -> Any:
 
 
 def entry(parent: dict[str, Any], key: str, kind: type[Kind], place: str, default: Kind | None = None) -> Kind:
-    """An entry of a type; the default if it is absent or null, or UnusableError without a default."""
+    """Return an entry of a given type; the default if it is absent or null, else UnusableError."""
     value = parent.get(key)
     if value is None and default is not None:
         return default
@@ -37,7 +37,7 @@ def entry(parent: dict[str, Any], key: str, kind: type[Kind], place: str, defaul
 
 
 def typed(value: object, kind: type[Kind], place: str) -> Kind:
-    """The value if it has the type; UnusableError with its place otherwise."""
+    """Return the value if it has the type; else UnusableError with its place."""
     if not isinstance(value, kind) or isinstance(value, bool):
         raise UnusableError(f"{place}: expected {_KINDS[kind]}, got {_shown(value)}")
     return value
@@ -48,9 +48,9 @@ def _shown(value: object) -> str:
 
 
 def numbers(value: object, place: str, columns: int | None) -> NDArray[np.float64]:
-    """Numbers as float64: rows of so many columns or, without columns, a list; UnusableError for others.
+    """Convert to float64: rows of `columns` numbers, or a list without `columns`; UnusableError for anything else.
 
-    They are finite and at most 1e30.
+    All numbers must be finite and at most 1e30.
     """
     rows = typed(value, list, place)
     try:
@@ -69,7 +69,7 @@ def numbers(value: object, place: str, columns: int | None) -> NDArray[np.float6
 
 
 def check_range(values: NDArray[np.float64], place: str) -> None:
-    """Refuse numbers that are not finite or beyond 1e30; UnusableError names the first one's row."""
+    """Reject numbers that are not finite or beyond 1e30; UnusableError names the first such row."""
     good = np.abs(values) <= check.FARTHEST  # NaN fails the comparison
     if not good.all():
         row = int(np.flatnonzero(~good.reshape(len(values), -1).all(axis=1))[0])
@@ -88,7 +88,7 @@ def _is_row(row: object, columns: int | None) -> bool:
 
 
 def flattened(levels: list[Any], depth: int, place: str) -> list[Any]:
-    """The items that lie `depth` levels deeper in nested lists; UnusableError where a level is none."""
+    """Flatten `depth` levels of nested lists; UnusableError where a level is not a list."""
     for _ in range(depth):
         for item in levels:
             if not isinstance(item, list):

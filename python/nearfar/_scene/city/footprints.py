@@ -1,4 +1,4 @@
-"""Outlines of buildings with heights, extruded: all of a file, or those that touch a box."""
+"""Extrudes footprints of buildings by their heights: all of a file, or those that touch a box."""
 
 from __future__ import annotations
 
@@ -19,53 +19,53 @@ from nearfar._scene.names import distinct
 from nearfar._scene.report import count
 
 _POINTS_AT_ONCE = 1 << 19
-"""Points that are converted at once: tens of megabytes."""
+"""Number of points converted at once: tens of megabytes."""
 
 _KEY = "footprints"
 
 
 @dataclass(frozen=True)
 class Extrusion:
-    """How outlines are extruded."""
+    """Settings for extruding footprints."""
 
     height: str | None = None
-    """The property that states heights in metres; None for those of `heights.HEIGHTS`."""
+    """Property that states heights in metres; None for the ones in `heights.HEIGHTS`."""
     default_height: float = heights.DEFAULT_HEIGHT
-    """Metres of features without one."""
+    """Height of features without a stated one, metres."""
     origin: tuple[float, float, float] | None = None
     """Longitude and latitude in degrees and height in metres of the local frame; None for the middle of the data."""
     name: str | None = None
-    """The property that names objects; None for the features' ids, and numbers where they have none."""
+    """Property that names objects; None for the features' ids, or numbers if they have none."""
 
 
 class Footprints:
-    """Features of a file with their heights, kept as outlines; triangles are made for those that are asked for.
+    """Features of a file with their heights, stored as outlines; triangles are made on request.
 
     Parameters
     ----------
     label
         Name of the file.
     table
-        Its features.
+        Features of the file.
     how
-        How they are extruded.
+        Settings for extruding them.
     drop
-        Whether polygons that cannot be used are left out.
+        Whether unusable polygons are left out instead of raising an error.
     """
 
     def __init__(self, label: str, table: Table, how: Extrusion, *, drop: bool) -> None:
         self.label = label
         self._outlines, lost = table.outlines.checked(drop=drop, degrees=table.degrees)
         self.count = len(self._outlines.features) - 1
-        """Number of features, also of those without polygons."""
+        """Number of features, including those without polygons."""
         self.ground = _ground(table, self._outlines.points, how.origin)
         self._low, self._high, unknown = _extents(table, how, self.count)
         names = table.columns.texts(how.name)
         self.names: Sequence[str] | int = self.count if names is None else distinct(names)
-        """Names of the features; their number if they have none, then feature n is called ``object_n``."""
+        """Names of the features, or their number if they have none: feature n is then called ``object_n``."""
         self.boxes = self._boxes()
-        """World boxes (F, 2, 3) of the features; infinite and inverted for those without polygons."""
-        # One for all, so that a triangle has the same float32 corners whatever features it is made with.
+        """World boxes (F, 2, 3) of the features; inverted and infinite for features without polygons."""
+        # The same for all features, so that a triangle's float32 corners do not depend on the selection.
         self._base = _base(self.boxes)
         self._index = BoxIndex(self.boxes)
         self.format = table.format
@@ -78,16 +78,16 @@ class Footprints:
 
     @property
     def bounds(self) -> NDArray[np.float64]:
-        """World box (2, 3) of all features; infinite and inverted without any."""
+        """World box (2, 3) of all features; inverted and infinite if there are none."""
         least, greatest = self.boxes[:, 0], self.boxes[:, 1]
         return np.stack([least.min(axis=0, initial=np.inf), greatest.max(axis=0, initial=-np.inf)])
 
     def rows_touching(self, box: NDArray[np.float64]) -> NDArray[np.int64]:
-        """Numbers of the features whose boxes touch a world box (2, 3), also at its border, ascending."""
+        """Numbers of the features whose boxes touch a world box (2, 3), borders included, ascending."""
         return self._index.touching(box)
 
     def content(self, rows: NDArray[np.int64] | None = None) -> Content:
-        """Triangles of some features, or of all, which may be none; features keep their names."""
+        """Triangulate some features, or all; the selection may be empty. Features keep their names."""
         outlines = self._outlines if rows is None else self._outlines.chosen(rows)
         chosen = np.arange(self.count) if rows is None else rows
         owner = np.arange(len(chosen)).repeat(np.diff(outlines.point_starts))
@@ -124,7 +124,7 @@ class Footprints:
         boxes[:, 0], boxes[:, 1] = np.inf, -np.inf
         starts = self._outlines.point_starts
         filled = np.flatnonzero(np.diff(starts))
-        # Runs of whole features, so that each box is made at once.
+        # Runs of whole features, so that each box is complete in one step.
         splits = np.flatnonzero(np.diff(starts[filled] // _POINTS_AT_ONCE)) + 1
         for rows in np.split(filled, splits) if len(filled) else ():
             first, end = starts[rows[0]], starts[rows[-1] + 1]
@@ -143,7 +143,7 @@ def _ground(table: Table, points: NDArray[np.float64], origin: tuple[float, floa
 
 
 def _extents(table: Table, how: Extrusion, number: int) -> tuple[NDArray[np.float64], NDArray[np.float64], int]:
-    """Lower and upper ends of the features in metres above the ground, and of how many the height is unknown."""
+    """Lower and upper ends of the features in metres above the ground, and the number of unknown heights."""
     high = heights.stated(table.columns, heights.HEIGHTS, number, how.height)
     low = np.nan_to_num(heights.stated(table.columns, heights.BASES, number, None))
     unknown = ~(high > low)
@@ -151,7 +151,7 @@ def _extents(table: Table, how: Extrusion, number: int) -> tuple[NDArray[np.floa
 
 
 def _base(boxes: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Place that vertices are relative to: that which a scene would choose as its origin."""
+    """Point that vertices are relative to: the one that a scene would choose as its origin."""
     least, greatest = boxes[:, 0].min(axis=0, initial=np.inf), boxes[:, 1].max(axis=0, initial=-np.inf)
     if not (least <= greatest).all() or max(-least.min(), greatest.max()) < ORIGIN_LIMIT:
         return np.zeros(3)

@@ -1,4 +1,4 @@
-"""Reads outlines of GeoJSON, and of the lists of polygons that deck.gl's examples use."""
+"""Reads footprints from GeoJSON, and from the lists of polygons in deck.gl's examples."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from nearfar._scene.city.surfaces import offsets
 from nearfar._scene.city.table import Table
 
 _DEEPEST = 16
-"""Greatest depth of collections of geometries."""
+"""Maximum nesting depth of geometry collections."""
 
 GEOMETRIES = {"Point", "MultiPoint", "LineString", "MultiLineString", "Polygon", "MultiPolygon", "GeometryCollection"}
 
 
 def read(root: Any) -> Table:
-    """The features of a document: a FeatureCollection, a Feature, a geometry, or deck.gl's list."""
+    """Read the features of a document: a FeatureCollection, a Feature, a geometry, or deck.gl's list."""
     if isinstance(root, list):
         return _polygon_list(root)
     kind = root.get("type")
@@ -42,7 +42,7 @@ def read(root: Any) -> Table:
 
 
 def is_polygon_list(root: Any) -> bool:
-    """Whether a document is a list of objects with a polygon each, as deck.gl's examples have them."""
+    """Whether a document is a list of objects with a polygon each, as in deck.gl's examples."""
     return isinstance(root, list) and bool(root) and isinstance(root[0], dict) and "polygon" in root[0]
 
 
@@ -59,7 +59,7 @@ def _polygon_list(root: list[Any]) -> Table:
 
 
 def _system(root: dict[str, Any]) -> tuple[str, bool]:
-    """Name of the coordinate system, and whether it is in degrees; WGS84 unless a member ``crs`` names another."""
+    """Name of the coordinate system, and whether it is in degrees; WGS84 unless the member ``crs`` names another."""
     member = entry(root, "crs", dict, "", {})
     properties = entry(member, "properties", dict, "crs.", {})
     name = properties.get("name")
@@ -81,7 +81,7 @@ class _Columns:
         return heights.numbers(properties.get(name) for properties in self._properties)
 
     def texts(self, name: str | None) -> list[str] | None:
-        """Names of the features by a property, or by their ids; None where one has none."""
+        """Names of the features by a property, or by their ids; None if any feature lacks one."""
         values = [p.get(name) for p in self._properties] if name else [f.get("id") for f in self._features]
         if not values or not all(isinstance(v, str | int) and not isinstance(v, bool) for v in values):
             return None
@@ -104,7 +104,7 @@ class _Collector:
         self._feature_polygons.append(len(self._polygon_rings) - before)
 
     def polygons(self, polygons: list[Any], place: str) -> None:
-        """Add a feature of some polygons."""
+        """Add a feature with given polygons."""
         self._add(polygons, place)
         self._feature_polygons.append(len(polygons))
 
@@ -136,7 +136,7 @@ class _Collector:
         self._polygon_rings += map(len, polygons)
 
     def outlines(self) -> Outlines:
-        """All features in flat arrays."""
+        """Return all features in flat arrays."""
         try:
             points = np.array(self._points, np.float64).reshape(-1, 2)
         except OverflowError:

@@ -1,4 +1,4 @@
-"""Reads outlines of GeoParquet 1.x: a column of WKB, and columns of properties."""
+"""Reads footprints from GeoParquet 1.x: a column of WKB, and columns of properties."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from nearfar._scene.city.outlines import Outlines, joined
 from nearfar._scene.city.table import Table
 
 _BATCH = 1 << 16
-"""Rows that are decoded at once."""
+"""Number of rows decoded at once."""
 
 _POINT = 16
 """Bytes of a point."""
@@ -28,7 +28,7 @@ _ROW = 96
 
 
 def read(data: bytes, budget: Budget) -> Table:
-    """The features of a file; a budget counts what it unpacks to."""
+    """Read the features of a file; the budget counts the unpacked bytes."""
     if not find_spec("pyarrow"):
         raise UnusableError('it is GeoParquet, which the Python package pyarrow reads: pip install "nearfar[formats]"')
     import pyarrow as pa
@@ -49,7 +49,7 @@ def read(data: bytes, budget: Budget) -> Table:
 
 
 def _geometry(metadata: dict[bytes, bytes]) -> tuple[str, dict[str, Any]]:
-    """Name of the primary column, and what the metadata says of it."""
+    """Name of the primary geometry column, and its metadata."""
     if b"geo" not in metadata:
         raise UnusableError("it has no metadata 'geo', which makes a Parquet file a GeoParquet one")
     try:
@@ -67,7 +67,7 @@ def _geometry(metadata: dict[bytes, bytes]) -> tuple[str, dict[str, Any]]:
 
 
 def _system(column: dict[str, Any]) -> tuple[str, bool, float]:
-    """Name of the coordinate system, whether it is in degrees, and metres in its unit; WGS84 if absent."""
+    """Name of the coordinate system, whether it is in degrees, and metres per unit; WGS84 if absent."""
     return crs.of_projjson(column["crs"]) if "crs" in column else ("WGS84", True, 1.0)
 
 
@@ -77,7 +77,7 @@ def _outlines(file: Any, name: str, budget: Budget) -> tuple[Outlines, int]:
         outlines, lost = _batch(batch.column(0), before)
         before += batch.num_rows
         skipped += lost
-        # A page of equal rows takes a few bytes, however many there are.
+        # A page of equal rows compresses to a few bytes, however many rows it has.
         budget.hold(len(outlines.points) * _POINT + batch.num_rows * _ROW)
         parts.append(outlines)
     return joined(parts), skipped
@@ -104,7 +104,7 @@ def _batch(column: Any, before: int) -> tuple[Outlines, int]:
 
 
 class _Columns:
-    """Columns of a file, read when they are asked for."""
+    """Columns of a file, read on demand."""
 
     def __init__(self, file: Any) -> None:
         self._file = file

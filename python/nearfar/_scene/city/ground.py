@@ -1,4 +1,4 @@
-"""Places of points on the ground: metres of a projection, or degrees, which become metres of a local frame."""
+"""Converts points on the ground to world metres: from a projection's metres, or from degrees via a local frame."""
 
 from __future__ import annotations
 
@@ -11,32 +11,32 @@ from numpy.typing import NDArray
 from nearfar._scene.frames import earth_centred, earth_to_local
 
 _DIGITS = 5
-"""Decimals of degrees of an origin that nobody stated: a metre."""
+"""Decimals of degrees in a computed origin: about a metre."""
 
 
 class Ground(Protocol):
-    """Turns points and heights to nearfar's world."""
+    """Converts points and heights to world positions."""
 
     @property
     def note(self) -> str:
-        """A sentence on what the world's coordinates are."""
+        """Sentence that describes the world's coordinates."""
 
     @property
     def is_kept(self) -> bool:
-        """Whether they are the file's."""
+        """Whether the world's coordinates are the file's own."""
 
     def world(self, points: NDArray[np.float64], heights: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Points (N, 2) as the file has them and heights (N,) in metres as world metres (N, 3)."""
+        """Convert points (N, 2) of the file and heights (N,) in metres to world metres (N, 3)."""
 
 
 @dataclass(frozen=True)
 class Projected:
-    """Coordinates of a projection, east and north, which stay what they are."""
+    """Projected coordinates, east and north, kept as they are."""
 
     system: str
-    """Name for notes."""
+    """Name of the coordinate system, for notes."""
     metres: float = 1.0
-    """Metres in a unit."""
+    """Metres per unit."""
 
     @property
     def note(self) -> str:
@@ -56,16 +56,16 @@ class Projected:
 
 @dataclass(frozen=True)
 class Geodetic:
-    """Longitudes and latitudes in degrees, in the local frame at an origin; the Earth's curve is kept."""
+    """Local frame at an origin for longitudes and latitudes in degrees; the Earth's curvature is kept."""
 
     longitude: float
     latitude: float
     height: float = 0.0
-    """Degrees, and metres above the ellipsoid."""
+    """Height of the origin above the ellipsoid, metres; longitude and latitude are degrees."""
 
     @classmethod
     def around(cls, points: NDArray[np.float64]) -> Geodetic:
-        """The frame in the middle of points (N, 2)."""
+        """Return the frame at the centre of points (N, 2)."""
         if not len(points):
             return cls(0.0, 0.0)
         longitude, latitude = np.round((points.min(axis=0) + points.max(axis=0)) / 2, _DIGITS).tolist()

@@ -1,4 +1,4 @@
-"""Heights of features by the properties that state them."""
+"""Heights of features, from the properties that state them."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from numpy.typing import NDArray
 from nearfar._base import check
 
 STOREY = 3.0
-"""Height in metres of a storey, where only their number is stated."""
+"""Height of a storey, metres, for features that state only a number of storeys."""
 
 DEFAULT_HEIGHT = 6.0
-"""Height in metres of buildings of unknown height: two storeys."""
+"""Height of buildings of unknown height, metres: two storeys."""
 
 TALLEST = 10_000.0
-"""Height in metres beyond which a value is no height but a mark for unknown."""
+"""Height in metres beyond which a value is a marker for unknown."""
 
 HEIGHTS = (
     ("height", 1.0),
@@ -33,7 +33,7 @@ HEIGHTS = (
     ("num_floors", STOREY),
     ("storeysAboveGround", STOREY),
 )
-"""Properties that state heights, the first one of a feature that has a value counts; and metres in their unit."""
+"""Properties that state heights, in order of precedence, with metres per unit."""
 
 BASES = (
     ("min_height", 1.0),
@@ -43,29 +43,29 @@ BASES = (
     ("building:min_level", STOREY),
     ("min_floor", STOREY),
 )
-"""Properties that state the height of the lower end."""
+"""Properties that state the height of the lower end, with metres per unit."""
 
 _LENGTH = re.compile(
     r"\s*([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]{1,3})?)\s*(m|metres?|meters?|ft|feet|')?\s*"
 )
 
 Column = Callable[[str], NDArray[np.float64] | None]
-"""Returns a property's numbers for all features, not a number where it states none; None if no feature has it."""
+"""Returns a property's numbers for all features, NaN where missing; None if no feature has the property."""
 
 
 def stated(column: Column, known: Iterable[tuple[str, float]], count: int, name: str | None) -> NDArray[np.float64]:
-    """Metres that properties state for each feature (N,), not a number where none does.
+    """Heights in metres that properties state for each feature (N,), NaN where none does.
 
     Parameters
     ----------
     column
         Returns a property.
     known
-        Properties in the order in which they count, with metres in their unit.
+        Properties in order of precedence, with metres per unit.
     count
         Number of features.
     name
-        The only property that counts, in metres; None for the known ones.
+        The only property to use, in metres; None for the known ones.
     """
     values = np.full(count, np.nan)
     for key, metres in known if name is None else [(name, 1.0)]:
@@ -80,7 +80,7 @@ def stated(column: Column, known: Iterable[tuple[str, float]], count: int, name:
 
 
 def number(value: Any) -> float:
-    """A property as a number: numbers, and text such as "12.5 m" or "40 ft"; not a number for others."""
+    """Parse a property as a number: numbers, and text such as "12.5 m" or "40 ft"; NaN for anything else."""
     if isinstance(value, int | float) and not isinstance(value, bool):
         return float(value) if abs(value) <= check.FARTHEST else np.nan
     match = _LENGTH.fullmatch(value) if isinstance(value, str) and len(value) < 40 else None
@@ -90,6 +90,6 @@ def number(value: Any) -> float:
 
 
 def numbers(values: Iterable[Any]) -> NDArray[np.float64] | None:
-    """Properties of any type as numbers; None if none states one."""
+    """Parse properties of any type as numbers; None if all fail."""
     found = np.array([number(value) for value in values], np.float64)
     return found if len(found) and not np.isnan(found).all() else None

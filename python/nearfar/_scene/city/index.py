@@ -1,4 +1,4 @@
-"""Finds the boxes that touch a box: a tree of two levels over boxes in the order of a Z curve."""
+"""Spatial index of boxes: a tree of two levels over boxes sorted along a Z curve."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 _BLOCK = 256
-"""Boxes of a block, near each other along the curve."""
+"""Number of consecutive boxes in a block."""
 
 _BITS = 10
-"""Cells of the curve along each axis, as a power of two."""
+"""Bits per axis of the curve's cells."""
 
 
 class BoxIndex:
-    """Boxes (N, 2, 3), world; those without extent, inverted, touch nothing.
+    """Index of world boxes (N, 2, 3); inverted boxes touch nothing.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ class BoxIndex:
         )
 
     def touching(self, box: NDArray[np.float64]) -> NDArray[np.int64]:
-        """Numbers of the boxes that touch a box (2, 3), also at its border, ascending."""
+        """Numbers of the boxes that touch a box (2, 3), borders included, ascending."""
         blocks = np.flatnonzero(_touch(self._blocks, box))
         places = (blocks[:, None] * _BLOCK + np.arange(_BLOCK)).ravel()
         places = places[places < len(self._rows)]
@@ -52,7 +52,7 @@ def _touch(boxes: NDArray[np.float64], box: NDArray[np.float64]) -> NDArray[np.b
 
 
 def _interleaved(cells: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Numbers along a Z curve of cells (N, 2)."""
+    """Morton codes of cells (N, 2)."""
     code = np.zeros(len(cells), np.int64)
     for bit in range(_BITS):
         for axis in (0, 1):

@@ -1,4 +1,4 @@
-"""Levels of detail of city objects: which geometry of each object is drawn."""
+"""Levels of detail of city objects: chooses the geometries to draw of each object."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from nearfar._scene.city.entries import entry, typed
 from nearfar._scene.report import count
 
 _LARGEST = 9.0
-"""Level that no model exceeds."""
+"""Greatest valid level."""
 
 _NEXT = 0.999
-"""Added to a whole number: level 2 stands for 2.0 to 2.3."""
+"""Added to a whole level: level 2 includes 2.0 to 2.3."""
 
 
 def level_of(value: Any, place: str) -> float:
-    """A level of detail as a number, from text such as "2.2" or a number; UnusableError for others."""
+    """Parse a level of detail, a number or text such as "2.2"; UnusableError for anything else."""
     if isinstance(value, str | int | float) and not isinstance(value, bool):
         try:
             number = float(value)
@@ -32,7 +32,7 @@ def level_of(value: Any, place: str) -> float:
 
 
 def greatest(lod: str | float) -> float:
-    """The greatest level that is drawn for an argument: 2 admits all of 2.x; ValueError or TypeError for others."""
+    """Greatest level to draw for an argument: 2 includes all of 2.x; ValueError or TypeError for invalid ones."""
     if not isinstance(lod, str | int | float) or isinstance(lod, bool):
         raise TypeError(f"lod: expected a level of detail such as '2.2', got {check.described(lod)}")
     try:
@@ -43,12 +43,12 @@ def greatest(lod: str | float) -> float:
 
 
 class Levels:
-    """Chooses the geometries of each object that are drawn.
+    """Chooses the geometries of each object to draw.
 
     Parameters
     ----------
     most
-        Greatest level that is drawn; None for the highest of each object.
+        Greatest level to draw; None for the highest of each object.
     """
 
     def __init__(self, most: float | None) -> None:
@@ -59,7 +59,7 @@ class Levels:
     def chosen(
         self, objects: dict[str, dict[str, Any]], drawn: Collection[str]
     ) -> Iterator[tuple[str, tuple[int, dict[str, Any]]]]:
-        """Yield names of objects with the number and the entry of each geometry that is drawn."""
+        """Yield object names with the number and the entry of each geometry to draw."""
         best: dict[str, float] = {}
         usable: dict[str, list[tuple[float, int, dict[str, Any]]]] = {}
         for name, item in objects.items():
@@ -93,7 +93,7 @@ class Levels:
             yield level, number, geometry
 
     def notes(self) -> list[str]:
-        """Notes on parts that are not drawn, and on the levels if there are several."""
+        """Notes on parts left out, and on the levels if there are several."""
         plurals = {"geometry": "geometries"}
         notes = [f"{count(n, noun, plurals.get(noun, ''))} {rest}" for (noun, rest), n in self._left.items()]
         if len(self._known) > 1:
@@ -103,7 +103,7 @@ class Levels:
 
 
 def _parts(item: dict[str, Any], objects: dict[str, dict[str, Any]]) -> list[str]:
-    """Children of an object that are parts of it, such as building parts, and not installations."""
+    """Children of an object that are parts of it, such as building parts; installations are not."""
     children = item.get("children")
     names = [name for name in children if isinstance(name, str)] if isinstance(children, list) else []
     return [name for name in names if str(objects.get(name, {}).get("type", "")).endswith("Part")]

@@ -1,4 +1,4 @@
-"""Outlines of many features in flat arrays."""
+"""Polygons of many features in flat arrays."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from nearfar._scene.city.surfaces import offsets, rows_of
 
 @dataclass(frozen=True)
 class Outlines:
-    """Polygons of features; the first ring of a polygon is the outer one, the others are holes."""
+    """Polygons of features; a polygon's first ring is the outer one, the others are holes."""
 
     points: NDArray[np.float64]
-    """(N, 2) as the file has them; the last point of a ring does not repeat the first."""
+    """Points (N, 2) in the file's coordinates; rings do not repeat their first point at the end."""
     rings: NDArray[np.int64]
     """Offsets (R + 1,) into the points."""
     polygons: NDArray[np.int64]
@@ -32,7 +32,7 @@ class Outlines:
         return self.rings[self.polygons[self.features]]
 
     def chosen(self, rows: NDArray[np.int64]) -> Outlines:
-        """The outlines of some features."""
+        """Select some features."""
         polygon_counts = np.diff(self.features)[rows]
         polygons = rows_of(self.features[rows], polygon_counts)
         ring_counts = np.diff(self.polygons)[polygons]
@@ -42,7 +42,7 @@ class Outlines:
         return Outlines(points, offsets(sizes), offsets(ring_counts), offsets(polygon_counts))
 
     def opened(self) -> Outlines:
-        """Without the last point of rings where it repeats the first."""
+        """Remove the last point of rings where it repeats the first one."""
         sizes = np.diff(self.rings)
         rings = np.flatnonzero(sizes > 1)
         last = self.rings[1:][rings] - 1
@@ -53,9 +53,9 @@ class Outlines:
         return Outlines(self.points[keep], before[self.rings], self.polygons, self.features)
 
     def checked(self, *, drop: bool, degrees: bool) -> tuple[Outlines, int]:
-        """Refuse rings of fewer than three points, and points that are no places.
+        """Reject rings of fewer than three points, and points out of range.
 
-        With `drop` such polygons are left out. Returns the others and the number of polygons left out.
+        With `drop` such polygons are left out instead. Return the others and the number of polygons left out.
         """
         # NaN fails each comparison.
         limit = np.array([360.0, 90.0]) if degrees else check.FARTHEST
@@ -92,7 +92,7 @@ class Outlines:
 
 
 def joined(parts: Sequence[Outlines]) -> Outlines:
-    """The features of several parts, one part after the other."""
+    """Concatenate the features of several parts."""
     levels = [
         offsets(np.concatenate([np.zeros(0, np.int64), *(np.diff(getattr(part, name)) for part in parts)]))
         for name in ("rings", "polygons", "features")

@@ -1,4 +1,4 @@
-"""Reads city models and footprints, by the kind of file and by what a JSON document says that it is."""
+"""Reads city models and footprints; the file's suffix or its JSON content selects the reader."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from nearfar._scene.content import Content
 from nearfar._scene.reasons import explained
 
 KINDS = ("geojson", "jsonl", "parquet", "geoparquet")
-"""Suffixes of files that only cities have; those of .json say inside what they are."""
+"""Suffixes of city files only; .json files are recognised by their content."""
 
 _PACKED = ".gz"
 
@@ -28,23 +28,23 @@ _UNKNOWN = "its JSON is no scene that nearfar reads: no CityJSON, no GeoJSON and
 
 @dataclass(frozen=True)
 class CityOptions:
-    """Choices of a caller about a city's file."""
+    """Options for reading a city's file."""
 
     lod: float | None = None
-    """Greatest level of detail of CityJSON that is drawn; None for the highest of each object."""
+    """Greatest level of detail of CityJSON to draw; None for the highest of each object."""
     extrusion: Extrusion = field(default_factory=Extrusion)
 
     @classmethod
     def checked(
         cls, lod: str | float | None, height: str | None, origin: tuple[float, float, float] | None
     ) -> CityOptions:
-        """Check arguments of `nearfar.Scene.load`; the origin has been checked."""
+        """Check arguments of `nearfar.Scene.load`; the origin must have been checked."""
         level = None if lod is None else greatest(lod)
         named = None if height is None else check.text("height", height)
         return cls(level, Extrusion(height=named, origin=origin))
 
     def check_kind(self, path: str | Path) -> None:
-        """Refuse choices that no file of this kind has; ValueError."""
+        """Reject options that do not apply to this kind of file; ValueError."""
         name = Path(path).name
         kind = name.lower().removesuffix(_PACKED).rpartition(".")[2]
         if self.lod is not None and kind not in ("json", "jsonl"):
@@ -54,7 +54,7 @@ class CityOptions:
 
 
 def read(label: str, kind: str, data: bytes, options: CityOptions, budget: Budget, *, drop: bool) -> Content:
-    """The content of a file of one of `KINDS`, or of JSON that is a city; UnusableError for others."""
+    """Read a file of one of `KINDS`, or JSON of a city; UnusableError for anything else."""
     if kind == "jsonl":
         return cityjson.read_sequence(label, data, options.lod, drop=drop)
     root = _root(kind, data)
@@ -70,7 +70,7 @@ def read(label: str, kind: str, data: bytes, options: CityOptions, budget: Budge
 def open_footprints(
     path: Path, options: CityOptions | None = None, budget: Budget | None = None, *, drop: bool = False
 ) -> Footprints:
-    """The footprints of a GeoJSON or GeoParquet file; SceneError with its name if it is none."""
+    """Open the footprints of a GeoJSON or GeoParquet file; SceneError with its name if it is neither."""
     label, kind = os.fspath(path), path.suffix.lower().lstrip(".")
     budget = Budget() if budget is None else budget
     with explained(label, passed=OSError):
@@ -81,7 +81,7 @@ def open_footprints(
 
 
 def _root(kind: str, data: bytes) -> Any:
-    """The parsed JSON; None for Parquet."""
+    """Parse JSON; None for Parquet."""
     if kind in ("parquet", "geoparquet"):
         return None
     root = document(data)
@@ -91,7 +91,7 @@ def _root(kind: str, data: bytes) -> Any:
 
 
 def _table(root: Any, data: bytes, budget: Budget) -> Table:
-    """The features of parsed JSON, or of Parquet's bytes where there is none."""
+    """Read the features of parsed JSON, or of Parquet data if there is no JSON."""
     if root is None:
         return geoparquet.read(data, budget)
     if geojson.is_polygon_list(root):

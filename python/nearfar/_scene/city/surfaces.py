@@ -1,4 +1,4 @@
-"""Flat surfaces with holes in space: their normals by Newell's formula, and their triangles in their own plane."""
+"""Planar polygons with holes in space: normals by Newell's method, triangulation in their own plane."""
 
 from __future__ import annotations
 
@@ -10,22 +10,22 @@ from numpy.typing import NDArray
 from nearfar import _core
 
 _THIN = 1e-12
-"""Area as a share of the extent squared below which a surface is a line: float64 has 16 digits."""
+"""Area relative to the squared extent below which a polygon counts as a line: float64 has 16 digits."""
 
 
 @dataclass(frozen=True)
 class Surfaces:
-    """Surfaces in flat arrays; each has a ring of at least one corner, the outer one first, then its holes."""
+    """Polygons in flat arrays; each has at least one ring: the outer one first, then its holes."""
 
     corners: NDArray[np.float64]
-    """(C, 3) metres; each surface has corners of its own."""
+    """Corners (C, 3), metres; polygons do not share corners."""
     rings: NDArray[np.int64]
     """Offsets (R + 1,) into the corners, without empty rings."""
     surfaces: NDArray[np.int64]
     """Offsets (S + 1,) into the rings, without empty surfaces."""
 
     def area_vectors(self) -> NDArray[np.float64]:
-        """Newell's normals (R, 3) of the rings, as long as their area."""
+        """Newell's normals (R, 3) of the rings, with the area as length."""
         if not len(self.corners):
             return np.zeros((len(self.rings) - 1, 3))
         here = self.local()
@@ -34,14 +34,14 @@ class Surfaces:
         return np.add.reduceat(np.cross(here, here[following]), self.rings[:-1]) / 2
 
     def local(self) -> NDArray[np.float64]:
-        """Corners relative to the first one of their surface."""
+        """Corners relative to the first one of their polygon."""
         first = self.rings[self.surfaces]
         return self.corners - self.corners[first[:-1]].repeat(np.diff(first), axis=0)
 
     def triangles(self) -> tuple[NDArray[np.uint32], NDArray[np.int64]]:
-        """Faces (F, 3) of corner numbers, seen counter-clockwise where the outer rings are, and offsets (S + 1,).
+        """Triangulate: faces (F, 3) of corner numbers, oriented like the outer rings, and offsets (S + 1,) of polygons.
 
-        Surfaces without an area have none. Corners are taken into the plane of Newell's normal of the outer ring.
+        Polygons without area have no faces. Corners are projected onto the plane of the outer ring's Newell normal.
         """
         if not len(self.corners):
             return np.zeros((0, 3), np.uint32), np.zeros(len(self.surfaces), np.int64)
@@ -61,14 +61,14 @@ class Surfaces:
 
 
 def offsets(counts: NDArray[np.int64] | list[int]) -> NDArray[np.int64]:
-    """Offsets (N + 1,) of runs of these lengths."""
+    """Offsets (N + 1,) of runs with these lengths."""
     ends = np.zeros(len(counts) + 1, np.int64)
     np.cumsum(counts, out=ends[1:])
     return ends
 
 
 def rows_of(starts: NDArray[np.int64], lengths: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Numbers of the rows of runs, one run after the other."""
+    """Row numbers of runs, concatenated."""
     ends = np.cumsum(lengths)
     total = int(ends[-1]) if len(ends) else 0
     return np.arange(total) + (starts - ends + lengths).repeat(lengths)

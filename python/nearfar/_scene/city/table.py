@@ -15,10 +15,10 @@ class Columns(Protocol):
     """Properties of all features."""
 
     def __call__(self, name: str) -> NDArray[np.float64] | None:
-        """Numbers of a property (F,), not a number where there is none; None if no feature has it."""
+        """Numbers of a property (F,), NaN where missing; None if no feature has it."""
 
     def texts(self, name: str | None) -> list[str] | None:
-        """Names by a property, or by what identifies features; None where one has none."""
+        """Names by a property, or by the features' identifiers; None if any feature lacks one."""
 
 
 @dataclass(frozen=True)
@@ -32,8 +32,8 @@ class Table:
     """Whether its coordinates are longitudes and latitudes."""
     columns: Columns
     metres: float = 1.0
-    """Metres in a unit of projected coordinates."""
+    """Metres per unit of projected coordinates."""
     skipped: int = 0
-    """Number of geometries that are no polygons."""
+    """Number of geometries that are not polygons."""
     notes: tuple[str, ...] = ()
     format: str = "GeoJSON"

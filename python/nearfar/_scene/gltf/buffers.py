@@ -1,4 +1,4 @@
-"""Bytes of a glTF file's buffers and images, and the arrays that its accessors describe."""
+"""Reads a glTF file's buffers and images, and the arrays that its accessors describe."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ COMPONENTS: dict[int, type[np.generic]] = {
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 
 IMAGE_EXTENSIONS = {"EXT_texture_webp": "webp", "EXT_texture_avif": "avif"}
-"""Extensions that give a texture another image, by the feature of Pillow that decodes it."""
+"""Extensions that provide alternative images for a texture, by the Pillow feature that decodes them."""
 
 _SIGNATURES = {
     b"\x89PNG\r\n\x1a\n": "image/png",
@@ -42,7 +42,7 @@ _SAMPLER = ("magFilter", "minFilter", "wrapS", "wrapT")
 
 
 def name_files(header: dict[str, Any], resolver: Any) -> None:
-    """Replace percent signs in the names of the files that a document refers to."""
+    """Decode percent escapes in the file names that a document refers to."""
     for described in [*header.get("buffers", []), *header.get("images", [])]:
         uri = described.get("uri", "")
         if "%" in uri and not uri.startswith("data:") and not os.path.exists(os.path.join(resolver.parent, uri)):
@@ -50,25 +50,25 @@ def name_files(header: dict[str, Any], resolver: Any) -> None:
 
 
 def _kind(data: bytes) -> str:
-    """Media type of an image file; empty for unknown ones."""
+    """Media type of an image file; empty if unknown."""
     kinds = [kind for start, kind in _SIGNATURES.items() if data.startswith(start)]
     kinds += [kind for (start, name), kind in _CONTAINERS.items() if data.startswith(start) and name in data[4:12]]
     return kinds[0] if kinds else ""
 
 
 class Buffers:
-    """Reads what a glTF document refers to.
+    """Reads the data that a glTF document refers to.
 
     Parameters
     ----------
     header
         The document.
     binary
-        Content of a GLB's second chunk; empty for none.
+        Content of a GLB's binary chunk; empty for none.
     resolver
-        Trimesh's, which reads files beside the document.
+        Trimesh's resolver, which reads files beside the document.
     budget
-        Counts what is copied: many parts may refer to the same bytes.
+        Counts copied bytes: many parts may refer to the same data.
     """
 
     def __init__(self, header: dict[str, Any], binary: bytes | memoryview, resolver: Any, budget: Budget) -> None:
@@ -82,13 +82,13 @@ class Buffers:
         self._arrays: dict[int, NDArray[Any]] = {}
 
     def texture(self, number: int) -> TextureSource | None:
-        """The texture of a number with its image's bytes; None where it cannot be read."""
+        """Return a texture with its image's bytes; None if it cannot be read."""
         if number not in self._textures:
             try:
                 self._textures[number] = self._texture(number)
             except TooLargeError:
                 raise
-            except Exception:  # a texture is never needed, and resolvers may raise any type
+            except Exception:  # textures are optional, and resolvers may raise any type
                 self._textures[number] = None
         return self._textures[number]
 
@@ -99,14 +99,14 @@ class Buffers:
         described = entry(self._header, "textures", number)
         sampler = entry(self._header, "samplers", described["sampler"]) if "sampler" in described else {}
         settings = {key: sampler[key] for key in _SAMPLER if isinstance(sampler.get(key), int)}
-        # Equal images share one object, which knows its hash.
+        # Equal images share one object, which caches its hash.
         if data not in self._encoded:
             self._encoded[data] = EncodedImage(data, kind) if (kind := _kind(data)) else None
         image = self._encoded[data]
         return None if image is None else TextureSource(image, json.dumps(settings) if settings else "")
 
     def picture(self, number: Any) -> bytes | None:
-        """The bytes of a texture's image; None where there are none."""
+        """Bytes of a texture's image; None if there are none."""
         try:
             described = entry(self._header, "textures", number)
             others = [content["source"] for content in described.get("extensions", {}).values() if "source" in content]
@@ -114,7 +114,7 @@ class Buffers:
             return self._image(sources[0]) if sources else None
         except TooLargeError:
             raise
-        except Exception:  # a texture is never needed, and resolvers may raise any type
+        except Exception:  # textures are optional, and resolvers may raise any type
             return None
 
     def _image(self, number: int) -> bytes:
@@ -132,7 +132,7 @@ class Buffers:
         return base64.b64decode(data) if kind.endswith(";base64") else unquote_to_bytes(data)
 
     def blob(self, view: int) -> bytes:
-        """The bytes of a buffer view, one copy of each range."""
+        """Bytes of a buffer view; each range is copied once."""
         described = entry(self._header, "bufferViews", view)
         key = _range(meshopt.stream(described) or described)
         if key not in self._blobs:
@@ -142,7 +142,7 @@ class Buffers:
         return self._blobs[key]
 
     def view(self, number: int) -> memoryview:
-        """The bytes of a buffer view. Plain ones are preferred to compressed ones beside them."""
+        """Bytes of a buffer view; uncompressed data are preferred to a compressed copy."""
         described = entry(self._header, "bufferViews", number)
         stream = meshopt.stream(described)
         if stream is None or not self.is_packed(number):
@@ -153,7 +153,7 @@ class Buffers:
         return self._decoded[number]
 
     def is_packed(self, view: int) -> bool:
-        """Whether the bytes of a view have to be decoded."""
+        """Whether a view's data must be decoded."""
         described = entry(self._header, "bufferViews", view)
         if meshopt.stream(described) is None:
             return False
@@ -168,25 +168,25 @@ class Buffers:
         return data[start : start + length]
 
     def whole(self, buffer: int) -> memoryview:
-        """The bytes of a buffer."""
+        """Bytes of a buffer."""
         if buffer not in self._buffers:
             described = entry(self._header, "buffers", buffer)
             self._buffers[buffer] = memoryview(self._file(described["uri"]) if "uri" in described else self._binary)
         return self._buffers[buffer]
 
     def replace(self, number: int, rows: NDArray[Any]) -> None:
-        """Let an accessor stand for rows that an extension has decoded; its own sparse changes are applied to them."""
+        """Replace an accessor's data by rows decoded by an extension; the accessor's sparse changes still apply."""
         sparse = entry(self._header, "accessors", number).get("sparse")
         self._arrays[number] = self._changed(rows, sparse) if sparse else rows
 
     def raw(self, number: int) -> NDArray[Any]:
-        """Rows (N, K) of an accessor, in their own type."""
+        """Rows (N, K) of an accessor, in the stored type."""
         if number not in self._arrays:
             self._arrays[number] = self._read(number)
         return self._arrays[number]
 
     def fractions(self, number: int, rows: NDArray[Any]) -> NDArray[Any]:
-        """Rows of an accessor; whole numbers that stand for fractions become float32 (glTF 2.0, 3.11)."""
+        """Convert rows of a normalised accessor to float32; others are returned unchanged (glTF 2.0, 3.11)."""
         if not entry(self._header, "accessors", number).get("normalized") or rows.dtype.kind == "f":
             return rows
         fractions = np.maximum(rows.astype(np.float64) / np.iinfo(rows.dtype).max, -1)
@@ -229,12 +229,12 @@ class Buffers:
 
 
 def _range(described: dict[str, Any]) -> tuple[int, int, int]:
-    """Buffer, first byte and number of bytes of a view or of its stream."""
+    """Buffer, first byte and length of a view or of its compressed stream."""
     return described["buffer"], described.get("byteOffset", 0), described["byteLength"]
 
 
 def component(described: dict[str, Any]) -> np.dtype[Any]:
-    """The type of an accessor's numbers."""
+    """Component type of an accessor."""
     if described["componentType"] not in COMPONENTS:
         raise UnusableError(f"its accessors have the unknown type {check.shortened(described['componentType'])}")
     return np.dtype(COMPONENTS[described["componentType"]])

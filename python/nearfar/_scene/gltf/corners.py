@@ -1,4 +1,4 @@
-"""Triangles of glTF primitives, by their modes: lists, strips and fans."""
+"""Triangles of glTF primitives by mode: lists, strips and fans."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ from nearfar._base.errors import UnusableError
 
 TRIANGLES, STRIP, FAN = 4, 5, 6
 MODES = (TRIANGLES, STRIP, FAN)
-"""Modes of primitives that are read."""
+"""Supported modes of primitives."""
 
 OTHERS = {0: "point primitive", 1: "line primitive", 2: "line primitive", 3: "line primitive"}
-"""Kinds of the primitives without triangles, by their modes."""
+"""Names of unsupported primitives, by mode."""
 
 
 def mode(primitive: dict[str, Any]) -> Any:
-    """The kind of a primitive."""
+    """Mode of a primitive."""
     return primitive.get("mode", TRIANGLES)
 
 
 def faces(kind: int, corners: NDArray[Any], *, is_indexed: bool) -> NDArray[Any]:
-    """Triangles (F, 3) of a primitive's corners (N,); `is_indexed` says that these stand in the file."""
+    """Triangles (F, 3) of a primitive's corners (N,); `is_indexed` means that the file has indices."""
     if corners.dtype.kind == "f":
         raise UnusableError("expected whole numbers as indices, got fractions")
     if kind == TRIANGLES:
@@ -31,17 +31,17 @@ def faces(kind: int, corners: NDArray[Any], *, is_indexed: bool) -> NDArray[Any]
             raise UnusableError(f"expected three corners for each triangle, got {len(corners)}")
         return corners.reshape(-1, 3)
     if is_indexed and len(corners) and int(corners.max()) == np.iinfo(corners.dtype).max:
-        # glTF 2.0, 3.7.2.1: not the greatest number of the type, which restarts strips in some programs.
+        # glTF 2.0, 3.7.2.1 forbids the type's greatest value, which restarts strips in some programs.
         raise UnusableError(f"a strip or fan of its meshes has the index {corners.max()}, which glTF 2 does not allow")
     triangles = _of_strip(corners) if kind == STRIP else _of_fan(corners)
     first, second, third = triangles.T
-    # Strips are joined by triangles without an area.
+    # Strips are joined by degenerate triangles.
     kept: NDArray[Any] = triangles[(first != second) & (second != third) & (third != first)]
     return kept
 
 
 def _of_strip(corners: NDArray[Any]) -> NDArray[Any]:
-    """Each other triangle has its corners in the opposite order (glTF 2.0, 3.7.2.1)."""
+    """Split a strip; every other triangle has its corners in reverse order (glTF 2.0, 3.7.2.1)."""
     count = max(len(corners) - 2, 0)
     triangles = np.column_stack([corners[:count], corners[1 : count + 1], corners[2 : count + 2]])
     triangles[1::2] = triangles[1::2, ::-1]
@@ -49,7 +49,7 @@ def _of_strip(corners: NDArray[Any]) -> NDArray[Any]:
 
 
 def _of_fan(corners: NDArray[Any]) -> NDArray[Any]:
-    """All triangles have the first corner (glTF 2.0, 3.7.2.1)."""
+    """Split a fan; all triangles share the first corner (glTF 2.0, 3.7.2.1)."""
     count = max(len(corners) - 2, 0)
     hub = np.repeat(corners[:1], count)
     return np.column_stack([hub, corners[1 : count + 1], corners[2 : count + 2]])

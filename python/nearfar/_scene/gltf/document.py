@@ -38,7 +38,7 @@ def read(
 ) -> Content:
     """Read a GLB or the JSON of a glTF; the resolver loads its buffers and images.
 
-    With `stores`, meshes that the core can read from the file are left to it.
+    With `stores`, meshes that the core can read directly stay in the file's bytes.
     """
     header, end = glb.header(data) if kind == "glb" else (glb.json_object(data), 0)
     version = str(header.get("asset", {}).get("version", "2.0"))
@@ -64,7 +64,7 @@ def read(
 
 
 def _names(header: dict[str, Any], stored: Iterable[int]) -> dict[int, list[str]]:
-    """Names of each mesh's shapes: one for a mesh that is stored, else one for each of its primitives."""
+    """Shape names for each mesh: one if the mesh is stored, else one for each primitive."""
     whole = set(stored)
     read = [
         (number, str(mesh.get("name") or "mesh"))
@@ -78,7 +78,7 @@ def _names(header: dict[str, Any], stored: Iterable[int]) -> dict[int, list[str]
 
 
 def _shapes(header: dict[str, Any], primitives: Primitives, names: dict[int, list[str]]) -> dict[str, Shape]:
-    """The shapes of some meshes, by their names."""
+    """Shapes of some meshes by name."""
     uses = Counter(_positions(primitive) for mesh in header.get("meshes", []) for primitive in _primitives(mesh))
     return {
         name: primitives.shape(primitive, is_shared=uses[_positions(primitive)] > 1)
@@ -88,12 +88,12 @@ def _shapes(header: dict[str, Any], primitives: Primitives, names: dict[int, lis
 
 
 def _primitives(mesh: dict[str, Any]) -> list[dict[str, Any]]:
-    """The primitives of a mesh that are read."""
+    """Primitives of a mesh whose mode is supported."""
     return [primitive for primitive in mesh["primitives"] if mode(primitive) in MODES]
 
 
 def _materials(header: dict[str, Any]) -> list[int]:
-    """Numbers of the materials that are read, each once; what is no number of one is left out."""
+    """Unique indices of the materials in use; invalid indices are left out."""
     numbers = [primitive.get("material") for mesh in header.get("meshes", []) for primitive in _primitives(mesh)]
     whole = {number for number in numbers if type(number) is int}
     return sorted(whole.intersection(range(len(header.get("materials", [])))))
@@ -104,7 +104,7 @@ def _positions(primitive: dict[str, Any]) -> Any:
 
 
 def _notes(header: dict[str, Any]) -> list[str]:
-    """Notes on the features of a glTF file that are ignored."""
+    """Notes on ignored features of a glTF file."""
     primitives = [primitive for mesh in header.get("meshes", []) for primitive in mesh["primitives"]]
     ignored = {name: len(header.get(f"{name}s", [])) for name in ("animation", "skin", "camera")}
     kinds = Counter(mode(p) for p in primitives if mode(p) not in MODES)

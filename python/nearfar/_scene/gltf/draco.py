@@ -1,4 +1,4 @@
-"""Primitives of glTF files that Draco has compressed: KHR_draco_mesh_compression."""
+"""Decodes primitives of glTF files compressed by Draco: KHR_draco_mesh_compression."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ from nearfar._scene.gltf.corners import TRIANGLES, mode
 DRACO = "KHR_draco_mesh_compression"
 
 _READ = re.compile("POSITION|NORMAL|TEXCOORD_[0-9]+|COLOR_0")
-"""Names of the attributes that are read."""
+"""Names of supported attributes."""
 
 _CORNERS, _ROW = 3, 12
 """Corners and bytes of a face."""
 
 _SPARE = 2
-"""Bytes that are counted for each decoded one, because Draco takes up to six for it while it decodes."""
+"""Bytes to count per decoded byte: Draco uses up to six while it decodes."""
 
 _VERSION, _MESH, _SEQUENTIAL, _EDGEBREAKER = (2, 2), 1, 0, 1
 _HAS_METADATA = 0x8000
@@ -49,13 +49,13 @@ class Decoded:
     faces: NDArray[np.uint32]
     """Corners (F, 3)."""
     rows: Mapping[int, NDArray[Any]]
-    """Rows (V, K) of attributes by the numbers of their accessors, in these accessors' types or as fractions."""
+    """Rows (V, K) of attributes by accessor index, in the accessor's type or as fractions."""
 
 
 def decoded(header: dict[str, Any], primitive: dict[str, Any], data: bytes, budget: Budget) -> Decoded:
-    """Decode a primitive's stream, which must have the triangles that the document states.
+    """Decode a primitive's stream; UnusableError unless it has the triangles that the document states.
 
-    COLLADA2GLTF states fewer vertices than its streams have, so that these tell their number.
+    COLLADA2GLTF states fewer vertices than its streams have, so the vertex count comes from the stream.
     """
     identities = primitive["extensions"][DRACO]["attributes"]
     numbers = {
@@ -91,7 +91,7 @@ def _flaw(words: str) -> UnusableError:
 
 
 def _face_count(header: dict[str, Any], primitive: dict[str, Any], data: bytes) -> int:
-    """Triangles that a stream should have: those of its primitive, with which its own header must agree."""
+    """Expected number of triangles: the primitive's; the stream's header must agree with it."""
     if not data.startswith(b"DRACO") or len(data) < 12:
         raise _flaw("does not begin like one")
     stated = _stated_faces(data)
@@ -106,7 +106,7 @@ def _face_count(header: dict[str, Any], primitive: dict[str, Any], data: bytes) 
 
 
 def _stated_faces(data: bytes) -> int | None:
-    """Triangles by a stream's header; None where it does not begin with them (Draco Bitstream Specification, 5)."""
+    """Number of triangles in a stream's header; None if it is not at its start (Draco Bitstream Specification, 5)."""
     version, kind, method, flags = (data[5], data[6]), data[7], data[8], int.from_bytes(data[9:11], "little")
     if kind != _MESH or method not in (_SEQUENTIAL, _EDGEBREAKER):
         raise _flaw("holds no mesh")
@@ -114,12 +114,12 @@ def _stated_faces(data: bytes) -> int | None:
         return None
     place = 11
     if method == _EDGEBREAKER:
-        _, place = _varint(data, place + 1)  # the number of vertices, after the kind of traversal
+        _, place = _varint(data, place + 1)  # skip the number of vertices, after the kind of traversal
     return _varint(data, place)[0]
 
 
 def _varint(data: bytes, place: int) -> tuple[int, int]:
-    """A number of 7 bits a byte, and the place behind it."""
+    """Decode a variable-length integer of 7 bits a byte; also return the place after it."""
     value = 0
     for shift in range(0, 35, 7):
         if place >= len(data):
@@ -132,7 +132,7 @@ def _varint(data: bytes, place: int) -> tuple[int, int]:
 
 
 def _typed(name: str, rows: NDArray[Any], accessor: dict[str, Any]) -> NDArray[Any]:
-    """Rows in an accessor's type. DracoPy makes whole numbers with sign float32, and fractions of normalised ones."""
+    """Convert rows to an accessor's type. DracoPy makes signed integers float32, and normalised ones fractions."""
     kind = component(accessor)
     if rows.shape[1] != WIDTHS[accessor["type"]]:
         raise _flaw(f"has {rows.shape[1]} numbers in each row of {name}, and {WIDTHS[accessor['type']]} are stated")

@@ -1,4 +1,4 @@
-"""Lets another process decode Draco's streams, within limits of time and memory; one process serves all files."""
+"""Client of the process that decodes Draco streams within limits of time and memory; one process serves all files."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ from nearfar._base.errors import UnusableError
 _PROGRAM = Path(__file__).with_name("draco_process.py")
 
 _SECONDS, _SECONDS_PER_FACE = 1.0, 1e-5
-"""Time of the processor that a stream may take. Honest ones take up to 1e-6 s for a face."""
+"""CPU time that a stream may take, seconds. Valid streams take up to 1e-6 s per face."""
 
 _MEMORY, _MEMORY_PER_BYTE = 64 << 20, 12
-"""Bytes that it may take beside those of the program. Honest ones take up to 6 for each that they decode to."""
+"""Bytes that a stream may take beside the program's own. Valid streams take up to 6 per decoded byte."""
 
 _PATIENCE = 20.0
-"""How many times the time of the processor may pass on a clock, for machines that do other work."""
+"""Wall-clock limit as a multiple of the CPU time limit, for busy machines."""
 
 
 @dataclass(frozen=True)
@@ -39,30 +39,30 @@ class Mesh:
     faces: NDArray[np.uint32]
     """Corners (F, 3)."""
     attributes: Mapping[int, NDArray[Any]]
-    """Rows (V, K) of each attribute by its number, `unique_id`."""
+    """Rows (V, K) of each attribute by its `unique_id`."""
 
 
 def start() -> None:
-    """Start the process, if it does not run, so that it is ready when it is needed."""
+    """Start the process, unless it runs, so that it is ready when it is needed."""
     with _lock:
         _running()
 
 
 def decode(data: bytes, size: int, face_count: int) -> Mesh:
-    """Decode a stream; UnusableError if it is damaged or takes too much.
+    """Decode a stream; UnusableError if it is damaged or exceeds a limit.
 
     Parameters
     ----------
     data
         The stream.
     size, face_count
-        Bytes and triangles that it should decode to; they limit memory and time.
+        Expected bytes and triangles; they set the limits of memory and time.
     """
     seconds = _SECONDS + _SECONDS_PER_FACE * face_count
     request = {"bytes": len(data), "seconds": seconds, "memory": _MEMORY + _MEMORY_PER_BYTE * size}
     with _lock:
         answer = _running().ask(request, data)
-        if answer is None:  # it ended because nobody had asked for long, just then
+        if answer is None:  # it had just ended after its idle timeout
             answer = _running().ask(request, data)
     if answer is None:
         raise UnusableError("a process that decodes its Draco streams cannot be started")
@@ -70,7 +70,7 @@ def decode(data: bytes, size: int, face_count: int) -> Mesh:
 
 
 class _Process:
-    """The process."""
+    """The decoding process."""
 
     def __init__(self) -> None:
         self.owner = os.getpid()
@@ -85,12 +85,12 @@ class _Process:
 
     @property
     def is_running(self) -> bool:
-        """Whether it runs and is this process's own: a fork must not share it."""
+        """Whether the process runs and belongs to this process: a fork must not share it."""
         return self.owner == os.getpid() and self._child.poll() is None
 
     def ask(self, request: dict[str, Any], data: bytes) -> Mesh | None:
-        """Ask for a mesh; None if the process had ended before."""
-        # Where the system cannot limit the time of the processor, the clock does.
+        """Send a request and return the mesh; None if the process had ended before."""
+        # On systems that cannot limit CPU time, the wall clock does.
         patience = _PATIENCE if hasattr(signal, "setitimer") else 2.0
         watch = threading.Timer(patience * request["seconds"], self._child.kill)
         watch.daemon = True
@@ -130,7 +130,7 @@ class _Process:
         return Mesh(faces, {number: rows(*described) for number, described in arrays.items()})
 
     def end(self) -> None:
-        """End it and free its pipes."""
+        """Kill the process and close its pipes."""
         if self.owner != os.getpid():
             return
         self._child.kill()
@@ -139,12 +139,12 @@ class _Process:
             try:
                 stream.close()
             except OSError:
-                continue  # what was not written is of no use
+                continue  # data not written yet is not needed
         self._child.wait()
 
 
 _TIME = (getattr(signal, "SIGPROF", 0), getattr(signal, "SIGKILL", 0))
-"""Signals that end a process that takes too long."""
+"""Signals that end a process that exceeds its time limit."""
 
 _lock = threading.Lock()
 _process: _Process | None = None

@@ -1,7 +1,7 @@
-"""Program of the process in which `draco.py` lets DracoPy decode; it imports nothing of nearfar.
+"""Program of the process in which `draco.py` runs DracoPy; it imports nothing from nearfar.
 
-Damaged streams can keep Draco busy for half a minute or make it take much memory, and neither can be stopped in a
-process that has other work. Requests and answers are a line of JSON and bytes, on the standard streams.
+Damaged streams can keep Draco busy for half a minute or make it allocate much memory, and neither can be stopped in a
+process that does other work. Requests and responses are a line of JSON and bytes, on the standard streams.
 """
 
 from __future__ import annotations
@@ -13,14 +13,14 @@ import sys
 from typing import Any, BinaryIO
 
 IDLE = 30.0
-"""Seconds without a request after which the process ends."""
+"""Idle timeout after which the process ends, seconds."""
 
 
 def main() -> None:
-    """Answer requests until there are no more."""
+    """Answer requests until the input ends or the idle timeout has passed."""
     sys.path[:] = json.loads(sys.argv[1])
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    import DracoPy  # before the first limit: it imports NumPy
+    import DracoPy  # before the first limit, since it imports NumPy
 
     requests, answers = sys.stdin.buffer, sys.stdout.buffer
     while _is_ready(requests):
@@ -51,7 +51,7 @@ def _is_ready(stream: BinaryIO) -> bool:
 
 
 class _Limits:
-    """Ends the process after so much time of the processor, and lets it take no more memory."""
+    """Context that limits CPU time, which ends the process, and memory."""
 
     def __init__(self, seconds: float, memory: int) -> None:
         self._seconds, self._memory = seconds, memory
@@ -77,7 +77,7 @@ class _Limits:
             most = resource.getrlimit(resource.RLIMIT_AS)[1]
             resource.setrlimit(resource.RLIMIT_AS, (most if memory is None else used + memory, most))
         except (ImportError, OSError, ValueError):
-            return  # not Linux, or the system allows less than that already
+            return  # not Linux, or the system's own limit is lower
 
 
 def _described(mesh: Any) -> tuple[dict[str, Any], list[Any]]:

@@ -1,4 +1,4 @@
-"""Extensions of glTF: which ones a file cannot be used without, and which ones are ignored."""
+"""glTF extensions: which ones a file requires, and which ones are ignored."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from nearfar._scene.gltf.meshopt import MESHOPT
 from nearfar._scene.undrawn import EXTENSIONS
 
 _READ = {draco.DRACO, "KHR_mesh_quantization", INSTANCING, *MESHOPT}
-"""Extensions of shapes that are read."""
+"""Supported extensions of shapes."""
 
 _REMEDIES = {
     "MSFT_texture_dds": "which is not read: save its textures as PNG or JPEG",
@@ -26,14 +26,14 @@ _DISPENSABLE = {
     *("KHR_xmp", "KHR_xmp_json_ld", "EXT_mesh_features", "EXT_instance_features", "EXT_structural_metadata"),
     *("MSFT_lod", "CESIUM_primitive_outline", "CESIUM_RTC"),
 }
-"""Extensions whose absence leaves the shapes and base colours of a file right."""
+"""Extensions that may be ignored without changing a file's shapes and base colours."""
 
 _SILENT = {*_READ, BASISU, TRANSFORM, *EXTENSIONS, *IMAGE_EXTENSIONS, *_REMEDIES}
-"""Extensions that are read, refused, or noted where they are used."""
+"""Extensions not listed as ignored: they are supported, rejected, or noted where they are used."""
 
 
 def check(header: dict[str, Any]) -> None:
-    """Refuse a document that cannot be decoded."""
+    """Reject a document with required extensions that are not supported."""
     for name in header.get("extensionsRequired", []):
         if name in _REMEDIES:
             raise UnusableError(f"it needs the extension {name}, {_REMEDIES[name]}")
@@ -57,7 +57,7 @@ def _check_image_support(name: str) -> None:
 
 
 def needs_draco(primitive: dict[str, Any], header: dict[str, Any]) -> bool:
-    """Whether an attribute of a primitive, or its indices, have no bytes but those that Draco has compressed."""
+    """Whether an attribute of a primitive, or its indices, exist only in Draco's compressed form."""
     if draco.DRACO not in primitive.get("extensions", {}):
         return False
     numbers = [*primitive.get("attributes", {}).values()]
@@ -66,7 +66,7 @@ def needs_draco(primitive: dict[str, Any], header: dict[str, Any]) -> bool:
 
 
 def choose_images(header: dict[str, Any]) -> bool:
-    """Let textures that have only an extension's image refer to it plainly; returns whether there were any."""
+    """Make an extension's image the plain source of textures without one; return whether there were any."""
     changed = False
     for texture in header.get("textures", []):
         if "source" not in texture:
@@ -78,12 +78,12 @@ def choose_images(header: dict[str, Any]) -> bool:
 
 
 def ignored(header: dict[str, Any]) -> list[str]:
-    """Notes on the extensions that are ignored."""
+    """Notes on ignored extensions."""
     return [f"extension {name} ignored" for name in _named(header) if name not in _SILENT]
 
 
 def used(header: dict[str, Any]) -> list[str]:
-    """The extensions that are read, for the list of what a scene uses."""
+    """Supported extensions, for the list of features that a scene uses."""
     return [f"extension {name}" for name in _named(header) if name in {*_READ, *IMAGE_EXTENSIONS, BASISU, TRANSFORM}]
 
 

@@ -1,4 +1,4 @@
-"""Instances that one node of a glTF file places by arrays: EXT_mesh_gpu_instancing."""
+"""Instances of a glTF node placed by arrays: EXT_mesh_gpu_instancing."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from nearfar._scene.gltf.nodes import composed
 INSTANCING = "EXT_mesh_gpu_instancing"
 
 _DEFAULTS = {"TRANSLATION": (0.0, 0.0, 0.0), "ROTATION": (0.0, 0.0, 0.0, 1.0), "SCALE": (1.0, 1.0, 1.0)}
-"""Parts of an instance's transform that a file leaves out."""
+"""Defaults of the transform's parts that a file omits."""
 
 _BYTES = 512
-"""Bytes of memory that an instance takes: some copies of its transform, its name and its place in the scene."""
+"""Bytes of memory per instance: some copies of its transform, its name and its place in the scene."""
 
 
 def transforms(header: dict[str, Any], buffers: Buffers, budget: Budget) -> dict[int, NDArray[np.float64]]:
-    """Transforms instance→node (N, 4, 4), by the number of each node that has instances."""
+    """Transforms instance→node (N, 4, 4), by the index of each node with instances."""
     return {
         number: _of_node(header, number, node["extensions"][INSTANCING]["attributes"], buffers, budget)
         for number, node in enumerate(header.get("nodes", []))
@@ -39,7 +39,7 @@ def _of_node(
         stated = ", ".join(f"{count} of {name}" for name, count in counts.items()) or "none"
         raise UnusableError(f"expected as many rows of each attribute of the instances of node {number}, got {stated}")
     (count,) = set(counts.values())
-    # Many nodes may name the same arrays. A mesh of several primitives is placed with each of them.
+    # Many nodes may use the same arrays. A mesh of several primitives is placed once for each of them.
     primitives = entry(header, "meshes", header["nodes"][number]["mesh"])["primitives"]
     budget.hold(max(0, count) * len(primitives) * _BYTES)
     parts = [_rows(name, count, attributes, buffers) for name in _DEFAULTS]

@@ -1,4 +1,4 @@
-"""Lists what a scene uses of a glTF document."""
+"""Summary of the features of a glTF document that a scene uses."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from nearfar._scene.report import count
 
 
 def used(header: dict[str, Any]) -> list[str]:
-    """The format, counts of the parts that are read, and the extensions, one phrase each."""
+    """The format, counts of supported parts, and the extensions, one phrase each."""
     made_by = header.get("asset", {}).get("generator")
     placing = sum("mesh" in node for node in header.get("nodes", []))
     primitives = sum(mode(primitive) in MODES for mesh in header.get("meshes", []) for primitive in mesh["primitives"])

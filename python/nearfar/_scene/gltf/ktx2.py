@@ -1,4 +1,4 @@
-"""Images in the container KTX 2: Basis Universal (KHR_texture_basisu), and pixels that are not compressed."""
+"""Decodes KTX 2 images: Basis Universal (KHR_texture_basisu), and uncompressed pixels."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ _START = struct.Struct("<12s9I4I2Q")
 _LEVEL = struct.Struct("<3Q")
 _MOST_LEVELS = 32
 _LEVELS = slice(40, 44)
-"""Where the number of levels stands."""
+"""Byte range of the number of levels."""
 
 _ETC1S, _UASTC = 163, 166
 _MODELS = {_ETC1S: "ETC1S", _UASTC: "UASTC"}
-"""Colour models of Basis Universal by their numbers in the Khronos Data Format."""
+"""Colour models of Basis Universal by number in the Khronos Data Format."""
 
 _NO_SCHEME, _BASIS_LZ, _ZSTANDARD, _ZLIB = range(4)
 _BLOCK, _BLOCK_BYTES = 4, 16
@@ -47,10 +47,10 @@ _PIXELS: dict[int, tuple[np.dtype[Any], str]] = {
     106: (_FULL, "RGB"),
     109: (_FULL, "RGBA"),
 }
-"""Types and channels of the pixels that are read, by the numbers of Vulkan's formats."""
+"""Types and channels of supported pixel formats, by Vulkan format number."""
 
 _BLOCKS = ((131, 146, "BC"), (147, 156, "ETC2 or EAC"), (157, 184, "ASTC"), (1000066000, 1000066013, "ASTC"))
-"""Ranges of Vulkan's formats that are compressed by blocks."""
+"""Ranges of Vulkan's block-compressed formats."""
 
 
 @dataclass(frozen=True)
@@ -62,17 +62,17 @@ class _Header:
     model: int
     start: int
     length: int
-    """Place and bytes of the largest level."""
+    """Start and length of the largest level, bytes."""
     unpacked: int
-    """Its bytes without the scheme of supercompression."""
+    """Bytes of the largest level without supercompression."""
     is_flipped: bool
 
 
 def decode(data: bytes, budget: Budget) -> NDArray[np.uint8]:
-    """Texels (H, W, 4) of the largest level, sRGB with linear alpha, row 0 on top; UnusableError with the reason.
+    """Decode the largest level: texels (H, W, 4), sRGB with linear alpha, row 0 on top; UnusableError if impossible.
 
-    All sizes are read and counted before anything is decoded. Whole numbers are taken as sRGB, as glTF says of colours;
-    fractions are linear.
+    All sizes are read and counted before anything is decoded. Integers are taken as sRGB, as glTF requires for colours;
+    floats are linear.
     """
     header = _header(data)
     budget.take(4 * header.width * header.height + header.unpacked)
@@ -108,7 +108,7 @@ def _part(data: bytes, start: int, length: int) -> bytes:
 
 
 def _basis(data: bytes, header: _Header) -> NDArray[np.uint8]:
-    """Decode Basis Universal by the package opengl_basisu."""
+    """Decode Basis Universal with the package opengl_basisu."""
     name = _MODELS[header.model]
     schemes = (_BASIS_LZ,) if header.model == _ETC1S else (_NO_SCHEME, _ZSTANDARD)
     blocks = -(-header.width // _BLOCK) * -(-header.height // _BLOCK)
@@ -122,11 +122,11 @@ def _basis(data: bytes, header: _Header) -> NDArray[np.uint8]:
     import opengl_basisu
 
     if not int.from_bytes(data[_LEVELS], "little"):
-        # The file leaves it to its reader to make smaller levels, and has one. The package wants their number.
+        # The file has one level and leaves smaller ones to its reader. The package needs a number of levels.
         data = data[: _LEVELS.start] + (1).to_bytes(4, "little") + data[_LEVELS.stop :]
     try:
         texels: NDArray[Any] = opengl_basisu.open(data).transcode("rgba8").data
-    except Exception as error:  # its errors have no common type, and Cython adds those of C++
+    except Exception as error:  # its errors have no common type, and Cython passes C++ exceptions on
         raise UnusableError(f"cannot be decoded: {error}") from None
     if texels.shape != (header.height, header.width, 4):
         raise UnusableError(f"has other sizes than its header's {header.width} × {header.height}")
@@ -134,7 +134,7 @@ def _basis(data: bytes, header: _Header) -> NDArray[np.uint8]:
 
 
 def _plain(data: bytes, header: _Header) -> NDArray[np.uint8]:
-    """Read pixels that are not compressed by blocks."""
+    """Decode pixels that are not block-compressed."""
     if header.format not in _PIXELS:
         raise UnusableError(_unread(header.format, header.model))
     kind, channels = _PIXELS[header.format]

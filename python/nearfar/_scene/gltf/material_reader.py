@@ -1,4 +1,4 @@
-"""The materials of glTF documents, with those of their images that are drawn."""
+"""Reads the materials of glTF documents and decodes those of their images that are drawn."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ from nearfar._scene.gltf.buffers import Buffers
 from nearfar._scene.materials import BaseColor, Described, Materials
 
 NONE = -1
-"""Stands for the number of no material."""
+"""Index that means no material."""
 
 _GLOSS = "KHR_materials_pbrSpecularGlossiness"
 _GLOSS_BYTES = 128
-"""Bytes for each texel while trimesh converts a material of that extension: four images, float64 RGBA."""
+"""Bytes per texel while trimesh converts a material of that extension: four images, float64 RGBA."""
 
 
 @dataclass
 class _Drawn:
-    """The drawn part of a material, under trimesh's names."""
+    """Drawn part of a material, with trimesh's field names."""
 
     baseColorFactor: None = None  # noqa: N815 - full precision comes from the document
     baseColorTexture: Any = None  # noqa: N815
@@ -38,20 +38,20 @@ class _Drawn:
 
 
 class MaterialReader:
-    """Reads the materials of one document, each image once and only if it is drawn.
+    """Reads the materials of one document; each image is decoded once and only if it is drawn.
 
     Parameters
     ----------
     header
         The document.
     buffers
-        Its images.
+        Reads the document's images.
     resolver
-        Trimesh's, which reads images beside the document.
+        Trimesh's resolver, which reads images beside the document.
     materials
         Converts materials to base colours.
     budget
-        Counts what images unpack to.
+        Counts decoded bytes of images.
     """
 
     def __init__(
@@ -64,14 +64,14 @@ class MaterialReader:
         self._coordinates: dict[int, Coordinates | None] = {NONE: None}
 
     def material(self, number: int) -> list[BaseColor]:
-        """The material of a number, in a list."""
+        """Return the material of an index, in a list."""
         described = entry(self._header, "materials", number)
         return self._materials.of(
             self._opened(number, described), described=Described(described, self._buffers.texture)
         )
 
     def decode(self, numbers: Iterable[int]) -> None:
-        """Decode the images that materials draw, side by side, before `material` asks for one after the other."""
+        """Decode in parallel the images that materials draw, before `material` requests them one by one."""
         self._materials.decode(image for number in numbers for image in self._images(number))
 
     def _images(self, number: int) -> list[Any]:
@@ -83,13 +83,13 @@ class MaterialReader:
         return [image for image in images if image is not None]
 
     def coordinates(self, number: int) -> Coordinates | None:
-        """The texture coordinates that a material uses, if any; also for `NONE`."""
+        """Texture coordinates that a material uses, if any; also valid for `NONE`."""
         if number not in self._coordinates:
             self._coordinates[number] = coordinates.drawn(entry(self._header, "materials", number))
         return self._coordinates[number]
 
     def _opened(self, number: int, described: dict[str, Any]) -> Any:
-        """A material whose images are open, but not decoded."""
+        """Material whose images are open, but not decoded."""
         if number not in self._surfaces:
             self._surfaces[number] = self._surface(number, described)
         return self._surfaces[number]
@@ -108,7 +108,7 @@ class MaterialReader:
         return read
 
     def _picture(self, number: Any) -> Any:
-        """The image of a texture; None for one that cannot be read."""
+        """Image of a texture; None if it cannot be read."""
         from PIL import Image
 
         data = self._buffers.picture(number)
@@ -131,7 +131,7 @@ class MaterialReader:
 
     @cached_property
     def _converted(self) -> list[Any]:
-        """All materials as trimesh reads them, which converts those of specular colour and gloss."""
+        """All materials as read by trimesh, which converts specular–glossiness ones."""
         from trimesh.exchange.gltf import _parse_materials
 
         for material in self._header.get("materials", []):
@@ -141,7 +141,7 @@ class MaterialReader:
         return converted
 
     def _count_gloss(self, described: dict[str, Any]) -> None:
-        """Count what trimesh needs to convert a material's images."""
+        """Count the memory that trimesh needs to convert a material's images."""
         from PIL import Image
 
         for key in ("diffuseTexture", "specularGlossinessTexture"):
@@ -156,7 +156,7 @@ class MaterialReader:
 
 
 class _Views:
-    """The buffer views of a document, as trimesh expects them; each is copied when it is asked for."""
+    """Buffer views of a document, as trimesh expects them; each is copied on access."""
 
     def __init__(self, buffers: Buffers) -> None:
         self._buffers = buffers

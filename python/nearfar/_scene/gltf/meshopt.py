@@ -1,4 +1,4 @@
-"""Buffer views of glTF files that meshoptimizer has compressed."""
+"""Decodes buffer views of glTF files compressed by meshoptimizer."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from nearfar._base.errors import SceneError, UnusableError
 from nearfar._scene.budget import Budget
 
 MESHOPT = ("EXT_meshopt_compression", "KHR_meshopt_compression")
-"""Extensions that compress buffer views; the second one adds a filter and a version of the codec to the first one."""
+"""Extensions that compress buffer views; the second one adds a filter and a codec version to the first one."""
 
 
 def stream(view: dict[str, Any]) -> dict[str, Any] | None:
-    """An extension's description of a view: place of its compressed bytes, and their layout; None without one."""
+    """The extension's entry of a view, with place and layout of the compressed bytes; None without the extension."""
     extensions = view.get("extensions", {})
     found: dict[str, Any] | None = next((extensions[name] for name in MESHOPT if name in extensions), None)
     return found
 
 
 def is_placeholder(buffer: dict[str, Any], number: int, *, has_binary: bool) -> bool:
-    """Whether a buffer has no bytes, but stands for those that a decoder makes."""
+    """Whether a buffer has no bytes of its own, but stands for decoded ones."""
     is_fallback = any(buffer.get("extensions", {}).get(name, {}).get("fallback") for name in MESHOPT)
     return "uri" not in buffer and (is_fallback or number > 0 or not has_binary)
 
@@ -35,13 +35,13 @@ def decoded(
     Parameters
     ----------
     number, view
-        The view and its number, which errors name.
+        The view and its index, for error messages.
     described
-        Its `stream`.
+        The extension's entry, from `stream`.
     data
         The compressed bytes.
     budget
-        Counts the decoded bytes before there is memory for them.
+        Counts the decoded bytes before they are allocated.
     """
     count, stride = int(described["count"]), int(described["byteStride"])
     if count < 0 or stride < 0:

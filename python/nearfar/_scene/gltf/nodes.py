@@ -1,4 +1,4 @@
-"""The nodes of glTF files: trees without loops, their transforms, and the places of the meshes that they hold."""
+"""Nodes of glTF files: check of their trees, their transforms, and the placements of their meshes."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ Floats = NDArray[np.float64]
 
 
 def check_trees(header: dict[str, Any]) -> None:
-    """Refuse nodes that are not trees (glTF 2.0, 3.5.2): with two parents, or with one although a scene lists them.
+    """Reject nodes that do not form trees (glTF 2.0, 3.5.2): with two parents, or with a parent although roots.
 
-    No scene reaches a loop of other nodes, and what none reaches is not drawn.
+    Loops of other nodes are unreachable from scenes and thus not drawn.
     """
     parents: dict[int, int] = {}
     nodes = header.get("nodes", [])
@@ -40,17 +40,17 @@ def check_trees(header: dict[str, Any]) -> None:
 
 
 def placed(header: dict[str, Any], shapes: Mapping[int, Sequence[str]], instances: Mapping[int, Floats]) -> Nodes:
-    """Placed shapes in the file's order, children before their parents.
+    """Return the placed shapes in the file's order, children before their parents.
 
     Parameters
     ----------
     header
         The document.
     shapes
-        Names of each mesh's shapes, by the mesh's number.
+        Names of each mesh's shapes, by mesh index.
     instances
-        Transforms instance→node (N, 4, 4) of nodes that place their mesh many times, by the node's number. Each
-        instance is an object.
+        Transforms instance→node (N, 4, 4) of nodes that place their mesh many times, by node index. Each instance is an
+        object.
     """
     nodes = header.get("nodes", [])
     order, above = _traversed(header)
@@ -59,7 +59,7 @@ def placed(header: dict[str, Any], shapes: Mapping[int, Sequence[str]], instance
     objects: list[str] = []
     chosen: list[str] = []
     rows: list[int] = []
-    # For each node with instances: the first of its places, its number, and the number of its mesh's shapes.
+    # For each node with instances: its first row, its index, and the number of its mesh's shapes.
     spans: list[tuple[int, int, int]] = []
     for row in range(len(order) - 1, -1, -1):
         number = order[row]
@@ -80,7 +80,7 @@ def placed(header: dict[str, Any], shapes: Mapping[int, Sequence[str]], instance
 
 
 def _object_names(nodes: list[dict[str, Any]], instances: Mapping[int, Floats]) -> list[list[str]]:
-    """Names of the objects that each node places: its own or its number, made distinct."""
+    """Names of the objects that each node places: the node's name or index, made distinct."""
     counts = [len(instances[number]) if number in instances else 1 for number in range(len(nodes))]
     names = [str(node.get("name") or number) for number, node in enumerate(nodes)]
     all_names = iter(distinct([name for name, count in zip(names, counts, strict=True) for _ in range(count)]))
@@ -88,9 +88,9 @@ def _object_names(nodes: list[dict[str, Any]], instances: Mapping[int, Floats]) 
 
 
 def _traversed(header: dict[str, Any]) -> tuple[list[int], list[int]]:
-    """Numbers of the scene's nodes, parents first and last children first, and the rows of their parents; −1 for none.
+    """Indices of the scene's nodes, parents before children, last child first; and their parents' rows, −1 for none.
 
-    No node comes twice: they are trees.
+    No node is visited twice, because nodes form trees.
     """
     listed = entry(header, "scenes", header.get("scene", 0)).get("nodes", []) if "scenes" in header else []
     order: list[int] = []
@@ -98,7 +98,7 @@ def _traversed(header: dict[str, Any]) -> tuple[list[int], list[int]]:
     for root in listed:
         entry(header, "nodes", root)
     nodes = header.get("nodes", [])
-    # A root that is listed twice stands once.
+    # Duplicate roots are visited once.
     pending = [(root, -1) for root in dict.fromkeys(listed)]
     while pending:
         number, parent = pending.pop()
@@ -138,7 +138,7 @@ _PARTS = {"translation", "rotation", "scale"}
 
 
 def _given(nodes: list[dict[str, Any]], key: str, default: Floats) -> Floats:
-    """Numbers (N, K) that nodes state, or else the default."""
+    """Values (N, K) that nodes state, else the default."""
     stated = [row for row, node in enumerate(nodes) if key in node]
     values = np.tile(default, (len(nodes), 1))
     if stated:
@@ -153,7 +153,7 @@ def _given(nodes: list[dict[str, Any]], key: str, default: Floats) -> Floats:
 
 
 def _rotations(quaternions: Floats) -> Floats:
-    """Rotation matrices (N, 3, 3) of quaternions (x, y, z, w) of any length; the identity for those of length 0."""
+    """Rotation matrices (N, 3, 3) of quaternions (x, y, z, w) of any length; the identity for length 0."""
     length = np.einsum("ij,ij->i", quaternions, quaternions)
     is_none = length < np.finfo(np.float64).eps * 4
     scaled = quaternions * np.sqrt(2.0 / np.where(is_none, 1.0, length))[:, None]
@@ -169,7 +169,7 @@ def _rotations(quaternions: Floats) -> Floats:
 
 
 def _world(local: Floats, above: list[int]) -> Floats:
-    """Multiply transforms along trees, a generation at a time; parents come before their children."""
+    """Multiply transforms along trees, one generation at a time; parents come before their children."""
     parents = np.array(above, np.int64)
     generation = [0] * len(above)
     for row, parent in enumerate(above):

@@ -1,4 +1,4 @@
-"""The primitives of glTF meshes as shapes, and their materials."""
+"""Reads primitives of glTF meshes, with their materials, as shapes."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ class Primitives:
     header
         The document.
     buffers
-        Its arrays.
+        Reads the document's arrays.
     materials
-        Reads its materials.
+        Reads the document's materials.
     budget
-        Counts the arrays that are made.
+        Counts the bytes of new arrays.
     """
 
     def __init__(self, header: dict[str, Any], buffers: Buffers, materials: MaterialReader, budget: Budget) -> None:
@@ -43,7 +43,7 @@ class Primitives:
         self._decoded: dict[Any, draco.Decoded] = {}
 
     def shape(self, primitive: dict[str, Any], *, is_shared: bool) -> Shape:
-        """Read a primitive; one that shares its vertices with others keeps those that it uses."""
+        """Read a primitive; with `is_shared` only the vertices that it uses."""
         decoded = self._decoded_faces(primitive)
         numbers = primitive.get("attributes", {})
         if "POSITION" not in numbers:
@@ -86,7 +86,7 @@ class Primitives:
         return shape
 
     def _attribute(self, name: str, width: int, number: int, rows: NDArray[Any]) -> NDArray[Any]:
-        """Rows of an attribute, which may be whole numbers with or without a unit (KHR_mesh_quantization)."""
+        """Rows of an attribute, which may be integers, normalised or not (KHR_mesh_quantization)."""
         if rows.shape[1] != width:
             raise UnusableError(f"expected {width} numbers in each row of {name}, got {rows.shape[1]}")
         rows = self._buffers.fractions(number, rows)
@@ -98,7 +98,7 @@ class Primitives:
         return faces(mode(primitive), corners, is_indexed=is_indexed)
 
     def _decoded_faces(self, primitive: dict[str, Any]) -> NDArray[Any] | None:
-        """The faces that Draco has compressed, whose vertices are decoded with them; None for plain ones."""
+        """Faces decoded by Draco, together with their vertices; None for uncompressed primitives."""
         if not needs_draco(primitive, self._header):
             return None
         view = primitive["extensions"][DRACO]["bufferView"]
@@ -110,7 +110,7 @@ class Primitives:
         return self._decoded[key].faces
 
     def _check_decoded(self, primitive: dict[str, Any], vertices: NDArray[Any]) -> None:
-        """Refuse the zeros that stand where an extension was not decoded."""
+        """Reject vertices that are all zero because an extension was not decoded."""
         accessor = entry(self._header, "accessors", primitive["attributes"]["POSITION"])
         names = list(primitive.get("extensions", {}))
         if names and "bufferView" not in accessor and "sparse" not in accessor and not np.any(vertices):
@@ -118,7 +118,7 @@ class Primitives:
 
 
 def _used(faces: NDArray[Any], count: int) -> tuple[NDArray[np.int64] | slice, NDArray[Any]]:
-    """The vertices of `count` that faces use, and the faces between these; all of them where faces are damaged."""
+    """Indices of the vertices in use, and the faces renumbered to them; all vertices if faces are damaged."""
     if not faces.size or int(faces.min()) < 0 or int(faces.max()) >= count:
         return slice(None), faces
     used, places = np.unique(faces, return_inverse=True)

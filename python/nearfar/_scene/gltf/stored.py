@@ -1,4 +1,4 @@
-"""The meshes of a glTF document that the core can read as they lie in the file: most meshes of most files."""
+"""Meshes of a glTF document that the core reads directly from the file's bytes: most meshes of most files."""
 
 from __future__ import annotations
 
@@ -16,20 +16,20 @@ from nearfar._scene.gltf.tables import Table, table
 from nearfar._scene.stored import Stored, Surface
 
 _NONE = -1
-"""Stands for the number of no accessor."""
+"""Index that means no accessor."""
 
 _NAMES = ("POSITION", "NORMAL", "COLOR_0")
 
 _ATTRIBUTES = np.array([12, 8, 4])
-"""Bytes of a vertex's normal, texture coordinates and colour."""
+"""Bytes per vertex of normals, texture coordinates and colours."""
 
 _PLAIN = {"attributes", "indices", "material", "mode", "targets", "extras"}
-"""Entries of a primitive that change nothing about its arrays."""
+"""Entries of a primitive that do not affect its arrays."""
 
 _COORDINATES = (5120, 5121, 5122, 5123, 5126)
 _UNSIGNED = (5121, 5123, 5125)
 _COLORS = (5121, 5123, 5126)
-"""Types of the numbers of positions and normals, of corners, and of colours."""
+"""Component types supported for positions and normals, for indices, and for colours."""
 
 Numbers = NDArray[np.int64]
 
@@ -37,7 +37,7 @@ Numbers = NDArray[np.int64]
 def stored(
     header: dict[str, Any], materials: MaterialReader, buffers: Buffers, budget: Budget
 ) -> tuple[Stored | None, list[int]]:
-    """The meshes that can be read so, without names, and their numbers in the document; None if there are none."""
+    """Return the meshes that can be read directly, unnamed, and their indices in the document; None without any."""
     meshes = header.get("meshes", [])
     rows = table(header, buffers, _used(meshes, materials))
     if rows is None:
@@ -57,7 +57,7 @@ def stored(
 
 
 def _used(meshes: list[dict[str, Any]], materials: MaterialReader) -> set[int]:
-    """Numbers of the accessors that primitives of triangles need; what is no number is left out."""
+    """Indices of the accessors that triangle primitives need; invalid indices are left out."""
     numbers = []
     for primitive in (primitive for mesh in meshes for primitive in mesh["primitives"] if mode(primitive) in MODES):
         attributes, material = primitive.get("attributes", {}), primitive.get("material")
@@ -69,20 +69,20 @@ def _used(meshes: list[dict[str, Any]], materials: MaterialReader) -> set[int]:
 
 
 def _bytes(rows: Table, faces: Numbers) -> int:
-    """Bytes of the arrays that the faces' rows stand for, at most; those of corners as they lie in the file."""
+    """Upper bound of the bytes of the arrays behind the rows; indices count as stored in the file."""
     has_corners = faces[:, 5] != _NONE
     counts = np.where(has_corners, rows.counts[faces[:, 5]], rows.counts[faces[:, 1]])
     corners = int((counts * np.where(has_corners, rows.rows[faces[:, 5], 2], 4)).sum())
     sets, of_set = np.unique(faces[:, :5], axis=0, return_inverse=True)
     uses = np.bincount(sets[:, 1])[sets[:, 1]]
     needed = np.bincount(of_set.ravel(), counts, minlength=len(sets)).astype(np.int64)
-    # Of positions that meshes share, each takes a range that is at most twice as long as its faces need.
+    # For positions shared by meshes, each takes a range at most twice as long as its faces need.
     taken = np.where(uses > 1, np.minimum(rows.counts[sets[:, 1]], 2 * needed), rows.counts[sets[:, 1]])
     return corners + int((taken * (12 + (sets[:, 2:5] != _NONE) @ _ATTRIBUTES)).sum())
 
 
 class _Faces:
-    """Reads primitives as rows of numbers: mesh, positions, normals, UVs, colours, corners (−1 for none), surface."""
+    """Reads primitives as integer rows: mesh, positions, normals, UVs, colours, indices (−1 for none), surface."""
 
     def __init__(self, rows: Table, materials: MaterialReader) -> None:
         self._materials = materials
@@ -99,7 +99,7 @@ class _Faces:
         self.surfaces: list[Surface] = []
 
     def of_mesh(self, number: int, mesh: dict[str, Any]) -> list[tuple[int, ...]]:
-        """Rows of a mesh; none if one of its primitives is not plain."""
+        """Rows of a mesh; empty if one of its primitives cannot be read directly."""
         found = []
         for primitive in mesh["primitives"]:
             if mode(primitive) in MODES:
@@ -110,7 +110,7 @@ class _Faces:
         return found
 
     def _row(self, primitive: dict[str, Any]) -> tuple[int, ...] | None:
-        """The row of a primitive without its mesh; None if it is not plain."""
+        """Row of a primitive without the mesh; None if it cannot be read directly."""
         if mode(primitive) != TRIANGLES or not primitive.keys() <= _PLAIN:
             return None
         attributes, material = primitive.get("attributes", {}), primitive.get("material", NONE)
@@ -137,7 +137,7 @@ class _Faces:
         return positions, normals, uvs, colors, corners, surface
 
     def _count_of(self, number: Any) -> int:
-        """Number of an accessor's rows; −1 for one that is not there."""
+        """Number of an accessor's rows; −1 for an invalid index."""
         return self._counts[number] if type(number) is int and 0 <= number < len(self._counts) else -1
 
     def _surface(self, material: int, has_normals: bool, has_uvs: bool, has_colors: bool) -> int:
@@ -150,5 +150,5 @@ class _Faces:
 
 
 def _is_one(number: Any, allowed: list[bool]) -> bool:
-    """Whether a number is that of an accessor that is allowed."""
+    """Whether an index is valid and its accessor allowed."""
     return type(number) is int and 0 <= number < len(allowed) and allowed[number]

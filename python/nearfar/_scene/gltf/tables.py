@@ -1,4 +1,4 @@
-"""The accessors of a glTF document as one table: where their rows lie, and which of them lie there unchanged."""
+"""Accessors of a glTF document as one table: where their rows lie, and which can be used unchanged."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ from nearfar._scene.gltf.buffers import COMPONENTS, WIDTHS, Buffers
 
 _NONE = -1
 _FIRST, _FLOAT = 5120, 5126
-"""Least and greatest code of a type of numbers."""
+"""Least and greatest code of a component type."""
 
 _MOST_WIDTH = max(WIDTHS.values())
 _SIZES = {code: np.dtype(kind).itemsize for code, kind in COMPONENTS.items()}
 _EMPTY = (0, 0, 4, 0, 1, _FLOAT, 0)
-"""Row of an accessor that is not plain."""
+"""Row of an accessor that cannot be used unchanged."""
 
 _VIEW = {"buffer": _NONE, "byteOffset": 0, "byteLength": _NONE, "byteStride": _NONE}
-"""Entries of a buffer view with what stands for those that it lacks."""
+"""Entries of a buffer view with their defaults."""
 
 _UNUSED = (_NONE, 0, 0, 0, 0, 0, 0)
-"""Entry of an accessor that is not asked for."""
+"""Row of an accessor that is not in use."""
 
 Numbers = NDArray[np.int64]
 
@@ -36,12 +36,12 @@ class Table:
 
     blocks: list[NDArray[np.uint8]]
     rows: Numbers
-    """Block, first byte, step, count, width, type and whether they are fractions (A, 7)."""
+    """Columns (A, 7): block, first byte, stride, count, width, component type, and whether normalised."""
     is_plain: NDArray[np.bool_]
-    """Whether the rows lie in a buffer, unchanged (A,)."""
+    """Whether the rows can be used unchanged from a buffer (A,)."""
 
     def allows(self, widths: tuple[int, ...], kinds: Iterable[int] = COMPONENTS) -> NDArray[np.bool_]:
-        """Whether each accessor is plain, with rows of one of the widths and numbers of one of the types (A,)."""
+        """Whether each accessor is plain, with one of the widths and one of the component types (A,)."""
         has_width, has_kind = np.zeros(_MOST_WIDTH + 1, bool), np.zeros(_FLOAT - _FIRST + 1, bool)
         has_width[[*widths]] = True
         has_kind[[kind - _FIRST for kind in kinds]] = True
@@ -60,13 +60,13 @@ class Table:
 
 
 def _sizes(kinds: Numbers) -> Numbers:
-    """Bytes of a number of each type; 0 for unknown types."""
+    """Bytes per component of each type; 0 for unknown types."""
     known, places = np.unique(kinds, return_inverse=True)
     return np.array([_SIZES.get(kind, 0) for kind in known.tolist()], np.int64)[places]
 
 
 def table(header: dict[str, Any], buffers: Buffers, used: Collection[int]) -> Table | None:
-    """The table of the `used` accessors, all others being empty; None for a document whose entries are damaged."""
+    """Table of the `used` accessors, with all others empty; None if the document has damaged entries."""
     try:
         accessors, views = _accessors(header, used), _views(header)
     except (AttributeError, LookupError, OverflowError, TypeError, ValueError):
@@ -80,7 +80,7 @@ def table(header: dict[str, Any], buffers: Buffers, used: Collection[int]) -> Ta
     size = _sizes(kind) * width
     step = np.where(views[view, 3] == _NONE, size, views[view, 3])
     chosen &= (size > 0) & (step >= size) & (count >= 0) & (offset >= 0) & (length[view] >= 0)
-    # No product overflows: nothing that lies in a file has as many rows or bytes.
+    # Prevents overflow of products: nothing in a file has that many rows or bytes.
     chosen &= np.maximum(count, offset) <= length[view]
     chosen &= (step <= np.maximum(length[view], size)) & (count <= np.iinfo(np.int64).max // np.maximum(step, 1))
     end = offset + np.where(count > 0, (count - 1) * np.where(chosen, step, 0) + size, 0)
@@ -91,7 +91,7 @@ def table(header: dict[str, Any], buffers: Buffers, used: Collection[int]) -> Ta
 
 
 def _accessors(header: dict[str, Any], used: Collection[int]) -> Numbers:
-    """View, first byte, type, count, width, whether they are fractions, and whether some change (A, 7)."""
+    """Columns (A, 7): view, first byte, component type, count, width, whether normalised, whether sparse."""
     return _numbers(
         [
             (
@@ -111,14 +111,14 @@ def _accessors(header: dict[str, Any], used: Collection[int]) -> Numbers:
 
 
 def _views(header: dict[str, Any]) -> Numbers:
-    """Buffer, first byte, length and step, −1 for none (V, 4)."""
+    """Columns (V, 4): buffer, first byte, length and stride, −1 for none."""
     return _numbers(
         [tuple(view.get(key, default) for key, default in _VIEW.items()) for view in header.get("bufferViews", [])]
     )
 
 
 def _numbers(rows: list[tuple[Any, ...]]) -> Numbers:
-    """Rows as an array; TypeError if one holds anything else than whole numbers."""
+    """Convert rows to an array; TypeError if they contain anything but integers."""
     if not {type(value) for row in rows for value in row} <= {int}:
         raise TypeError("expected whole numbers")
     return np.array(rows, np.int64)
@@ -127,7 +127,7 @@ def _numbers(rows: list[tuple[Any, ...]]) -> Numbers:
 def _blocks(
     buffers: Buffers, views: Numbers, used: list[int]
 ) -> tuple[list[NDArray[np.uint8]], Numbers, Numbers, Numbers]:
-    """Blocks of bytes, and for each view (V,) its block, the view's first byte in it, and its length; −1 for none."""
+    """Blocks of bytes, and for each view (V,) its block, its first byte therein and its length; −1 for none."""
     blocks: list[NDArray[np.uint8]] = []
     of_buffer: dict[int, int] = {}
     block, start, length = (np.full(len(views), value, np.int64) for value in (0, 0, _NONE))
@@ -139,7 +139,7 @@ def _blocks(
                 content = buffers.view(number) if is_packed else buffers.whole(buffer)
         except TooLargeError:
             raise
-        except Exception:  # resolvers may raise any type; what needs this view says why it cannot be read
+        except Exception:  # resolvers may raise any type; later reads of this view report the reason
             continue
         if is_packed:
             block[number], length[number] = len(blocks), len(content)

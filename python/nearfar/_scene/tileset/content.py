@@ -1,4 +1,4 @@
-"""Content of tiles: b3dm, i3dm, cmpt and glTF, as shapes that are placed in the tile's frame."""
+"""Decodes tiles, b3dm, i3dm, cmpt and glTF, to shapes placed in the tile's frame."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ _OTHERS = {b"pnts": "points", b"vctr": "vectors", b"geom": "geometries"}
 """Kinds of tiles without triangles."""
 
 _RTC = "CESIUM_RTC"
-"""Extension of glTF that states where its origin lies in the tile's frame."""
+"""glTF extension that states the origin's position in the tile's frame."""
 
 _MOST_NESTED = 32
-"""Greatest depth of composite tiles within each other."""
+"""Maximum nesting depth of composite tiles."""
 
 _INSTANCE_BYTES = 512
-"""Bytes of memory that an instance takes: some copies of its transform, its name and its place in the scene."""
+"""Bytes of memory per instance: some copies of its transform, its name and its place in the scene."""
 
 
 @dataclass
@@ -39,20 +39,20 @@ class TileContent:
     """Content of one file of a tile."""
 
     content: Content
-    """Its shapes, placed in the tile's frame, z up."""
+    """Shapes, placed in the tile's frame, z up."""
     has_properties: bool = False
     depends_on_place: bool = False
-    """Whether it stands upright where the tile is on the Earth."""
+    """Whether its orientation depends on the tile's place on the Earth."""
 
     @property
     def triangles(self) -> int:
-        """Triangles of all its placed shapes."""
+        """Number of triangles of all placed shapes."""
         sizes = {name: len(shape.faces) for name, shape in self.content.shapes.items()}
         return sum(sizes[name] * number for name, number in Counter(self.content.nodes.shapes).items())
 
     @property
     def nbytes(self) -> int:
-        """Bytes of its arrays."""
+        """Bytes of all arrays."""
         shapes = self.content.shapes.values()
         arrays = [a for s in shapes for a in (s.vertices, s.faces, s.uvs, s.colors, s.normals) if a is not None]
         return int(sum(array.nbytes for array in arrays) + self.content.nodes.transforms.nbytes)
@@ -65,11 +65,11 @@ class Reader:
     Parameters
     ----------
     files
-        Reads the files that they refer to.
+        Reads files that tiles refer to.
     budget
-        Counts what they unpack to.
+        Counts unpacked bytes.
     materials
-        Converts their materials.
+        Converts materials.
     """
 
     files: Files
@@ -77,18 +77,18 @@ class Reader:
     materials: Materials
 
     def read(self, name: str, data: bytes, up: str, to_earth: Floats, depth: int = 0) -> TileContent:
-        """Read a file; any exception for one that cannot be used.
+        """Read a file; raises any exception if it is unusable.
 
         Parameters
         ----------
         name
-            Its path or URL.
+            Path or URL of the file.
         data
-            Its bytes.
+            Content of the file.
         up
-            Axis of glTF in it that points up: X, Y or Z.
+            Up axis of its glTF: X, Y or Z.
         to_earth
-            (4, 4) tile→tileset.
+            Transform (4, 4) from the tile to the tileset.
         depth
             Number of composite tiles around it.
         """
@@ -157,7 +157,7 @@ class Reader:
         if kind == "glb" and data[4:8] == b"\1\0\0\0":
             raise UnusableError("it holds glTF 1.0, and only glTF 2 is read; 3d-tiles-tools (upgrade) converts it")
         beside = _Beside(self.files, name, self.budget)
-        # Tiles are counted, turned and joined by their shapes.
+        # Without stored meshes, since tiles are counted, turned and joined by their shapes.
         content = read_gltf(name, data, kind, beside, self.materials, self.budget, stores=False)
         _check_vertices(content)
         shift = np.eye(4)
@@ -170,7 +170,7 @@ class Reader:
 
 
 class _Beside:
-    """Trimesh's resolver of the files that a tile's glTF refers to."""
+    """Resolver for the files that a tile's glTF refers to, for trimesh."""
 
     def __init__(self, files: Files, name: str, budget: Budget) -> None:
         self._files, self._name, self._budget = files, name, budget
@@ -178,7 +178,7 @@ class _Beside:
         self._known: dict[str, bytes] = {}
 
     def get(self, uri: str) -> bytes:
-        """Bytes of a file."""
+        """Bytes of a file, by its URI relative to the tile."""
         if uri not in self._known:
             self._known[uri] = self._files.read(self._files.resolve(self._name, uri), self._budget)
         return self._known[uri]
@@ -189,7 +189,7 @@ def _nothing(name: str, note: str) -> Content:
 
 
 def _tiles(data: bytes) -> Iterator[bytes]:
-    """The tiles of a composite one."""
+    """Split a composite tile into its tiles."""
     if len(data) < 16:
         raise UnusableError("it ends within its header of 16 bytes")
     number = int.from_bytes(data[12:16], "little")
@@ -203,7 +203,7 @@ def _tiles(data: bytes) -> Iterator[bytes]:
 
 
 def _center(data: bytes, kind: str) -> Floats | None:
-    """Where a glTF file's origin lies by its extension; None without it."""
+    """Position of a glTF file's origin from the extension; None without it."""
     if _RTC.encode() not in data:
         return None
     document = glb.header(data)[0] if kind == "glb" else glb.json_object(data)
@@ -212,7 +212,7 @@ def _center(data: bytes, kind: str) -> Floats | None:
 
 
 def _check_vertices(content: Content) -> None:
-    """Refuse coordinates that no place on the Earth has; those that are not finite are treated as in all files."""
+    """Reject coordinates beyond any place on the Earth; non-finite ones are handled as for all files."""
     for name, shape in content.shapes.items():
         if shape.vertices.size:
             reach = max(float(shape.vertices.max()), -float(shape.vertices.min()))
@@ -221,9 +221,9 @@ def _check_vertices(content: Content) -> None:
 
 
 def joined(label: str, parts: Sequence[tuple[str, str, Content]]) -> Content:
-    """One content of several, each with a beginning for the names of its objects, and one for those of its shapes.
+    """Join contents; each part has a prefix for its objects' names and a prefix for its shapes' names.
 
-    Contents with the same beginning of their shapes' names are the same, so that their shapes are shared.
+    Parts with the same shape prefix are the same content, so that their shapes are shared.
     """
     shapes: dict[str, Shape] = {}
     objects: list[str] = []

@@ -1,4 +1,4 @@
-"""Documents of tilesets: from tileset.json and the tilesets that it refers to, to trees of tiles."""
+"""Reads documents of tilesets, tileset.json and the tilesets that it refers to, as trees of tiles."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from nearfar._scene.tileset.implicit import Implicit
 from nearfar._scene.tileset.tile import IDENTITY, Source, StatedTile, Tile
 
 VERSIONS = ("0.0", "1.0", "1.1")
-"""Of 3D Tiles that are read."""
+"""Supported versions of 3D Tiles."""
 
 _KNOWN = {
     implicit.EXTENSION,
@@ -29,22 +29,22 @@ _KNOWN = {
     "3DTILES_multiple_contents",
     "3DTILES_metadata",
 }
-"""Extensions that tilesets may need."""
+"""Supported extensions that tilesets may require."""
 
 _GZIP = b"\x1f\x8b"
 
 
 class NamedError(UnusableError):
-    """A document cannot be used; the message names it unless it is the one that was opened."""
+    """Error: a document is unusable; the message names it unless it is the top one."""
 
 
 class Documents:
-    """Reads the documents of one tileset, each once.
+    """Reads the documents of a tileset, each once.
 
     Parameters
     ----------
     files
-        Reads its files.
+        Reads the tileset's files.
     """
 
     def __init__(self, files: Files) -> None:
@@ -52,10 +52,10 @@ class Documents:
         self._parsed: dict[str, dict[str, Any]] = {}
         self._subtrees: dict[tuple[str, str, int, int], subtree.Subtree | None] = {}
         self.missing: dict[str, None] = {}
-        """Names of tilesets and subtrees that are not there; the tiles below them are left out."""
+        """Names of missing tilesets and subtrees; the tiles below them are left out."""
 
     def root(self) -> Tile:
-        """The first tile of the document that was opened; NamedError if it cannot be used."""
+        """Root tile of the top document; NamedError if it is unusable."""
         with self._named(self._files.top):
             return self._root_of(Source(self._files.top, "Y"), IDENTITY, replaces=False)
 
@@ -78,7 +78,7 @@ class Documents:
         return self._parsed[name]
 
     def read(self, name: str) -> bytes:
-        """Bytes of a document or a subtree, which may be packed."""
+        """Bytes of a document or a subtree, unpacked if it is gzip."""
         budget = Budget()
         data = self._files.read(name, budget)
         return budget.unpacked(data) if data.startswith(_GZIP) else data
@@ -104,7 +104,7 @@ class Documents:
         )
         if stated is None:
             return tile
-        # The templates are those of all tiles below; the tile itself is only the place where they begin.
+        # The content URIs are templates for all tiles below; this tile itself only states the tiling.
         boxes = metadata.box_properties(self._document(source.name))
         tiling = implicit.read(tile, stated, self._subtree, boxes)
         root = partial(self._implicit_root, tiling)
@@ -125,7 +125,7 @@ class Documents:
             return found
 
     def _external(self, uri: str, tile: StatedTile) -> list[Tile]:
-        """The first tile of another tileset; none where its file is missing."""
+        """Root tile of an external tileset; empty if its file is missing."""
         source = tile.source
         name = self._files.resolve(source.name, uri)
         above = (*source.above, source.name)
@@ -140,7 +140,7 @@ class Documents:
                 return []
 
     def _subtree(self, tiling: Implicit, uri: str) -> subtree.Subtree | None:
-        """A subtree of an implicit tiling; None where its file is missing."""
+        """Subtree of an implicit tiling; None if its file is missing."""
         key = (tiling.source.name, uri, tiling.axes, tiling.subtree_levels)
         if key not in self._subtrees:
             self._subtrees[key] = self._read_subtree(tiling, uri)
@@ -161,7 +161,7 @@ class Documents:
 
     @contextmanager
     def _named(self, name: str) -> Iterator[None]:
-        """Turn whatever damage of a document causes into an error that names it."""
+        """Convert any exception caused by a damaged document to an error that names it."""
         try:
             yield
         except (NamedError, OSError):
@@ -173,7 +173,7 @@ class Documents:
 
 
 def _contents(place: str, described: dict[str, Any]) -> Iterator[str]:
-    """References to the files of a tile's content."""
+    """URIs of a tile's content."""
     listed = values.items(f"{place}.contents", described.get("contents", []))
     extensions = described.get("extensions", {})
     if isinstance(extensions, dict) and "3DTILES_multiple_contents" in extensions:
@@ -184,7 +184,7 @@ def _contents(place: str, described: dict[str, Any]) -> Iterator[str]:
         listed = [described["content"], *listed]
     for content in listed:
         entry = values.entries(f"{place}.content", content)
-        # Tilesets before 1.0 say url.
+        # Tilesets before 1.0 use url.
         yield values.text(f"{place}.content.uri", entry.get("uri", entry.get("url")))
 
 
@@ -193,7 +193,7 @@ def _is_tileset(uri: str) -> bool:
 
 
 def _transform(place: str, stated: Any, above: Floats) -> Floats:
-    """Tile→tileset (4, 4) of a tile's own transform, by columns in documents, and the one above it."""
+    """Compose the tile→tileset transform (4, 4): the parent's times the tile's own, column-major in documents."""
     if stated is None:
         return above
     matrix = values.numbers(place, stated, 16).reshape(4, 4).T

@@ -1,4 +1,4 @@
-"""Files of a tileset: below its folder, or at the origin of its URL; nothing else is read."""
+"""Reads files of a tileset below its folder, or at the origin of its URL; anything else is refused."""
 
 from __future__ import annotations
 
@@ -18,39 +18,39 @@ from nearfar._base.errors import UnusableError
 from nearfar._scene.budget import Budget, read_file
 
 THREADS = 8
-"""Files that are asked for at once."""
+"""Number of files requested concurrently."""
 
 _VALIDATORS = ("ETag", "Content-MD5", "Digest", "Last-Modified", "mtime", "LastModified", "checksum", "md5Hash")
-"""Entries of fsspec's description of a file of which one changes when the file does."""
+"""Entries of fsspec's file information that change when the file does."""
 
 
 class OutsideError(UnusableError):
-    """A file refers to one that lies outside its tileset's folder, or at another origin."""
+    """Error: a file refers to one outside its tileset's folder, or at another origin."""
 
 
 class Files(Protocol):
-    """Where the files of a tileset are read from; a name is a path or a URL."""
+    """Reader of a tileset's files; a name is a path or a URL."""
 
     top: str
-    """Name of the file that was opened."""
+    """Name of the top file."""
 
     def resolve(self, base: str, uri: str) -> str:
-        """Name of the file that the one called `base` refers to; OutsideError where none may lie."""
+        """Resolve a reference in the file `base` to a name; OutsideError if it leads outside."""
 
     def shown(self, name: str) -> str:
-        """Name of a file for messages, relative to the first one's folder."""
+        """Name of a file for messages, relative to the top file's folder."""
 
     def read(self, name: str, budget: Budget) -> bytes:
-        """Bytes of a file; FileNotFoundError if there is none."""
+        """Bytes of a file; FileNotFoundError if it does not exist."""
 
 
 def opened(path: str | os.PathLike[str]) -> Files:
-    """The files about a local path or a URL."""
+    """Return the reader for a local path or a URL."""
     return Remote(str(path)) if remote.is_url(path) else Local(remote.local(path))
 
 
 def read_all(source: Files, names: Sequence[str], budget: Budget) -> dict[str, bytes | OSError]:
-    """Bytes of several files, or why one cannot be read; those behind a URL are asked for by threads."""
+    """Read several files, each as bytes or the error; files behind a URL are requested by threads."""
 
     def read(name: str) -> bytes | OSError:
         try:
@@ -73,7 +73,7 @@ class Local:
         self.top = os.path.join(self._folder, path.name)
 
     def resolve(self, base: str, uri: str) -> str:
-        """Name of the file that the one called `base` refers to."""
+        """Resolve a reference in the file `base` to a path."""
         parts = urlsplit(uri)
         if parts.scheme or parts.netloc or uri.startswith(("/", "\\")):
             raise OutsideError(f"it refers to {check.shortened(uri)}, which lies outside its folder")
@@ -82,23 +82,23 @@ class Local:
         folder = os.path.dirname(base)
         exact = os.path.normpath(os.path.join(folder, uri))
         name = exact if os.path.exists(exact) else os.path.normpath(os.path.join(folder, unquote(parts.path)))
-        # Links and percent signs may lead outside, too. Without links a loop of folders has an end.
+        # Links and percent escapes may lead outside, too. Resolving links also ends loops of folders.
         real = os.path.realpath(name)
         if os.path.commonpath([real, self._folder]) != self._folder:
             raise OutsideError(f"it refers to {check.shortened(uri)}, which lies outside its folder")
         return real
 
     def shown(self, name: str) -> str:
-        """Path relative to the first file's folder."""
+        """Path relative to the top file's folder."""
         return os.path.relpath(name, self._folder)
 
     def read(self, name: str, budget: Budget) -> bytes:
-        """Bytes of a regular file."""
+        """Read a regular file."""
         return read_file(Path(name), budget)
 
 
 class Remote:
-    """Files at the origin of a URL; those that state when they changed are kept in the cache."""
+    """Files at the origin of a URL; files whose version the server states are cached."""
 
     def __init__(self, url: str) -> None:
         self._system, _ = remote.system(url)
@@ -112,7 +112,7 @@ class Remote:
         return Remote, (self.top,)
 
     def resolve(self, base: str, uri: str) -> str:
-        """URL of the file that the one called `base` refers to."""
+        """Resolve a reference in the file `base` to a URL."""
         try:
             name = _joined(base, uri)
             origin = _origin(name)
@@ -123,11 +123,11 @@ class Remote:
         return name
 
     def shown(self, name: str) -> str:
-        """Path relative to the first file's folder, without a query, which may hold a key."""
+        """Path relative to the top file's folder, without the query, which may contain a key."""
         return unquote(posixpath.relpath(urlsplit(name).path or "/", self._folder or "/"))
 
     def read(self, name: str, budget: Budget) -> bytes:
-        """Bytes of a file, from the cache if the server states that it is unchanged."""
+        """Read a file, from the cache if the server states the same version."""
         with remote.as_os_errors(name, "read"):
             path = self._system._strip_protocol(name)
             stated = self._stated(path)
@@ -142,18 +142,18 @@ class Remote:
         return data
 
     def _stated(self, path: str) -> list[str]:
-        """Values that change when a file does; none where the server states none."""
+        """Values that identify a file's version; empty if the server states none."""
         try:
             described = self._system.info(path)
-        except FileNotFoundError:  # also of servers that answer nothing but requests for the whole file
+        except FileNotFoundError:  # also raised for servers that only support requests for whole files
             return []
         stated = [f"{key} {described[key]}" for key in _VALIDATORS if described.get(key)]
-        # Dates have whole seconds, in which a file may change again.
+        # Dates have a resolution of one second, within which a file may change again.
         return [*stated, f"size {described.get('size')}"] if stated else []
 
 
 def _kept(key: str) -> bytes | None:
-    """Content of the cached file of a key; None without one."""
+    """Content of a key's cached file; None if there is none."""
     path = cache.find(key, ".tile")
     try:
         return None if path is None else path.read_bytes()
@@ -162,7 +162,7 @@ def _kept(key: str) -> bytes | None:
 
 
 def _keep(key: str, data: bytes) -> None:
-    """Cache a file's bytes; a folder that cannot be written costs the next download, not this one."""
+    """Cache a file's bytes; failure to write the cache folder is ignored."""
     try:
         cache.keep(key, ".tile", partial(_write, data=data))
     except OSError as error:
@@ -175,14 +175,14 @@ def _write(path: Path, data: bytes) -> None:
 
 
 def _origin(url: str) -> tuple[str, str, int | None]:
-    """Scheme, host and port."""
+    """Scheme, host and port of a URL."""
     parts = urlsplit(url)
     port = parts.port or {"http": 80, "https": 443}.get(parts.scheme)
     return parts.scheme, (parts.hostname or "").lower(), port
 
 
 def _joined(base: str, uri: str) -> str:
-    """A reference resolved against a URL of any scheme: Python joins those only that it knows."""
+    """Resolve a reference against a URL of any scheme: urljoin only supports known schemes."""
     scheme = urlsplit(base).scheme
     if urlsplit(uri).scheme:
         return uri

@@ -1,4 +1,4 @@
-"""Frames of tilesets: the Earth's, a local one about an origin on it, and the axes of glTF and of scenes; float64."""
+"""Frames of tilesets: the Earth's, a local one at an origin, and the axes of glTF and of scenes; float64."""
 
 from __future__ import annotations
 
@@ -15,27 +15,27 @@ from nearfar._scene.frames import earth_to_local, geodetic
 Floats = NDArray[np.float64]
 
 RADIUS = 6_350_000.0
-"""Least distance in metres of the ground from the Earth's middle, rounded down."""
+"""Least distance of the ground from the Earth's centre, rounded down, metres."""
 
 LOWEST, HIGHEST = -30_000.0, 100_000.0
-"""Heights in metres between which the middle of a tileset in the Earth's frame lies."""
+"""Range of heights in metres of the centre of a tileset in the Earth's frame."""
 
 _PLACES, _HEIGHT_PLACES = 9, 3
-"""Digits after the point of an origin in degrees and metres: a tenth of a millimetre, and one."""
+"""Decimals of an origin in degrees and metres: a resolution of 0.1 mm and 1 mm."""
 
 TO_Z_UP = {
     "X": np.array([[0.0, 0, -1, 0], [0, 1, 0, 0], [1, 0, 0, 0], [0, 0, 0, 1]]),
     "Y": np.array([[1.0, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]]),
     "Z": np.eye(4),
 }
-"""Turns glTF whose named axis points up to the axes of tiles (3D Tiles 1.1, "glTF transforms")."""
+"""Rotations from glTF with the given up axis to the axes of tiles (3D Tiles 1.1, "glTF transforms")."""
 
 Z_UP_TO_SCENE = np.array([[1.0, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]])
-"""Turns the axes of tiles to those of scenes: (x, y, z) becomes (x, z, −y)."""
+"""Rotation from the axes of tiles to those of scenes: (x, y, z) becomes (x, z, −y)."""
 
 
 def east_north_up(places: Any) -> Floats:
-    """Rotations (…, 3, 3) whose columns point east, north and up at longitudes and latitudes (…, 2+), radians."""
+    """Rotations (…, 3, 3) with columns east, north and up at longitudes and latitudes (…, 2+), radians."""
     places = np.asarray(places, np.float64)
     longitude, latitude = places[..., 0], places[..., 1]
     s, c, zero = np.sin(longitude), np.cos(longitude), np.zeros_like(longitude)
@@ -47,16 +47,16 @@ def east_north_up(places: Any) -> Floats:
 
 @dataclass(frozen=True)
 class Frame:
-    """From the tiles' frame to the scene's."""
+    """Transform from the tiles' frame to the scene's."""
 
     to_scene: Floats
-    """(4, 4), rigid."""
+    """Rigid transform (4, 4)."""
     origin: tuple[float, float, float] | None = None
     """Longitude and latitude in degrees and height in metres of the scene's (0, 0, 0); None off the Earth."""
 
     @property
     def note(self) -> str:
-        """A sentence on the place; empty off the Earth."""
+        """Sentence that states the origin; empty off the Earth."""
         if self.origin is None:
             return ""
         longitude, latitude, height = self.origin
@@ -65,17 +65,17 @@ class Frame:
 
 
 PLAIN = Frame(Z_UP_TO_SCENE)
-"""For tilesets that lie nowhere on the Earth."""
+"""Frame for tilesets off the Earth."""
 
 
 def local(origin: Sequence[float]) -> Frame:
-    """The frame about a place in degrees and metres: x points east, y up and z south."""
+    """Return the frame at an origin in degrees and metres: x points east, y up and z south."""
     longitude, latitude, height = (float(value) for value in origin)
     return Frame(earth_to_local(np.radians(longitude), np.radians(latitude), height), (longitude, latitude, height))
 
 
 def around(middle: Floats) -> Frame | None:
-    """The local frame about a point near the Earth's surface, rounded as `note` states it; None for others."""
+    """Return the local frame at a point near the Earth's surface, rounded as in `note`; None for other points."""
     longitude, latitude, height = geodetic(middle).tolist()
     if not LOWEST <= height <= HIGHEST:
         return None
@@ -89,7 +89,7 @@ def around(middle: Floats) -> Frame | None:
 
 
 def checked_origin(origin: Any) -> tuple[float, float, float] | None:
-    """Longitude, latitude and height of an argument; None for None."""
+    """Check an argument `origin`: longitude, latitude and height; None for None."""
     if origin is None:
         return None
     longitude, latitude, height = check.vector("origin", origin)

@@ -1,4 +1,4 @@
-"""Implicit tiling of 3D Tiles 1.1 and its extension before: quadtrees and octrees that subtrees' bits describe."""
+"""Implicit tiling of 3D Tiles 1.1 and of its earlier extension: quadtrees and octrees with availability bits."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from nearfar._scene.tileset.tile import Source, StatedTile, Tile
 from nearfar._scene.tileset.volumes import Box, Region, Sphere, Volume
 
 _MOST_LEVELS = 64
-"""Greatest depth of a tree: the Earth's cells are then far smaller than atoms."""
+"""Maximum depth of a tree: the Earth's cells are then far smaller than atoms."""
 
 EXTENSION = "3DTILES_implicit_tiling"
 
@@ -35,17 +35,17 @@ class Implicit:
     place, source
         The tile that states it, and its document.
     volume, error, replaces, transform
-        That tile's.
+        Values of that tile.
     axes
         2 for a quadtree, 3 for an octree.
     subtree_levels, levels
-        Levels of a subtree, and of the whole tree.
+        Number of levels of a subtree, and of the whole tree.
     subtrees, contents
-        Templates of references, with {level}, {x}, {y} and {z}.
+        URI templates with {level}, {x}, {y} and {z}.
     open_subtree
-        Reads a subtree; None where its file is missing.
+        Reads a subtree; None if its file is missing.
     boxes
-        Properties of its tiles that take the place of their parts of the volume, by the names of their classes.
+        Metadata properties with tiles' boxes, which override the subdivided volume, by class name.
     """
 
     place: str
@@ -63,18 +63,18 @@ class Implicit:
     boxes: dict[str, BoxProperty]
 
     def root(self) -> list[Tile]:
-        """The tile of level 0, unless it is not there."""
+        """Tile of level 0, if it is available."""
         return self.first_of_subtree(0, (0,) * self.axes)
 
     def first_of_subtree(self, level: int, cell: Cell) -> list[Tile]:
-        """The first tile of a subtree, unless it is not there."""
+        """Top tile of a subtree, if it is available."""
         subtree = self.open_subtree(self, filled(self.subtrees, level, cell))
         is_there = subtree is not None and subtree.tiles.at(0)
         return [ImplicitTile(self, subtree, level, cell, 0, 0)] if subtree is not None and is_there else []
 
 
 class ImplicitTile(Tile):
-    """A tile of an implicit tiling: its level and cell in the tree, and its level and Morton number in a subtree."""
+    """A tile of an implicit tiling: its level and cell in the tree, and its depth and Morton number in a subtree."""
 
     __slots__ = ("_bit", "_cell", "_depth", "_level", "_number", "_subtree", "_tiling")
 
@@ -93,7 +93,7 @@ class ImplicitTile(Tile):
 
     @property
     def volume(self) -> Volume:
-        """The box that its metadata states, else its part of the tiling's volume."""
+        """Box stated by its metadata, else its part of the tiling's volume."""
         subtree = self._subtree
         if subtree.boxes is not None:
             middle, *axes = subtree.boxes[subtree.tiles.before(self._bit)]
@@ -102,12 +102,12 @@ class ImplicitTile(Tile):
 
     @property
     def contents(self) -> tuple[str, ...]:
-        """The templates of the contents that are there, filled in."""
+        """URIs of the available contents."""
         there = zip(self._tiling.contents, self._subtree.contents, strict=False)
         return tuple(filled(template, self._level, self._cell) for template, bits in there if bits.at(self._bit))
 
     def expand(self) -> list[Tile]:
-        """Make the children that the bits say are there."""
+        """Make the available children."""
         tiling, subtree, depth = self._tiling, self._subtree, self._depth + 1
         children: list[Tile] = []
         first = start_of(depth, tiling.axes)
@@ -126,11 +126,11 @@ class ImplicitTile(Tile):
 
 
 _CORNERS = {axes: [corner[::-1] for corner in product((0, 1), repeat=axes)] for axes in (2, 3)}
-"""Cells of a parent's children; the first axis changes fastest, as the bits of Morton numbers do."""
+"""Offsets of a parent's children; the first axis changes fastest, as in Morton numbers."""
 
 
 def described_by(described: dict[str, Any]) -> dict[str, Any] | None:
-    """The entry of a tile that states an implicit tiling, of 1.1 or of the extension; None without one."""
+    """Implicit tiling entry of a tile, of 1.1 or of the extension; None without one."""
     extensions = described.get("extensions")
     found = described.get("implicitTiling")
     if found is None and isinstance(extensions, dict):
@@ -144,13 +144,13 @@ def read(
     open_subtree: Callable[[Implicit, str], Subtree | None],
     boxes: dict[str, BoxProperty],
 ) -> Implicit:
-    """The tiling that a tile states, whose contents are templates."""
+    """Read the tiling of a tile, whose content URIs are templates."""
     place = f"{tile.place}.implicitTiling"
     scheme = values.choice(f"{place}.subdivisionScheme", stated.get("subdivisionScheme"), ("QUADTREE", "OCTREE"))
     volume = tile.volume
     if isinstance(volume, Sphere):
         raise UnusableError(f"{place}: expected a box or a region, which can be divided, got a sphere")
-    if "maximumLevel" in stated and "availableLevels" not in stated:  # of drafts of the extension
+    if "maximumLevel" in stated and "availableLevels" not in stated:  # drafts of the extension
         levels = values.whole(f"{place}.maximumLevel", stated["maximumLevel"], 0, _MOST_LEVELS - 1) + 1
     else:
         levels = values.whole(f"{place}.availableLevels", stated.get("availableLevels"), 1, _MOST_LEVELS)
@@ -176,7 +176,7 @@ def read(
 
 
 def filled(template: str, level: int, cell: Cell) -> str:
-    """A reference of a template."""
+    """Fill in a URI template."""
     filled = template.replace("{level}", str(level))
     for name, number in zip("xyz", cell, strict=False):
         filled = filled.replace(f"{{{name}}}", str(number))

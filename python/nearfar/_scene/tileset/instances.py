@@ -1,4 +1,4 @@
-"""Instances of an i3dm: the place, turn and size of each copy of its model."""
+"""Instances of an i3dm: position, rotation and scale of each copy of its model."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ def count(features: Features) -> int:
 
 
 def turns_with_the_earth(features: Features) -> bool:
-    """Whether instances stand upright where they are on the Earth, so that their turns depend on the tile's place."""
+    """Whether instances stand upright on the Earth, so that their rotations depend on the tile's place."""
     return features.flag("EAST_NORTH_UP") and not _has_axes(features)
 
 
 def transforms(features: Features, to_earth: Floats) -> Floats:
-    """Transforms instance→tile (N, 4, 4) of a feature table; `to_earth` (4, 4) takes from the tile to the Earth."""
+    """Transforms instance→tile (N, 4, 4) of a feature table; `to_earth` (4, 4) is the transform tile→Earth."""
     number = count(features)
     places = _places(features, number)
     matrices = np.tile(np.eye(4), (number, 1, 1))
@@ -60,7 +60,7 @@ def _sizes(features: Features, number: int) -> Floats:
 
 
 def _turns(features: Features, number: int, places: Floats, to_earth: Floats) -> Floats:
-    """Rotations (N, 3, 3): the columns are where the model's right, up and forward axis point."""
+    """Rotations (N, 3, 3); columns are the directions of the model's right, up and forward axes."""
     if _has_axes(features):
         return _of_axes(_axis(features, "NORMAL_RIGHT", number), _axis(features, "NORMAL_UP", number))
     if features.flag("EAST_NORTH_UP"):
@@ -71,7 +71,7 @@ def _turns(features: Features, number: int, places: Floats, to_earth: Floats) ->
 
 
 def _rotation(matrix: Floats) -> Floats:
-    """The linear part of a transform without the lengths of its columns."""
+    """Linear part of a transform, with its columns normalised."""
     linear = matrix[:3, :3]
     lengths = np.sqrt((linear**2).sum(axis=0))
     if not np.linalg.det(linear / np.where(lengths > 0, lengths, 1)):
@@ -91,7 +91,7 @@ def _axis(features: Features, name: str, number: int) -> Floats:
 
 
 def from_octahedron(codes: NDArray[np.uint16]) -> Floats:
-    """Unit vectors (N, 3) of pairs of 16 bits (N, 2), a square folded to an octahedron (Cigolle et al. 2014)."""
+    """Decode unit vectors (N, 3) from 16-bit pairs (N, 2) in octahedral encoding (Cigolle et al. 2014)."""
     x, y = (codes / 65535.0 * 2 - 1).T
     z = 1 - np.abs(x) - np.abs(y)
     beyond = z < 0
@@ -103,7 +103,7 @@ def from_octahedron(codes: NDArray[np.uint16]) -> Floats:
 
 
 def _of_axes(right: Floats, up: Floats) -> Floats:
-    """Rotations (N, 3, 3) of axes (N, 3) that may be a little off; the forward axis is right × up."""
+    """Rotations (N, 3, 3) from axes (N, 3) that need not be exactly perpendicular; the forward axis is right × up."""
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
         right = right / np.linalg.norm(right, axis=1, keepdims=True)
         forward = np.cross(right, up)

@@ -1,4 +1,4 @@
-"""Metadata of implicit tiles that is read: boxes that take the place of the parts of the tiling's volume."""
+"""Metadata of implicit tiles: boxes that override the subdivided volumes."""
 
 from __future__ import annotations
 
@@ -15,20 +15,20 @@ from nearfar._scene.tileset.frames import Floats
 
 _SEMANTIC = "TILE_BOUNDING_BOX"
 _NUMBERS = 12
-"""Of a box: its middle, then half of each edge."""
+"""Numbers of a box: its centre, then half of each edge."""
 _TYPES: dict[str, np.dtype[Any]] = {"FLOAT32": np.dtype("<f4"), "FLOAT64": np.dtype("<f8")}
 
 
 @dataclass(frozen=True)
 class BoxProperty:
-    """The property of a class of metadata that holds boxes."""
+    """Metadata property of a class that holds boxes."""
 
     name: str
     dtype: np.dtype[Any]
 
 
 def box_properties(document: dict[str, Any]) -> dict[str, BoxProperty]:
-    """The properties of a tileset's document that hold boxes of tiles, by the names of their classes."""
+    """Properties with tiles' boxes in a tileset's schema, by class name."""
     found: dict[str, BoxProperty] = {}
     schema = values.entries("schema", document.get("schema") or {})
     for class_name, described in values.entries("schema.classes", schema.get("classes", {})).items():
@@ -47,18 +47,18 @@ def box_properties(document: dict[str, Any]) -> dict[str, BoxProperty]:
 def boxes(
     document: dict[str, Any], known: dict[str, BoxProperty], count: int, view: Callable[[str, Any], bytes]
 ) -> Floats | None:
-    """The boxes (count, 4, 3) of a subtree's tiles: the middle, then half of each edge; None where it has none.
+    """Boxes (count, 4, 3) of a subtree's tiles: the centre, then half of each edge; None if it states none.
 
     Parameters
     ----------
     document
-        Of the subtree.
+        Document of the subtree.
     known
-        What `box_properties` returned.
+        Result of `box_properties`.
     count
-        Number of its tiles that are there.
+        Number of the subtree's available tiles.
     view
-        Returns the bytes of one of its views by its number.
+        Returns the bytes of a buffer view by index.
     """
     if not known or document.get("tileMetadata") is None:
         return None

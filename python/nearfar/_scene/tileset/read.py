@@ -1,4 +1,4 @@
-"""Reads a tileset, or a tile by itself, for one scene."""
+"""Reads a tileset, or a single tile, for a scene."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from nearfar._scene.tileset.tileset import KINDS, Tileset, suffix
 
 @dataclass(frozen=True)
 class Detail:
-    """Which tiles of a tileset a scene is made of, and where it lies; `nearfar.Scene.load` documents the fields."""
+    """Selection of a tileset's tiles, and the scene's origin; `nearfar.Scene.load` documents the fields."""
 
     error: float | None = None
     triangles: int | None = None
@@ -25,7 +25,7 @@ class Detail:
 
     @classmethod
     def checked(cls, error: Any, triangles: Any, origin: Any) -> Detail:
-        """Check arguments; ValueError or TypeError for others."""
+        """Check arguments; ValueError or TypeError if they are invalid."""
         if error is not None and triangles is not None:
             raise ValueError("triangles: expected none beside an error, got both")
         return cls(
@@ -35,14 +35,14 @@ class Detail:
         )
 
     def check_kind(self, path: str | os.PathLike[str]) -> None:
-        """Refuse fields for files that are no tilesets; footprints have an origin, too."""
+        """Reject fields for files that are not tilesets; footprints may have an origin, too."""
         if suffix(path) not in (*KINDS, "json"):
             for name in ("error", "triangles", *(() if suffix(path) in CITIES else ("origin",))):
                 if getattr(self, name) is not None:
                     raise ValueError(f"{name}: expected none with {os.fspath(path)}, which is no tileset")
 
     def check_unused(self) -> None:
-        """Refuse what applies to tilesets only, for JSON that is none; UnusableError."""
+        """Reject fields for JSON that is not a tileset; UnusableError."""
         for name in ("error", "triangles"):
             if getattr(self, name) is not None:
                 raise UnusableError(f"it is no tileset: {name} does not apply to it")
@@ -55,7 +55,7 @@ def is_tileset(data: bytes) -> bool:
 
 
 def read(path: str | os.PathLike[str], detail: Detail, budget: Budget) -> Content:
-    """Read a tileset, or a b3dm, i3dm or cmpt by itself; errors are those of `Tileset.open` and `Tileset.read`."""
+    """Read a tileset, or a single b3dm, i3dm or cmpt; errors are those of `Tileset.open` and `Tileset.read`."""
     if "://" in os.fspath(path) and suffix(path) not in (*KINDS, "json"):
         raise UnusableError("of files at URLs only those of 3D Tiles are read: download it")
     tileset = Tileset.open(path, origin=detail.origin, budget=budget)

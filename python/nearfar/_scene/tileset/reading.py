@@ -1,4 +1,4 @@
-"""Reads the files of chosen tiles, keeps what was read, and places it in the scene's frame."""
+"""Reads the files of chosen tiles, caches their content, and places it in the scene's frame."""
 
 from __future__ import annotations
 
@@ -21,36 +21,36 @@ from nearfar._scene.tileset.frames import Floats
 from nearfar._scene.tileset.tile import Tile
 
 _AT_ONCE = 64
-"""Files that are held before they are used."""
+"""Number of files held in memory before they are decoded."""
 
 
 class Key(NamedTuple):
-    """A file as a tile uses it."""
+    """A file together with how a tile uses it."""
 
     name: str
     """Path or URL."""
     up: str
-    """Axis of its glTF that points up."""
+    """Up axis of its glTF."""
     place: bytes
-    """The tile's transform, where the content depends on it; else empty."""
+    """The tile's transform if the content depends on it; else empty."""
 
 
 class Kept:
-    """Contents of tiles that were read, up to a number of bytes, and why others cannot be; threads may share it."""
+    """Cache of tiles' contents with a size limit, and reasons why others are unusable; thread-safe."""
 
     def __init__(self, most: float) -> None:
         self._most, self._held = most, 0
         self._contents: OrderedDict[Key, TileContent] = OrderedDict()
         self._lock = threading.Lock()
         self.failed: dict[Key, str] = {}
-        """Reasons that follow a file's name."""
+        """Reasons, phrased to follow a file's name."""
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle none of the contents: another process reads them itself."""
+        """Pickle without contents: another process reads them itself."""
         return Kept, (self._most,)
 
     def find(self, key: Key) -> TileContent | None:
-        """The content of a file; None if it was not read or is gone."""
+        """Content of a file; None if it is not cached."""
         with self._lock:
             for known in (key._replace(place=b""), key):
                 if known in self._contents:
@@ -59,7 +59,7 @@ class Kept:
             return None
 
     def keep(self, key: Key, content: TileContent) -> None:
-        """Keep a content; the ones that were used the longest ago go."""
+        """Cache a content; the least recently used ones are evicted."""
         with self._lock:
             self._contents[key if content.depends_on_place else key._replace(place=b"")] = content
             self._held += content.nbytes
@@ -75,9 +75,9 @@ class Reading:
     files
         Reads files.
     kept
-        What was read before.
+        Contents read before.
     budget
-        Counts what the files unpack to.
+        Counts unpacked bytes of the files.
     """
 
     def __init__(self, files: Files, kept: Kept, budget: Budget) -> None:
@@ -88,7 +88,7 @@ class Reading:
         self._known: dict[Tile, list[Key]] = {}
 
     def sizes(self, tiles: Sequence[Tile]) -> list[int | None]:
-        """Triangles of tiles; None for those of which no content can be read."""
+        """Numbers of triangles of tiles; None for tiles none of whose content can be read."""
         keys = [self._keys(tile) for tile in tiles]
         self._read({key: tile for tile, of_tile in zip(tiles, keys, strict=True) for key in of_tile})
         found: list[int | None] = []
@@ -123,7 +123,7 @@ class Reading:
                 self._decode(key, wanted[key], files[key.name])
 
     def _decode(self, key: Key, tile: Tile, data: bytes | OSError) -> None:
-        # Another tile of this batch may have the same file.
+        # Another tile of this batch may use the same file.
         content = self._kept.find(key)
         reason = ""
         if content is None and isinstance(data, FileNotFoundError):
@@ -136,7 +136,7 @@ class Reading:
                 content = self._reader.read(key.name, data, key.up, tile.transform)
             except (TooLargeError, OutsideError) as error:
                 raise type(error)(f"{self._files.shown(key.name)}: {error}") from error
-            except Exception as error:  # whatever its damage causes
+            except Exception as error:  # damage may raise anything
                 reason = f"cannot be used: {check.one_line(sentence(error), LONGEST)}"
         if content is None:
             self._failed[key] = self._kept.failed[key] = reason
@@ -146,11 +146,11 @@ class Reading:
 
     @property
     def failures(self) -> dict[str, str]:
-        """Names of the files that cannot be read, for messages, and why."""
+        """Reasons by name for messages, for files that cannot be read."""
         return {self._files.shown(key.name): reason for key, reason in self._failed.items()}
 
     def placed(self, tiles: Sequence[Tile], to_scene: Floats, label: str) -> tuple[Content, int]:
-        """The content of tiles whose `sizes` were asked for, and the number of files with properties of features.
+        """Content of tiles whose `sizes` were requested, and the number of files with feature properties.
 
         Parameters
         ----------

@@ -1,4 +1,4 @@
-"""Which tiles of a tileset show it: those of a geometric error, or as many triangles as a budget allows."""
+"""Selects the tiles that show a tileset: by geometric error, or by a triangle budget."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from nearfar._scene.tileset.frames import Floats
 from nearfar._scene.tileset.tile import Tile
 
 MOST_TILES = 100_000
-"""Greatest number of tiles that are looked at; a whole planet has more."""
+"""Maximum number of visited tiles; a whole planet has more."""
 
 _REFERENCE = 10
-"""Tiles for which the first tile of another tileset counts, because it takes that much longer."""
+"""Number of tiles that the root of an external tileset counts as, since it takes that much longer."""
 
 Touches = Callable[[Tile], bool]
 
@@ -28,19 +28,19 @@ class Selection:
 
     tiles: list[Tile]
     error: float
-    """Greatest geometric error in metres of those whose children are not shown."""
+    """Greatest geometric error in metres of tiles whose children are not shown."""
     triangles: int = 0
-    """Of the tiles, where they were counted."""
+    """Number of triangles of the tiles, if they were counted."""
 
 
 class Visits:
-    """Counts tiles before they are looked at."""
+    """Counts tiles before they are visited."""
 
     def __init__(self, most: int = MOST_TILES) -> None:
         self._most, self._count = most, 0
 
     def children(self, tile: Tile) -> list[Tile]:
-        """The children of a tile, counted; UnusableError beyond the limit."""
+        """Children of a tile, counted; UnusableError beyond the limit."""
         self._count += len(tile.children) * (_REFERENCE if tile.refers else 1)
         if self._count > self._most:
             raise UnusableError(f"more than {self._most:,} tiles show it: state a larger error")
@@ -48,7 +48,7 @@ class Visits:
 
 
 def within(box: Floats | None, to_scene: Floats) -> Touches:
-    """Whether a tile's volume touches a box (2, 3) of the scene; all do without one."""
+    """Return a test whether a tile's volume touches a box (2, 3) of the scene; without a box all tiles do."""
     if box is None:
         return lambda tile: True
 
@@ -62,20 +62,20 @@ def within(box: Floats | None, to_scene: Floats) -> Touches:
 def by_error(
     root: Tile, error: float, touches: Touches, unrefined: AbstractSet[Tile] = frozenset(), *, through: bool = False
 ) -> Selection:
-    """Tiles with content that show a tileset with at most a geometric error, in the order of the documents.
+    """Select tiles with content that show a tileset within a geometric error, in document order.
 
     Parameters
     ----------
     root
-        The first tile.
+        Root tile.
     error
-        Metres; 0 refines whatever has children.
+        Greatest error, metres; 0 refines every tile with children.
     touches
-        Whether a tile lies where the world is asked for.
+        Whether a tile lies in the requested part of the world.
     unrefined
         Tiles whose children cannot be shown.
     through
-        Whether tiles without content are refined always. Otherwise that is done only if nothing would be shown.
+        Whether to refine tiles without content always. Otherwise this is done only if nothing would be shown.
     """
     visits = Visits()
     shown: list[Tile] = []
@@ -99,9 +99,9 @@ def by_error(
 
 
 def keeper(tile: Tile) -> Tile | None:
-    """The tile that is shown instead of one whose content cannot be read: the next above it with content.
+    """Tile to show instead of one whose content cannot be read: its nearest ancestor with content.
 
-    None where that one is shown beside its children anyway, and where there is none.
+    None if that one is shown beside its children anyway, or if there is none.
     """
     above = tile.parent
     while above is not None and not above.has_content:
@@ -112,23 +112,23 @@ def keeper(tile: Tile) -> Tile | None:
 def by_triangles(
     root: Tile, most: int, touches: Touches, count: Callable[[Sequence[Tile]], Sequence[int | None]]
 ) -> Selection:
-    """Tiles of at most a number of triangles: the tile with the greatest error is refined first, as long as that fits.
+    """Select tiles of at most `most` triangles: tiles with the greatest error are refined first, while that fits.
 
     Parameters
     ----------
     root
-        The first tile.
+        Root tile.
     most
-        Number of triangles.
+        Greatest number of triangles.
     touches
-        Whether a tile lies where the world is asked for.
+        Whether a tile lies in the requested part of the world.
     count
-        Triangles of tiles; None for one whose content cannot be read.
+        Numbers of triangles of tiles; None for one whose content cannot be read.
 
     Returns
     -------
     Selection
-        It has more than `most` triangles where the coarsest tiles have.
+        It has more than `most` triangles if the coarsest tiles do.
     """
     visits = Visits()
     shown: dict[Tile, int] = {}
@@ -145,7 +145,7 @@ def by_triangles(
             heapq.heappush(heap, (-tile.error, next(order), tile))
 
     def readable(tiles: Sequence[Tile], *, through: bool) -> dict[Tile, int] | None:
-        """Tiles with content and their triangles; unreadable ones give way to those below them, or are a failure."""
+        """Tiles with content and their triangles; unreadable ones are replaced by their children, or fail (None)."""
         found: dict[Tile, int] = {}
         pending = _with_content(tiles, touches, visits)
         while pending:
@@ -172,7 +172,7 @@ def by_triangles(
 
 
 def _with_content(tiles: Sequence[Tile], touches: Touches, visits: Visits) -> list[Tile]:
-    """The tiles with content; for each of the others, those below it."""
+    """Tiles with content; the others are replaced by their descendants with content."""
     found: list[Tile] = []
     pending = list(reversed(tiles))
     while pending:

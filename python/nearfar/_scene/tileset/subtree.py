@@ -1,4 +1,4 @@
-"""Subtrees of implicit tilings: bits that say which tiles, contents and further subtrees there are."""
+"""Subtrees of implicit tilings: availability bits of tiles, contents and child subtrees."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from nearfar._scene.tileset.frames import Floats
 from nearfar._scene.tileset.metadata import BoxProperty
 
 MOST_LEVELS = {2: 16, 3: 10}
-"""Greatest number of levels of a subtree by the axes of its tree; it has a thousand million tiles then."""
+"""Maximum number of levels of a subtree by number of axes; it then has about a thousand million tiles."""
 
 _CHECKED = 1 << 26
-"""Greatest number of bits that are compared with each other, which takes a byte for each."""
+"""Greatest number of bits to check for consistency, which takes a byte for each."""
 
 _HEADER = struct.Struct("<4sIQQ")
 
@@ -29,20 +29,20 @@ _ONES = np.array([byte.bit_count() for byte in range(256)], np.uint8)
 
 @dataclass(frozen=True)
 class Bits:
-    """One bit for each of `count` things, or one for all of them."""
+    """Availability bits: one for each of `count` items, or one constant for all."""
 
     count: int
     stored: bytes | None
     constant: bool = False
 
     def at(self, number: int) -> bool:
-        """The bit of a number."""
+        """Bit at an index."""
         if self.stored is None:
             return self.constant
         return bool(self.stored[number >> 3] >> (number & 7) & 1)
 
     def before(self, number: int) -> int:
-        """How many of the bits before a number are set."""
+        """Number of set bits before an index."""
         if self.stored is None:
             return number if self.constant else 0
         byte = number >> 3
@@ -51,7 +51,7 @@ class Bits:
 
     @cached_property
     def _ones(self) -> np.ndarray[Any, np.dtype[np.int32]]:
-        """How many bits are set before each byte, and in all."""
+        """Numbers of set bits before each byte, and in total."""
         assert self.stored is not None
         return np.append(0, np.cumsum(_ONES[np.frombuffer(self.stored, np.uint8)], dtype=np.int32)).astype(np.int32)
 
@@ -65,18 +65,18 @@ class Bits:
 
 @dataclass(frozen=True)
 class Subtree:
-    """Which tiles of a subtree there are, by level and Morton number, their contents, and the subtrees below."""
+    """Availability of a subtree's tiles by level and Morton number, of their contents, and of child subtrees."""
 
     tiles: Bits
     contents: tuple[Bits, ...]
     children: Bits
     boxes: Floats | None = None
-    """Of its tiles that are there (N, 4, 3): the middle, then half of each edge. None where it states none."""
+    """Boxes of the available tiles (N, 4, 3): the centre, then half of each edge. None if not stated."""
 
 
 @cache
 def start_of(level: int, axes: int) -> int:
-    """Number of the tiles of a subtree before a level."""
+    """Number of a subtree's tiles above a level."""
     return int(((1 << axes * level) - 1) // ((1 << axes) - 1))
 
 
@@ -85,7 +85,7 @@ def read(
 ) -> Subtree:
     """Read a subtree, binary or JSON.
 
-    `load` returns the bytes of a file that it refers to; `properties` are those of the tileset that hold boxes.
+    `load` returns the bytes of a referenced file; `properties` are the tileset's properties with boxes.
     """
     document, binary = _parts(data)
     views = _Views(document, binary, load)
@@ -108,7 +108,7 @@ def read(
 
 
 def _parts(data: bytes) -> tuple[dict[str, Any], bytes]:
-    """The JSON document, and the bytes beside it."""
+    """Split into the JSON document and the binary part."""
     if not data.startswith(b"subt"):
         return glb.json_object(data), b""
     if len(data) < _HEADER.size:
@@ -123,7 +123,7 @@ def _parts(data: bytes) -> tuple[dict[str, Any], bytes]:
 
 
 class _Views:
-    """Bytes that a subtree's document refers to."""
+    """Buffers and buffer views of a subtree's document."""
 
     def __init__(self, document: dict[str, Any], binary: bytes, load: Callable[[str], bytes]) -> None:
         self._buffers = values.items("buffers", document.get("buffers", []))
@@ -132,7 +132,7 @@ class _Views:
         self._loaded: dict[int, bytes] = {}
 
     def bits(self, place: str, described: Any, count: int) -> Bits:
-        """The bits of an entry."""
+        """Read an availability entry."""
         described = values.entries(place, described)
         if "constant" in described:
             return Bits(count, None, bool(values.whole(f"{place}.constant", described["constant"], 0, 1)))
@@ -147,7 +147,7 @@ class _Views:
         return bits
 
     def view(self, place: str, number: Any) -> bytes:
-        """The bytes of a view that an entry refers to."""
+        """Bytes of a buffer view that an entry refers to."""
         return self._bytes(f"bufferViews[{number}]", values.entries(place, _at(place, self._views, number)))
 
     def _bytes(self, place: str, view: dict[str, Any]) -> bytes:
@@ -170,7 +170,7 @@ def _at(place: str, listed: list[Any], number: Any) -> Any:
 
 
 def _check(subtree: Subtree, axes: int, levels: int) -> None:
-    """Refuse tiles without a parent, and contents and subtrees without a tile: no walk through the tree finds them."""
+    """Reject tiles without a parent, and contents and subtrees without a tile: no traversal would find them."""
     if subtree.tiles.count > _CHECKED or (subtree.tiles.stored is None and subtree.tiles.constant):
         return
     tiles = subtree.tiles.unpacked()

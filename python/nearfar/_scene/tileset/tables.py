@@ -21,19 +21,19 @@ _VERSION = 1
 
 @dataclass(frozen=True)
 class Parts:
-    """Parts of a tile."""
+    """Parts of a tile's file."""
 
     features: Features
     has_properties: bool
-    """Whether it has a batch table with properties, which are not drawn."""
+    """Whether its batch table has properties, which are not drawn."""
     format: int
-    """Of an i3dm: 0 for a reference to a glTF file, 1 for a GLB in the tile."""
+    """Format of an i3dm's model: 0 for a URI of a glTF file, 1 for an embedded GLB."""
     body: bytes
     """Bytes after the tables."""
 
 
 def framed(data: bytes) -> bytes:
-    """The bytes that belong to the tile at the beginning of some; UnusableError if its header does not fit."""
+    """Return the bytes of the tile at the start of `data`; UnusableError if its header does not match."""
     if len(data) < _COMMON.size:
         raise UnusableError(f"it ends within its header, after {len(data)} bytes")
     magic, version, length = _COMMON.unpack_from(data)
@@ -46,7 +46,7 @@ def framed(data: bytes) -> bytes:
 
 
 def parts(data: bytes, *, has_format: bool) -> Parts:
-    """Split a b3dm or, with a format, an i3dm."""
+    """Split a b3dm or, with `has_format`, an i3dm."""
     data = framed(data)
     start = _COMMON.size + _LENGTHS.size + 4 * has_format
     if len(data) < start:
@@ -72,18 +72,18 @@ class Features:
         return self._document.get(name) is not None
 
     def count(self, name: str) -> int:
-        """A number of features."""
+        """A number of features or instances."""
         value = self._document.get(name)
         if isinstance(value, dict):
             value = int(self.rows(name, 1, 1, np.uint32)[0, 0])
         return values.whole(f"feature table, {name}", value, 0, (1 << 32) - 1)
 
     def flag(self, name: str) -> bool:
-        """A value that is true or false."""
+        """A boolean value."""
         return self._document.get(name) is True
 
     def vector(self, name: str, width: int = 3) -> NDArray[np.float64]:
-        """A row of coordinates (K,) for the whole tile, in the document or in the binary part."""
+        """A vector (K,) for the whole tile, in the document or in the binary part."""
         value = self._document.get(name)
         if isinstance(value, dict):
             value = self.rows(name, 1, width, np.float32)[0].astype(float).tolist()

@@ -1,4 +1,4 @@
-"""Tiles, and the documents that they come from."""
+"""Tiles, and the documents that state them."""
 
 from __future__ import annotations
 
@@ -19,30 +19,30 @@ class Source:
     name: str
     """Path or URL."""
     up: str
-    """Axis of its tiles' glTF that points up: X, Y or Z."""
+    """Up axis of its tiles' glTF: X, Y or Z."""
     above: tuple[str, ...] = ()
-    """Names of the documents that it is referred to through, the first one's first."""
+    """Names of the documents that refer to it, outermost first."""
 
 
 class Tile(ABC):
-    """A tile of a tileset; its children are made when they are asked for.
+    """A tile of a tileset; its children are made on demand.
 
     Parameters
     ----------
     source
-        The document.
+        Document that states it.
     error
-        Metres by which its content leaves the world, where its children are not shown.
+        Geometric error, metres: how far its content deviates from the world if its children are not shown.
     replaces
-        Whether its children take the place of its content; otherwise they are added to it.
+        Whether its children replace its content; otherwise they are added to it.
     transform
         Tile→tileset (4, 4), float64.
     has_content
-        Whether it has something to show.
+        Whether it has content.
     is_leaf
-        Whether no tiles are below it as far as the document says.
+        Whether the document states no tiles below it.
     refers
-        Whether it only says where other tiles are described, so that its children are always shown.
+        Whether it only refers to tiles described elsewhere, so that its children are always shown.
     """
 
     __slots__ = (
@@ -76,20 +76,20 @@ class Tile(ABC):
     @property
     @abstractmethod
     def volume(self) -> Volume:
-        """Volume around its content and that of the tiles below it, in its frame; regions lie on the Earth."""
+        """Bounding volume of its content and all tiles below it, in its frame; regions are in the Earth's frame."""
 
     @property
     @abstractmethod
     def contents(self) -> tuple[str, ...]:
-        """References to its content's files, as the document states them."""
+        """URIs of its content's files, as stated by the document."""
 
     @abstractmethod
     def expand(self) -> list[Tile]:
-        """Make its children."""
+        """Make the tile's children."""
 
     @property
     def children(self) -> list[Tile]:
-        """Tiles that show the same with more detail, or what there is beside its content."""
+        """Child tiles: they replace the content in more detail, or add to it."""
         if self._children is None:
             children = [] if self.is_leaf else self.expand()
             for child in children:
@@ -98,14 +98,14 @@ class Tile(ABC):
         return self._children
 
     def bounds(self, to_scene: Floats) -> Floats:
-        """Box (2, 3) in the scene's frame around it; `to_scene` (4, 4) takes from the tileset's frame there."""
+        """Bounding box (2, 3) in the scene's frame; `to_scene` (4, 4) is the transform tileset→scene."""
         volume = self.volume
-        # Regions lie on the Earth whatever the transform is (3D Tiles 1.1, "Tile transforms").
+        # Regions lie on the Earth whatever the transform (3D Tiles 1.1, "Tile transforms").
         return volume.bounds(to_scene if isinstance(volume, Region) else to_scene @ self.transform)
 
     @property
     def middle(self) -> Floats:
-        """Middle (3,) of its volume in the tileset's frame."""
+        """Centre (3,) of its volume in the tileset's frame."""
         volume = self.volume
         if isinstance(volume, Region):
             return volume.middle
@@ -114,18 +114,18 @@ class Tile(ABC):
 
 
 class StatedTile(Tile):
-    """A tile that a document describes.
+    """A tile stated explicitly in a document.
 
     Parameters
     ----------
     place
-        Its entry in the document, for messages.
+        Its JSON path in the document, for messages.
     volume, contents
-        What the properties of these names return.
+        Values of the properties of these names.
     expand
         Makes its children; None for a leaf.
     source, error, replaces, transform, refers
-        As for all tiles.
+        As in `Tile`.
     """
 
     __slots__ = ("_contents", "_expand", "_volume", "place")
@@ -163,4 +163,4 @@ class StatedTile(Tile):
 
 
 IDENTITY = np.eye(4)
-"""The transform of tiles that state none."""
+"""Transform of tiles that state none."""

@@ -1,4 +1,4 @@
-"""A tileset: its frame and its bounds, and the content of the tiles that show it."""
+"""The `Tileset` class: frame, bounds, and the content of the tiles that show it."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ from nearfar._scene.tileset.tile import IDENTITY, Source, StatedTile, Tile
 from nearfar._scene.tileset.volumes import Box, Region
 
 KINDS = ("b3dm", "i3dm", "cmpt")
-"""Files that hold one tile."""
+"""Suffixes of single tiles."""
 
 _MOST_NAMED = 3
-"""Greatest number of files that a note names."""
+"""Maximum number of files named in a note."""
 
 
 class Tileset:
     """A tileset at a path or a URL; make one with `open`.
 
-    Its tiles and their contents are read when they are asked for. Several threads may read from it.
+    Its tiles and their contents are read on demand; thread-safe.
     """
 
     def __init__(
@@ -41,9 +41,9 @@ class Tileset:
         self.label = label
         """The path or URL, for messages."""
         self.frame = frame
-        """From the tileset's frame to the scene's."""
+        """Transform from the tileset's frame to the scene's."""
         self.root = root
-        """The first tile."""
+        """Root tile."""
         self._files, self._documents, self._kept = files, documents, kept
 
     @classmethod
@@ -55,7 +55,7 @@ class Tileset:
         cache_bytes: float = np.inf,
         budget: Budget | None = None,
     ) -> Tileset:
-        """Read the document of a tileset, or a b3dm, i3dm or cmpt by itself.
+        """Open a tileset's document, or a single b3dm, i3dm or cmpt.
 
         Parameters
         ----------
@@ -63,19 +63,19 @@ class Tileset:
             A path, or a URL that fsspec knows.
         origin
             Longitude and latitude in degrees and height in metres of the scene's (0, 0, 0), for a tileset on the Earth;
-            by default the middle of its volume.
+            by default the centre of its volume.
         cache_bytes
-            Bytes of contents that are kept for the next reads.
+            Size of the cache of contents, bytes.
         budget
-            What a tile by itself may unpack to.
+            Limit of the bytes that a single tile may unpack to.
 
         Raises
         ------
         SceneError
-            A file that is no tileset, or one in a version that is not read; an `origin` for a tileset that does not lie
-            on the Earth, and none for one that covers all of it.
+            A file that is not a tileset, or one of an unsupported version; an `origin` for a tileset that does not lie
+            on the Earth, or none for one that covers the whole Earth.
         ValueError, TypeError
-            An `origin` that is none.
+            An invalid `origin`.
         OSError
             A file that cannot be opened.
         """
@@ -94,7 +94,7 @@ class Tileset:
 
     @property
     def bounds(self) -> Floats:
-        """Box (2, 3) in the scene's frame around all of it, metres."""
+        """Bounding box (2, 3) in the scene's frame, metres."""
         return self.root.bounds(self.frame.to_scene)
 
     def read(
@@ -105,7 +105,7 @@ class Tileset:
         box: Floats | None = None,
         budget: Budget | None = None,
     ) -> Content:
-        """Content of the tiles that show it, placed in the scene's frame.
+        """Read the content of the tiles that show the tileset, placed in the scene's frame.
 
         A tile that cannot be read is left out, and a note names it; where tiles replace others, the coarser one stays.
 
@@ -114,19 +114,19 @@ class Tileset:
         error
             Greatest geometric error in metres; 0 shows all detail.
         triangles
-            Greatest number of triangles instead: tiles with great errors are refined first.
+            Greatest number of triangles instead of an error: tiles with the greatest errors are refined first.
         box
-            Box (2, 3) of the scene whose tiles are read, whole; None stands for everything.
+            Box (2, 3) of the scene whose tiles are read as a whole; None for everything.
         budget
-            What the files may unpack to.
+            Limit of the bytes that the files may unpack to.
 
         Raises
         ------
-        SceneError
-            A tileset that leads outside its folder or to itself, is too large, or whose tiles unpack to too much; fewer
+        A tileset that leads outside its folder or to itself, is too large, or whose tiles unpack to too much; fewer
+        `triangles` than the coarsest tiles have.
             `triangles` than the coarsest tiles have.
         OSError
-            A URL that does not answer.
+            A URL that does not respond.
         """
         reading = Reading(self._files, self._kept, Budget() if budget is None else budget)
         touches = select.within(box, self.frame.to_scene)
@@ -148,7 +148,7 @@ class Tileset:
         return content
 
     def _by_error(self, reading: Reading, error: float, touches: select.Touches) -> select.Selection:
-        """Tiles of a geometric error. Where one cannot be read, the coarser one that it replaces is shown."""
+        """Select tiles by geometric error. Where one cannot be read, the coarser tile that it replaces is shown."""
         unrefined: set[Tile] = set()
         while True:
             selection = select.by_error(self.root, error, touches, unrefined)
@@ -175,14 +175,14 @@ class Tileset:
 
 
 def suffix(path: str | os.PathLike[str]) -> str:
-    """Kind of a file at a path or URL, in small letters; of a file that is packed, too."""
+    """Suffix of a path or URL in lower case, ignoring .gz."""
     text = os.fspath(path).lower()
     text = (urlsplit(text).path if "://" in text else text).removesuffix(".gz")
     return os.path.splitext(text)[1].lstrip(".")
 
 
 def _frame(root: Tile, origin: tuple[float, float, float] | None) -> Frame:
-    """The scene's frame: about the origin, else about the middle of a tileset on the Earth, else the tileset's own."""
+    """The scene's frame: at the origin, else at the centre of a tileset on the Earth, else the tileset's own."""
     box = root.bounds(IDENTITY)
     is_earth = bool((box[0] < -frames.RADIUS).all() and (box[1] > frames.RADIUS).all())
     found = None if is_earth else frames.around(root.middle)
@@ -198,7 +198,7 @@ def _frame(root: Tile, origin: tuple[float, float, float] | None) -> Frame:
 def _of_tile(
     label: str, files: Files, origin: tuple[float, float, float] | None, kept: Kept, budget: Budget
 ) -> Tileset:
-    """A tileset of one tile."""
+    """Make a tileset of a single tile."""
     tile = _alone(files, Box(np.zeros(3), np.zeros((3, 3))))
     reading = Reading(files, kept, budget)
     if reading.sizes([tile]) == [None]:
@@ -213,12 +213,12 @@ def _of_tile(
 
 
 def _alone(files: Files, volume: Box) -> Tile:
-    """The tile of the file that was opened."""
+    """Tile for the top file."""
     return StatedTile("tile", Source(files.top, "Y"), volume, 0.0, False, IDENTITY, ("",))
 
 
 def _bounds(content: Content) -> Floats:
-    """Box (2, 3) around placed shapes; not finite for none."""
+    """Bounding box (2, 3) of placed shapes; not finite if there are none."""
     nodes = content.nodes
     boxes = {
         name: np.array([shape.vertices.min(axis=0), shape.vertices.max(axis=0)], np.float64)

@@ -1,4 +1,4 @@
-"""Bounding volumes of tiles: boxes, spheres and regions of the Earth, their parts, and boxes of scenes around them."""
+"""Bounding volumes of tiles: boxes, spheres and regions of the Earth; their subdivision and bounding boxes."""
 
 from __future__ import annotations
 
@@ -14,29 +14,29 @@ from nearfar._scene.tileset import values
 from nearfar._scene.tileset.frames import Floats
 
 _STEPS = 8
-"""Parts of a region's sides whose corners bound it."""
+"""Subdivisions of a region's sides for its bounding box."""
 
 _CURVED = 1.02 * EQUATOR
-"""Greatest radius of curvature of the ellipsoid's meridians and parallels at height 0, metres."""
+"""Upper bound of the ellipsoid's radii of curvature at height 0, metres."""
 
 
 @dataclass(frozen=True)
 class Box:
-    """A box with any axes, in the frame of its tile."""
+    """An oriented box in the frame of its tile."""
 
     middle: Floats
-    """(3,)."""
+    """Centre (3,)."""
     axes: Floats
-    """Half of each edge (3, 3), one a row."""
+    """Half edges (3, 3), one per row."""
 
     def bounds(self, to_scene: Floats) -> Floats:
-        """Box (2, 3) in the scene's frame around it; `to_scene` (4, 4) takes from the tile's frame there."""
+        """Bounding box (2, 3) in the scene's frame; `to_scene` (4, 4) is the transform tile→scene."""
         middle = to_scene[:3, :3] @ self.middle + to_scene[:3, 3]
         half = np.abs(to_scene[:3, :3] @ self.axes.T).sum(axis=1)
         return np.array([middle - half, middle + half])
 
     def part(self, level: int, cell: tuple[int, ...]) -> Box:
-        """The box of a cell when each axis that `cell` numbers is cut into 2**level."""
+        """Box of a cell after each of the axes in `cell` is divided into 2**level parts."""
         scale = np.ones(3)
         shift = np.zeros(3)
         for axis, number in enumerate(cell):
@@ -53,7 +53,7 @@ class Sphere:
     radius: float
 
     def bounds(self, to_scene: Floats) -> Floats:
-        """Box (2, 3) in the scene's frame around it; a transform may make it an ellipsoid."""
+        """Bounding box (2, 3) in the scene's frame; a transform may make the sphere an ellipsoid."""
         middle = to_scene[:3, :3] @ self.middle + to_scene[:3, 3]
         half = self.radius * np.sqrt((to_scene[:3, :3] ** 2).sum(axis=1))
         return np.array([middle - half, middle + half])
@@ -61,19 +61,19 @@ class Sphere:
 
 @dataclass(frozen=True)
 class Region:
-    """A part of the Earth between longitudes, latitudes (radians) and heights, in the Earth's frame always."""
+    """A part of the Earth between longitudes, latitudes (radians) and heights, always in the Earth's frame."""
 
     west: float
     south: float
     east: float
-    """At least `west`, above π where it lies beyond the date line."""
+    """At least `west`; above π if the region crosses the date line."""
     north: float
     low: float
     high: float
 
     @cached_property
     def _corners(self) -> tuple[Floats, float]:
-        """Points (N, 3) on its lowest and highest surface in the Earth's frame, and how far it reaches beyond them."""
+        """Grid points (N, 3) on its lowest and highest surface in the Earth's frame, and the margin beyond them."""
         grid = np.meshgrid(
             np.linspace(self.west, self.east, _STEPS + 1),
             np.linspace(self.south, self.north, _STEPS + 1),
@@ -82,23 +82,23 @@ class Region:
         )
         steps = ((self.east - self.west) ** 2 + (self.north - self.south) ** 2) / _STEPS**2
         radius = _CURVED + max(abs(self.low), abs(self.high))
-        # Between the points of a grid a surface leaves the bilinear one by an eighth of its second derivatives.
+        # Between grid points a surface deviates from the bilinear one by at most an eighth of its second derivatives.
         return earth_centred(np.stack(grid, axis=-1)).reshape(-1, 3), steps * radius / 8
 
     def bounds(self, to_scene: Floats) -> Floats:
-        """Box (2, 3) in the scene's frame around it; `to_scene` (4, 4), rigid, takes from the Earth's frame there."""
+        """Bounding box (2, 3) in the scene's frame; `to_scene` (4, 4), rigid, is the transform Earth→scene."""
         points, beyond = self._corners
         placed = points @ to_scene[:3, :3].T + to_scene[:3, 3]
         return np.array([placed.min(axis=0) - beyond, placed.max(axis=0) + beyond])
 
     @property
     def middle(self) -> Floats:
-        """Its middle (3,) in the Earth's frame."""
+        """Centre (3,) in the Earth's frame."""
         middle = [(self.west + self.east) / 2, (self.south + self.north) / 2, (self.low + self.high) / 2]
         return earth_centred(np.array(middle))
 
     def part(self, level: int, cell: tuple[int, ...]) -> Region:
-        """The region of a cell when longitude, latitude and with three numbers height are cut into 2**level."""
+        """Region of a cell after longitude, latitude and, given three numbers, height are divided by 2**level."""
         size = 0.5**level
         spans = [(self.west, self.east), (self.south, self.north), (self.low, self.high)]
         for axis, number in enumerate(cell):
@@ -113,7 +113,7 @@ Volume = Box | Sphere | Region
 
 
 def read(place: str, described: Any) -> Volume:
-    """A volume as documents describe it; where there are several kinds, the most exact one."""
+    """Read a volume from a document; of several kinds the most exact one."""
     described = values.entries(place, described)
     if "box" in described:
         rows = values.numbers(f"{place}.box", described["box"], 12).reshape(4, 3)
@@ -131,7 +131,7 @@ def read(place: str, described: Any) -> Volume:
 
 def _region(place: str, sides: list[float]) -> Region:
     west, south, east, north, low, high = sides
-    # Radians that were rounded to seven digits may lie a little beyond.
+    # Radians rounded to seven digits may lie slightly beyond.
     if not (-6.4 <= west <= 6.4 and -6.4 <= east <= 6.4 and -1.571 <= south <= north <= 1.571 and low <= high):
         raise UnusableError(f"{place}: expected west, south, east, north in radians, and two heights, got {sides}")
     return Region(west, south, east if east >= west else east + 2 * np.pi, north, low, high)

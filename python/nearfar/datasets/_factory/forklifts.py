@@ -10,13 +10,13 @@ from nearfar.datasets._palette import material
 from nearfar.datasets._shapes import Soup, bars, boxes, join, lathe, tube
 from nearfar.datasets._stage import Stage, placements
 
-# Position along x and z, and the turn: the fraction of a full turn from a front towards +z.
+# Positions along x and z, and turns: fractions of a full turn from a front towards +z.
 _PARKED = ((-13.0, -1.1, 0.25), (24.0, 1.2, 0.75), (0.8, -26.0, 0.0), (-40.9, 33.0, 0.5), (31.0, 39.2, 0.25),
            (-24.0, 20.8, 0.75), (40.8, -12.0, 0.5), (-9.0, -40.7, 0.25))  # fmt: skip
 
 
 def build(stage: Stage, seed: int, detail: int) -> list[str]:
-    """Add forklifts, every second one with a load; returns their names."""
+    """Add forklifts, every second one with a load; return their names."""
     names = []
     for number, (x, z, quarter) in enumerate(_PARKED):
         soup = forklift(detail)

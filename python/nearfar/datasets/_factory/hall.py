@@ -48,9 +48,8 @@ def factory(seed: int = 0, detail: int = 2, *, instanced: bool = True) -> Scene:
 
     Parameters
     ----------
-    seed
-        0 to 2⁶³ − 1; it decides which machine of a kind stands where, the loads of the racks and the cartons on the
-        conveyors. The hall and its plan are the same for all seeds.
+    0 to 2⁶³ − 1; it decides the kinds of machines in the slots, the loads of the racks and the cartons on the
+    conveyors. The hall and its plan are the same for all seeds.
     detail
         0: boxes, and pipes with few sides. 1: branches of the pipes, ducts, fences, loads piece by piece. 2: bolts,
         grilles, rollers, hoses, bevelled edges. 3: more sides, rounder edges. These are 0.15, 0.8, 2.2 and 3.7 million
@@ -58,8 +57,9 @@ def factory(seed: int = 0, detail: int = 2, *, instanced: bool = True) -> Scene:
         that reach within 63 m of `factory_view()` have 2.4 million triangles, 117 MB as vertices with position, normal
         and texture coordinates, instances expanded; CloVR (2024) states 113 MB.
     instanced
-        Whether repeated objects share a mesh. With False each copy is a mesh of its own, so that what instances save
-        can be measured: the same triangles, all of them stored.
+        Whether repeated objects share a mesh. With False each copy is a separate mesh, to measure what instancing
+        saves:
+        the same triangles, all of them stored.
 
     Returns
     -------
@@ -71,9 +71,9 @@ def factory(seed: int = 0, detail: int = 2, *, instanced: bool = True) -> Scene:
     Raises
     ------
     ValueError
-        For numbers out of range.
+        Numbers out of range.
     TypeError
-        For an `instanced` that is not a bool.
+        An `instanced` that is not a bool.
     """
     seed = check.integer("seed", seed, 0, 2**63 - 1)
     detail = check.integer("detail", detail, 0, 3)
@@ -106,13 +106,13 @@ def factory_view(place: int = 0) -> tuple[Point, Point]:
     Raises
     ------
     ValueError
-        For other numbers.
+        Other numbers.
     """
     return _VIEWS[check.integer("place", place, 0, len(_VIEWS) - 1)]
 
 
 def _machines(stage: Stage, seed: int, detail: int) -> None:
-    """Add what stands alone in a slot: machines, work places, compressors and tanks."""
+    """Add single machines in their slots: machine tools, work places, compressors and tanks."""
     makers: tuple[tuple[str, int, Callable[..., Soup], str], ...] = (
         ("L", 4, machines.lathe_machine, "machine"),
         ("M", 4, machines.mill, "machine"),

@@ -112,13 +112,13 @@ def gauge(radius: float, detail: int) -> Soup:
 
 
 def piping(points: ArrayLike, radius: float, bend: float, kind: int, detail: int, *, thin: bool = False) -> Soup:
-    """A pipe along axis-parallel pieces between points (P, 3), with bends of a radius in metres between them."""
+    """A pipe along axis-parallel segments between points (P, 3), with bends of radius `bend` in metres between them."""
     line = np.asarray(points, np.float64)
     ways = np.sign(line[1:] - line[:-1])
     steps = (1, 2, 3, 6)[detail]
     cosine, sine = turn(0.25 * np.arange(steps + 1.0) / steps)
     c, s = cosine[:, None], sine[:, None]
-    # The frame of a section turns with the pipe and never about it, so that no bend is twisted.
+    # The section's frame turns with the pipe and never about it, so that no bend is twisted.
     side = np.roll(ways[0], 1)
     places, alongs, sides = [line[:1]], [ways[:1]], [side[None]]
     for corner, before, after in zip(line[1:-1], ways[:-1], ways[1:], strict=True):

@@ -17,7 +17,7 @@ _RACK = (
 _LENGTH = 10.0
 _ENDS = (-70.0, 70.0)
 _FED = "MLPBC"
-"""Kinds of machines that a branch of the rack leads to."""
+"""Letters of machine kinds that a branch of the rack leads to."""
 
 
 def build(stage: Stage, detail: int) -> None:

@@ -1,4 +1,4 @@
-"""The plan of the hall: its size, its grid of columns, its lanes, and what stands where."""
+"""The plan of the hall: its size, its grid of columns, its lanes, and the machines in its slots."""
 
 from __future__ import annotations
 
@@ -39,13 +39,13 @@ class Slot:
     x: float
     z: float
     kind: str
-    """The letter of what stands there."""
+    """Letter of the machine kind."""
     column: float
     """The z of the line of columns behind it."""
 
     @property
     def quarter(self) -> float:
-        """The turn of what stands there: the fraction of a full turn that makes +z its front."""
+        """Fraction of a full turn that makes +z the machine's front."""
         return 0.0 if self.z > self.column else 0.5
 
 

@@ -1,4 +1,4 @@
-"""Pallet racks and what lies in them: pallets with cartons, barrels, sacks and crates."""
+"""Pallet racks and their loads: pallets with cartons, barrels, sacks and crates."""
 
 from __future__ import annotations
 

@@ -37,7 +37,7 @@ class SphereTask(Task):
     duration: float
     """Time from the start to the landing, seconds."""
     gravity: float
-    """Downward acceleration of the ball, m/s²: 0 if it flies straight."""
+    """Downward acceleration of the ball, m/s²; 0 for a straight flight."""
 
     def position(self, t: float) -> NDArray[np.float64]:
         """Return the centre of the ball after `t` seconds, (3,); it rests before the start and after the landing."""
@@ -80,7 +80,7 @@ def sphere_task(seed: int = 0, boxes: int = 7, *, straight: bool = True) -> tupl
     Raises
     ------
     ValueError, TypeError
-        For numbers out of range, and for values of another type.
+        Numbers out of range, and values of another type.
 
     References
     ----------

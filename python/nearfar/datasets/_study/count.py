@@ -16,17 +16,17 @@ from nearfar.datasets._stage import Stage
 from nearfar.datasets._study.layout import CENTER, MOST_SEED, R1, R2, Point, Task, ground
 
 _RADIUS = 1.0
-# Rows of spheres, from below: distance from the axis, least and greatest, and height, metres. Rows are so far apart in
-# height that no user sees one sphere before another of the next row.
+# Rows of spheres, from below: distance from the axis, least and greatest, and height, metres. The heights differ so
+# much that no user sees a sphere in front of one of the next row.
 _INSIDE, _ACROSS, _BEYOND = (38.0, 46.0, 1.5), (R2 - 0.2, R2 + 0.2, 5.0), (53.0, 60.0, 9.0)
-# Angle of view that a row takes, and the greatest shift of a sphere in it, as fractions of a full turn. Spheres of a
-# row stay apart by more than the 0.007 of their diameter and the 0.01 by which users 8 m away shift them.
+# Angle of view of a row, and the greatest shift of a sphere in it, as fractions of a full turn. Spheres of a row stay
+# apart by more than the 0.007 of their diameter and the 0.01 of parallax for users 8 m away from the centre.
 _WIDTH, _SHIFT = 80.0 / 360.0, 2.0 / 360.0
 
 
 @dataclass(frozen=True)
 class CountTask(Task):
-    """Geometry and answer of `count_task`: the user says how many spheres there are."""
+    """Geometry and answer of `count_task`: the user states the number of spheres."""
 
     spheres: tuple[str, ...]
     """Names of the spheres."""
@@ -35,7 +35,7 @@ class CountTask(Task):
     radius: float
     """Radius of a sphere, metres."""
     across: tuple[str, ...]
-    """Names of the spheres that r₂ cuts, one or two, of which a conventional picture shows each half on its own."""
+    """Names of the spheres that r₂ cuts, one or two; a conventional picture shows their halves separately."""
 
 
 def count_task(seed: int = 0) -> tuple[Scene, CountTask]:
@@ -59,7 +59,7 @@ def count_task(seed: int = 0) -> tuple[Scene, CountTask]:
     Raises
     ------
     ValueError, TypeError
-        For a seed out of range, and for values that are not whole numbers.
+        A seed out of range, and values that are not whole numbers.
 
     References
     ----------

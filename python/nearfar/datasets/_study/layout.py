@@ -1,4 +1,4 @@
-"""Layout that the tasks of the user study have in common: centre, radii, ground, and rows of objects to choose from."""
+"""Layout shared by the tasks of the user study: centre, radii, ground, and rows of objects to choose from."""
 
 from __future__ import annotations
 
@@ -28,12 +28,12 @@ COLORS = materials(
 
 @dataclass(frozen=True)
 class Task:
-    """Where a task takes place: about a centre, with objects on both sides of the radii."""
+    """Centre and radii of a task; it has objects on both sides of the radii."""
 
     center: Point
-    """The centre O, an eye's height above the ground, world metres; all points below are world metres too."""
+    """Centre O, at eye height above the ground; all points are in world metres."""
     target: Point
-    """The point that users look at, in the middle of the objects."""
+    """Point that users look at, in the middle of the objects."""
     r1: float
     """Radius that bounds the near zone, metres."""
     r2: float
@@ -41,7 +41,7 @@ class Task:
 
 
 def chosen_of(name: str, seed: int, count: int, stream: int) -> tuple[Draw, int, int]:
-    """Random stream, number of objects to choose from, and the index of the answer."""
+    """Return the random stream, the number of objects to choose from, and the index of the answer."""
     seed = check.integer("seed", seed, 0, MOST_SEED)
     count = check.integer(name, count, 2, MOST)
     draw = Draw(seed, stream)

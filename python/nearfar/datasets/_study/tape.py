@@ -28,10 +28,10 @@ class _Layout:
     """Distance of the tape's far end from the centre's axis."""
 
 
-# The picture of a straight tape on the ground is straight between the radii as well, but it turns at r₁ and at r₂: a
-# stretch that ends at r₂ points u (row − r₂)/(r₂ − r₁) beside its rectangle, for a user u beside the centre. So the
-# rectangles stand just beyond r₂. A picture from the centre shows them u beside their places: users who moved 4 m to
-# 8 m, three halves of the gap to the neighbour's far edge, take a neighbour for the right one.
+# A picture of a straight tape on the ground is straight between the radii as well, but bends at r₁ and at r₂: for a
+# user u beside the centre, a stretch that ends at r₂ points u (row − r₂)/(r₂ − r₁) beside its rectangle. So the
+# rectangles stand just beyond r₂. A picture from the centre shows them shifted by u: users who moved 4 m to 8 m, up to
+# three halves of the gap to the neighbour's far edge, take a neighbour for the right one.
 _ENDS_NEAR = _Layout(row=52.0, spacing=6.0, wide=4.4, tape_to=44.0)
 # The gaps are wider than the rectangles; the spacing is less than the 5 m that users walk away from the centre.
 _ENDS_FAR = _Layout(row=90.0, spacing=4.0, wide=2.4, tape_to=70.0)
@@ -48,9 +48,9 @@ class TapeTask(Task):
     answer: str
     """Name of the correct object."""
     start: Point
-    """The middle of the tape's near end."""
+    """Middle of the tape's near end."""
     end: Point
-    """The middle of the tape's far end. The line from start to end meets the middle of the correct rectangle, a tape's
+    """Middle of the tape's far end. The line from start to end meets the middle of the correct rectangle, at the tape's
     height above the ground."""
 
 
@@ -81,7 +81,7 @@ def tape_task(seed: int = 0, rectangles: int = 3, *, ends: str = "near") -> tupl
     Raises
     ------
     ValueError, TypeError
-        For numbers out of range, for values that are not whole numbers, and for unknown `ends`.
+        Numbers out of range, values that are not whole numbers, and unknown `ends`.
 
     References
     ----------
@@ -109,7 +109,7 @@ def tape_task(seed: int = 0, rectangles: int = 3, *, ends: str = "near") -> tupl
 
 
 def _share(start: NDArray[np.float64], goal: NDArray[np.float64], radius: float) -> float:
-    """Share of the way from a point inside a circle about the axis to one outside at which the circle is crossed."""
+    """Parameter where the line from a point inside a circle about the axis to one outside crosses the circle."""
     (x, z), (along_x, along_z) = start[[0, 2]], (goal - start)[[0, 2]]
     a, b = along_x * along_x + along_z * along_z, x * along_x + z * along_z
     return float((np.sqrt(b * b + a * (radius * radius - x * x - z * z)) - b) / a)

@@ -1,1 +1,1 @@
-"""An Earth-like landscape of any size, made cell by cell: relief, water, climate, forests, towns and roads."""
+"""An Earth-like landscape of any size, generated cell by cell: relief, water, climate, forests, towns and roads."""

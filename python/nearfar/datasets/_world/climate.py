@@ -1,4 +1,4 @@
-"""Climate and what grows: density of forest, fields, and the colours of the ground."""
+"""Climate and vegetation: density of forest, fields, and the colours of the ground."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from nearfar.datasets._world.noise import hashed, noise, step
 from nearfar.datasets._world.sites import Town
 
 FARMED = 1100.0
-"""Distance in metres from a town's edge within which the land is farmed."""
+"""Distance from a town's edge within which the land is farmed, metres."""
 
 
 @dataclass(frozen=True)
@@ -26,7 +26,7 @@ class Cover:
     conifers: Floats
     """Share of conifers among the trees."""
     field: NDArray[np.int64]
-    """Number of the field's crop, −1 where nothing is farmed."""
+    """Crop number of the field, −1 for land that is not farmed."""
     hedge: NDArray[np.bool_]
     """Whether the position lies on a field's border."""
     dry: Floats
@@ -42,7 +42,7 @@ def cover(seed: int, towns: list[Town], x: Floats, z: Floats, height: Floats, sl
     patches = noise(seed, 63, x, z, 1_150.0) + 0.55 * noise(seed, 64, x, z, 310.0) + 0.2 * noise(seed, 65, x, z, 90.0)
     wooded = step(-0.12, 0.12, patches + 0.55 * np.minimum(slope, 0.6) + 0.22 - 0.35 * step(0.6, 1.1, dry))
     field, hedge, town = np.full(x.shape, -1), np.zeros(x.shape, bool), np.zeros_like(x)
-    # Each place is farmed from the nearest town only; its fields end where another town is nearer.
+    # Each place is farmed from its nearest town only; fields end where another town is nearer.
     nearest = np.full(x.shape, 1.0e9)
     for place in towns:
         away = place.away(x, z) - place.radius
@@ -53,7 +53,7 @@ def cover(seed: int, towns: list[Town], x: Floats, z: Floats, height: Floats, sl
         field = np.where(mine, np.where(farmed, crop, -1), field)
         hedge = np.where(mine, farmed & border, hedge)
         town = np.maximum(town, streets.layout(seed, place).built(x, z))
-    # Woods grow on what is not farmed, up to the tree line, off the shore and not on cliffs.
+    # Woods grow on land that is not farmed, up to the tree line, off the shore and not on cliffs.
     forest = np.where(field >= 0, 0.0, wooded)
     forest = forest * (1.0 - step(0.6, 0.74, cold)) * step(1.6, 3.0, height) * (1.0 - step(0.75, 1.05, slope))
     forest = np.where(town > 0.0, 0.0, forest)

@@ -1,4 +1,4 @@
-"""Contents of a query's box: ground and water, plants, towns and roads, at a level of detail."""
+"""Adds the contents of a query's box: ground and water, plants, towns and roads, at a level of detail."""
 
 from __future__ import annotations
 
@@ -25,34 +25,34 @@ from nearfar.datasets._world import (
 from nearfar.datasets._world.parts import Parts
 
 _CROWN = 7.0
-"""Greatest distance in metres of a plant's parts from its stem, seen from above."""
+"""Greatest horizontal distance of a plant's parts from its stem, metres."""
 _NO_ROADS, _NO_STREETS = 25.0, 8.0
-"""Errors in metres from which on roads are left out, and streets: roads are up to 23 m above the ground or water."""
+"""Errors in metres from which roads, and streets, are left out: roads are up to 23 m above the ground or water."""
 _CARS, _HOUSES = (0.4, 0.8), (1.6, 3.6)
-"""Greatest distance in metres of the shapes at detail 1, and 0, from that at detail 2."""
+"""Greatest distance in metres between the shapes at detail 1, and 0, and the shape at detail 2."""
 
 
 @dataclass(frozen=True)
 class Wanted:
-    """A level of the ground, and the error in metres that shapes on it may have."""
+    """A level of the ground, and the error budget in metres for shapes on it."""
 
     seed: int
     level: int
     budget: float
 
     def coarse(self, errors: tuple[float, float], size: float = 1.0) -> int:
-        """The coarsest detail 0 … 2 of shapes whose `errors` at detail 1 and 0 are stated, for a size as a factor."""
+        """Return the coarsest detail 0 … 2 within the budget; `errors` are for details 1 and 0, at size 1."""
         return 2 - sum(error * size <= self.budget for error in errors)
 
 
 def box_of(parts: Parts, margin: float) -> tuple[float, float, float, float]:
-    """The box of a query seen from above, widened: x0, x1, z0, z1."""
+    """Return the box of a query seen from above, widened by a margin: x0, x1, z0, z1."""
     low, high = parts.low, parts.high
     return low[0] - margin, high[0] + margin, low[2] - margin, high[2] + margin
 
 
 def spans(parts: Parts, side: float, margin: float = 0.0) -> tuple[range, range]:
-    """Columns i and rows j of squares of a side that touch a query's box, seen from above, and lie in the world."""
+    """Columns i and rows j of squares that touch a query's box, seen from above, and lie in the world."""
     x0, x1, z0, z1 = box_of(parts, margin)
     least, most = int(np.floor(-parts.half / side)), int(np.ceil(parts.half / side))
     # A closed box that ends at a square's border touches the square beyond.
@@ -126,7 +126,7 @@ def add_towns(parts: Parts, wanted: Wanted) -> None:
 
 
 def _shape(wanted: Wanted, name: str, variant: object) -> tuple[Indexed, int]:
-    """The shape of a house or of a thing in a street, and its detail."""
+    """Shape of a house or of a street object, and its detail."""
     if isinstance(variant, Kind):
         detail = wanted.coarse(_HOUSES)
         return houses.shape(wanted.seed, variant, detail), detail
@@ -149,7 +149,7 @@ def _reach(shape: Indexed) -> float:
 
 
 def add_roads(parts: Parts, wanted: Wanted) -> None:
-    """Add roads; above coarse ground they are raised by a quarter of its error, so that less of them is hidden."""
+    """Add roads; above coarse ground they are raised by a quarter of its error, so that less of them is buried."""
     if wanted.budget < _NO_ROADS:
         lift = 0.25 * lattice.error(wanted.level)
         for road in roads.near(wanted.seed, box_of(parts, roads.HALF + 1.0), 0.0):

@@ -1,4 +1,4 @@
-"""Trees, bushes and rocks: their places on a fine jittered grid, and the shapes that they share."""
+"""Trees, bushes and rocks: their places on a fine jittered grid, and their shared shapes."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from nearfar.datasets._world.noise import hashed
 from nearfar.datasets._world.sites import near
 
 _ROWS = 40
-"""Places along each side of a finest tile: one in 6.25 m."""
+"""Places along each side of a finest tile: one per 6.25 m."""
 _SPRUCES, _OAKS, _BUSHES, _ROCKS = 4, 5, 2, 3
 SPRUCE, OAK, BUSH, ROCK = 0, 1, 2, 3
 NAMES = ("spruce", "oak", "bush", "rock")
 _VARIANTS = np.array([_SPRUCES, _OAKS, _BUSHES, _ROCKS])
 _CLEAR = 3.2
-"""Distance in metres of a trunk from roads, streets and houses at least."""
+"""Least distance of a trunk from roads, streets and houses, metres."""
 
 
 @dataclass(frozen=True)
@@ -42,12 +42,12 @@ class Plants:
 
 @functools.lru_cache(maxsize=256)
 def plants(seed: int, i: int, j: int) -> Plants:
-    """Find the plants that are rooted in tile (i, j) of level 0; they are the same for all levels of detail."""
+    """Find the plants rooted in tile (i, j) of level 0; they are the same for all levels of detail."""
     side = tiles.COUNT * lattice.SPACING
     lines = np.meshgrid(np.arange(i * _ROWS, (i + 1) * _ROWS), np.arange(j * _ROWS, (j + 1) * _ROWS))
     column, row = (line.reshape(-1).astype(np.int64) for line in lines)
     draws = [hashed(seed, 80, column, row, k) for k in range(7)]
-    # Positions are multiples of 1/64 m, which float32 holds.
+    # Positions are multiples of 1/64 m, which float32 represents exactly.
     x = np.floor(64.0 * side / _ROWS * (column + 0.06 + 0.88 * draws[0])) / 64.0
     z = np.floor(64.0 * side / _ROWS * (row + 0.06 + 0.88 * draws[1])) / 64.0
     on = tiles.ground(seed, 0, i, j)
@@ -83,11 +83,11 @@ def plants(seed: int, i: int, j: int) -> Plants:
 
 _MAKERS = (vegetation.conifer, vegetation.broadleaf, vegetation.shrub, vegetation.rock)
 COARSER = ((1.4, 1.6), (1.9, 1.9), (1.2, 1.2), (0.25, 0.25))
-"""For each kind of size 1: greatest distance in metres of the shape at detail 1, and 0, from that at detail 2."""
+"""For each kind, at size 1: greatest distance in metres between its shapes at detail 1, and 0, and at detail 2."""
 REACHES = (15.6, 10.2, 2.3, 1.3)
-"""Greatest distance in metres of each kind's parts from its foot, for size 1."""
+"""For each kind, at size 1: greatest distance of its parts from its foot, metres."""
 SIZES = ((0.7, 0.75), (0.8, 0.75), (0.8, 0.9), (0.4, 1.6))
-"""Least size of each kind as a factor, and the spread above it."""
+"""For each kind: least size as a factor, and the range above it."""
 
 
 @functools.lru_cache(maxsize=128)

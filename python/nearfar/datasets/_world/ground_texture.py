@@ -1,4 +1,4 @@
-"""The grain of the ground: a grey texture that repeats, multiplied with the ground's colours."""
+"""Grain of the ground: a tileable grey texture that multiplies the ground's colours."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def grain() -> NDArray[np.uint8]:
 
 
 def _periodic(channel: int, cells: int) -> Floats:
-    """Value noise (size, size) in 0 … 1 that repeats."""
+    """Tileable value noise (size, size) in 0 … 1."""
     at = (np.arange(_SIZE) + 0.5) * (cells / _SIZE) - 0.5
     low = np.floor(at)
     share = at - low

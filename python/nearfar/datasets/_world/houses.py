@@ -1,4 +1,4 @@
-"""Houses and a church: shapes that towns place many times."""
+"""Houses and a church: shapes placed many times by towns."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def shape(seed: int, kind: Kind, detail: int) -> Indexed:
 
 
 def soup(seed: int, kind: Kind, detail: int) -> Soup:
-    """`shape` as triangles that share no corners."""
+    """`shape` as triangles without shared corners."""
     return cottage(seed, kind, detail) if kind.form == COTTAGE else church(detail)
 
 
@@ -48,7 +48,7 @@ def cottage(seed: int, kind: Kind, detail: int) -> Soup:
     storeys += int(kind.width >= 140)
     across, deep = 0.1 * kind.width, 0.1 * kind.depth
     turned = deep > across
-    # Drawn before the walls, which draw more at a higher detail.
+    # Drawn before the walls, whose number of draws depends on the detail.
     tiles, pitch, gabled = draw.pick(_TILES), draw.number(0.75, 1.05), draw.chance(0.75)
     rows = np.concatenate([[-_FOOT], 3.1 + style.storey * np.arange(storeys), [3.45 + style.storey * (storeys - 1)]])
     if detail == 0:

@@ -1,4 +1,4 @@
-"""The grids of all levels of detail, nested so that the error of each is bounded by construction.
+"""Grids of all levels of detail, nested so that the error of each is bounded by construction.
 
 A vertex that a finer grid adds lies on the middle of an edge of the coarser one, moved up or down by at most `STEPS` of
 its level. Both grids split their squares along the same diagonal, so that the finer surface subdivides the coarser one,
@@ -15,15 +15,15 @@ from nearfar.datasets._draw import Floats
 from nearfar.datasets._world.relief import natural
 
 SPACING = 3.90625
-"""Distance of the finest grid's vertices, metres: 1/64 of 250 m, and exact in float32."""
+"""Spacing of the finest grid, metres: 1/64 of 250 m, and exact in float32."""
 SHARED, TOP = 6, 12
-"""Levels of grids: up to `SHARED` (250 m) they have towns and roads, up to `TOP` (16 km) at all."""
+"""Coarsest level with towns and roads (250 m), and coarsest level of all (16 km)."""
 STEPS = tuple(2.0**level for level in range(TOP))
-"""Greatest movement of the vertices that level k adds to level k + 1, metres."""
+"""Greatest displacement of the vertices that level k adds to level k + 1, metres."""
 BUILT = 40.0
-"""Greatest movement of the ground by towns and roads, metres."""
+"""Greatest displacement of the ground by towns and roads, metres."""
 UNIT = 1.0 / 64.0
-"""Heights are multiples of it, metres."""
+"""Quantum of heights, metres."""
 _BLOCK = 16
 
 
@@ -34,12 +34,12 @@ def error(level: int) -> float:
 
 
 def spacing(level: int) -> float:
-    """Distance of a level's vertices, metres."""
+    """Spacing of a level's grid, metres."""
     return SPACING * 2.0**level
 
 
 def rounded(heights: Floats) -> Floats:
-    """Heights rounded to multiples of `UNIT`."""
+    """Round heights to multiples of `UNIT`."""
     return np.floor(heights / UNIT + 0.5) * UNIT
 
 
@@ -62,7 +62,7 @@ def places(level: int, i0: int, i1: int, j0: int, j1: int) -> tuple[Floats, Floa
 
 
 def untouched(seed: int, level: int, i0: int, i1: int, j0: int, j1: int) -> Floats:
-    """Heights of vertices of a level from `SHARED` on, without towns and roads."""
+    """Heights of vertices of a level from `SHARED` up, without towns and roads."""
     x, z = places(level, i0, i1, j0, j1)
     wanted = natural(seed, x.reshape(-1), z.reshape(-1)).reshape(x.shape)
     if level == TOP:
@@ -75,7 +75,7 @@ def untouched(seed: int, level: int, i0: int, i1: int, j0: int, j1: int) -> Floa
 
 
 def shared(seed: int, i0: int, i1: int, j0: int, j1: int) -> Floats:
-    """`untouched` of the level `SHARED`, from blocks that are kept."""
+    """`untouched` for the level `SHARED`, from cached blocks."""
     heights = np.empty((j1 - j0 + 1, i1 - i0 + 1))
     for bj in range(j0 // _BLOCK, j1 // _BLOCK + 1):
         for bi in range(i0 // _BLOCK, i1 // _BLOCK + 1):

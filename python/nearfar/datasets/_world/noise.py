@@ -26,7 +26,7 @@ def hashed(seed: int, channel: int, i: NDArray[np.int64], j: NDArray[np.int64], 
 
 
 def noise(seed: int, channel: int, x: Floats, z: Floats, length: float) -> Floats:
-    """Noise of −1 to 1, mostly within ±0.7, whose features are `length` metres apart."""
+    """Gradient noise of −1 to 1, mostly within ±0.7, with a feature size of `length` metres."""
     u, v, gx, gz = _corners(seed, channel, x, z, length)
     a = gx[0] * u + gz[0] * v
     b = gx[1] * (u - 1.0) + gz[1] * v
@@ -38,7 +38,7 @@ def noise(seed: int, channel: int, x: Floats, z: Floats, length: float) -> Float
 
 
 def sloped(seed: int, channel: int, x: Floats, z: Floats, length: float) -> tuple[Floats, Floats, Floats]:
-    """`noise`, and its derivatives by x / length and z / length."""
+    """`noise` and its derivatives with respect to x / length and z / length."""
     u, v, gx, gz = _corners(seed, channel, x, z, length)
     a = gx[0] * u + gz[0] * v
     b = gx[1] * (u - 1.0) + gz[1] * v
@@ -78,12 +78,12 @@ def _corners(
 
 
 def _drawn(seed: int, channel: int, i: NDArray[np.int64], j: NDArray[np.int64]) -> NDArray[np.uint8]:
-    """Numbers of the gradients at lattice points."""
+    """Indices of the gradients at lattice points."""
     return (64.0 * hashed(seed, channel, i, j)).astype(np.uint8)
 
 
 def _lattice(seed: int, channel: int, i0: int, j0: int, rows: int, columns: int) -> NDArray[np.uint8]:
-    """`_drawn` for a rectangle of lattice points, from blocks that are kept: neighbouring tiles share them."""
+    """`_drawn` for a rectangle of lattice points, from cached blocks: neighbouring tiles share them."""
     table = np.empty((rows, columns), np.uint8)
     for bi in range(i0 // _BLOCK, (i0 + rows - 1) // _BLOCK + 1):
         for bj in range(j0 // _BLOCK, (j0 + columns - 1) // _BLOCK + 1):

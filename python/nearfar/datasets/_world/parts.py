@@ -1,4 +1,4 @@
-"""The scene of a query under construction: tiles, shapes that are used once, and shapes that are placed many times."""
+"""The scene of a query under construction: tiles, shapes used once, and shapes placed many times."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from nearfar.datasets._world.tiles import COUNT, Tile
 
 
 class Parts:
-    """Parts that a query has found in a box, from least to greatest corner (3,), of a world of half the side `half`."""
+    """Parts found by a query in a box, from least to greatest corner (3,), of a world of half side `half`."""
 
     def __init__(self, low: Floats, high: Floats, half: float) -> None:
         self.low, self.high, self.half = low, high, half
@@ -28,7 +28,7 @@ class Parts:
         self._shapes: dict[Hashable, int] = {}
 
     def near(self, feet: Floats, reach: Floats | float) -> NDArray[np.bool_]:
-        """Whether spheres about feet (N, 3) touch the box, and the feet lie in the world with room around them."""
+        """Whether spheres around feet (N, 3) touch the box, and lie entirely in the world."""
         away = np.maximum(self.low - feet, 0.0) + np.maximum(feet - self.high, 0.0)
         touches = (away * away).sum(1) <= np.square(reach)
         room = self.half - np.asarray(reach)
@@ -36,7 +36,7 @@ class Parts:
         return result
 
     def many(self, key: Hashable, shape: Indexed, transforms: Floats, names: Sequence[str]) -> None:
-        """Place a shape (K, 4, 4); shapes of one key are one mesh."""
+        """Place a shape by transforms (K, 4, 4); shapes with the same key share a mesh."""
         if len(names):
             if key not in self._shapes:
                 self._shapes[key] = self._builder.mesh(
@@ -45,7 +45,7 @@ class Parts:
             self._builder.place_many(self._shapes[key], transforms, names)
 
     def once(self, shape: Indexed, x: float, z: float, name: str) -> None:
-        """Add what touches the box of a shape that is used once, relative to a place."""
+        """Add the part of a shape that touches the box; the shape is used once, relative to a place."""
         corners = shape.positions[shape.faces].astype(np.float64) + np.array([x, 0.0, z])
         least, greatest = corners.min(1), corners.max(1)
         found = (least <= self.high).all(1) & (greatest >= self.low).all(1)
@@ -61,7 +61,7 @@ class Parts:
             self._builder.instance(mesh, _moved(x, z), name=name)
 
     def tile(self, of: Tile) -> None:
-        """Add what touches the box of a tile's ground and water."""
+        """Add the part of a tile's ground and water that touches the box."""
         spacing, (x, z) = lattice.spacing(of.level), of.corner
         line = spacing * np.arange(COUNT + 1.0)
         inside = _overlaps(x + line, self.low[0], self.high[0], self.half)
@@ -86,7 +86,7 @@ class Parts:
             self._pool(of, inside, low < 0.0)
 
     def _pool(self, of: Tile, inside: NDArray[np.bool_], wet: NDArray[np.bool_]) -> None:
-        # On fine grids squares of four cells: the surface is flat.
+        # The surface is flat, so fine grids are replaced by squares of four cells.
         wide = max(1, 4 >> of.level)
         count = COUNT // wide
         cells = wet.reshape(count, wide, count, wide).any((1, 3))
@@ -117,7 +117,7 @@ def _overlaps(line: Floats, low: float, high: float, half: float) -> NDArray[np.
 
 
 def _compact(cells: NDArray[np.bool_]) -> tuple[NDArray[np.int64], NDArray[np.uint32]]:
-    """Vertices that some cells (n, n) of a grid use, and two faces for each cell, split along the same diagonal."""
+    """Vertices used by some cells (n, n) of a grid, and two faces for each cell, split along the same diagonal."""
     n = len(cells)
     j, i = np.nonzero(cells)
     corners = (j * (n + 1) + i)[:, None] + np.array([0, n + 2, 1, 0, n + 1, n + 2])

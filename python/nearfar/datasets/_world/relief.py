@@ -1,4 +1,4 @@
-"""Natural relief: height of the land before people flatten it, as a function of seed and position."""
+"""Natural relief: height of the land without towns and roads, as a function of seed and position."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from nearfar.datasets._world.noise import noise, sloped, step
 SEA_BED, SUMMIT = -180.0, 2600.0
 """Bounds of all heights, metres; the water's surface is at 0."""
 _HOME, _DRY = 3000.0, 620.0
-"""Distances in metres from the world's centre within which the land is low, and without rivers."""
+"""Distances from the world's centre within which the land is low, and without rivers, metres."""
 
 
 def natural(seed: int, x: Floats, z: Floats) -> Floats:
@@ -45,7 +45,7 @@ def _near(x: Floats, z: Floats, reach: float) -> Floats:
 
 
 def _hills(seed: int, x: Floats, z: Floats, coast: Floats) -> Floats:
-    """Rolling hills, low on plains, whose steep parts are smoother."""
+    """Rolling hills, low on plains, smoother where they are steep."""
     rough = 0.4 + 0.8 * step(-0.2, 0.5, noise(seed, 20, x, z, 9_000.0))
     total, amplitude, length = np.zeros_like(x), 58.0, 1_900.0
     slope_x, slope_z = np.zeros_like(x), np.zeros_like(x)

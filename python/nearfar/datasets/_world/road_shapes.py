@@ -1,4 +1,4 @@
-"""Roads as shapes: a strip with its sides, a dashed line, and rails and piers where it crosses water."""
+"""Shapes of roads: a strip with its sides, a dashed line, and rails and piers over water."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from nearfar.datasets._shapes import Indexed, boxes, join, quads, weld
 from nearfar.datasets._world.roads import HALF, Road
 
 UNIT = 1.0 / 256.0
-"""Coordinates of roads and streets are multiples of it, metres, which float32 holds up to 65 km from its origin."""
+"""Quantum of coordinates of roads and streets, metres, exact in float32 up to 65 km from its origin."""
 _SKIRT, _RAIL, _PIER, _DEPTH = 0.9, 0.9, 0.6, 9.0
 
 
 @functools.lru_cache(maxsize=256)
 def shape(road: Road, lift: float) -> tuple[Indexed, float, float]:
-    """A road raised by `lift` metres, relative to a place in whole metres: the shape, x and z."""
+    """Shape of a road raised by `lift` metres, relative to a place in whole metres; also x and z of the place."""
     x0, z0 = (float(np.floor(road.line[0, k])) for k in (0, 2))
     right_x, right_z = road.sides()
     x, y, z = road.line[:, 0] - x0, road.line[:, 1] + lift, road.line[:, 2] - z0

@@ -1,4 +1,4 @@
-"""Roads between neighbouring towns: a cheap way over the land, smoothed, and the ground levelled below it."""
+"""Roads between neighbouring towns: a least-cost path over the land, smoothed, and the ground levelled below it."""
 
 from __future__ import annotations
 
@@ -17,26 +17,26 @@ from nearfar.datasets._world.sites import Town, town
 HALF = 3.5
 """Half the width of a road, metres."""
 BED, SHOULDER = 0.3, 10.0
-"""The ground lies `BED` metres below a road's surface up to `SHOULDER` metres from its middle line."""
+"""The ground lies `BED` metres below a road's surface up to `SHOULDER` metres from its centre line."""
 REACH = 46.0
-"""Distance in metres from the middle line from which on the ground is natural."""
+"""Distance from the centre line beyond which the ground is natural, metres."""
 CLEARANCE = 3.4
 """Least height of a road above water, metres."""
 _STRAIGHT = 120.0
 _STATION, _LANE, _LANES = 64.0, 42.0, 7
 _PIECE = 8.0
 _MOST_WATER, _STEEPEST = 6, 0.24
-"""Stations over water in a row, and slope, of a road at most; beyond it there is none."""
+"""Greatest number of consecutive stations over water, and greatest slope, of a road; beyond them there is none."""
 
 
 @dataclass(frozen=True, eq=False)
 class Road:
-    """A road as its middle line (N, 3), world metres, with about 8 m between points."""
+    """A road as its centre line (N, 3), world metres, with about 8 m between points."""
 
     name: str
     line: Floats
     bridge: NDArray[np.bool_]
-    """(N,) whether a point is over water."""
+    """Whether each point is over water (N,)."""
     box: tuple[float, float, float, float]
 
     def sides(self) -> tuple[Floats, Floats]:
@@ -81,7 +81,7 @@ def _starting(seed: int, i: int, j: int) -> tuple[Road, ...]:
 
 
 def _gate(start: Town, end: Town) -> tuple[Floats, Floats]:
-    """Where a road leaves a town: the end (2,) of the main street that points best to the other town, its direction."""
+    """Start of a road at a town: the end (2,) of the main street that points best to the other town; its direction."""
     way = np.array([end.x - start.x, end.z - start.z])
     axes = [start.axis(quarter) for quarter in range(4)]
     axis = max(axes, key=lambda a: float(a[0] * way[0] + a[1] * way[1]))
@@ -105,7 +105,7 @@ def _road(seed: int, a: Town, b: Town) -> Road | None:
 
 
 def _way(seed: int, start: Floats, end: Floats) -> Floats | None:
-    """The cheapest way (S, 2) by stations along the straight line and lanes beside it; None across much water."""
+    """Least-cost path (S, 2) by stations along the straight line and lanes beside it; None if it crosses much water."""
     step_x, step_z = float(end[0] - start[0]), float(end[1] - start[1])
     length = float(np.sqrt(step_x * step_x + step_z * step_z))
     count = max(4, int(length / _STATION))
@@ -146,7 +146,7 @@ def _way(seed: int, start: Floats, end: Floats) -> Floats | None:
 
 
 def _rounded_off(points: Floats) -> Floats:
-    """Corners cut off three times at quarters of the edges (Chaikin 1974); the ends stay."""
+    """Smooth a polyline by cutting corners three times at quarters of the edges (Chaikin 1974); the ends stay."""
     for _ in range(3):
         a, b = points[:-1], points[1:]
         cut = np.stack([0.75 * a + 0.25 * b, 0.25 * a + 0.75 * b], 1).reshape(-1, 2)
@@ -155,7 +155,7 @@ def _rounded_off(points: Floats) -> Floats:
 
 
 def _even(points: Floats) -> Floats:
-    """Points at even distances along a polyline."""
+    """Resample a polyline at equal distances."""
     steps = points[1:] - points[:-1]
     along = np.concatenate([[0.0], np.cumsum(np.sqrt(steps[:, 0] * steps[:, 0] + steps[:, 1] * steps[:, 1]))])
     count = max(2, round(float(along[-1]) / _PIECE))
@@ -167,7 +167,7 @@ def _even(points: Floats) -> Floats:
 
 
 def _profile(seed: int, x: Floats, z: Floats, a: Town, b: Town) -> tuple[Floats, NDArray[np.bool_]]:
-    """Heights along a road: the smoothed ground, level at the towns and above water."""
+    """Heights along a road: smoothed ground, level at the towns and above water; and whether it is over water."""
     raw = natural(seed, x, z)
     ground = sites.levelled([a, b], x, z, raw)
     heights = np.maximum(ground, CLEARANCE)
@@ -188,7 +188,7 @@ def _profile(seed: int, x: Floats, z: Floats, a: Town, b: Town) -> tuple[Floats,
 
 
 def levelled(roads: list[Road], x: Floats, z: Floats, heights: Floats, spacing: float) -> tuple[Floats, Floats]:
-    """Ground (R, C) levelled below roads, for a grid's vertices; and the distance to the nearest road, at most 1 km."""
+    """Level the ground (R, C) of a grid below roads; also return the distance to the nearest road, at most 1 km."""
     away, level = np.full(x.shape, 1000.0), np.zeros_like(heights)
     x0, z0 = float(x[0, 0]), float(z[0, 0])
     for road in roads:
@@ -207,7 +207,7 @@ def levelled(roads: list[Road], x: Floats, z: Floats, heights: Floats, spacing: 
 
 
 def _nearest(part: Floats, x: Floats, z: Floats) -> tuple[Floats, Floats]:
-    """Distance to a polyline (N, 3) seen from above, and its height there, for positions of any shape."""
+    """Horizontal distance to a polyline (N, 3), and its height at the nearest point, for positions of any shape."""
     start, along = part[:-1], part[1:] - part[:-1]
     square = along[:, 0] * along[:, 0] + along[:, 2] * along[:, 2]
     px, pz = x[..., None] - start[:, 0], z[..., None] - start[:, 2]

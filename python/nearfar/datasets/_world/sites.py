@@ -1,4 +1,4 @@
-"""Places of towns: at most one in each square of 3 km, where the land is level and dry."""
+"""Sites of towns: at most one in each square of 3 km, where the land is level and dry."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ CELL = 3072.0
 """Side of the squares, metres; the square (0, 0) is centred at the world's centre and always has a town."""
 _TRIES = 10
 EDGE, SLOPE = 30.0, 190.0
-"""The ground is level up to `EDGE` metres beyond a town, and natural from `SLOPE` metres farther on."""
+"""The ground is level up to `EDGE` metres beyond a town, and natural again after `SLOPE` more metres."""
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,7 @@ class Town:
 
 @functools.lru_cache(maxsize=8192)
 def town(seed: int, i: int, j: int) -> Town | None:
-    """Find the town of a square, or None where no place is fit."""
+    """Find the town of a square; None if no place is suitable."""
     draw = Draw(seed, 200, i, j)
     home = i == 0 and j == 0
     if not home and draw.chance(0.15):

@@ -1,4 +1,4 @@
-"""`nearfar.datasets.world`: a landscape that is made where it is asked for."""
+"""`nearfar.datasets.world`: a landscape that is generated where it is queried."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ _MOST_TILES = 8_192
 _MOST_KM = 10_000
 _SEEDS = 2**63
 _OVER = 100.0
-"""Height in metres up to which something may stand above the ground, and the ground above the natural relief."""
+"""Greatest height of objects above the ground, and of the ground above the natural relief, metres."""
 
 
 class World:
-    """A landscape of towns, roads, fields, forests, mountains and sea, of which `query` makes parts.
+    """A landscape of towns, roads, fields, forests, mountains and sea; `query` makes parts of it.
 
-    Nothing is stored but the tiles used last: a part depends on the seed and the place only. `world` makes one.
+    Only the last tiles are cached: a part depends on the seed and the place alone. Create it with `world`.
     """
 
     def __init__(self, km: int = 10, seed: int = 0) -> None:
@@ -36,7 +36,7 @@ class World:
 
     @property
     def bounds(self) -> NDArray[np.float64]:
-        """Least and greatest corner (2, 3), metres, y up: a box that holds the world, not the smallest one."""
+        """Least and greatest corner (2, 3), metres, y up: a box that contains the world, not the smallest one."""
         half = 500.0 * self._km
         return np.array([[-half, SEA_BED - _OVER, -half], [half, SUMMIT + _OVER, half]])
 
@@ -48,9 +48,10 @@ class World:
         aabb
             Least and greatest corner (2, 3), world metres; sides belong to the box and may be infinite.
         detail
-            Greatest geometric error in metres that the result may have; 0 makes all there is. Half of it is the
-            ground's: a grid of 3.9 m, or 2, 4, 8 … times as wide. The other half is that of what stands on the ground:
-            simpler shapes, and none of those that reach no farther from their feet.
+            Greatest geometric error in metres that the result may have; 0 gives full detail. Half of it is for the
+            ground: a
+            grid of 3.9 m times a power of two. The other half is for objects on the ground: simpler shapes, and none of
+            objects whose parts are no farther than that from their feet.
 
         Returns
         -------
@@ -62,8 +63,8 @@ class World:
         Raises
         ------
         ValueError
-            A box with NaN or with a least corner above the greatest, a negative `detail`, and a box that holds more
-            than 8,192 tiles of 64 × 64 cells at this `detail`.
+            A box with NaN or with a least corner above the greatest, a negative `detail`, or a box with more than 8,192
+            tiles of 64 × 64 cells at this `detail`.
         TypeError
             Values that are not numbers.
         """
@@ -85,8 +86,8 @@ class World:
         return parts.scene().query(corners)
 
     def _level(self, detail: float) -> int:
-        """The coarsest level of the ground for an error in metres, whose grid ends at the world's border."""
-        # A grid of 500 m divides every world, one of 1 km those of an even number of kilometres, and so on.
+        """Coarsest level of the ground within an error in metres whose grid ends at the world's border."""
+        # A grid of 500 m fits every world, one of 1 km those of an even number of kilometres, and so on.
         most = min(lattice.TOP, 7 + (self._km & -self._km).bit_length() - 1)
         level = 0
         while level < most and lattice.error(level + 1) <= 0.5 * detail:
@@ -95,12 +96,12 @@ class World:
 
 
 def world(km: int = 10, seed: int = 0) -> World:
-    """Make an Earth-like landscape of any size, as a source that is asked for parts of it.
+    """Make an Earth-like landscape of any size, as a source that is queried box by box.
 
     Continents, mountains, valleys with rivers, coasts; forests by climate, slope and water; a town in most squares of
-    3 km, with fields around it and roads to its neighbours. A town lies at the origin. Water is at y = 0. Every part is
-    made when it is asked for, and equal from whichever query it comes. The same arguments give the same bytes on every
-    run and every platform.
+    3 km, with fields around it and roads to its neighbours. A town lies at the origin. Water is at y = 0. Parts are
+    generated on demand, and are the same in every query. The same arguments give the same bytes on every run and every
+    platform.
 
     Parameters
     ----------
@@ -118,6 +119,6 @@ def world(km: int = 10, seed: int = 0) -> World:
     Raises
     ------
     ValueError
-        For numbers out of range.
+        Numbers out of range.
     """
     return World(km, seed)

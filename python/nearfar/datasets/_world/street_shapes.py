@@ -1,4 +1,4 @@
-"""Streets of a town as shapes: carriageways with lines, pavements, crossings, and the square around the church."""
+"""Shapes of a town's streets: carriageways with lines, pavements, crossings, and the square with the church."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from nearfar.datasets._world.sites import Town
 from nearfar.datasets._world.streets import MAIN, PAVEMENT, PITCH, SIDE, SQUARE, SQUARED, Layout, layout
 
 _TOP, _KERB, _FOOT = 0.06, 0.18, -0.5
-"""Heights of carriageways, of pavements and of what is hidden in the ground, metres above the ground."""
+"""Heights of carriageways, of pavements and of the part below ground, metres above the ground."""
 _GAP = MAIN + PAVEMENT
 """Half the side of a crossing, metres."""
 
@@ -63,7 +63,7 @@ def _street(start: float, end: float, line: float, half: float, axis: int) -> li
 
 
 def _arm(plan: Layout, quarter: int) -> list[Soup]:
-    """A main street from its last crossing to the gate where a road goes on."""
+    """A main street from its last crossing to the gate where a road begins."""
     axis, sign = quarter % 2, 1 if quarter < 2 else -1
     nodes = {(a, b) for a, b in plan.nodes.tolist()}
     last = 0

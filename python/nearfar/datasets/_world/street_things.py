@@ -17,7 +17,7 @@ _CARS = 12
 
 @dataclass(frozen=True)
 class Thing:
-    """A thing on the ground: kind, variant, world position in metres, turn as a share of a circle, size as a factor."""
+    """A street object: kind, variant, world position in metres, turn as a share of a circle, size as a factor."""
 
     kind: str
     variant: int
@@ -29,7 +29,7 @@ class Thing:
 
 @functools.lru_cache(maxsize=256)
 def things(seed: int, town: Town) -> tuple[Thing, ...]:
-    """List the things along the streets of a town."""
+    """List the objects along the streets of a town."""
     plan, draw = layout(seed, town), Draw(seed, 230, town.i, town.j)
     found: list[Thing] = []
 
@@ -43,7 +43,7 @@ def things(seed: int, town: Town) -> tuple[Thing, ...]:
             first, line = (a, b * PITCH[1]) if axis == 0 else (b, a * PITCH[0])
             half = MAIN if main else SIDE
             for side in (-1.0, 1.0):
-                # Fronts face +z before they are turned from +z towards +x: +u is a quarter turn.
+                # Fronts face +z before rotation; turns go from +z towards +x, so +u is a quarter turn.
                 ahead = (0.25 if side > 0.0 else 0.75) if axis == 0 else (0.5 if side > 0.0 else 0.0)
                 inwards = (0.5 if side > 0.0 else 0.0) if axis == 0 else (0.75 if side > 0.0 else 0.25)
 

@@ -1,4 +1,4 @@
-"""The plan of a town: streets on a grid that fades out at its edge, plots along them, and what stands there."""
+"""Plan of a town: streets on a grid that fades out at its edge, plots along them, and houses on the plots."""
 
 from __future__ import annotations
 
@@ -23,18 +23,18 @@ MAIN, SIDE = 3.5, 2.75
 """Half the width of the carriageway of a main street and of another, metres."""
 PAVEMENT = 2.0
 SQUARED = 240.0
-"""Radius in metres from which on a town has a square with a church beside its main crossing."""
+"""Radius of a town from which it has a square with a church beside its main crossing, metres."""
 SQUARE = (46.0, 33.0, 39.0, 26.0)
 """The square in the town's frame: centre u, v and half its sides, metres. It fills a block."""
 _SETBACK, _CORNER = 4.0, 11.0
-"""Distances of houses from the pavement, and from the middle lines of crossing streets, metres."""
+"""Distances of houses from the pavement, and from the centre lines of crossing streets, metres."""
 _NODES = 8
-"""Streets on each side of the main streets at most."""
+"""Greatest number of streets on each side of the main streets."""
 
 
 @dataclass(frozen=True)
 class House:
-    """A building's place: position and height of its ground, the turn that makes its front face the street."""
+    """A building's kind and place, and the turn that makes its front face the street."""
 
     kind: Kind
     x: float
@@ -45,7 +45,7 @@ class House:
 
 @dataclass(frozen=True)
 class Layout:
-    """Streets of a town in its own frame (u along the first main street, v across), and its houses in the world's."""
+    """Streets of a town in its own frame (u along the first main street, v across), and its houses in world space."""
 
     town: Town
     along: NDArray[np.int64]
@@ -61,7 +61,7 @@ class Layout:
     inside: NDArray[np.bool_]
     """(17, 17) crossings within the town's outline, the centre in the middle."""
     gates: tuple[int, ...]
-    """Arms of the main streets, 0 to 3, that a road goes on from."""
+    """Arms of the main streets, 0 to 3, that continue as a road."""
 
     def built(self, x: Floats, z: Floats) -> Floats:
         """Share of built-up land at world positions, 0 … 1, between the crossings."""
@@ -165,7 +165,7 @@ def _houses(
     lines: list[roads.Road],
     draw: Draw,
 ) -> tuple[list[House], list[tuple[float, float, float, float]]]:
-    """Houses, and the rectangle that each takes: on firm ground, away from roads and from each other."""
+    """Houses, and the rectangle that each occupies: on firm ground, away from roads and from each other."""
     houses: list[House] = []
     taken: list[tuple[float, float, float, float]] = []
     plots = [
@@ -181,7 +181,7 @@ def _houses(
     firm = (ground > 2.5) & (np.abs(ground - town.height) < BUILT - 6.0)
     x, z = np.floor(x * 64.0) / 64.0, np.floor(z * 64.0) / 64.0
     if town.radius > SQUARED:
-        # The whole block is kept free for the church.
+        # The whole block is reserved for the church.
         houses.append(House(Kind(110, 280, CHURCH, 3, 0), float(x[0]), float(z[0]), -0.25 - town.heading))
         taken.append(SQUARE)
     for k, plot in enumerate(plots, 1):
@@ -204,7 +204,7 @@ def _plots(town: Town, axis: int, a: int, b: int, main: int, draw: Draw) -> list
     start, line = (a * PITCH[0], b * PITCH[1]) if axis == 0 else (b * PITCH[1], a * PITCH[0])
     plots: list[_Plot] = []
     for side in (-1.0, 1.0):
-        # A front faces +z before it is turned; turns are from +z towards +x.
+        # Fronts face +z before rotation; turns go from +z towards +x.
         quarter = (0.5 if side > 0.0 else 0.0) if axis == 0 else (0.75 if side > 0.0 else 0.25)
         at = start + _CORNER + draw.number(0.0, 3.0)
         while True:

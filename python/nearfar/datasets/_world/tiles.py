@@ -1,4 +1,4 @@
-"""Tiles of ground and water: squares of 64 × 64 cells of a level's grid, with all that is known about them."""
+"""Tiles of ground and water: squares of 64 × 64 cells of a level's grid, with heights, normals and colours."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from nearfar.datasets._world.climate import Cover
 from nearfar.datasets._world.relief import natural
 
 COUNT = 64
-"""Cells along a tile's side."""
+"""Number of cells along a tile's side."""
 TEXTURE = 31.25
-"""Side in metres of the ground's texture, which repeats."""
+"""Side of the tileable ground texture, metres."""
 
 
 @dataclass(frozen=True)
@@ -48,12 +48,12 @@ class Tile:
 
 @dataclass(frozen=True)
 class Ground:
-    """The ground at vertices of a grid, with one row and column more on each side than a tile has."""
+    """The ground at vertices of a grid, with one more row and column on each side than a tile."""
 
     x: Floats
     z: Floats
     height: Floats
-    """Height in metres before it is fitted into the levels."""
+    """Height in metres before it is fitted to the nested levels."""
     slope: Floats
     normal: Floats
     road: Floats
@@ -86,7 +86,7 @@ class Ground:
 
 @functools.lru_cache(maxsize=48)
 def ground(seed: int, level: int, i: int, j: int) -> Ground:
-    """`Ground.of`, kept for the tiles used last."""
+    """`Ground.of`, cached for the last tiles."""
     return Ground.of(seed, level, i, j)
 
 
@@ -124,7 +124,7 @@ def _fitted(seed: int, level: int, i: int, j: int, raw: Floats) -> Floats:
 
 
 def foot(seed: int, level: int, x: Floats, z: Floats) -> Floats:
-    """Heights of a level's surface below positions (N,) of one tile, metres."""
+    """Heights of a level's surface at positions (N,) of one tile, metres."""
     spacing = lattice.spacing(level)
     side = COUNT * spacing
     i, j = int(np.floor(x[0] / side)), int(np.floor(z[0] / side))

@@ -1,1 +1,1 @@
-"""Levels measured: SSIM over size, and the curves through it."""
+"""Measurement of levels: SSIM over size, and curves fitted to it."""

@@ -1,4 +1,4 @@
-"""Four-parameter logistic curves through samples, many at a time."""
+"""Fits four-parameter logistic curves to samples, many at a time."""
 
 from __future__ import annotations
 
@@ -22,42 +22,42 @@ _OUTCOMES = (
     ("unfittable", "an x is below 0"),
     ("unfittable", "the parameters are beyond float64"),
 )
-"""Status and reason by the kernel's number."""
+"""Status and reason by the kernel's outcome number."""
 _STATUS, _REASON = (np.array(column) for column in zip(*_OUTCOMES, strict=True))
 _TOO_FEW = 5
-"""The kernel's number for fewer than 4 samples."""
+"""The kernel's outcome number for fewer than 4 samples."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Curve4PL:
-    """One curve y = d + (a−d) / (1 + (x/c)^b), or many: `fit_4pl` makes it, or their parameters alone.
+    """One curve y = d + (a−d) / (1 + (x/c)^b), or many: from `fit_4pl`, or from the parameters alone.
 
-    `a, b, c, d = curve` gives the parameters, and `curve(x)` the values. Of many, `len(curves)` is their number,
-    `curves[k]` one, and slices, masks and arrays of numbers choose some. Parameters are numbers for one curve and (K,)
-    float64 for many, and so are the other fields.
+    `a, b, c, d = curve` unpacks the parameters, `curve(x)` evaluates it. For many curves, `len(curves)` is their
+    number, `curves[k]` is one of them, and slices, masks and index arrays select some. Parameters and other fields are
+    numbers for one curve and float64 (K,) for many.
 
     Raises
     ------
     ValueError, TypeError
-        For parameters of different shapes, infinite ones, other things than real numbers, and b and c that are not
-        above 0.
+        Parameters of different shapes, infinite ones, values that are not real numbers, or b and c that are not above
+        0.
     """
 
     a: Any
     """y at x = 0."""
     b: Any
-    """Steepness, always above 0: where y rises, a < d."""
+    """Steepness, always above 0; y rises if a < d."""
     c: Any
-    """Where y is halfway from a to d, above 0."""
+    """x at which y is halfway between a and d, above 0."""
     d: Any
     """y at x = ∞."""
     rms: Any = None
-    """Root of the mean squared residual, in the unit of y; NaN where nothing was fitted."""
+    """Root mean squared residual, in the unit of y; NaN if nothing was fitted."""
     status: Any = None
-    """"fitted", "step", "open", "flat" or "unfittable", as `fit_4pl` says. Of parameters alone: "unfittable" where one
-    of them is NaN, "flat" where a = d, else "fitted"."""
+    """Outcome "fitted", "step", "open", "flat" or "unfittable", see `fit_4pl`. For parameters alone: "unfittable" if
+    one of them is NaN, "flat" if a = d, else "fitted"."""
     reason: Any = None
-    """Why it is not "fitted", in words."""
+    """Reason in words if it is not "fitted"."""
 
     def __post_init__(self) -> None:
         if self.status is None:
@@ -68,34 +68,34 @@ class Curve4PL:
 
     @property
     def is_many(self) -> bool:
-        """Whether these are many curves, of any number; False for one."""
+        """Whether this holds many curves, possibly none; False for a single curve."""
         return isinstance(self.a, np.ndarray)
 
     @property
     def ok(self) -> Any:
-        """Whether it is a curve at all, neither flat nor unfittable: bool, or (K,) of bool."""
+        """Whether a curve was found, neither flat nor unfittable: bool, or (K,) of bool."""
         ok = np.isin(self.status, ("fitted", "step", "open"))
         return ok if ok.ndim else bool(ok)
 
     def __iter__(self) -> Iterator[Any]:
-        """Parameters a, b, c, d."""
+        """Iterate over the parameters a, b, c, d."""
         return iter((self.a, self.b, self.c, self.d))
 
     def __len__(self) -> int:
-        """How many curves these are."""
+        """Number of curves."""
         if not self.is_many:
             raise TypeError("curve: this is a single one")
         return len(self.a)
 
     def __bool__(self) -> bool:
-        """True for one curve and for any number of them; `ok` tells whether they could be fitted."""
+        """True for one curve and any number of them; `ok` says whether they could be fitted."""
         return True
 
     def __getitem__(self, index: Any) -> Curve4PL:
-        """One curve of many by its number, or some by a slice, a mask (K,) of bool, or an array of numbers."""
+        """Select one of many curves by its number, or several by a slice, a mask (K,) of bool, or an index array."""
         chosen = _chosen(index, len(self))
         fields = (*self, self.rms, self.status, self.reason)
-        # NumPy drops a Ctrl-C that comes while it makes the scalar of `texts[number]`; `item` makes none.
+        # `item` makes no NumPy scalar: NumPy drops a Ctrl-C that arrives while it makes that of `texts[number]`.
         return Curve4PL(*(field.item(chosen) if isinstance(chosen, int) else field[chosen] for field in fields))
 
     def __repr__(self) -> str:
@@ -105,18 +105,18 @@ class Curve4PL:
         return f"Curve4PL({numbers}, status={self.status!r})"
 
     def __call__(self, x: ArrayLike) -> Any:
-        """Values at x.
+        """Evaluate at x.
 
         Parameters
         ----------
         x
-            Any shape for one curve. For K curves (M,) that all share, or (K, M). At least 0; ∞ gives d, NaN gives NaN.
+            Any shape for one curve; for K curves (M,), shared by all, or (K, M). At least 0; ∞ gives d, NaN gives NaN.
 
         Returns
         -------
         float or NDArray
-            float64, of the shape of x; (K, M) for K curves. NaN where a curve is unfittable. Plateaus far outside the
-            samples cost no digits, which the formula as written would lose.
+            float64 in the shape of x; (K, M) for K curves. NaN for unfittable curves. Plateaus far outside the samples
+            lose no digits, unlike in the formula above.
         """
         places = check.array("x", x, columns=None, dtype=np.float64)
         if (places < 0).any():
@@ -131,14 +131,14 @@ class Curve4PL:
             near = np.abs(ratio - 1) < 0.5
             steps = b * np.where(near, np.log1p((places - c) / c), np.log(places) - np.log(c))
             small = np.exp(-np.abs(steps))
-            # From the plateau that is nearer, so that a far one is never taken off again.
+            # Computed from the nearer plateau, so that a far one does not cancel digits.
             share = small / (1 + small)
             values = np.where(steps < 0, a + (d - a) * share, d + (a - d) * share)
         return values if values.ndim else float(values)
 
 
 def _given(*parameters: Any) -> dict[str, Any]:
-    """The fields of curves that are known by a, b, c and d alone."""
+    """Fields of curves given by a, b, c and d alone."""
     names = ("a", "b", "c", "d")
     arrays = [
         check.array(name, value, columns=None, dtype=np.float64) for name, value in zip(names, parameters, strict=True)
@@ -166,7 +166,7 @@ def _given(*parameters: Any) -> dict[str, Any]:
 
 
 def _chosen(index: Any, count: int) -> Any:
-    """A number, a slice or an array by which fields of `count` curves may be indexed."""
+    """Convert an index of `count` curves to a number, a slice or an array for their fields."""
     if isinstance(index, slice):
         return np.arange(count)[index]
     chosen = check.plain("index", index)
@@ -187,41 +187,41 @@ def _chosen(index: Any, count: int) -> Any:
 
 
 def fit_4pl(x: ArrayLike, y: ArrayLike) -> Curve4PL:
-    """Fit the four-parameter logistic curve of least squares, y = d + (a−d) / (1 + (x/c)^b), to one or many rows.
+    """Fit the four-parameter logistic curve y = d + (a−d) / (1 + (x/c)^b) by least squares to one or many rows.
 
     Parameters
     ----------
     x
-        (N,), which all rows share, or (K, N); at least 0, in any unit, such as solid angles in steradians.
+        (N,), shared by all rows, or (K, N); at least 0, in any unit, such as solid angles in steradians.
     y
-        (N,) or (K, N), in any unit, such as SSIM. Samples where x or y is NaN or infinite don't count: pad rows of
-        different lengths with NaN. Other types become float64, in which everything is computed.
+        (N,) or (K, N), in any unit, such as SSIM. Samples with NaN or infinite x or y are ignored: pad rows of
+        different lengths with NaN. Other types are converted to float64.
 
     Returns
     -------
     Curve4PL
-        With numbers where x and y are (N,), else with arrays (K,); `a, b, c, d = fit_4pl(x, y)`. Rising y has a < d:
-        b is always above 0. Bad data never raises; `status` says how each curve was fitted, and `reason` why:
+        Fields are numbers if x and y are (N,), else arrays (K,); `a, b, c, d = fit_4pl(x, y)`. Rising y has a < d:
+        b is always above 0. Bad data never raises; `status` gives each curve's outcome, and `reason` the reason:
 
-        - "fitted": the curve of least squares.
-        - "step": y changes between two samples, or with a single one in between. The residual is the least there is;
-          b and c are one choice of many.
-        - "open": the samples end before a plateau is reached (a and d are more than 100 times as far apart as y
-          reaches). The least residual is at infinity, and the curve is as good; call it instead of the formula.
+        - "fitted": the least-squares curve.
+        - "step": y changes between two samples, or with a single one in between. The residual is minimal; b and c are
+          one choice of many.
+        - "open": the samples end before a plateau (a and d are more than 100 times as far apart as the range of y).
+          The residual is minimal at infinity, and the curve is as good; call it instead of the formula.
         - "flat": y is constant, or noise explains it nearly as well: (S/S₀)^((N−2)/2) ≥ 0.01 for the squared
-          residuals S of the curve and S₀ of the mean; of curves that are only noise, 92 to 97 in 100 are. a and d are
-          the mean, b is 1 and c the middle of the samples, so that it can be evaluated.
-        - "unfittable": fewer than 4 different x, an x below 0, or parameters beyond float64 (plateaus
-          that overflow). All parameters are NaN.
+          residuals S of the curve and S₀ of the mean; of pure noise 92 to 97 in 100 curves are flat. a and d are the
+          mean, b is 1 and c the middle of the samples, so that it can be evaluated.
+        - "unfittable": fewer than 4 different x, an x below 0, or parameters beyond float64 (plateaus that overflow).
+          All parameters are NaN.
 
-        On data without noise parameters come back to 1e-9 of themselves where samples show both plateaus.
+        On noiseless data parameters are recovered to a relative 1e-9 if the samples show both plateaus.
 
     Raises
     ------
     ValueError
-        For shapes that don't fit.
+        Shapes that do not match.
     TypeError
-        For values that are not real numbers.
+        Values that are not real numbers.
 
     References
     ----------

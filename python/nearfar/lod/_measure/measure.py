@@ -1,4 +1,4 @@
-"""Measurement of how good levels look over their size."""
+"""Measures how similar levels look to their base over size."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from nearfar.lod._measure.settings import MeasureKeywords, MeasureOptions, Measu
 from nearfar.lod._model import LodModel
 
 
-# One signature for each kind of argument: with a union as the only return type, callers would have to narrow each
-# result, and a second function for many objects would ask them which of the two they have. The keywords stand once.
+# One overload per kind of argument: with a union as the only return type, callers would have to narrow each result,
+# and a second function for many objects would make them choose. The keywords are listed once.
 @overload
 def measure(levels: Levels, **options: Unpack[MeasureOptions]) -> LodModel: ...
 @overload
@@ -31,47 +31,47 @@ def measure(
     client: Any = None,
     **keywords: Unpack[MeasureKeywords],
 ) -> LodModel | dict[str, LodModel] | list[LodModel]:
-    """Measure how good levels look beside their base over the size at which they are seen.
+    """Measure how similar levels look to their base, over the size at which they are seen.
 
-    Base and level are rendered from all sides at growing distances, alone and before the sky, and compared by SSIM
-    (Gaussian, 11×11, σ 1.5, on the Rec. 709 luma of 8-bit sRGB) where either of them shows the object at a pixel's
-    centre. A percentile or the mean over the views is a level's score at that size, and a curve goes through these
+    Base and level are rendered from all sides at growing distances, alone before the sky, and compared by SSIM
+    (Gaussian, 11×11, σ 1.5, on the Rec. 709 luma of 8-bit sRGB) at pixels whose centre shows the object in either
+    picture. A percentile or the mean over the views is a level's score at that size, and a curve is fitted to these
     scores.
 
     Parameters
     ----------
     levels
-        Of one object, the base first; or of many, by name or in a row. One level alone costs nothing.
+        Levels of one object, base first; or of many, by name or in a sequence. A single level needs no work.
     settings
         The screen, views, sizes and rules, as `MeasureSettings`.
     workers
-        Processes over which many objects are spread. The program's main module must be importable, as always with
-        `multiprocessing`. None stays in this process.
+        Number of processes among which many objects are distributed. The program's main module must be importable, as
+        always with `multiprocessing`. None stays in this process.
     client
-        A `distributed.Client`: objects are spread over a Dask cluster, whose workers have nearfar. Results are the same
-        bytes in all three cases, where back ends are the same.
+        A `distributed.Client`: objects are distributed over a Dask cluster, whose workers need nearfar. Results are the
+        same bytes in all three cases if the back ends are the same.
     keywords
-        In place of `settings` its fields: `hmd`, or `fov` and `size`; `views`, `directions`, `distances`, `percentile`,
+        Fields of `settings` in its place: `hmd`, or `fov` and `size`; `views`, `directions`, `distances`, `percentile`,
         `step`, `saturated`, `samples`, `backend`, `cache`.
 
     Returns
     -------
     LodModel, or dict or list of them
-        A model for one object, a dict for a mapping, a list for a sequence. Each with `levels`, `samples`, and the work
-        in `measured`: "renders" and "scores" (pictures and comparisons made), "cached" (scores that were there) and
-        "skipped" (scores that nobody needs, of levels × distances × views, those of a view that came before among
-        them). `samples.score` is NaN where a level was measured no further.
+        A model for one object, a dict for a mapping, a list for a sequence. Each has `levels`, `samples`, and the work
+        in `measured`: "renders" and "scores" (pictures and comparisons made), "cached" (scores found in the cache) and
+        "skipped" (scores not needed, of levels × distances × views, including those of duplicate views).
+        `samples.score` is NaN at sizes where a level was not measured any more.
 
     Raises
     ------
     ValueError, TypeError
-        For arguments out of their domains, and for a base that is a single point.
+        Arguments out of range, or a base that is a single point.
     RuntimeError
-        Where processes end at once, as in scripts without a guard for `__main__`.
+        Processes end at once, as in scripts without a guard for `__main__`.
     DeviceError
-        As `render`.
+        As in `render`.
     KeyboardInterrupt
-        At Ctrl-C, with a note that says how many of how many scores are kept, and where.
+        On Ctrl-C, with a note that states how many of how many scores are kept, and where.
 
     References
     ----------
@@ -105,7 +105,7 @@ def _settings(settings: MeasureSettings | None, keywords: MeasureKeywords) -> Me
 
 
 def _kept(objects: list[Levels], settings: MeasureSettings, client: Any) -> str:
-    """Say how much an interrupted measurement leaves to the next one."""
+    """Describe how many scores an interrupted measurement leaves for the next one."""
     if not settings.cache:
         return "measure: no scores are kept without a cache"
     if client is not None:
@@ -117,7 +117,7 @@ def _kept(objects: list[Levels], settings: MeasureSettings, client: Any) -> str:
 
 
 def _objects(levels: object) -> tuple[list[str] | None, list[Levels]]:
-    """Names, where there are any, and levels of each object."""
+    """Names, if given, and levels of each object."""
     names: list[str] | None = None
     if isinstance(levels, Levels):
         return names, [levels]

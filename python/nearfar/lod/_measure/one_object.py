@@ -1,4 +1,4 @@
-"""Measurement of the levels of one object: the levels worth keeping, and their curves."""
+"""Measures the levels of one object: selects the levels worth keeping, and fits their curves."""
 
 from __future__ import annotations
 
@@ -17,23 +17,23 @@ from nearfar.lod._measure.views import AXES
 from nearfar.lod._model import LodModel
 
 STEPPED_SIZES = 4
-"""Sizes at which levels are kept by steps. SSIM of bumpy things dips where they are smaller, and a level that is good
-enough at 1/16 of the screen is not there: without a finer one that is, the base would be shown at all sizes."""
+"""Number of sizes at which levels are kept by steps. SSIM of bumpy objects dips as they get smaller, and a level good
+enough at 1/16 of the screen may not be: without a finer one that is, the base would be shown at all sizes."""
 
 STEP_TOLERANCE = 1e-9
-"""Share of a step by which a score may miss it: 0.95, which no binary number is, counts as one step of 0.05 below 1."""
+"""Tolerance in steps: 0.95, not a binary fraction, counts as one step of 0.05 below 1."""
 
 PILOT = 12
-"""One of so many turns tells which levels are likely to be within a step of the base."""
+"""Every 12th turn is rendered first, to predict which levels are within a step of the base."""
 
 
 def measure_one(levels: Levels, report: progress.Report, *, settings: MeasureSettings) -> tuple[LodModel, list[int]]:
-    """Return a model without geometry, and the numbers of the levels that it keeps; the base is one of them."""
+    """Return a model without geometry, and the numbers of the levels that it keeps, always including the base."""
     return _Measurement(ScoreTable(levels, settings, report)).run()
 
 
 def kept_scores(levels: Levels, settings: MeasureSettings) -> tuple[int, int]:
-    """Count the scores that the cache has, and those that there would be if each level were measured at each size."""
+    """Count the cached scores, and the scores of a complete measurement of each level at each size."""
     if len(levels) < 2 or not levels.radius > 0.0:
         return 0, 0
     table = ScoreTable(levels, settings, lambda _done, _total: None)
@@ -43,7 +43,7 @@ def kept_scores(levels: Levels, settings: MeasureSettings) -> tuple[int, int]:
 
 
 class _Measurement:
-    """Which levels are measured at which sizes, and what follows from their scores."""
+    """Decides which levels are measured at which sizes, and makes the model from their scores."""
 
     def __init__(self, table: ScoreTable) -> None:
         self.table, self.levels, self.settings = table, table.levels, table.settings
@@ -51,7 +51,7 @@ class _Measurement:
         self.is_measured[0] = True
 
     def run(self) -> tuple[LodModel, list[int]]:
-        """Measure all that is not known; return the model and the levels that it keeps."""
+        """Measure all unknown scores; return the model and the levels that it keeps."""
         kept = list(range(len(self.levels)))
         if len(self.levels) > 1:
             self.table.prepare()
@@ -59,7 +59,7 @@ class _Measurement:
                 kept = self._keep()
                 self._measure(kept)
             finally:
-                # Ctrl-C keeps the scores that are there.
+                # Also on Ctrl-C, to keep the scores found so far.
                 if self.table.cache is not None:
                     self.table.cache.save()
         return self._model(kept), kept
@@ -73,7 +73,7 @@ class _Measurement:
         streaks = np.zeros(len(self.levels), int)
         for size in self.table.sizes[:STEPPED_SIZES]:
             scores = self._from_coarsest(size, step, streaks >= 2)
-            # Levels that are not measured look like the base, or are finer than one that is good enough.
+            # Unmeasured levels look like the base, or are finer than one that is good enough.
             kept.update(coarsest_of_steps(np.where(np.isnan(scores), 1.0, scores), step))
             if saturated is not None:
                 streaks = np.where(scores >= saturated, streaks + 1, np.where(streaks < 2, 0, streaks))
@@ -82,8 +82,8 @@ class _Measurement:
     def _from_coarsest(self, size: int, step: float, is_like_base: NDArray[np.bool_]) -> NDArray[np.float64]:
         """Score levels at a size (K,) from the coarsest up to one within a step of the base; NaN for the others.
 
-        Finer ones are not chosen, whatever they score. A few turns tell where to begin, so that the base's pictures
-        are mostly made once.
+        Finer levels are not chosen, whatever their score. A few turns predict where to begin, so that the base's
+        pictures are usually made only once.
         """
         table, count = self.table, len(self.levels)
         # A level that looks like the base is within a step, too.
@@ -103,7 +103,7 @@ class _Measurement:
         return scores
 
     def _measure(self, kept: list[int]) -> None:
-        """Measure the levels that are kept, from near to far."""
+        """Measure the kept levels, from near to far."""
         table, streaks = self.table, np.zeros(len(self.levels), int)
         measured = kept[1:]
         for size in table.sizes:
@@ -133,7 +133,7 @@ class _Measurement:
         )
 
     def _record(self, kept: list[int], first: NDArray[np.float64]) -> dict[str, Any]:
-        """Settings and work as JSON, and the levels that are left out with their scores at the first size, if known."""
+        """Settings and work as JSON, and the dropped levels with their scores at the first size, if known."""
         settings, screen = self.settings, self.table.screen
         most = (len(self.levels) - 1) * settings.distances * settings.views
         found, cached = self.table.counts
@@ -161,14 +161,14 @@ class _Measurement:
 
 
 def steps_below(score: NDArray[np.float64], step: float) -> NDArray[np.float64]:
-    """Count the steps, from 1 on, by which scores (K,) are below 1; NaN for NaN."""
+    """Number of steps, at least 1, by which scores (K,) are below 1; NaN for NaN."""
     return np.maximum(1.0, np.ceil((1.0 - score) / step - STEP_TOLERANCE))
 
 
 def coarsest_of_steps(score: NDArray[np.float64], step: float | None) -> list[int]:
-    """Numbers of the levels to keep by their scores (K,): for each step down from 1 the coarsest that is above it.
+    """Numbers of the levels to keep by their scores (K,): for each step down from 1 the coarsest above it.
 
-    The base is always kept, and all are without a step.
+    The base is always kept, and without a step all levels are.
     """
     if step is None:
         return list(range(len(score)))

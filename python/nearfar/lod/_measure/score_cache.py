@@ -1,4 +1,4 @@
-"""Scores of levels in the cache: a measurement that was stopped goes on from the scores that it had."""
+"""Caches scores of levels, so that an interrupted measurement resumes."""
 
 from __future__ import annotations
 
@@ -17,32 +17,32 @@ from nearfar._scene.scene import Scene
 from nearfar._scene.serialize import parts_of
 
 VERSION = 3
-"""Version of the way levels are measured; another one finds no old scores."""
+"""Version of the measurement; a change invalidates cached scores."""
 
 SUFFIX = ".npy"
 
 SAVE_INTERVAL_S = 5.0
-"""Seconds between two writings while a measurement runs: a killed process loses no more."""
+"""Seconds between two writes during a measurement: the most that a killed process loses."""
 
 
 def content(scene: Scene) -> str:
-    """Hash of all that is drawn of a scene."""
+    """Hash of everything drawn of a scene."""
     parts = parts_of(scene._core)
     del parts["material_tags"]
     return cache.key("scene", parts)
 
 
 class ScoreCache:
-    """Scores of each level (D, V) in the cache, NaN where there are none yet.
+    """Cached scores of each level (D, V), NaN where unknown.
 
     Parameters
     ----------
     contents
         Hash of each level, the base first.
     settings
-        All else that scores depend on.
+        All other parameters that scores depend on.
     scores
-        (K, D, V); scores in the cache are filled in, and `save` writes new ones.
+        Scores (K, D, V); cached ones are filled in, and `save` writes new ones.
     """
 
     def __init__(self, contents: Sequence[str], settings: Iterable[object], scores: NDArray[np.float32]) -> None:
@@ -51,7 +51,7 @@ class ScoreCache:
         self._keys = [cache.key("lod.measure", VERSION, __version__, base, level, settings) for level in contents]
         self._scores = scores
         self._farther: dict[int, NDArray[np.float32]] = {}
-        """Scores in the cache at more distances than ours, by level."""
+        """Cached scores at distances beyond ours, by level."""
         self._saved_at = time.monotonic()
         for number in range(1, len(contents)):
             self._load(number)
@@ -62,10 +62,10 @@ class ScoreCache:
         if path is None:
             return
         try:
-            # From a file itself NumPy may raise TypeError where Ctrl-C comes while it asks what kind of file it is.
+            # Read first: np.load from a file may raise TypeError on Ctrl-C while it detects the file type.
             stored = np.load(io.BytesIO(path.read_bytes()), allow_pickle=False)
         except (OSError, ValueError, EOFError):
-            # Removed in between, or damaged: it is measured again.
+            # Removed meanwhile, or damaged: it is measured again.
             return
         scores = self._scores[number]
         if stored.ndim != 2 or stored.shape[1] != scores.shape[1] or stored.dtype != scores.dtype:
@@ -75,12 +75,12 @@ class ScoreCache:
         self._farther[number] = stored[shared:]
 
     def save_at_times(self) -> None:
-        """Write new scores, unless some were written just before."""
+        """Write new scores, unless they were written recently."""
         if time.monotonic() - self._saved_at > SAVE_INTERVAL_S:
             self.save()
 
     def save(self) -> None:
-        """Write new scores, beside those of more distances than ours."""
+        """Write new scores, together with cached ones of further distances."""
         for number in range(1, len(self._keys)):
             scores = self._scores[number]
             if np.array_equal(scores, self._saved[number], equal_nan=True):

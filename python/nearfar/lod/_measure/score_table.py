@@ -1,4 +1,4 @@
-"""Scores of one object's levels by size and view: which of them are known, and the work that finds the others."""
+"""Scores of one object's levels by size and view: known ones, and the work to find the others."""
 
 from __future__ import annotations
 
@@ -17,23 +17,23 @@ from nearfar.lod._measure.settings import MeasureSettings
 from nearfar.lod._measure.views import Stand, turns
 
 MAX_BLOCK_PIXELS = 1 << 20
-"""Pixels of a block of views. Two pictures of each and every level's mask are in memory, and Ctrl-C loses one level's
+"""Pixels of a block of views. Memory holds two pictures of each view and every level's mask; Ctrl-C loses one level's
 scores of a block."""
 
 
 class ScoreTable:
-    """Scores of K levels at D sizes from T different turns, NaN where unknown.
+    """Scores of K levels at D sizes from T distinct turns, NaN where unknown.
 
-    They are float32, as in a model's samples, so that a model can make its curves anew from these.
+    They are float32, as in a model's samples, so that a model can recompute its curves from them.
 
     Parameters
     ----------
     levels
-        The base first.
+        Levels, base first.
     settings
         The screen, the views and the sizes.
     report
-        Takes the pixels rendered and the pixels in all.
+        Called with the pixels rendered so far and in total.
     """
 
     def __init__(self, levels: Levels, settings: MeasureSettings, report: progress.Report) -> None:
@@ -55,7 +55,7 @@ class ScoreTable:
         self._done = 0
 
     def prepare(self) -> None:
-        """Decide on which device pictures are made, once for all levels, and load the scores that are known."""
+        """Choose the device for pictures, once for all levels, and load the known scores."""
         base = self.levels[0].scene
         device = Renderer(base, ("color", "range"), self.settings.samples).device(self.settings.backend)
         if device is not None:
@@ -71,7 +71,7 @@ class ScoreTable:
         self.was_known = np.isfinite(self.scores)
 
     def fill(self, size: int, numbers: list[int], among: NDArray[np.intp] | None = None) -> None:
-        """Score levels at a size from all turns or among some, where no score is known, by blocks of views."""
+        """Score levels at a size from all turns, or those `among`, where scores are unknown, by blocks of views."""
         table = self.scores[:, size - 1]
         asked = np.zeros(len(self.turns), bool)
         asked[slice(None) if among is None else among] = True
@@ -95,18 +95,18 @@ class ScoreTable:
                 self.cache.save_at_times()
 
     def percentiles(self, size: int, among: NDArray[np.intp] | None = None) -> NDArray[np.float64]:
-        """The percentile over all views or among those of some turns (K,); NaN where one of them is unknown."""
+        """Percentile (K,) over all views, or those with the turns `among`; NaN if one of them is unknown."""
         turns = self.turn_of_view if among is None else self.turn_of_view[np.isin(self.turn_of_view, among)]
         return statistic.of_views(self.scores[:, size - 1][:, turns], self.settings.percentile)
 
     @property
     def counts(self) -> tuple[int, int]:
-        """Scores that were found, and scores that were used and known before."""
+        """Number of scores found, and of scores used that were known before."""
         used = self.is_used & ~self.is_base[:, None, None]
         return int((used & ~self.was_known).sum()), int((used & self.was_known).sum())
 
     def _report(self, size: int, share: float) -> None:
-        """Report the pixels of the sizes before and a share of this one's, as if each size were measured once."""
+        """Report the pixels of earlier sizes and a share of this one's, as if each size were measured once."""
         boxes = [self.stand.box(number) for number in self.sizes]
         pixels = [(end - first) * (bottom - top) for first, end, top, bottom in boxes]
         self._done = max(self._done, int(sum(pixels[: size - 1]) + share * pixels[size - 1]))
@@ -114,7 +114,7 @@ class ScoreTable:
 
 
 def _reach(levels: Levels) -> float:
-    """Metres from the base's centre to the farthest corner of any level."""
+    """Distance from the base's centre to the farthest corner of any level, metres."""
     farthest = 0.0
     for level in levels:
         scene = level.scene

@@ -1,4 +1,4 @@
-"""Similarity of levels to their base, seen from many sides."""
+"""Scores the similarity of levels to their base, seen from many sides."""
 
 from __future__ import annotations
 
@@ -19,29 +19,29 @@ from nearfar.lod._measure.views import PADDING
 
 
 class Compared(NamedTuple):
-    """A level, and the cameras by which it is compared with its base."""
+    """A level, and the cameras for comparing it with its base."""
 
     level: Scene
     chosen: NDArray[np.intp]
-    """Numbers of the cameras."""
+    """Indices of the cameras."""
 
 
 class Pictures(NamedTuple):
     """Pictures of one object from V sides."""
 
     luma: NDArray[np.float64]
-    """(V, H, W), Rec. 709 of 8-bit sRGB, 0 to 255, not rounded."""
+    """Luma (V, H, W), Rec. 709 of 8-bit sRGB, 0 to 255, not rounded."""
     shown: NDArray[np.bool_]
-    """(V, H, W), whether the object is at the pixel's centre."""
+    """Whether the pixel's centre shows the object (V, H, W)."""
 
 
 def scores(
     base: Scene, levels: Sequence[Compared], cameras: Sequence[Camera], samples: int, backend: str | None
 ) -> Iterator[NDArray[np.float64]]:
-    """Score one level after the other, each from its cameras; the base's pictures are made once for all.
+    """Score level by level, each from its cameras; the base's pictures are made once for all levels.
 
-    A score is the SSIM over the pixels where either shows the object, and 1 where neither does, because both show the
-    same sky. Cameras have pictures of one size.
+    A score is the SSIM over the pixels where either picture shows the object; 1 if neither does, since both show the
+    same sky. All cameras have the same picture size.
     """
     if backend == "gpu":
         whole = _pictures(base, cameras, samples, backend)
@@ -50,7 +50,7 @@ def scores(
             reference = Pictures(*(_of(part, chosen) for part in whole))
             yield _similarity(reference.luma, other.luma, reference.shown | other.shown)
         return
-    # Only pixels that the windows of a counted one reach are traced: the others' values change no score.
+    # Only pixels within the windows of counted pixels are traced: others do not affect the score.
     views = [camera._core for camera in cameras]
     shown = _core.silhouettes(base._core, views)
     masks = []
@@ -78,7 +78,7 @@ def _pictures(scene: Scene, cameras: Sequence[Camera], samples: int, backend: st
 
 
 def _of(pictures: NDArray[Any], chosen: NDArray[np.intp]) -> NDArray[Any]:
-    """Pictures of some cameras; all of them without a copy."""
+    """Select the pictures of some cameras; no copy if all are selected."""
     return pictures if len(chosen) == len(pictures) else pictures[chosen]
 
 

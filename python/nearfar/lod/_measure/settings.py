@@ -1,4 +1,4 @@
-"""Settings of a measurement: the screen, the views, the sizes, and how scores become a model."""
+"""Settings of a measurement: screen, views, sizes, and how scores become a model."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from nearfar.lod._measure import statistic
 from nearfar.lod._measure.views import AXES, DIRECTIONS, Screen
 
 MIN_VIEWS = 4
-"""Fewer directions lie in a plane: of some objects they miss whole sides."""
+"""Least number of views: fewer directions lie in a plane and may miss whole sides of an object."""
 
 MAX_VIEWS = 1 << 20
 MAX_DISTANCES = 1000
@@ -22,51 +22,51 @@ MAX_DISTANCES = 1000
 
 @dataclass(frozen=True, kw_only=True)
 class MeasureSettings:
-    """How `measure` looks at levels, and which of them it keeps.
+    """Settings of `measure`: the pictures to compare, and the levels to keep.
 
     Parameters
     ----------
     hmd
-        The headset. Pictures have the pixels of its left eye's view, but lie symmetric about the axis, and only the
-        object's box is rendered, which shows the same as the whole.
+        The headset. Pictures have the pixels of its left eye's view, but are symmetric about the axis; only the
+        object's box is rendered, with the same result as the whole picture.
     fov, size
-        A view and its width and height in pixels, in place of `hmd`.
+        A view and its width and height in pixels, instead of `hmd`.
     views
         Number of pictures of each level at each distance, at least 4. The object turns before a camera on +z, and light
         and sky turn with it.
     directions
-        The sides that views show. "even": as many directions as views, spread evenly over the sphere (a Fibonacci
-        sphere); the object takes the shortest turn to each. "published": turns in equal steps, of 10° for 144 views,
-        about four axes across the line of sight: horizontal, vertical and the two diagonals between them; the number of
-        views is a multiple of 4.
+        Distribution of the views over directions. "even": as many directions as views, uniform over the sphere (a
+        Fibonacci sphere), each by the shortest turn of the object. "published": turns in equal steps, of 10° for 144
+        views, about four axes across the line of sight: horizontal, vertical and the two diagonals between them; the
+        number of views must be a multiple of 4.
     distances
-        Number of distances, 1 to 1000. At the first the bounding sphere's solid angle is
-        σ₁/₁₆ = 2π(1−cos(asin(¼ tan ω))), where ω is half the horizontal field of view. To the sphere's nearest point
-        the others are 2, 3, … times as far. Fewer than 4 leave curves "unfittable", and of fewer than 8 many look
+        Number of distances, 1 to 1000. At the first, the bounding sphere's solid angle is
+        σ₁/₁₆ = 2π(1−cos(asin(¼ tan ω))), where ω is half the horizontal field of view. At the others, the sphere's
+        nearest point is 2, 3, … times as far. Fewer than 4 leave curves "unfittable"; with fewer than 8 many are
         "flat": those stay at their least score.
     percentile
-        The percentile over the views that is a level's score at a size, 0 to 100, as NumPy's "averaged_inverted_cdf";
-        or "mean". `LodModel.refit` takes another one without new pictures.
+        Percentile over the views that is a level's score at a size, 0 to 100, as NumPy's "averaged_inverted_cdf"; or
+        "mean". `LodModel.refit` applies another one without new pictures.
     step
         Keep the coarsest of the levels that score at least 1 − step at the first distance, the coarsest of those that
-        score at least 1 − 2 step, and so on; likewise at the next three, because SSIM of bumpy things may fall as they
-        get smaller. Other levels look no better than a coarser one, and are measured no further than it takes to know
+        score at least 1 − 2 step, and so on; likewise at the next three, because SSIM of bumpy objects may fall as they
+        get smaller. Other levels look no better than a coarser one, and are measured only as far as needed to know
         that. The base always stays. None keeps all.
     saturated
-        A level that scores as much at two distances running is measured no further, and its curve stays where it was.
-        None measures all.
+        A level that reaches this score at two successive distances is not measured further, and its curve stays at that
+        value. None measures all.
     samples
         Samples of each pixel, as in `render`.
     backend
-        As in `render`. Where a GPU multisamples, curves differ a little from the CPU's.
+        As in `render`. If a GPU multisamples, curves differ slightly from the CPU's.
     cache
-        Whether scores are kept, by content and settings: scores that were measured once, or before Ctrl-C, are not
-        rendered again, and a new level is measured alone.
+        Whether to cache scores, by content and settings: scores measured before, also before Ctrl-C, are not rendered
+        again, and a new level is measured alone.
 
     Raises
     ------
     ValueError, TypeError
-        For settings out of their domains, for neither screen, and for both.
+        Settings out of range, no screen, or two.
     """
 
     hmd: Hmd | None = None
@@ -103,12 +103,12 @@ class MeasureSettings:
 
     @property
     def screen(self) -> Screen:
-        """The pictures' screen, of the headset or of the view."""
+        """Screen of the pictures, from the headset or the view."""
         return Screen.of(self.hmd, self.fov, self.size)
 
 
 class MeasureKeywords(TypedDict, total=False):
-    """The fields of `MeasureSettings` as keywords of `measure`; a test holds both to be the same."""
+    """Fields of `MeasureSettings` as keywords of `measure`; a test compares both."""
 
     hmd: Hmd | None
     fov: Fov | None

@@ -1,4 +1,4 @@
-"""The statistic of the views that is a level's score at a size, and the curves through such scores."""
+"""The statistic over views that is a level's score at a size, and curves through such scores."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ MEAN = "mean"
 
 
 def checked(percentile: float | str) -> float | str:
-    """Return a percentile, or "mean"; ValueError or TypeError that names the argument otherwise."""
+    """Check a percentile, or "mean"; ValueError or TypeError that names the argument otherwise."""
     if not isinstance(percentile, str):
         return check.within("percentile", percentile, 0.0, 100.0)
     if percentile != MEAN:
@@ -28,7 +28,7 @@ def of_views(scores: NDArray[Any], percentile: float | str) -> NDArray[np.float6
     """Reduce scores (…, V) to a percentile of the views, or their mean (…); NaN where a view is unknown."""
     found = np.full(scores.shape[:-1], np.nan)
     is_known = np.isfinite(scores).all(axis=-1)
-    # Rows that lie in one piece are added up in one order, whatever array they come from.
+    # Contiguous rows are always summed in the same order, whatever array they come from.
     rows = np.ascontiguousarray(scores[is_known], np.float64)
     if isinstance(percentile, str):
         found[is_known] = rows.mean(axis=1)
@@ -40,12 +40,12 @@ def of_views(scores: NDArray[Any], percentile: float | str) -> NDArray[np.float6
 def curves_through(samples: Samples) -> Curve4PL:
     """Fit a curve to the scores of each level but the base."""
     scores = samples.filled[1:]
-    # Levels fall to their curve's plateau, and sizes that are not measured look no worse than those that are.
+    # Levels decay to their curve's plateau; unmeasured sizes look no worse than measured ones.
     return cautious(fit_4pl(samples.sigma, scores), scores)
 
 
 def cautious(curves: Curve4PL, scores: NDArray[np.float64]) -> Curve4PL:
-    """Put flat curves at their least score: the mean that was fitted promises more than some sizes have shown."""
+    """Lower flat curves to their least score: the fitted mean promises more than some sizes have shown."""
     if not len(scores):
         return curves
     is_flat = curves.status == "flat"

@@ -13,26 +13,26 @@ from nearfar._camera.camera import Camera, Fov
 from nearfar.hmd._hmd import Hmd
 
 DIRECTIONS = ("even", "published")
-"""Ways to spread the views over the sides of an object, as `MeasureSettings` describes them."""
+"""Distributions of the views over directions; see `MeasureSettings`."""
 
 AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (1.0, 1.0, 0.0), (1.0, -1.0, 0.0))
 """Published axes about which objects turn, in the frame of a camera that looks along −z: horizontal, vertical and the
-two diagonals between them. All lie across the line of sight, so that every turn shows another side."""
+two diagonals between them. All are perpendicular to the line of sight, so that every turn shows another side."""
 
 GOLDEN_ANGLE = math.pi * (3.0 - math.sqrt(5.0))
-"""Angle between two neighbours of a Fibonacci sphere around its axis, radians."""
+"""Angle between successive points of a Fibonacci sphere about its axis, radians."""
 
 FIRST_WIDTH = 0.25
 """Width of the bounding sphere at the first distance, as a share of the screen's: 1/16 of a square screen's area."""
 
 PADDING = 5
-"""Pixels around an object's box: SSIM windows of 11 pixels reach 5 pixels beyond their centre."""
+"""Padding in pixels around an object's box: SSIM windows of 11 pixels reach 5 pixels beyond their centre."""
 
 Quaternion = tuple[float, float, float, float]
 
 
 def turns(views: int, directions: str) -> tuple[list[Quaternion], NDArray[np.intp]]:
-    """Different turns of the object as unit quaternions (x, y, z, w), and which of them each view shows."""
+    """Distinct turns of the object as unit quaternions (x, y, z, w), and the index of each view's turn."""
     if directions == "published":
         return _published(views)
     return [_even(number, views) for number in range(views)], np.arange(views)
@@ -41,8 +41,8 @@ def turns(views: int, directions: str) -> tuple[list[Quaternion], NDArray[np.int
 def _even(number: int, count: int) -> Quaternion:
     """Return the turn that shows the object from a point of a Fibonacci sphere about the line of sight.
 
-    Point i of N is arccos(1 − (2i + 1)/N) away from +z, where the camera is, and at i golden angles about it. The turn
-    is the shortest one: its axis lies across the line of sight, as the published ones do, and decides the roll.
+    Point i of N is arccos(1 − (2i + 1)/N) away from +z, where the camera is, and i golden angles about it. The turn is
+    the shortest one: its axis is perpendicular to the line of sight, like the published ones, and determines the roll.
     """
     share, angle = (number + 0.5) / count, number * GOLDEN_ANGLE
     # For cos θ = 1 − 2 share, sin(θ/2) = √share and cos(θ/2) = √(1 − share).
@@ -51,10 +51,10 @@ def _even(number: int, count: int) -> Quaternion:
 
 
 def _published(views: int) -> tuple[list[Quaternion], NDArray[np.intp]]:
-    """Turns about one axis of `AXES` after the other, in equal steps from 0.
+    """Turns about each axis of `AXES` in turn, in equal steps from 0.
 
-    Not turned at all is the same about each axis, and one picture. Half a turn shows the back about each, but rolled by
-    a quarter of a turn from one axis to the next: four pictures. So 144 views are 141 pictures from 138 directions.
+    The identity is the same about each axis, and one picture. A half turn shows the back about each axis, but the roll
+    differs by a quarter turn between axes: four pictures. So 144 views are 141 pictures from 138 directions.
     """
     steps = views // len(AXES)
     chosen: list[Quaternion] = [(0.0, 0.0, 0.0, 1.0)]
@@ -72,18 +72,18 @@ def _published(views: int) -> tuple[list[Quaternion], NDArray[np.intp]]:
 
 @dataclass(frozen=True)
 class Screen:
-    """The screen that pictures are made for: an eye's view, symmetric about the axis, with square pixels."""
+    """Screen for the pictures: an eye's view, symmetric about the axis, with square pixels."""
 
     tan_half_angle: float
     """Tangent of half the horizontal field of view, ω; the larger side of an asymmetric one."""
     pixel: float
-    """Tangent that a pixel spans at the axis."""
+    """Tangent spanned by a pixel at the axis."""
     size: tuple[int, int]
-    """Width and height in pixels: nothing beyond it is seen."""
+    """Width and height in pixels; nothing outside is visible."""
 
     @classmethod
     def of(cls, hmd: Hmd | None, fov: Fov | None, size: tuple[int, int] | None) -> Screen:
-        """Make the screen of a headset, or of a view and its pixels; ValueError for neither and for both."""
+        """Make the screen of a headset, or of a view and its pixels; ValueError for neither or both."""
         if hmd is not None:
             if fov is not None or size is not None:
                 raise ValueError("hmd: expected None beside fov and size, which say the same, got a headset")
@@ -107,27 +107,27 @@ class Screen:
 
 @dataclass(frozen=True)
 class Stand:
-    """Places of cameras about an object's bounding sphere, by the number of the distance, from 1 on."""
+    """Cameras around an object's bounding sphere, by the number of the distance, from 1."""
 
     screen: Screen
     center: tuple[float, float, float]
     radius: float
     reach: float
-    """Metres from the centre to the farthest corner of any level: coarse ones may leave the sphere."""
+    """Distance from the centre to the farthest corner of any level, metres: coarse levels may exceed the sphere."""
 
     def distance(self, number: int) -> float:
-        """Metres to the centre: to the sphere's nearest point it is `number` times that of the first, 1."""
+        """Distance to the centre, metres: the sphere's nearest point is `number` times as far as for number 1."""
         nearest = self.radius / (FIRST_WIDTH * self.screen.tan_half_angle) - self.radius
         return number * nearest + self.radius
 
     def sigma(self, number: int) -> float:
-        """Solid angle of the sphere in steradians; of the first distance σ₁/₁₆, to the last digit."""
+        """Solid angle of the sphere in steradians; for number 1 exactly σ₁/₁₆."""
         sine = FIRST_WIDTH * self.screen.tan_half_angle if number == 1 else self.radius / self.distance(number)
-        # 1 − cos by sin² / (1 + cos), which loses no digits.
+        # 1 − cos as sin² / (1 + cos), which loses no digits.
         return 2.0 * math.pi * sine * sine / (1.0 + math.sqrt((1.0 - sine) * (1.0 + sine)))
 
     def box(self, number: int) -> tuple[int, int, int, int]:
-        """First and end column, first and end row of the screen's pixels that show the object, padded for windows."""
+        """First and end column, first and end row of the pixels that may show the object, padded for windows."""
         distance = self.distance(number)
         inside = self.reach >= distance
         half = math.inf if inside else self.reach / math.sqrt(distance**2 - self.reach**2) / self.screen.pixel
@@ -138,11 +138,11 @@ class Stand:
         return ends[0], ends[1], ends[2], ends[3]
 
     def camera(self, number: int, turn: Quaternion) -> Camera:
-        """Return the camera that sees the turned object: it turns the other way, so that the object stands still."""
+        """Camera that sees the turned object: the camera turns inversely, so that the object stays fixed."""
         first, end, top, bottom = self.box(number)
         pixel, (width, height) = self.screen.pixel, self.screen.size
         x, y, z, w = -turn[0], -turn[1], -turn[2], turn[3]
-        # The camera's z axis: (0, 0, 1) turned by the quaternion.
+        # The camera's z axis: (0, 0, 1) rotated by the quaternion.
         back = (2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y))
         distance = self.distance(number)
         eye = [middle + distance * part for middle, part in zip(self.center, back, strict=True)]

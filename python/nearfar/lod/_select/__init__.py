@@ -1,1 +1,1 @@
-"""Levels chosen by size, lens and gaze, and the sizes at which engines switch."""
+"""Selection of levels by size, lens and gaze, and the sizes at which engines switch."""

@@ -1,4 +1,4 @@
-"""Budgets of triangles: the arguments of the kernel, and what it reports."""
+"""Triangle budgets: checks of the arguments, and the kernel's report."""
 
 from __future__ import annotations
 
@@ -19,20 +19,20 @@ MOST_TRIANGLES = 1 << 62
 
 @dataclass(frozen=True)
 class Spent:
-    """How a budget was spent."""
+    """Result of spending a budget."""
 
     price: float
-    """λ: the weighted score that each triangle of the first step adds that did not fit, or the price that was kept. 0
-    where all that looks better is drawn."""
+    """λ: weighted score per triangle of the first step that did not fit, or the kept price. 0 if everything that
+    improves the score is drawn."""
     triangles: int
-    """Triangles of the levels of all objects in view."""
+    """Number of triangles of the levels of all objects in view."""
     score: float
-    """Mean of the levels' scores over the objects in view by their weights, as curves predict it. NaN where no object
-    in view has a weight."""
+    """Weighted mean of the levels' scores over the objects in view, as predicted by the curves. NaN if no object in
+    view has a weight."""
 
 
 def weight_of(weight: str | ArrayLike) -> str | NDArray[np.float64]:
-    """Check the kind of weights, or weights (N,) themselves."""
+    """Check the kind of weights, or explicit weights (N,)."""
     if isinstance(weight, str):
         return check.choice("weight", weight, WEIGHTS)
     weights = np.array(check.array("weight", weight, columns=None, dtype=np.float64))
@@ -46,7 +46,7 @@ def weight_of(weight: str | ArrayLike) -> str | NDArray[np.float64]:
 def check_budget(
     budget: int | None, weight: str | NDArray[np.float64], floor: float | None, *, mode: str, fade: float
 ) -> None:
-    """Refuse what has no meaning without a budget, or with one."""
+    """Reject arguments that have no meaning without, or with, a budget."""
     if budget is None:
         if floor is not None:
             raise ValueError(f"floor: expected None without a budget, got {floor}")
@@ -60,7 +60,7 @@ def check_budget(
 
 
 def weights_for(weight: str | NDArray[np.float64], count: int) -> dict[str, Any]:
-    """Arguments of the kernel for weights of so many objects."""
+    """Kernel arguments for the weights of `count` objects."""
     if isinstance(weight, str):
         return {"by_pixels": weight == "pixels", "weight": None}
     if weight.shape != (count,):
@@ -69,5 +69,5 @@ def weights_for(weight: str | NDArray[np.float64], count: int) -> dict[str, Any]
 
 
 def triangles_of(models: Sequence[MeasuredLevels]) -> NDArray[np.int64]:
-    """Triangles of all levels, model by model."""
+    """Triangle counts of all levels, model by model."""
     return np.concatenate([np.empty(0, np.int64), *(model.triangles for model in models)])

@@ -1,4 +1,4 @@
-"""Models, cameras and gaze as the kernel of selection takes them."""
+"""Converts models, cameras and gaze to arguments of the selection kernel."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ from nearfar.lod._measured_levels import MeasuredLevels
 from nearfar.lod._select.size import pixel_area
 
 _CURVE_ROWS: WeakKeyDictionary[MeasuredLevels, NDArray[np.float64]] = WeakKeyDictionary()
-"""Parameters of each model's curves, so that a frame does not collect them again."""
+"""Cached parameters of each model's curves, so that they are not collected for every frame."""
 
 MIN_SIGHT_LENGTH = 1e-6
-"""Least length of the mean of the unit lines of sight of several eyes. Below it they look in opposite directions."""
+"""Least length of the mean of several eyes' unit lines of sight. Below it they look in opposite directions."""
 
 Four = tuple[float, float, float, float]
 Eye = tuple[tuple[float, float, float], Four, Four, tuple[float, float, float] | None, float, float]
-"""Position, orientation, tangents (left, right, down, up), gaze, degrees of a pixel on the axis, and its tangent."""
+"""Position, orientation, tangents (left, right, down, up), gaze, and a pixel on the axis: degrees and tangent."""
 
 
 def whole_numbers(name: str, value: ArrayLike, dtype: type[np.integer], count: int) -> NDArray[Any]:
-    """Whole numbers (N,), one for each object."""
+    """Check integers (N,), one for each object."""
     numbers = check.array(name, value, columns=None, dtype=dtype)
     if numbers.shape != (count,):
         raise ValueError(f"{name}: expected shape ({count},), got {numbers.shape}")
@@ -39,15 +39,15 @@ def whole_numbers(name: str, value: ArrayLike, dtype: type[np.integer], count: i
 def models_of(
     models: Sequence[MeasuredLevels] | Mapping[str, MeasuredLevels], model_index: ArrayLike
 ) -> tuple[Sequence[MeasuredLevels], ArrayLike]:
-    """Put the models of a mapping in a row, in its order, and turn names in `model_index` into numbers of this row.
+    """Convert a mapping of models to a list in its order, and names in `model_index` to indices into it.
 
-    Models that are in a row already, and indices of other kinds, come back as they are.
+    Models in a sequence, and indices of other types, are returned unchanged.
     """
     if not isinstance(models, Mapping):
         return models, model_index
     number_of = {name: number for number, name in enumerate(check.mapping("models", models, "LodModels by name"))}
     row, index = list(models.values()), check.plain("model_index", model_index)
-    # Text of fixed and of any length, and objects, which may be text.
+    # Strings of fixed and of variable length, and objects, which may be strings.
     if index.dtype.kind not in "UTO" or not all(isinstance(name, str) for name in index.flat):
         return row, model_index
     asked: list[str] = index.ravel().tolist()
@@ -72,7 +72,7 @@ def curves_of(
 
 
 def _curve_rows(model: MeasuredLevels) -> NDArray[np.float64]:
-    """a, b, c and d of each level's curve but level 0's, (K − 1, 4); NaN where there is none."""
+    """Parameters a, b, c and d of each level's curve except level 0's, (K − 1, 4); NaN where there is none."""
     rows = _CURVE_ROWS.get(model)
     if rows is None:
         rows = np.column_stack([np.asarray(part, np.float64) for part in model.curves])
@@ -81,7 +81,7 @@ def _curve_rows(model: MeasuredLevels) -> NDArray[np.float64]:
 
 
 def cameras_of(camera: Camera | Sequence[Camera]) -> tuple[Camera, ...]:
-    """One camera or several, each with a `Fov`."""
+    """Check one camera or several, each with a `Fov`."""
     cameras = (camera,) if isinstance(camera, Camera) else tuple(camera) if isinstance(camera, Sequence) else (camera,)
     if not cameras:
         raise ValueError("camera: expected at least one, got none")
@@ -91,7 +91,7 @@ def cameras_of(camera: Camera | Sequence[Camera]) -> tuple[Camera, ...]:
 
 
 def gaze_of(cameras: tuple[Camera, ...], gaze: ArrayLike | None) -> tuple[float, float, float]:
-    """Direction of the gaze; by default the mean of the cameras' lines of sight, because a headset's may be canted."""
+    """Direction of the gaze; by default the mean of the cameras' lines of sight, since a headset's may be canted."""
     if gaze is None:
         sight = np.sum([rotation(camera.orientation) @ (0.0, 0.0, -1.0) for camera in cameras], axis=0)
         if np.linalg.norm(sight) < MIN_SIGHT_LENGTH * len(cameras):
@@ -104,9 +104,9 @@ def gaze_of(cameras: tuple[Camera, ...], gaze: ArrayLike | None) -> tuple[float,
 
 
 def eye_of(camera: Camera, gaze: tuple[float, float, float] | None, panel: tuple[RadialLens, float] | None) -> Eye:
-    """Numbers of a camera for the kernel. A pixel takes the most degrees on the axis.
+    """Convert a camera to the kernel's numbers. A pixel spans the most degrees on the axis.
 
-    `panel` has the lens and its tan ω where the camera's pixels are those of the panel behind the lens: they cover the
+    `panel` has the lens and its tan ω if the camera's pixels are those of the panel behind the lens: they cover the
     tangents tan ω f⁻¹(t / tan ω) of the view's sides t.
     """
     fov = _fov_of(camera)
@@ -117,7 +117,7 @@ def eye_of(camera: Camera, gaze: tuple[float, float, float] | None, panel: tuple
 
 
 def on_panel(fov: Fov, lens: RadialLens, tan_omega: float) -> Four:
-    """The sides of the part of the panel that shows a view; a view that reaches beyond the fold ends there."""
+    """Sides of the part of the panel that shows a view; a view that extends beyond the fold is cut off there."""
     radii = lens.undistort(np.array(fov._sides) / tan_omega, outside="nan")
     left, right, down, up = tan_omega * np.where(np.isnan(radii), np.copysign(lens.r_max, fov._sides), radii)
     return left, right, down, up

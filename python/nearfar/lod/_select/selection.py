@@ -1,4 +1,4 @@
-"""Selected levels, which compute as an array, and the numbers that decided them."""
+"""Selected levels, usable as an array, and the numbers that determined them."""
 
 from __future__ import annotations
 
@@ -16,45 +16,44 @@ from nearfar.lod._select.budget import Spent
 Array = NDArray[np.float64]
 
 COLUMNS = ("sigma", "sigma_seen", "threshold", "score", "shown")
-"""Columns that `full=True` fills."""
+"""Columns filled with `full=True`."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
 class Selection(NDArrayOperatorsMixin):
-    """Levels of N objects as `select` chooses them, and with `full=True` the numbers that decided them.
+    """Levels of N objects chosen by `select`, and with `full=True` the numbers that determined them.
 
-    It indexes, iterates, compares and computes as its levels do, an int32 array (N,), and has that array's attributes
-    and methods; results are plain arrays. `full=True` fills the columns from `sigma` to `shown`, all (N,) float64, for
-    about twice the time. Without it they raise an AttributeError.
+    It indexes, iterates, compares and computes like its levels, an int32 array (N,), and has that array's attributes
+    and methods; results are plain arrays. `full=True` fills the columns from `sigma` to `shown`, all (N,) float64, and
+    takes about twice the time. Without it they raise an AttributeError.
 
-    Of several cameras a column has the numbers of the one that asked for the level, the first of them where several
-    did; under a budget those of the one with the greatest size, and the greatest threshold. NaN marks numbers that were
-    not needed.
+    For several cameras a column has the numbers of the first camera that required the level; under a budget those of
+    the one with the greatest size, and the greatest threshold. NaN marks numbers that were not needed.
     """
 
     level: NDArray[np.int32]
-    """The level of each object, 0 the finest; −1 outside of the view."""
+    """Level of each object, 0 the finest; −1 out of view."""
     counts: Mapping[str, int]
-    """Number of objects by the way in which they were decided. Each is one of these for each camera, under a budget
-    once for all: "culled" (not in view), "one_level" (in view, nothing to choose), "settled" (another camera asked for
-    level 0 already), "large" (so large that no curve reaches the threshold, or with `limit="own"` above σ₁/₁₆) or
-    "asked". Of those asked: "lens" (σ′ was computed), "table" (the level stood in a table of the model), "formula"
-    (curves were evaluated)."""
+    """Number of objects by outcome. Each object counts as one of these for each camera, under a budget once for all:
+    "culled" (out of view), "one_level" (in view, nothing to choose), "settled" (another camera already required level
+    0), "large" (so large that no curve reaches the threshold, or with `limit="own"` above σ₁/₁₆) or "asked". Among
+    "asked": "lens" (σ′ was computed), "table" (the level was in a table of the model), "formula" (curves were
+    evaluated)."""
     columns: InitVar[Mapping[str, Array]]
     spent: Spent | None = None
-    """Price, triangles and mean score under a budget; None without one."""
+    """Price, triangles and mean score under a budget; else None."""
     sigma: Array = field(init=False)
-    """σ, steradians; 4π around the eye. NaN where the object is not in view or has one level."""
+    """σ, steradians; 4π around the eye. NaN if the object is out of view or has one level."""
     sigma_seen: Array = field(init=False)
-    """σ′, the size that is seen, steradians: σ, that through the lens or on the panel, or the part that the eye sees.
-    NaN where no curve was asked."""
+    """σ′, the apparent size, steradians: σ, its value through the lens or on the panel, or the part resolved by the
+    eye. NaN if no curve was evaluated."""
     threshold: Array = field(init=False)
-    """f(σ): the least score. NaN where no curve was asked."""
+    """f(σ): the least score. NaN if no curve was evaluated."""
     score: Array = field(init=False)
-    """Score of the level at the size that is seen: 1 for level 0. NaN outside of the view."""
+    """Score of the level at the apparent size: 1 for level 0. NaN out of view."""
     shown: Array = field(init=False)
-    """The level as it fades over: 2.3 is 0.7 of level 2 and 0.3 of level 3. Equal to `level` without a fade, never more
-    than it, −1 outside of the view."""
+    """Fractional level while levels fade: 2.3 means 0.7 of level 2 and 0.3 of level 3. Equal to `level` without a fade,
+    never greater, −1 out of view."""
 
     def __post_init__(self, columns: Mapping[str, Array]) -> None:
         for name, values in check.mapping("columns", columns, "arrays by name").items():
@@ -62,7 +61,7 @@ class Selection(NDArrayOperatorsMixin):
 
     @property
     def coarser(self) -> NDArray[np.int32]:
-        """The coarser of the two levels that are shown (N,); needs `shown`."""
+        """The coarser of the two blended levels (N,); needs `shown`."""
         return np.ceil(self.shown).astype(np.int32)
 
     @property
@@ -104,7 +103,7 @@ class Selection(NDArrayOperatorsMixin):
         """Attributes and methods of the levels' array, such as `shape`, `max` and `tolist`."""
         if name in COLUMNS or hasattr(type(self), name):
             raise AttributeError(f"{name}: expected a selection made with full=True, which fills it")
-        # Pickling and protocols ask for special methods before the fields are set, and would take the array's.
+        # Pickling and protocols look up special methods before the fields are set, and would get the array's.
         if name.startswith("_") or name in ("level", "counts", "spent"):
             raise AttributeError(f"Selection has no attribute {name!r}")
         return getattr(self.level, name)

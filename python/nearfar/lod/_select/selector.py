@@ -1,4 +1,4 @@
-"""Settings of selection, checked once, and the call of the kernel."""
+"""Settings of selection, checked once, and the kernel call."""
 
 from __future__ import annotations
 
@@ -31,14 +31,14 @@ _COUNTS = ("culled", "one_level", "settled", "large", "asked", "lens", "table", 
 
 @dataclass(frozen=True, kw_only=True, init=False, eq=False)
 class Selector:
-    """Settings of `select`, which documents each, for use in frame after frame.
+    """Settings of `select`, which documents them, for use over many frames.
 
-    k and d are kept in `threshold`, a `LodThreshold`.
+    k and d are stored in `threshold`, a `LodThreshold`.
 
     Raises
     ------
     ValueError, TypeError
-        For settings that are out of order.
+        Invalid settings.
     """
 
     threshold: LodThreshold
@@ -112,7 +112,7 @@ class Selector:
 
     @property
     def _content(self) -> tuple[Any, ...]:
-        """Values of all fields, those of an array of weights as bytes."""
+        """Values of all fields, arrays of weights as bytes."""
         values = (getattr(self, field.name) for field in fields(self))
         return tuple(value.tobytes() if isinstance(value, np.ndarray) else value for value in values)
 

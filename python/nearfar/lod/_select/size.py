@@ -1,4 +1,4 @@
-"""Sizes: the largest one that levels are measured at, and the shares of it that a lens and the eye leave."""
+"""Sizes: the largest size at which levels are measured, and how lens and eye reduce apparent sizes."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ from nearfar._lens.lens import RadialLens, check_symmetric
 from nearfar.hmd._hmd import Hmd
 
 ACUITY_SLOPE = 0.0275
-"""Degrees by which the least visible angle grows with each degree from the gaze (Guenter et al. 2012)."""
+"""Degrees by which the least visible angle grows per degree from the gaze (Guenter et al. 2012)."""
 ACUITY_LIMIT_DEG = 1 / 48
 """The least visible angle at the gaze, degrees (Guenter et al. 2012)."""
 
 
 def reference_solid_angle(view: Hmd | Camera | Fov) -> float:
-    """Solid angle of a sphere that fills 1/16 of the screen, steradians: the largest at which levels are measured.
+    """Solid angle of a sphere that covers 1/16 of the screen, steradians: the largest size for measurements.
 
     Parameters
     ----------
     view
-        A headset, whose `tan_half_angle` counts, or a camera with a `Fov` or that alone: the larger of left and right.
+        A headset, whose `tan_half_angle` is used; a camera with a `Fov`, or a `Fov`: the larger of left and right.
 
     Returns
     -------
@@ -36,9 +36,9 @@ def reference_solid_angle(view: Hmd | Camera | Fov) -> float:
     Raises
     ------
     ValueError
-        For views whose tangent is 4 or more: no sphere fills 1/16 of those.
+        A view whose tangent is 4 or more: no sphere covers 1/16 of it.
     TypeError
-        For other things.
+        A value of another type.
 
     References
     ----------
@@ -47,12 +47,12 @@ def reference_solid_angle(view: Hmd | Camera | Fov) -> float:
     sine = half_tangent(view) / 4
     if sine >= 1:
         raise ValueError(f"view: expected a tangent to the side below 4, got {4 * sine:g}")
-    # 1 − cos by sin² / (1 + cos), which loses no digits.
+    # 1 − cos as sin² / (1 + cos), which loses no digits.
     return 2 * math.pi * sine * sine / (1 + math.sqrt((1 - sine) * (1 + sine)))
 
 
 def pixel_area(sides: Sequence[float], size: tuple[int, int]) -> float:
-    """Area of a pixel in tangents squared, for a view with the sides (left, right, down, up) and its pixels."""
+    """Area of a pixel in squared tangents, for a view with sides (left, right, down, up) and its pixels."""
     left, right, down, up = sides
     return (right - left) / size[0] * ((up - down) / size[1])
 
@@ -64,31 +64,31 @@ def acuity(
     limit_deg: SupportsFloat = ACUITY_LIMIT_DEG,
     pixel_deg: SupportsFloat = 0.0,
 ) -> NDArray[np.float64]:
-    """Linear factor by which things look smaller to the eye away from its gaze.
+    """Linear factor by which objects look smaller to the eye away from its gaze.
 
-    The least angle that is seen grows as ω(e) = m e + ω₀, and a picture at e = 0 need not be finer than
-    ω* = max(ω₀, pixel): things at e look like ones of ω*/ω(e) of their size.
+    The least visible angle grows as ω(e) = m e + ω₀, and a picture at e = 0 need not be finer than ω* = max(ω₀, pixel):
+    objects at e look like objects of ω*/ω(e) times their size.
 
     Parameters
     ----------
     eccentricity_deg
         Degrees from the gaze, of any shape; at least 0.
     slope
-        m, in degrees a degree: 0.022 is more careful, 0.034 less.
+        m, degrees per degree: 0.022 is conservative, 0.034 less so.
     limit_deg
         ω₀, degrees.
     pixel_deg
-        Degrees that a pixel takes on the axis; 0 for screens finer than the eye.
+        Degrees spanned by a pixel on the axis; 0 for screens finer than the eye.
 
     Returns
     -------
     NDArray
-        float64 in the shape of the eccentricities, 0 to 1. Its square is a solid angle's.
+        float64 in the shape of the eccentricities, 0 to 1. Its square applies to solid angles.
 
     Raises
     ------
     ValueError, TypeError
-        For other numbers.
+        Numbers out of range.
 
     References
     ----------
@@ -104,14 +104,14 @@ def acuity(
 def distortion(
     eccentricity_deg: ArrayLike, *, lens: RadialLens, view: Hmd | Camera | Fov, lens_radius: float | None = None
 ) -> NDArray[np.float64]:
-    """Share of its solid angle that a lens leaves of a small thing, as `select` counts it with `size="axis"`: σ′/σ.
+    """Factor by which a lens changes a small object's solid angle, as in `select` with `size="axis"`: σ′/σ.
 
     Parameters
     ----------
     eccentricity_deg
         Degrees from the lens's axis, of any shape; at least 0.
     lens
-        One without tangential terms.
+        A lens without tangential terms.
     view
         A headset, a camera or a `Fov`, as in `reference_solid_angle`.
     lens_radius
@@ -126,7 +126,7 @@ def distortion(
     Raises
     ------
     ValueError, TypeError
-        For other numbers and lenses.
+        Invalid numbers or lenses.
 
     References
     ----------
@@ -145,14 +145,14 @@ def distortion(
 def panel_magnification(
     eccentricity_deg: ArrayLike, *, lens: RadialLens | None, view: Hmd | Camera | Fov, lens_radius: float | None = None
 ) -> NDArray[np.float64]:
-    """Pixels of the panel that a small thing takes, as a multiple of those on the axis.
+    """Number of panel pixels that a small object covers, as a multiple of those on the axis.
 
     Parameters
     ----------
     eccentricity_deg
         Degrees from the axis, of any shape; at least 0.
     lens
-        One without tangential terms; None for a screen that is seen without a lens.
+        A lens without tangential terms; None for a screen seen without a lens.
     view
         A headset, a camera or a `Fov`, as in `reference_solid_angle`.
     lens_radius
@@ -162,13 +162,13 @@ def panel_magnification(
     -------
     NDArray
         float64 in the shape of the eccentricities: D(α) = (r′/r) (1/f′(r′)) / cos³ α with r = tan α / tan ω and
-        r′ = f⁻¹(r), without a lens 1 / cos³ α: perspective stretches, and the lens shrinks. ∞ from 90° and from the
-        lens's fold on.
+        r′ = f⁻¹(r); without a lens 1 / cos³ α: perspective stretches, the lens shrinks. ∞ from 90° and from the lens's
+        fold on.
 
     Raises
     ------
     ValueError, TypeError
-        For other numbers and lenses.
+        Invalid numbers or lenses.
 
     References
     ----------
@@ -208,11 +208,11 @@ def half_tangent(view: Hmd | Camera | Fov) -> float:
 
 
 def checked_lens(lens: RadialLens, view: Hmd | Camera | Fov, lens_radius: SupportsFloat | None) -> float:
-    """Refuse lenses whose sizes are not defined; return tan ω."""
+    """Check that sizes are defined for a lens; return tan ω."""
     check_symmetric(lens)
     return half_tangent(view) if lens_radius is None else check.positive("lens_radius", lens_radius)
 
 
 def widest(views: Iterable[Camera]) -> Camera:
-    """The view that sees farthest to a side: both eyes of a headset have one reference and one lens."""
+    """Return the view with the greatest tangent to a side: both eyes of a headset share a reference and a lens."""
     return max(views, key=half_tangent)

@@ -1,4 +1,4 @@
-"""Sizes at which levels take over, for engines that know no SSIM."""
+"""Sizes at which levels take over, for engines without SSIM curves."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from nearfar.lod._select.size import half_tangent, pixel_area, reference_solid_a
 from nearfar.lod._select.threshold import LodThreshold, threshold_of
 
 _SAMPLED_SIZES = 1024
-"""Sizes in even and in geometric steps, between which a curve may cross the threshold: as a rule both are monotonic."""
+"""Number of sizes in linear and in geometric steps, between which threshold crossings are searched."""
 
 _ROUNDING = 1e-9
-"""Greatest relative difference of two computations of one size."""
+"""Greatest relative difference between two computations of the same size."""
 
 _HALVINGS = 64
-"""Halvings of the interval of a crossing: float64 has 53 binary digits."""
+"""Bisection steps for a crossing: float64 has 53 binary digits."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,15 +36,15 @@ class Switches:
     """
 
     solid_angle: NDArray[np.float64]
-    """Steradians up to which each level is good enough; 0 for one that never is."""
+    """Steradians up to which each level is good enough; 0 for a level that never is."""
     distance: NDArray[np.float64]
-    """The same as the distance to the sphere's middle over its radius: from there on. ∞ for a level that never is."""
+    """That size as the least distance to the sphere's centre, divided by its radius; ∞ for a level that never is."""
     screen_coverage: NDArray[np.float64]
-    """The same as the share of the picture's area that the sphere covers, 0..1: π r²/z² over the picture's area."""
+    """That size as the share of the picture's area covered by the sphere, 0..1: π r²/z² over the picture's area."""
     screen_height: NDArray[np.float64]
-    """The same as the sphere's diameter over the picture's height, 0..1."""
+    """That size as the sphere's diameter over the picture's height, 0..1."""
     is_limit: NDArray[np.bool_]
-    """Whether a level is good enough at all sizes that were measured, so that its own end is not known (K,)."""
+    """Whether a level is good enough at all measured sizes, so that its true limit is unknown (K,)."""
 
     @property
     def shown(self) -> NDArray[np.bool_]:
@@ -55,18 +55,18 @@ class Switches:
         return shown
 
     def of_levels(self, numbers: ArrayLike) -> Switches:
-        """The switches of some of the levels, by their ascending numbers (N,), of which the first is 0."""
+        """Return the switches of some levels, by ascending numbers (N,) that start with 0."""
         chosen = level_numbers("numbers", numbers, len(self.solid_angle))
         return Switches(**{field.name: getattr(self, field.name)[chosen] for field in fields(self)})
 
     def coverages(self) -> list[float]:
-        """`MSFT_screencoverage`: where each level ends and the next begins; 0 for the last, which has no end."""
+        """`MSFT_screencoverage`: coverage at which each level ends and the next begins; 0 for the last level."""
         return [*np.maximum.accumulate(self.screen_coverage[:0:-1])[::-1].tolist(), 0.0]
 
     def __str__(self) -> str:
         """Table of the levels and the sizes up to which each is good enough.
 
-        A switch "beyond what was measured" is the greatest size that was measured; the level's own is not known.
+        A switch "beyond what was measured" is at the greatest measured size; the level's true limit is unknown.
         """
         rows = [f"{'level':>5}  {'up to sr':>10}  {'from radii':>10}  {'area':>8}  {'height':>8}"]
         columns = (self.solid_angle, self.distance, self.screen_coverage, self.screen_height)
@@ -76,7 +76,7 @@ class Switches:
         return "\n".join(rows)
 
     def remarks(self, level: int) -> list[str]:
-        """Notes on a level beside its sizes: "never shown", "beyond what was measured"."""
+        """Notes on a level for the table: "never shown", "beyond what was measured"."""
         number = check.integer("level", level, 0, len(self.solid_angle) - 1)
         never, limit = not self.shown[number], self.is_limit[number]
         return (["beyond what was measured"] if limit else []) + (["never shown"] if never else [])
@@ -90,35 +90,35 @@ def switches(
     d: SupportsFloat | None = None,
     threshold: LodThreshold | str | None = None,
 ) -> Switches:
-    """Work out the sizes at which the levels of a model take over.
+    """Compute the sizes at which the levels of a model take over.
 
-    A level is shown up to the greatest size to which it stays good enough: SSIM at least f(σ), as `select` has it, for
-    all smaller sizes too. Above σ₁/₁₆, and above the sizes that were measured, only level 0 is shown. Of the levels
-    that are good enough the coarsest is shown. Where a curve falls towards small sizes, `select` still shows its level
-    at large ones, which engines with one size for each level can't: there `switches` is the more careful of both.
+    A level is shown up to the greatest size to which it stays good enough: SSIM at least f(σ), as in `select`, for all
+    smaller sizes too. Above σ₁/₁₆, and above the measured sizes, only level 0 is shown. Of the levels that are good
+    enough the coarsest is shown. Where a curve falls towards small sizes, `select` still shows its level at large ones,
+    which engines with one size per level cannot: there `switches` is more conservative.
 
     Parameters
     ----------
     model
         Levels with their curves.
     view
-        The headset, or a camera or its `Fov`: a screen's reference size and area follow from it. Of a headset's views
-        the left eye's counts, which the right one's mirrors.
+        The headset, or a camera or its `Fov`, which determines the reference size and the picture's area. For a headset
+        the left eye's view is used, which the right one mirrors.
     k, d, threshold
         The threshold, as in `select`.
 
     Returns
     -------
     Switches
-        A model that knows its pixels is read in those of the headset or the camera, as `select` does; a `Fov` has none.
-        For a sphere of half angle μ, sin μ = r/z: σ = 2π(1 − cos μ), distance 1/sin μ, coverage
-        π sin²μ / ((right − left)(up − down)) in tangents, height 2 sin μ/(up − down). So σ(1 − σ/4π) is the area
-        at distance 1 of the disc that engines take a sphere for.
+        A model that knows its pixel size is evaluated in pixels of the headset or the camera, as in `select`; a `Fov`
+        has none. For a sphere of half angle μ, sin μ = r/z: σ = 2π(1 − cos μ), distance 1/sin μ, coverage
+        π sin²μ / ((right − left)(up − down)) in tangents, height 2 sin μ/(up − down). So σ(1 − σ/4π) is the area at
+        distance 1 of the disc that stands for a sphere in engines.
 
     Raises
     ------
     ValueError, TypeError
-        For arguments out of their domains.
+        Arguments out of range.
     """
     check.instance("model", model, MeasuredLevels, "a LodModel")
     fov = _fov(view)
@@ -138,7 +138,7 @@ def switches(
 
 
 def _relative_pixel_area(model: MeasuredLevels, view: Hmd | Camera | Fov) -> float:
-    """Area of the model's pixels as a multiple of the view's; 1 where one of them is not known."""
+    """Area of the model's pixels as a multiple of the view's; 1 if one of them is unknown."""
     if model.pixel is None or isinstance(view, Fov):
         return 1.0
     fov, size = (view.left.fov, view.render_size) if isinstance(view, Hmd) else (_fov(view), view.size)
@@ -154,7 +154,7 @@ def _good_sizes(model: MeasuredLevels, reference: float, line: tuple[float, floa
     start, slope = line
 
     def is_good(sigma: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """(K − 1, M) for M sizes that all share, or for (K − 1, M)."""
+        """Whether levels are good enough (K − 1, M), at M sizes shared by all levels, or at sizes (K − 1, M)."""
         return np.asarray(model.curves(np.maximum(sigma * area, least)) >= slope * sigma + start)
 
     even, geometric = np.linspace(0, most, _SAMPLED_SIZES), np.geomspace(most * 1e-6, most, _SAMPLED_SIZES)

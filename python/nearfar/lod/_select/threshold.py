@@ -22,17 +22,17 @@ class LodThreshold:
     Parameters
     ----------
     k
-        Rise of the threshold with size: SSIM per steradian, for "normalized" per σ₁/₁₆.
+        Slope of the threshold with size: SSIM per steradian, for "normalized" per σ₁/₁₆.
     d
-        SSIM where the line starts: at σ₁/₁₆, for "literal" at σ = 0.
+        SSIM at σ₁/₁₆, for "literal" at σ = 0.
     kind
-        f: "anchored" is d + k (σ − σ₁/₁₆), so that d is the score that viewers accepted at 1/16 of the screen.
+        Form of f: "anchored" is d + k (σ − σ₁/₁₆), so that d is the score that viewers accepted at 1/16 of the screen.
         "literal" is kσ + d, "normalized" d + k (σ/σ₁/₁₆ − 1).
 
     Raises
     ------
     ValueError, TypeError
-        For other numbers and kinds.
+        Invalid numbers or kinds.
 
     References
     ----------
@@ -71,7 +71,7 @@ class LodThreshold:
 def threshold_of(
     threshold: LodThreshold | str | None, k: SupportsFloat | None, d: SupportsFloat | None
 ) -> LodThreshold:
-    """Return the threshold that a function's keywords mean: one as it is, or the name of a kind with k and d."""
+    """Convert keywords to a threshold: a `LodThreshold` as it is, or the name of a kind with k and d."""
     if isinstance(threshold, LodThreshold):
         for name, value in (("k", k), ("d", d)):
             if value is not None:

@@ -1,1 +1,1 @@
-"""Levels made by simplification."""
+"""Creation of levels by simplification."""

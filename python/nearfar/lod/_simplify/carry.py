@@ -1,4 +1,4 @@
-"""Attributes of a base carried over to a coarser surface whose vertices lie elsewhere."""
+"""Transfers attributes of a base to a coarser surface with other vertices."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from nearfar.lod._simplify.normals import unit
 from nearfar.lod._simplify.surface import Surface, charts_of
 
 TOLERANCE = {"uvs": 1 / 2048, "colors": 2.0, "normals": 0.02}
-"""Differences up to which corners at one place share a vertex: half a texel of 1024, two steps of 8 bits, a degree."""
+"""Differences up to which corners at one place share a vertex: half a texel of 1024, two 8-bit steps, a degree."""
 
 
 class Carrier:
-    """Finds for each corner of a level its place on the base, and takes the attributes from there.
+    """Finds the nearest place on the base for each corner of a level, and interpolates the attributes there.
 
-    Triangles of a level descend from faces of the base, and each corner looks from that face on, never across a seam:
-    so it finds its own side of a seam, also where both sides belong to one chart.
+    Triangles of a level descend from faces of the base. Each corner's search starts from that face and never crosses a
+    seam: so it stays on its own side of a seam, even if both sides belong to one chart.
     """
 
     def __init__(self, surface: Surface) -> None:
@@ -35,9 +35,9 @@ class Carrier:
         Parameters
         ----------
         positions, faces
-            Of the level, (V, 3) and (F, 3).
+            Positions and faces of the level, (V, 3) and (F, 3).
         source
-            Faces of the base that the level's descend from (F,).
+            Faces of the base that the level's faces descend from (F,).
         """
         base = self._surface
         materials = np.ascontiguousarray(base.materials[source])
@@ -75,7 +75,7 @@ def _stored(key: str, rows: NDArray[np.float64], dtype: np.dtype[Any]) -> NDArra
 
 
 def together(corners: NDArray[np.uint32], values: NDArray[np.float64]) -> NDArray[np.int64]:
-    """Of each corner the first one at its vertex whose values differ by at most 1."""
+    """For each corner the first one at its vertex whose values differ by at most 1."""
     first = np.full(len(corners), -1)
     remaining = np.arange(len(corners))
     while len(remaining):

@@ -1,4 +1,4 @@
-"""Distance between two surfaces, the greatest and the mean, both ways."""
+"""Distance between two surfaces, greatest and mean, in both directions."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from nearfar._scene.scene import Scene
 from nearfar.lod._simplify.surface import Surface
 
 SAMPLES = 20_000
-"""Points on each surface, spread by area: the mean distance is within a few thousandths of itself."""
+"""Number of sample points on each surface, uniform by area: the mean distance is accurate to a few thousandths."""
 
 _SEED, _PLACE, _FIRST, _SECOND = 7, 0, 1, 2
-"""Seed of the random numbers, and the streams for a point's place on the area and its two weights in the face."""
+"""Seed of the random numbers, and streams for a point's position in the area and its two weights in the face."""
 
 
 def deviation(base: tuple[Scene, Surface], level: tuple[Scene, Surface], samples: int = SAMPLES) -> tuple[float, float]:
     """Greatest and mean distance, metres.
 
-    The greatest is over all vertices of both surfaces and points spread over their areas, each to the nearest point of
-    the other surface; so it may miss places between samples, but never exceeds the true (Hausdorff) distance by more
-    than rounding. The mean is over the spread points alone.
+    The greatest is over all vertices and sample points of both surfaces, each to the nearest point of the other
+    surface; it may miss places between samples, but never exceeds the true (Hausdorff) distance by more than rounding.
+    The mean is over the sample points alone.
     """
     greatest, means = 0.0, []
     for (_, here), (there, _) in ((base, level), (level, base)):
@@ -42,9 +42,9 @@ def _distances(scene: Scene, points: NDArray[np.float32] | NDArray[np.float64]) 
 
 
 def spread_points(surface: Surface, count: int) -> NDArray[np.float64]:
-    """Points (count, 3) spread evenly over the area, relative to the surface's zero; none where there is no area.
+    """Points (count, 3) sampled uniformly by area, relative to the surface's origin; empty without area.
 
-    One point in each of `count` equal shares of the area in the order of the faces: the same for any machine.
+    One point in each of `count` equal shares of the area, in the order of the faces: the same on every machine.
     """
     corners = surface.positions[surface.faces].astype(np.float64)
     one, other = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]

@@ -1,4 +1,4 @@
-"""Simplification by meshoptimizer, which keeps some of the base's vertices."""
+"""Simplification by meshoptimizer, which keeps a subset of the base's vertices."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from nearfar._base import background
 from nearfar.lod._simplify.surface import Surface, box_of, charts_of
 
 _ENOUGH = 1.01
-"""Times the triangles asked for: a level with no more of them needs no further sacrifice."""
+"""Tolerance as a multiple of the requested triangles: a level within it needs no further sacrifice."""
 
 
 @dataclass(frozen=True)
 class _Weight:
-    """Error of a difference of 1 in an attribute, as a share of the surface's extent."""
+    """Error caused by an attribute difference of 1, as a share of the surface's extent."""
 
     normals: float = 0.1
     colors: float = 0.1
     uvs: float = 0.5
-    """Of the distance by which the texture slides over the surface."""
+    """Weight of the distance by which the texture slides over the surface."""
 
 
 class MeshoptSimplifier:
@@ -46,9 +46,10 @@ class MeshoptSimplifier:
         self._is_seam = self._seams(places, sewn)
 
     def _seams(self, places: NDArray[np.uint32], sewn: NDArray[np.uint32]) -> NDArray[np.bool_]:
-        """Vertices at whose place charts or materials meet."""
+        """Mask of vertices at places where charts or materials meet."""
         at = places[self._surface.faces].ravel().astype(np.int64)
-        # Both numbers in one: NumPy compares rows by structured types, and turns a Ctrl-C meanwhile into TypeError.
+        # Both numbers in one integer: NumPy compares rows as structured types, and turns Ctrl-C into a TypeError
+        # meanwhile.
         pairs = np.unique(at << 32 | sewn.ravel())
         meet = np.bincount(pairs >> 32, minlength=len(places)) > 1
         return np.ascontiguousarray(meet[places[self._vertex]])
@@ -72,7 +73,7 @@ class MeshoptSimplifier:
         return np.ascontiguousarray(table, np.float32), np.array(weights, np.float32)
 
     def level(self, target: int) -> Surface:
-        """Return the surface in about `target` triangles; where it must be, without some seams and small parts."""
+        """Simplify the surface to about `target` triangles; if necessary, by giving up some seams and small parts."""
         if target >= len(self._faces):
             return self._surface
         arrays = (self._positions, *self._weights, self._is_seam, self._faces)
@@ -87,7 +88,7 @@ class MeshoptSimplifier:
 
 
 def _stretch(surface: Surface) -> float:
-    """Metres of surface for a step of 1 in texture coordinates."""
+    """Metres of surface per unit of texture coordinates."""
     corners, uvs = surface.positions[surface.faces].astype(np.float64), surface.attributes["uvs"][surface.faces]
     area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum()
     one, other = (uvs[:, 1] - uvs[:, 0]).astype(np.float64), (uvs[:, 2] - uvs[:, 0]).astype(np.float64)

@@ -1,4 +1,4 @@
-"""Smooth normals of meshes that have none, with hard edges left hard."""
+"""Smooth normals for meshes without normals; hard edges stay hard."""
 
 from __future__ import annotations
 
@@ -10,25 +10,25 @@ from numpy.typing import NDArray
 from nearfar import _core
 
 CREASE_COSINE = np.cos(np.radians(60.0))
-"""Cosine of the angle between the normals of two faces; the edge of faces with a smaller cosine is hard."""
+"""Cosine of the angle between two faces' normals below which their common edge is hard."""
 
 
 def smoothed(
     positions: NDArray[np.float32], faces: NDArray[np.uint32], places: NDArray[np.uint32]
 ) -> tuple[NDArray[np.int64], NDArray[np.float32]]:
-    """Normals of corners, weighted by the corners' angles; corners meet where the edges between them are smooth.
+    """Normals of corners, weighted by the corners' angles; corners are averaged over smooth edges.
 
     Parameters
     ----------
     positions, faces
         (V, 3), (F, 3).
     places
-        Of each vertex the first at its place (V,).
+        For each vertex the first one at its place (V,).
 
     Returns
     -------
     (NDArray, NDArray)
-        Faces (F, 3) by rows of the normals (N, 3): corners of one row have one vertex and one normal.
+        Faces (F, 3) as rows of the normals, and the normals (N, 3): corners with one row share vertex and normal.
     """
     corners = positions[faces].astype(np.float64)
     sides = np.roll(corners, -1, axis=1) - corners
@@ -40,7 +40,7 @@ def smoothed(
     weighted = (angles[:, :, None] * normal[:, None]).reshape(-1, 3)
     for axis in range(3):
         sums[:, axis] = np.bincount(group, weighted[:, axis], len(group))
-    # Faces without an area have none: zero stands for that.
+    # Faces without area have no normal: zero.
     of_corner = unit(sums[group])
     key = np.column_stack([faces.ravel(), group.astype(np.uint32)])
     row = _core.first_alike(np.ascontiguousarray(key.astype(np.uint32)).view(np.uint8).reshape(len(key), -1))
@@ -48,7 +48,7 @@ def smoothed(
 
 
 def _smooth_groups(faces: NDArray[np.uint32], normal: NDArray[np.float64]) -> NDArray[np.uint32]:
-    """Number of the group of each corner (3 F,); corners at one place are joined over edges that are not hard."""
+    """Group number of each corner (3 F,); corners at one place are joined over smooth edges."""
     count = len(faces)
     corner = np.arange(3 * count, dtype=np.uint32).reshape(-1, 3)
     after = np.roll(corner, -1, axis=1)
@@ -71,6 +71,6 @@ def _smooth_groups(faces: NDArray[np.uint32], normal: NDArray[np.float64]) -> ND
 
 
 def unit(vectors: NDArray[Any]) -> NDArray[np.float64]:
-    """Vectors (…, 3) of length 1; those without a length stay 0."""
+    """Normalise vectors (…, 3); zero vectors stay zero."""
     length = np.linalg.norm(vectors, axis=-1, keepdims=True)
     return np.asarray(np.divide(vectors, length, out=np.zeros(vectors.shape), where=length > 0), np.float64)

@@ -16,27 +16,27 @@ from nearfar.lod._simplify.normals import unit
 from nearfar.lod._simplify.surface import Surface, box_of, charts_of, first_alike
 
 EXTENT = 100.0
-"""Longest side of the box that fast-simplification gets, in its units. Its thresholds are absolute: in a small box the
-first one would let everything collapse in the order of the list, and a large one would never reach few triangles."""
+"""Longest side of the box passed to fast-simplification, in its units. Its thresholds are absolute: in a small box
+the first one would collapse everything in list order, and in a large one few triangles would never be reached."""
 
 FIN_HEIGHT = 0.5123
-"""Height of a fin as a share of its edge; an odd number, so that its apex is no vertex of a lattice."""
+"""Height of a fin as a share of its edge; not a round number, so that its apex is not a lattice's vertex."""
 
 _MAX_RUNS = 3
-"""Runs of the package for a level."""
+"""Maximum number of runs of the package per level."""
 
 _COUNT_TOLERANCE = 0.005
-"""Share of the triangles asked for by which a level may miss them without another run."""
+"""Relative deviation from the requested triangles up to which no further run is made."""
 
 _ONE_AT_A_TIME = threading.Lock()
-"""fast-simplification works in global variables."""
+"""Lock: fast-simplification uses global variables."""
 
 
 class QuadricSimplifier:
     """Garland's and Heckbert's quadrics by fast-simplification, for one base.
 
-    Vertices are welded by place first, so that seams do not open. Open borders and seams of charts are kept straight by
-    fins: triangles that stand on their edges and whose planes count like those of the surface.
+    Vertices are first welded by place, so that seams do not open. Open borders and seams of charts are kept in place by
+    fins: triangles that stand perpendicular on their edges and whose planes count like those of the surface.
     """
 
     def __init__(self, surface: Surface, places: NDArray[np.uint32]) -> None:
@@ -58,11 +58,11 @@ class QuadricSimplifier:
         return Carrier(self._surface)
 
     def level(self, target: int) -> Surface:
-        """Return the surface in about `target` triangles, with its attributes."""
+        """Simplify the surface to about `target` triangles, with its attributes."""
         if target >= len(self._surface.faces):
             return self._surface
         if target >= len(self._faces):
-            # Copies and faces without an area are all that goes.
+            # Only duplicates and faces without area are removed.
             return self._carrier.carried(self._places, self._faces.astype(np.uint32), self._origin)
         points, faces = self._points, self._faces
         apexes, feet = self._fins
@@ -72,11 +72,11 @@ class QuadricSimplifier:
         for _ in range(_MAX_RUNS):
             moved, roots = self._run(*both, wanted)
             places = (moved / self._scale + self._middle).astype(np.float32)
-            # Flat parts collapse onto corners where a vertex is already: such faces are nothing.
+            # Flat parts collapse onto existing corners: such faces are degenerate.
             left = first_alike(places)[roots][faces]
             remaining = np.flatnonzero(_is_triangle(left))
             missing = target - len(remaining)
-            # Fins that are left count too: their number is known after a run.
+            # Remaining fins count too: their number is known only after a run.
             if abs(missing) <= _COUNT_TOLERANCE * target or not 0 < wanted + missing < len(both[1]):
                 break
             wanted += missing
@@ -88,16 +88,16 @@ class QuadricSimplifier:
     def _run(
         self, points: NDArray[np.float64], faces: NDArray[np.int32], target: int
     ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
-        """Return the places that points have moved to, and the point into which each has been merged."""
+        """Return the new positions of points, and for each point the one into which it was merged."""
         with _ONE_AT_A_TIME:
             moved, left, merged = self._package.simplify(points, faces, target_count=target, return_collapses=True)
         roots = np.arange(len(points), dtype=np.int32)
         if len(merged):
-            # Every point is merged at most once; its list is followed to the end by halving it again and again.
+            # Each point is merged at most once; pointer doubling finds the final point.
             roots[merged[:, 1]] = merged[:, 0]
             while not np.array_equal(further := roots[roots], roots):
                 roots = further
-        # Faces that still have three corners are left, in the order of the list.
+        # Faces that still have three distinct corners remain, in list order.
         expected = roots[faces]
         expected = expected[_is_triangle(expected)]
         places = points.copy()
@@ -123,7 +123,7 @@ def _is_triangle(faces: NDArray[Any]) -> NDArray[np.bool_]:
 
 
 def _distinct(faces: NDArray[np.uint32]) -> tuple[NDArray[np.uint32], NDArray[np.int64]]:
-    """Faces with three corners, the first of each set of corners, and their numbers."""
+    """Faces with three distinct corners, without duplicates, and their numbers."""
     rows = np.flatnonzero(_is_triangle(faces))
     corners = np.ascontiguousarray(np.sort(faces[rows], axis=1), np.uint32)
     first = _core.first_alike(corners.view(np.uint8).reshape(len(rows), -1)) if len(rows) else rows
@@ -134,10 +134,10 @@ def _distinct(faces: NDArray[np.uint32]) -> tuple[NDArray[np.uint32], NDArray[np
 def fins(
     points: NDArray[np.float64], faces: NDArray[np.int32], charts: NDArray[np.uint32]
 ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
-    """Apexes (K, 3) and feet (K, 2) of fins on edges with one face and on those between charts.
+    """Apexes (K, 3) and feet (K, 2) of fins on edges with one face and on edges between charts.
 
-    Collapsing an apex costs nothing, so fins are gone soon. They leave the plane across the surface in the quadrics of
-    their feet.
+    Collapsing an apex costs nothing, so fins disappear early. They leave the plane perpendicular to the surface in the
+    quadrics of their feet.
     """
     here = np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2)
     sides = np.stack([charts, np.roll(charts, -1, axis=1)], axis=2).reshape(-1, 2)

@@ -1,4 +1,4 @@
-"""Levels of an object by simplification."""
+"""Creates levels of an object by simplification."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ if TYPE_CHECKING:
     import trimesh
 
 RATIOS = (1.0, 0.7, 0.5, 0.35, 0.25, 0.18, 0.12, 0.08, 0.05, 0.03, 0.02)
-"""Shares of the base's triangles, by default."""
+"""Default shares of the base's triangles."""
 
 METHODS = ("fast", "meshopt")
 NORMALS = ("keep", "smooth", "flat")
 
 _NOTED_MISS = 0.01
-"""Share of the triangles asked for: a level that misses them by more than that, and by more than two, gets a note."""
+"""Relative deviation from the requested triangles above which, if also by more than two, a level gets a note."""
 
 
 def simplify(
@@ -38,51 +38,50 @@ def simplify(
     normals: str = "keep",
     name: str | None = None,
 ) -> Levels:
-    """Make levels of detail of an object: the same surface in fewer and fewer triangles, with its textures.
+    """Make levels of detail of an object: the same surface with decreasing triangle counts, with its textures.
 
     Parameters
     ----------
     mesh
-        A scene, one of trimesh's meshes or scenes, or a file as `Scene.load` reads it. All of it is one object: parts
-        are placed where they stand and simplified together; they keep their materials, textures, texture coordinates
-        and vertex colours.
+        A scene, a trimesh mesh or scene, or a file for `Scene.load`. All of it counts as one object: parts are placed
+        and simplified together; they keep their materials, textures, texture coordinates and vertex colours.
     ratios
-        Shares of the triangles, above 0 and at most 1, in any order. The base itself is always level 0. A level with
-        no fewer triangles than the one before it is left out, and a note there says which ratio that was.
+        Shares of the triangles, above 0 and at most 1, in any order. The base itself is always level 0. A level that
+        does not have fewer triangles than its predecessor is left out, and the predecessor's note names the ratio.
     method
-        "fast": quadrics by fast-simplification, which moves vertices to where the error is least. Attributes are looked
-        up on the base, each within its own chart, so that seams stay seams; places stay welded, so nothing cracks.
-        "meshopt": meshoptimizer's simplifier, which keeps some of the vertices as they are, with all that they have. It
-        weighs attributes too. Where it can't go on otherwise it gives up seams of normals and colours, and then parts
-        that hang together with nothing else, small ones first. Small closed parts may go before that, as by "fast".
+        "fast": quadrics by fast-simplification, which moves vertices to minimise the error. Attributes are looked up on
+        the base within each chart, so that seams are preserved; places stay welded, so no cracks appear. "meshopt":
+        meshoptimizer's simplifier, which keeps a subset of the vertices with their attributes, and weighs attributes,
+        too. If it cannot continue otherwise, it gives up seams of normals and colours, and then unconnected parts,
+        small ones first. Small closed parts may disappear before that, as with "fast".
     normals
-        "keep": those of the base, where it has any. "smooth": made for the base, weighted by the corners' angles, hard
-        where faces meet at more than 60°. "flat": none, so that faces are shaded flat.
+        "keep": those of the base, if any. "smooth": computed for the base, weighted by the corners' angles, hard where
+        faces meet at more than 60°. "flat": none, so that faces are shaded flat.
     name
-        Of the object; by default the scene's, if that has one object, else the file's, else ``object``.
+        Name of the object; by default the scene's, if that has one object, else the file's, else ``object``.
 
     Returns
     -------
     Levels
-        With the greatest and the mean distance of each level from the base, both ways, found from all vertices and
-        20,000 points of each surface. `Level.note` says where a ratio could not be reached. The same for any number of
-        threads.
+        Levels with their greatest and mean distance from the base, in both directions, from all vertices and 20,000
+        points of each surface. `Level.note` names ratios that could not be reached. The result does not depend on the
+        number of threads.
 
     Raises
     ------
     ValueError
-        No triangles, ratios out of range, unknown methods.
+        No triangles, ratios out of range, or unknown methods.
     TypeError
-        Other things than meshes.
+        Values that are not meshes.
     SceneError
-        Meshes that can't be used, such as those with vertices that are not finite.
+        Unusable meshes, such as those with vertices that are not finite.
     ModuleNotFoundError
-        "fast" without the package fast-simplification, which the extra ``lod`` brings.
+        "fast" without the package fast-simplification, which the extra ``lod`` installs.
 
     References
     ----------
     Garland, Heckbert (1997): Surface simplification using quadric error metrics; open borders and seams are kept by
-    planes across the surface as there. Aspert, Santa-Cruz, Ebrahimi (2002): MESH, for the distances.
+    perpendicular planes as there. Aspert, Santa-Cruz, Ebrahimi (2002): MESH, for the distances.
     """
     shares = _ratios(ratios)
     check.choice("method", method, METHODS)
@@ -101,7 +100,7 @@ def simplify(
 
 
 def _ratios(ratios: Iterable[float]) -> list[float]:
-    """Shares below 1, falling, each once."""
+    """Shares below 1, descending, without duplicates."""
     if isinstance(ratios, np.ndarray):
         ratios = check.array("ratios", ratios, columns=None, dtype=np.float64).ravel().tolist()
     listed = check.iterable("ratios", ratios, "numbers above 0 and at most 1")
@@ -113,7 +112,7 @@ def _ratios(ratios: Iterable[float]) -> list[float]:
 
 
 def _level(base: Base, surface: Surface, share: float) -> Level | None:
-    """Measure a level; none where nothing is left of the surface."""
+    """Measure a level; None if nothing is left of the surface."""
     if not len(surface.faces):
         return None
     count, wanted = len(surface.faces), max(1, round(share * len(base.surface.faces)))

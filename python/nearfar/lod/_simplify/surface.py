@@ -1,4 +1,4 @@
-"""The base of a simplification: every part of a scene as one surface, and the charts that it consists of."""
+"""The base of a simplification: all parts of a scene as one surface, and its charts."""
 
 from __future__ import annotations
 
@@ -38,12 +38,12 @@ class Surface:
     faces: NDArray[np.uint32]
     """(F, 3)."""
     materials: NDArray[np.int32]
-    """(F,) of the scene's materials."""
+    """Material of each face (F,), of the scene's materials."""
     attributes: dict[str, Array] = field(default_factory=dict)
-    """(V, 2) uvs, (V, 4) colors, (V, 3) normals, as far as there are any."""
+    """Attributes (V, 2) uvs, (V, 4) colors, (V, 3) normals, as far as present."""
 
     def with_vertices(self, vertices: Array, faces: Array, materials: Array) -> Surface:
-        """Return a surface of some of the vertices, by their numbers, and of other faces (F, 3) or (3 F,)."""
+        """Return a surface with a subset of the vertices, by index, and with other faces (F, 3) or (3 F,)."""
         return Surface(
             np.ascontiguousarray(self.positions[vertices]),
             np.ascontiguousarray(faces.reshape(-1, 3), np.uint32),
@@ -53,7 +53,7 @@ class Surface:
 
 
 class Base:
-    """One object: its surface, and the scene that its levels take materials and textures from."""
+    """One object: its surface, and the scene that provides its levels' materials and textures."""
 
     def __init__(
         self, mesh: Scene | trimesh.Trimesh | trimesh.Scene | str | os.PathLike[str], name: str | None = None
@@ -66,7 +66,7 @@ class Base:
         only = _only_object(scene)
         self.name = name or _name_of(mesh, scene, only)
         self.frame = np.eye(4) if only is None else scene._pose(only)
-        """The object's own frame → the scene's (4, 4)."""
+        """Matrix (4, 4) from the object's own frame to the scene's."""
         self._kept: dict[str, Any] = {"notes": scene.report.notes, "undrawn": scene._undrawn}
         self._core = scene._core
         parts = _core.mesh_parts(self._core.merged())
@@ -74,7 +74,7 @@ class Base:
         self.surface = Surface(parts["positions"], parts["faces"], parts["materials"], attributes)
 
     def with_normals(self, kind: str) -> None:
-        """Keep the normals that there are ("keep"), make smooth ones ("smooth") or leave them out ("flat")."""
+        """Keep existing normals ("keep"), compute smooth ones ("smooth") or remove them ("flat")."""
         surface = self.surface
         if kind == "smooth":
             faces, normals = smoothed(surface.positions, surface.faces, self.places)
@@ -91,16 +91,16 @@ class Base:
 
     @cached_property
     def places(self) -> NDArray[np.uint32]:
-        """Of each vertex the first one at its place (V,)."""
+        """For each vertex the first one at its place (V,)."""
         return first_alike(self.surface.positions)
 
     @cached_property
     def scene(self) -> Scene:
-        """The object as it is, as level 0."""
+        """The unsimplified object, as level 0."""
         return self.scene_of(self.surface)
 
     def scene_of(self, surface: Surface) -> Scene:
-        """Make a scene of the object's name with another surface; materials and textures are shared."""
+        """Make a scene with the object's name and another surface; materials and textures are shared."""
         mesh = _core.Mesh(
             surface.positions,
             surface.faces,
@@ -123,7 +123,7 @@ def _scene_of(mesh: Scene | trimesh.Trimesh | trimesh.Scene | str | os.PathLike[
 
 
 def _only_object(scene: Scene) -> int | None:
-    """The number of the object that all triangles belong to, if there is one."""
+    """Number of the object that owns all triangles, if there is one."""
     parts = _core.scene_parts(scene._core)
     owners: set[int] = set()
     for mesh, number in zip(parts["meshes"], parts["objects"].tolist(), strict=True):
@@ -139,14 +139,14 @@ def _name_of(mesh: object, scene: Scene, only: int | None) -> str:
 
 
 def first_alike(*columns: Array) -> NDArray[np.uint32]:
-    """Of each row the first with the same numbers; −0 is 0."""
+    """For each row the first one with equal numbers; −0 equals 0."""
     rows = [np.ascontiguousarray(column + column.dtype.type(0)) for column in columns]
     flat = [row.view(np.uint8).reshape(len(row), -1) for row in rows]
     return _core.first_alike(np.ascontiguousarray(np.concatenate(flat, axis=1)))
 
 
 def box_of(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
-    """Least corner and longest side of the box of points; 1 where it has no side."""
+    """Least corner and longest side of the points' bounding box; the side is 1 for an empty or point-like box."""
     if not len(points):
         return np.zeros(3), 1.0
     low, high = points.min(axis=0), points.max(axis=0)
@@ -154,7 +154,7 @@ def box_of(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
 
 
 def charts_of(surface: Surface, *attributes: str) -> tuple[NDArray[np.int64], NDArray[np.uint32]]:
-    """Tell vertices apart by place, some attributes and the material of their faces.
+    """Distinguish vertices by place, some attributes and the material of their faces.
 
     Returns
     -------
@@ -165,7 +165,7 @@ def charts_of(surface: Surface, *attributes: str) -> tuple[NDArray[np.int64], ND
     faces = np.ascontiguousarray(first[surface.faces])
     if not has_many_materials(surface):
         return np.arange(len(surface.positions)), faces
-    # A vertex may have faces of two materials, so corners are told apart.
+    # A vertex may have faces of two materials, so corners are distinguished.
     corners = np.repeat(surface.materials, 3).view(np.uint32)
     number = first_alike(np.column_stack([faces.ravel(), corners])).reshape(-1, 3)
     return surface.faces.ravel().astype(np.int64), number
