@@ -86,7 +86,7 @@ def shaped(
     Raises
     ------
     OSError
-        Links are not possible here, with what is missing; or a congestion control that the kernel does not support.
+        Missing requirements of links, which the message lists; or a congestion control that the kernel lacks.
     """
     reason = no_link()
     if reason:
