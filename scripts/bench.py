@@ -1,7 +1,7 @@
-"""Runs all benchmarks; saves each one's output as Markdown, its plots, and a report of all in a folder.
+"""Runs all benchmarks; saves the output of each as Markdown, its plots, and a report of all in a folder.
 
-One after the other, because they measure time: `python scripts/bench.py [FOLDER] [NAME ...]`, where a name is a stage,
-such as `trace`, or one benchmark of it, such as `lod.fit`.
+They run one after the other, because they measure time: `python scripts/bench.py [FOLDER] [NAME ...]`, where a name is
+a stage, such as `trace`, or one benchmark of it, such as `lod.fit`.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ def names() -> list[str]:
 
 
 def run(name: str, folder: Path) -> bool:
-    """Run one benchmark; its output goes to the terminal and to a file of its name."""
+    """Run one benchmark; its output goes to the terminal and to a file with its name."""
     print(f"## {name}", flush=True)
     started = time.perf_counter()
     command = [sys.executable, "-m", f"benchmarks.{name}"]

@@ -1,4 +1,4 @@
-"""A copy of the checkout outside of it, which may be changed and built while people work in the checkout."""
+"""A copy of the checkout in another folder, which may be changed and built while the checkout is in use."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ from nearfar._base import data
 RUST = (".rs", ".wgsl")
 """Suffixes of files that cargo compiles."""
 LONGEST = 600
-"""Seconds after which tests that have not ended are stopped; some faults let them wait for ever."""
+"""Timeout of tests, seconds; some faults make them wait for ever."""
 MODULES = ("web", "tests/readers", "tests/exporters")
-"""Folders with packages of npm."""
+"""Folders with npm packages."""
 
 
 class Refused(Exception):  # noqa: N818
-    """A fault of which nothing can be said."""
+    """A fault without a result."""
 
 
 class Copy:
-    """A copy of the checkout, with what is built there."""
+    """A copy of the checkout, with its build outputs."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
@@ -42,7 +42,7 @@ class Copy:
             self._environment["NEARFAR_DATA"] = str(root)
 
     def fill(self, checkout: Path, content: Mapping[str, tuple[bytes, int]]) -> None:
-        """Let the files be these; what has not changed keeps its time, by which cargo sees what to compile."""
+        """Set the files to `content`; unchanged ones keep their times, by which cargo finds what to compile."""
         listing = self.folder / ".mutations.json"
         before = json.loads(listing.read_text()) if listing.exists() else []
         for name in set(before) - content.keys():
@@ -60,7 +60,7 @@ class Copy:
                 (self.folder / name / "node_modules").symlink_to(modules.resolve())
 
     def run(self, *command: str, folder: str = ".") -> tuple[int, str]:
-        """Run a program; its status, below 0 if it had to be stopped, and its output."""
+        """Run a program; return its status, below 0 if it was stopped, and its output."""
         pipes: dict[str, Any] = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "errors": "replace"}
         where: dict[str, Any] = {"cwd": self.folder / folder, "env": self._environment, "start_new_session": True}
         process = subprocess.Popen(command, **pipes, **where)
@@ -73,13 +73,13 @@ class Copy:
         return process.returncode, output
 
     def must(self, *command: str, folder: str = ".") -> None:
-        """Run a program that has to succeed; Refused otherwise."""
+        """Run a program that must succeed; Refused otherwise."""
         status, output = self.run(*command, folder=folder)
         if status:
             raise Refused(f"does not build: {' '.join(command)}: {output.strip()[-400:]}")
 
     def build(self, suffix: str) -> None:
-        """Build what files with a suffix are part of."""
+        """Build the component that files with a suffix belong to."""
         if suffix in RUST:
             self.must("cargo", "build", "--quiet", "--profile", "quick", "-p", "nearfar-py")
             new = self.folder / "python" / "nearfar" / "_core.abi3.so.new"
@@ -94,7 +94,7 @@ class Copy:
 
 
 def content_at(checkout: Path, commit: str | None) -> dict[str, tuple[bytes, int]]:
-    """Bytes and mode of each file of a commit, or of the working tree without what git ignores."""
+    """Bytes and mode of each file of a commit, or of the working tree without ignored files."""
     git = ["git", "-C", str(checkout)]
     if commit:
         archive = subprocess.run([*git, "archive", commit], check=True, capture_output=True).stdout

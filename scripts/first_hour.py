@@ -1,9 +1,9 @@
-"""Goes a newcomer's way from an installation to light scenes, headset pictures and levels; times and shows each step.
+"""Follows a newcomer from an installation to light scenes, headset pictures and levels; times and shows each step.
 
 `python scripts/first_hour.py [FILE_OR_FOLDER ...] [-o FOLDER] [--quick] [--install WHEEL]`
 
-Each scene goes through the commands info, reduce, render, compare and lod, in this order; without files, a procedural
-city, room and forest do, and a ring for the levels. `--install` makes a new environment for the wheel first. All
+Each scene goes through the commands info, reduce, render, compare and lod, in this order; by default a procedural
+city, room and forest, and a ring for the levels. `--install` makes a new environment for the wheel first. All
 commands, times, texts and pictures are on FOLDER/index.html. The exit status is 1 if a step fails.
 """
 
@@ -23,7 +23,7 @@ from pathlib import Path
 CHECKOUT = Path(__file__).resolve().parent.parent
 
 SUFFIXES = (".glb", ".gltf", ".obj", ".ply", ".stl")
-"""Files of a folder that are taken for scenes."""
+"""Suffixes of files in a folder that are loaded as scenes."""
 
 PROCEDURAL = {"city": "city:blocks=4,detail=1", "room": "room", "forest": "forest:trees=200"}
 """Scenes by name if no files are given."""
@@ -39,7 +39,7 @@ print(f"import nearfar after NumPy: {1e3 * (end - between):.0f} ms; NumPy itself
 """
 
 SLOWEST = 1800.0
-"""Seconds after which a step is taken to hang."""
+"""Timeout of a step, seconds."""
 
 STYLE = """
 body { font: 16px/1.45 system-ui, sans-serif; margin: 1.5rem auto; max-width: 72rem; padding: 0 1rem; }
@@ -53,7 +53,7 @@ td, th { padding: 0.15rem 0.8rem 0.15rem 0; text-align: left; } td.number { text
 
 @dataclass
 class Step:
-    """A command that was run for a scene, and what came of it."""
+    """A command that was run for a scene, and its results."""
 
     scene: str
     name: str
@@ -129,7 +129,7 @@ def _steps(options: argparse.Namespace, folder: Path, scenes: dict[str, str]) ->
 
 
 def _scenes(files: list[Path]) -> dict[str, str]:
-    """Scenes among files and folders by names that differ; exits if a file is missing or a folder holds none."""
+    """Find scenes among files and folders, with unique names; exit if a file is missing or a folder contains none."""
     scenes: dict[str, str] = {}
     for file in files:
         if not file.exists():
@@ -150,7 +150,7 @@ def _scene_steps(python: str, name: str, scene: str, folder: Path, *, quick: boo
     size = ["--size", "320x200"] if quick else []
     eye_size = ["--size", "238x240"] if quick else []
     map_size = ["--face-size", "128"] if quick else []
-    # Tears are measured at the density of a headset, so that a narrow view is a fast one.
+    # Tears are measured at the density of a headset, so that a narrow view is faster.
     narrow = ["--fov", "45"] if quick else []
     nearfar = [python, "-m", "nearfar.cli"]
     light = str(room / "light")

@@ -42,7 +42,7 @@ def draw_lod(path: Path) -> None:
 
 
 def _draw_levels(model: nf.lod.LodModel, axes: Any) -> None:
-    """Draw all levels from one side, with the size up to which each is good enough."""
+    """Draw all levels from one side, with the maximum size at which each is good enough."""
     switch = nf.lod.switches(model, view=FOV)
     way = np.array([0.55, 0.3, 1.0])
     eye = model.center + 3.2 * model.radius * way / np.linalg.norm(way)
@@ -58,7 +58,7 @@ def _draw_levels(model: nf.lod.LodModel, axes: Any) -> None:
 
 
 def _draw_curves(model: nf.lod.LodModel, axis: Any) -> None:
-    """Draw the score curves with the score that is good enough."""
+    """Draw the score curves with the sufficient score."""
     model.plot(axis)
     sigma = np.geomspace(*model.sigma, 200)
     axis.plot(sigma, nf.lod.LodThreshold()(sigma, nf.lod.reference_solid_angle(FOV)), "k--", label="threshold f(σ)")

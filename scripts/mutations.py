@@ -1,14 +1,14 @@
-"""Seeds faults of the kinds that engineers make, one at a time, and finds out which tests catch them.
+"""Seeds typical engineering faults, one at a time, and reports which tests catch them.
 
 python -m scripts.mutations [--only NAME ...] [--list] [--at COMMIT] [--beside EARLIER.json] [--out FOLDER]
 
 Each table of tests/mutations/*.toml is named by a stage and the fault: `where` is the file or folder in which the text
-`old` occurs exactly once, and `new` takes its place. Texts instead of patches: they hold when lines and files move.
-`tests` lists what pytest runs (by default tests/STAGE), `slow` the files of slow tests that run if nothing else fails.
+`old` occurs exactly once, and `new` replaces it. Texts, unlike patches, remain valid when lines and files move. `tests`
+lists what pytest runs (by default tests/STAGE), `slow` the files of slow tests that run if nothing else fails.
 
-A copy of the checkout lies in a folder of its own (`--copy`), which stays, so that Rust is compiled as a whole only
-once. Tests run there without a fault first; up to three of a suite that fail are printed and left out. A fault that no
-longer applies, that does not compile, or after which tests fail to run, is an error and not caught.
+A copy of the checkout is kept in a separate folder (`--copy`), so that Rust is compiled completely only once. Tests
+first run there without a fault; up to three failing ones of a suite are printed and left out. A fault that no longer
+applies, that does not compile, or after which tests fail to run, is an error and does not count as caught.
 """
 
 from __future__ import annotations
@@ -31,16 +31,16 @@ from scripts.checkout_copy import LONGEST, RUST, Copy, Refused, content_at
 CHECKOUT = Path(__file__).resolve().parents[1]
 FAULTS = CHECKOUT / "tests" / "mutations"
 LANGUAGES = {".py": "Python", ".ts": "TypeScript", ".rs": "Rust"}
-"""Of files that may have faults, beside those of shaders."""
+"""Languages by suffix of files that may have faults, besides shaders."""
 BROKEN = re.compile(r"\b(ImportError|ModuleNotFoundError|SyntaxError|IndentationError|NameError|UnboundLocalError)\b")
-"""Failures by which a fault would give itself away whatever tests do."""
+"""Failures that reveal a fault independently of the tests."""
 MOST_LEFT_OUT = 3
-"""Tests of a suite that may fail without a fault."""
+"""Maximum number of tests of a suite that may fail without a fault."""
 
 
 @dataclass(frozen=True)
 class Fault:
-    """A text that takes the place of another one."""
+    """A text and its replacement."""
 
     name: str
     stage: str
@@ -52,7 +52,7 @@ class Fault:
 
 
 def faults(folder: Path = FAULTS) -> list[Fault]:
-    """All faults of a folder's tables, by file, stage and name."""
+    """Read all faults of a folder's tables, by file, stage and name."""
     found = []
     for path in sorted(folder.glob("*.toml")):
         for stage, named in tomllib.loads(path.read_text(encoding="utf-8")).items():
@@ -78,7 +78,7 @@ Suite = tuple[str, ...]
 
 
 def suites(fault: Fault, path: Path, tree: Path) -> list[Suite]:
-    """The tests of a fault, those that are most likely to catch it first."""
+    """The tests of a fault, those most likely to catch it first."""
     missing = [name for name in (*fault.tests, *fault.slow) if not (tree / name).exists()]
     if missing:
         raise Refused(f"names tests that are not there: {', '.join(missing)}")
@@ -94,7 +94,7 @@ def suites(fault: Fault, path: Path, tree: Path) -> list[Suite]:
 
 
 def failures(copy: Copy, suite: Suite, left_out: Sequence[str] | None = None) -> list[tuple[str, str]]:
-    """Run tests: the first that fails and its message; Refused if they do not run.
+    """Run tests and return the first failure with its message; Refused if they do not run.
 
     `left_out` names tests of pytest that fail without a fault; None runs all tests and returns all that fail.
     """
@@ -131,13 +131,13 @@ def failures(copy: Copy, suite: Suite, left_out: Sequence[str] | None = None) ->
 
 
 def seconds() -> float:
-    """Seconds of the processors that ended processes took."""
+    """CPU seconds of the ended child processes."""
     usage = resource.getrusage(resource.RUSAGE_CHILDREN)
     return usage.ru_utime + usage.ru_stime
 
 
 def without_fault(copy: Copy, suite: Suite) -> list[str]:
-    """Run tests that should pass: a few of pytest that fail all the same, to be left out; Refused if there are more."""
+    """Run tests that should pass; return the few of pytest that fail, to be left out; Refused if there are more."""
     failed = [name for name, _ in failures(copy, suite)]
     if failed:
         print(f"fails without a fault: {', '.join(failed)}"[:400], flush=True)
@@ -149,8 +149,8 @@ def without_fault(copy: Copy, suite: Suite) -> list[str]:
 def seeded(copy: Copy, fault: Fault, left_out: Mapping[Suite, Sequence[str]]) -> dict[str, Any]:
     """Seed one fault and run its tests without those that fail anyway.
 
-    Returns its name, its language, the first test that failed (empty for none), its message, the seconds of the
-    processors for building and testing, and the tests that were left out.
+    Returns its name, its language, the first test that failed (empty for none), its message, the CPU seconds for
+    building and testing, and the tests that were left out.
     """
     path, begin = place(copy.folder, fault), seconds()
     chosen = suites(fault, path, copy.folder)
@@ -169,7 +169,7 @@ def seeded(copy: Copy, fault: Fault, left_out: Mapping[Suite, Sequence[str]]) ->
 
 
 def table(results: Iterable[Mapping[str, Any]], earlier: Mapping[str, str]) -> str:
-    """Results as Markdown, beside those of another run."""
+    """Format results as Markdown, with those of another run."""
     head = ["fault", "language", *(["caught before by"] if earlier else []), "caught by", "CPU s"]
     lines = [head, ["---"] * len(head)]
     for row in results:
@@ -207,11 +207,11 @@ def main() -> None:
 
 
 def run_all(copy: Copy, wanted: Iterable[Fault]) -> tuple[list[dict[str, Any]], dict[str, str]]:
-    """Run the tests without faults and then with each; rows of results, and why others were refused."""
+    """Run the tests without faults and then with each; return rows of results, and reasons of refusals."""
     results, refused, left_out = [], {}, dict[Suite, list[str]]()
     for kind in LANGUAGES:
         copy.build(kind)
-    # Faults of one language one after the other: what is built of others stays.
+    # Faults of one language follow each other, so that builds of other languages stay valid.
     kinds = dict.fromkeys(wanted, "")
     for fault in kinds:
         try:

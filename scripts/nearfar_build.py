@@ -1,6 +1,6 @@
-"""Build backend: maturin, after a check for cargo whose message is one sentence if it is missing or too old.
+"""Build backend: maturin, after a check for cargo with a one-sentence message if it is missing or too old.
 
-Run as a script it only checks. Maturin alone would try to download a Rust toolchain without asking.
+As a script it only checks. Maturin alone would try to download a Rust toolchain without asking.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ Settings = dict[str, Any] | None
 
 
 def require_cargo() -> None:
-    """Exit with a message unless cargo is installed and new enough; Cargo.toml states the least version."""
+    """Exit with a message unless cargo is installed and new enough; Cargo.toml states the minimum version."""
     manifest = (Path(__file__).resolve().parent.parent / "Cargo.toml").read_text(encoding="utf-8")
     stated = re.search(r'^rust-version = "([\d.]+)"', manifest, re.MULTILINE)
     least = stated.group(1) if stated else "1.89"
@@ -83,8 +83,8 @@ def build_sdist(sdist_directory: str, config_settings: Settings = None) -> str:
 
 
 def _maturin() -> Any:
-    # A late import, because the check must run before maturin is installed. Maturin's Python part searches PATH for its
-    # program, which is not there if the environment is not activated.
+    # Imported late, because the check must run before maturin is installed. Maturin's Python part searches PATH for its
+    # program, which is missing there if the environment is not activated.
     import maturin
 
     os.environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])

@@ -1,7 +1,7 @@
 """Makes the pictures of the README: `python scripts/pictures.py [city] [tokyo] [curve] [lod]`, into docs/.
 
-City and Tokyo show truth, conventional and continuous method from one eye, and below a part of each enlarged; the city
-also with the r₁ that the ground asks for.
+City and Tokyo show truth, conventional and continuous method from one eye, and below an enlarged part of each; the city
+also with the r₁ chosen by the ground.
 """
 
 from __future__ import annotations
@@ -77,7 +77,7 @@ def compare(
 
 
 def column(picture: NDArray[np.uint8], text: str, part: Box) -> NDArray[np.uint8]:
-    """A picture scaled down under its caption, above an enlarged part."""
+    """Scale a picture down under its caption, above an enlarged part."""
     whole, (width, height) = Image.fromarray(picture), SIZE
     small = whole.resize((COLUMN, COLUMN * height // width), Image.Resampling.LANCZOS)
     box = (part[0] * width, part[1] * height, part[2] * width, part[3] * height)

@@ -1,6 +1,6 @@
 """Prints the requirements of the package and of the extras named on the command line, one per line.
 
-The Makefile installs them apart from the build, so that an edit of a Rust file does not ask the package index.
+The Makefile installs them separately from the build, so that an edit of a Rust file does not query the package index.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Makes docs/stream.jpg: what a client shows of a bundle, ring by ring, beside the full scene.
+"""Makes docs/stream.jpg: a client's pictures of a bundle, ring by ring, and the full scene.
 
 python -m scripts.stream_picture
 """

@@ -25,13 +25,13 @@ SIZE = (400, 250)
 CENTER = (-10.5, 1.7, -14.0)
 YAW, PITCH = -0.03, 0.05
 RADII, SPEED = (10.0, 20.0, 40.0), 2.0
-"""Metres; degrees a second at which the picture turns while the morph grows."""
+"""Radii in metres; degrees per second at which the picture turns while the morph grows."""
 STEP, SHOWN = 1 / 3, 0.1
-"""Seconds of the page between two pictures, and for which each is shown."""
+"""Seconds of the page between two pictures, and display time of each."""
 SWAY, PERIOD = 0.7, 6.0
-"""Metres to either side, and seconds of the page there and back."""
+"""Amplitude in metres to either side, and period in seconds of the page."""
 
-# A frame of the page's own, without its clock.
+# Draws a frame of the page, without its clock.
 FRAME = """([pose, seconds]) => {
   const { viewer } = window.nearfar;
   viewer.renderer.setAnimationLoop(null);
@@ -58,7 +58,7 @@ def main() -> None:
 
 
 def shown_while_it_loads(page: Any, bundle: nf.stream.Bundle) -> list[Image.Image]:
-    """The page's pictures until the last ring has grown, with what they show written below."""
+    """Return the page's pictures until the last ring has grown, each with a caption below."""
     frames: list[Image.Image] = []
     rest = round(PERIOD / STEP)
     while rest:
@@ -74,7 +74,7 @@ def shown_while_it_loads(page: Any, bundle: nf.stream.Bundle) -> list[Image.Imag
 
 
 def captioned(url: str, text: str) -> Image.Image:
-    """A picture of the canvas with a line of text."""
+    """Add a line of text to a picture of the canvas."""
     data = base64.b64decode(url.partition(",")[2])
     picture = np.asarray(Image.open(io.BytesIO(data)).convert("RGB"))
     return Image.fromarray(caption(picture, text))

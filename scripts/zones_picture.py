@@ -1,7 +1,7 @@
 """Draw the figure of the README that defines O, U, r₁, r₂ and the three zones: `python scripts/zones_picture.py`.
 
-Top view above, the weight w as a function of ρ below. The positions on display come from `nearfar.morph`, so that the
-figure shows the method that the package implements.
+Top view above, the weight w as a function of ρ below. The displayed positions come from `nearfar.morph`, so that the
+figure shows the implemented method.
 """
 
 from __future__ import annotations
@@ -76,7 +76,7 @@ def draw_zones(axes: Any) -> None:
 
 
 def draw_points(axes: Any) -> None:
-    """Draw O, U, and for each P the place Q where the user is shown it, with the sight lines that lead there."""
+    """Draw O, U, and for each P its displayed place Q, with the sight lines that lead there."""
     shown = {name: shown_at(point) for name, point in POINTS.items()}
     for name, point in POINTS.items():
         line(axes, USER, shown[name], INK[name], "-")
@@ -104,7 +104,7 @@ def draw_points(axes: Any) -> None:
 
 
 def draw_labels(axes: Any, shown: dict[str, Array]) -> None:
-    """Name P and Q in each zone."""
+    """Label P and Q in each zone."""
     words: list[tuple[str, Array, tuple[float, float], str, str]] = [
         ("near", shown["near"], (3.0, -1.0), "P = Q", "left"),
         ("intermediate", POINTS["intermediate"], (0.0, -4.0), "P", "center"),
@@ -136,7 +136,7 @@ def draw_weight(axes: Any) -> None:
 
 
 def shown_at(point: Array) -> Array:
-    """Position where the morph shows a point to the user."""
+    """Position at which the morph shows a point to the user."""
     return np.asarray(nf.morph(point[None], user=USER, center=CENTER, r1=R1, r2=R2)[0])
 
 

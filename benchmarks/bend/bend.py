@@ -16,7 +16,7 @@ COUNT = 20_000
 RADII: dict[str, Any] = {"center": (0.0, 1.7, 0.0), "r1": 30.0, "r2": 50.0}
 USER = (6.0, 1.5, -5.0)
 HALVINGS = 52
-"""Number of halvings of the interval in which NumPy searches for a point, for float64's digits."""
+"""Number of bisection steps with which NumPy searches for a point, enough for float64's digits."""
 
 Array = NDArray[np.float64]
 

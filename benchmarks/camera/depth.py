@@ -17,7 +17,7 @@ NEAR = 0.1
 
 
 def straightforward(depth: NDArray[Any]) -> NDArray[Any]:
-    """The formula as users write it, in the type of the buffer."""
+    """Straightforward formula in the type of the buffer."""
     height, width = depth.shape
     x = np.linspace(FOV.left, FOV.right, 2 * width + 1, dtype=depth.dtype)[1::2]
     y = np.linspace(FOV.up, FOV.down, 2 * height + 1, dtype=depth.dtype)[1::2, None]

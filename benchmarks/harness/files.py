@@ -1,6 +1,6 @@
 """Process that serves a folder over HTTP/1.1: python -m benchmarks.harness.files FOLDER ADDRESS; it prints its port.
 
-Files go out as they are, without compression. It ends when its standard input is closed.
+Files are served without compression. The process ends when its standard input is closed.
 """
 
 from __future__ import annotations
@@ -13,10 +13,10 @@ from typing import Any
 
 
 class _Handler(SimpleHTTPRequestHandler):
-    """Keeps connections open, as servers for the web do, and prints nothing."""
+    """Keeps connections open, as web servers do, and prints nothing."""
 
     protocol_version = "HTTP/1.1"
-    # The end of a file does not wait until the client has acknowledged what is before it.
+    # The end of a file does not wait until the client has acknowledged the previous packets.
     disable_nagle_algorithm = True
 
     def log_message(self, *_: Any) -> None:
@@ -27,7 +27,7 @@ class _Listener(ThreadingHTTPServer):
     daemon_threads = True
 
     def handle_error(self, request: Any, client_address: Any) -> None:
-        """Browsers break connections off when a page is left; that is no error."""
+        """Ignore the error: browsers close connections when a page is left."""
 
 
 def main() -> None:

@@ -1,4 +1,4 @@
-"""Pages that load over a link: a real one where it can be had, else one that Chromium's developer tools pretend."""
+"""Loads pages over a link: a real one if possible, else one that Chromium's developer tools emulate."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ class Network:
 
     @property
     def name(self) -> str:
-        """Which kind it is, and of which link."""
+        """Name of the kind of network, and of its link."""
         rate = "a trace" if self.link.mbps is None else f"{self.link.mbps:g} Mbit/s"
         kind = "packets shaped between two namespaces" if self.real else "Chromium's own throttle"
         return f"{rate}, {self.link.rtt_ms:g} ms, {self.link.loss:.0%} lost: {kind}"
 
     @contextmanager
     def served(self, folder: Path) -> Iterator[str]:
-        """Serve files as they are, without compression, from a process at the server's side; the address."""
+        """Serve files without compression from a process at the server's side; yield the address."""
         address = LOCAL if self.real is None else SERVER
         command = [sys.executable, "-m", "benchmarks.harness.files", str(folder), address]
         if self.real is not None:
@@ -46,7 +46,7 @@ class Network:
 
     @contextmanager
     def shown(self, bundle: Path) -> Iterator[str]:
-        """Serve a bundle with its page by `nearfar serve`, at the server's side; the address."""
+        """Serve a bundle with its page by `nearfar serve`, at the server's side; yield the address."""
         address = LOCAL if self.real is None else SERVER
         command = [sys.executable, "-m", "nearfar.cli", "serve", str(bundle), "--host", address, "--port", "0"]
         command += ["--log", "off"]
@@ -62,7 +62,7 @@ class Network:
 
     @contextmanager
     def browser(self, url: str) -> Iterator[Any]:
-        """Chromium at the client's side; pages from the address may do what a server with TLS allows them."""
+        """Start Chromium at the client's side; pages from the address have the rights of those served with TLS."""
         origin = "{0.scheme}://{0.netloc}".format(urlsplit(url))
         flags = (f"--unsafely-treat-insecure-origin-as-secure={origin}", "--ignore-certificate-errors")
         path = browser()
@@ -73,7 +73,7 @@ class Network:
 
     @contextmanager
     def page(self, chromium: Any, size: tuple[int, int]) -> Iterator[Any]:
-        """A page of a browser without a cache and without connections."""
+        """Open a page of a browser without a cache and without connections."""
         width, height = size
         context = chromium.new_context(viewport={"width": width, "height": height})
         page = context.new_page()
@@ -96,7 +96,7 @@ def _throttle(session: Any, link: nf.stream.Link) -> None:
 
 @contextmanager
 def network(link: nf.stream.Link, *, real: bool | None = None, seed: int = 0) -> Iterator[Network]:
-    """Bring up a link: a real one or Chromium's throttle; by default the former where it can be had."""
+    """Set up a link: a real one or Chromium's throttle; by default the real one if possible."""
     if real if real is not None else not no_link():
         with shaped(link, seed=seed) as up:
             yield Network(link, up)

@@ -21,7 +21,7 @@ class Timing:
 
 
 def best(job: Callable[[], object], *, repeat: int = 5) -> Timing:
-    """Run `job` once to warm up and then `repeat` times; the least wall and CPU seconds."""
+    """Run `job` once to warm up and then `repeat` times; return the least wall and CPU seconds."""
     job()
     walls, cpus = [], []
     for _ in range(repeat):
@@ -47,7 +47,7 @@ def table(title: str, header: list[str], rows: list[list[str]]) -> str:
 
 @contextmanager
 def ahead_of_others() -> Iterator[None]:
-    """Let this process, and what it starts meanwhile, run before all else on the machine, where that is allowed."""
+    """Give this process, and processes that it starts meanwhile, the highest priority, if that is allowed."""
     kind, parameters = os.sched_getscheduler(0), os.sched_getparam(0)
     try:
         with suppress(OSError):

@@ -1,4 +1,4 @@
-"""Pictures whose tear is known: halves that are pulled apart, slide along each other or overlap, sheared and curved."""
+"""Pictures with a known tear: halves that are pulled apart, slide along each other or overlap, sheared and curved."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ Array = NDArray[np.float64]
 
 WIDE = nf.Camera((3, 2, 1), fov=nf.Fov.symmetric(90), size=(160, 160))
 MIDDLE = 80.2
-"""A line through this place runs between the centres of pixels at any angle."""
+"""Position of the line, which runs between pixel centres at any angle."""
 KINDS = ("opening", "sliding", "overlap")
-"""Motions of both halves."""
+"""Names of the motions of both halves."""
 
 
 def pixels(view: nf.Camera = WIDE) -> Array:
@@ -22,7 +22,7 @@ def pixels(view: nf.Camera = WIDE) -> Array:
 
 
 def picture(truth: Array, view: nf.Camera = WIDE) -> nf.Frame:
-    """The frame whose pixels show points that are at given places (H, W, 2) of the truth."""
+    """Make the frame whose pixels show points at given places (H, W, 2) of the truth."""
     fov = view.fov
     assert isinstance(fov, nf.Fov)
     x = fov.left + (fov.right - fov.left) * truth[..., 0] / view.width
@@ -34,7 +34,7 @@ def picture(truth: Array, view: nf.Camera = WIDE) -> nf.Frame:
 def torn(
     tear: float, direction: float, *, kind: str = "opening", shear: float = 0.0, curvature: float = 0.0
 ) -> nf.Frame:
-    """A picture that is torn along a line through its middle, with a shear and a curvature over all of it.
+    """Make a picture that is torn along a line through its middle, with shear and curvature over all of it.
 
     `direction` in radians is that across the line. Halves are "opening", with nothing between them, "sliding" along
     each other, or "overlap", where one hides the other. A curvature c shows a point that is x pixels from the middle,

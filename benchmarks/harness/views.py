@@ -80,7 +80,7 @@ def _is_free(
 
 
 def _around(scene: nf.Scene, eyes: NDArray[np.float64]) -> NDArray[np.float32]:
-    """Distances in metres that each eye sees in directions all around."""
+    """Distances in metres from each eye to surfaces in directions all around."""
     angle = np.arange(_RING) * (2.0 * np.pi / _RING)
     ring = np.column_stack([np.cos(angle), np.zeros(_RING), np.sin(angle)])
     hits = nf.cast_rays(scene, np.repeat(eyes, _RING, axis=0), np.tile(ring, (len(eyes), 1)))

@@ -24,11 +24,11 @@ Array = NDArray[np.float64]
 METALLIC, ROUGHNESS = (0.0, 0.5, 1.0), (0.25, 0.5, 0.75, 1.0)
 FREQUENCY, CONTRAST = (2.0, 4.0, 8.0, 16.0), (0.5, 1.0)
 MIXED = (Material(1.0, 0.5, 8.0, 0.5, True), Material(0.5, 0.5, 4.0, 1.0, True), Material(0.0, 0.5, 16.0, 0.5))
-"""Metallic or glossy and patterned: not fitted, but predicted."""
+"""Metallic or glossy materials with patterns: predicted, not fitted."""
 
 
 def patterns(frequencies: Sequence[float], *, mapped: bool) -> tuple[Material, ...]:
-    """Dull materials of all contrasts."""
+    """Dull materials with patterns of all contrasts."""
     return tuple(
         Material(frequency=frequency, contrast=contrast, mapped=mapped)
         for frequency in frequencies
@@ -39,18 +39,18 @@ def patterns(frequencies: Sequence[float], *, mapped: bool) -> tuple[Material, .
 HEADSET = nf.hmd.RIFT_S
 _AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (3**-0.5,) * 3)
 _MARGIN = 6
-"""Pixels around the object, so that every window about its silhouette lies within the picture."""
+"""Margin in pixels around the object, so that every window about its silhouette lies within the picture."""
 
 
 @dataclass(frozen=True)
 class Plan:
-    """Levels, sizes, views and materials that are scored."""
+    """Levels, sizes, views and materials to score."""
 
     ratios: tuple[float, ...] = (0.2, 0.05, 0.0125)
     sizes: tuple[float, ...] = (1.0, 1 / 8, 1 / 64)
     """Solid angles, as shares of that at 1/16 of the screen."""
     steps: int = 6
-    """Views of a turn about each of four axes."""
+    """Number of views of a turn about each of four axes."""
     materials: tuple[Material, ...] = (
         *(Material(metallic, roughness) for metallic in METALLIC for roughness in ROUGHNESS),
         *patterns(FREQUENCY, mapped=False),
@@ -72,18 +72,18 @@ QUICK = Plan(
         MIXED[0],
     ),
 )
-"""Well below a minute, for procedural objects."""
+"""Plan for procedural objects that takes well below a minute."""
 
 
 # objects --------------------------------------------------------------------------------------------------------------
 def unit(vertices: NDArray[Any], faces: NDArray[Any]) -> Shape:
-    """In a bounding sphere of radius 1 about the origin."""
+    """Scale a mesh to a bounding sphere of radius 1 about the origin."""
     center, radius = nf.bounding_sphere(np.asarray(vertices, np.float64))
     return Shape(((vertices - center) / radius).astype(np.float32), np.asarray(faces, np.int64))
 
 
 def rock(detail: int = 5) -> Shape:
-    """A ball with bumps of several sizes."""
+    """Make a ball with bumps of several sizes."""
     import trimesh
 
     ball = trimesh.creation.icosphere(subdivisions=detail)
@@ -93,7 +93,7 @@ def rock(detail: int = 5) -> Shape:
 
 
 def knot(around: int = 240, across: int = 40) -> Shape:
-    """A torus knot: a tube that passes before itself."""
+    """Make a torus knot: a tube that occludes itself."""
     t = 2 * np.pi * np.arange(around) / around
     ring = 2 + np.cos(3 * t)
     path = np.stack([ring * np.cos(2 * t), ring * np.sin(2 * t), np.sin(3 * t)], axis=1)
@@ -110,7 +110,7 @@ def knot(around: int = 240, across: int = 40) -> Shape:
 
 
 def fluted(detail: int = 5) -> Shape:
-    """An egg with flutes like a column's: creases as made things have them."""
+    """Make an egg with flutes like a column's: creases as on artificial objects."""
     import trimesh
 
     ball = trimesh.creation.icosphere(subdivisions=detail)
@@ -124,7 +124,7 @@ def _turns(count: int) -> list[Array]:
 
 
 def _rings(rows: int, columns: int) -> NDArray[np.int64]:
-    """Two faces for each cell of a grid both of whose sides are rings."""
+    """Make two faces for each cell of a grid that is closed in both directions."""
     i, j = (axis.ravel() for axis in np.mgrid[:rows, :columns])
     corners = [(i + di) % rows * columns + (j + dj) % columns for di, dj in ((0, 0), (1, 0), (1, 1), (0, 1))]
     return np.concatenate([np.stack([corners[n] for n in face], axis=1) for face in ((0, 1, 2), (0, 2, 3))])
@@ -143,7 +143,7 @@ SCANNED = {
 
 
 def scanned(name: str) -> Shape | None:
-    """An object of the data folder without its materials, its vertices merged by position; None where it is missing."""
+    """Load an object of the data folder without materials, vertices merged by position; None if it is missing."""
     import trimesh
 
     path = data.find(SCANNED[name])
@@ -163,7 +163,7 @@ def scanned(name: str) -> Shape | None:
 
 
 def _unpacked(path: Path) -> tuple[io.BytesIO, str]:
-    """The mesh in an archive, and its kind."""
+    """Return the mesh in an archive, and its kind."""
     if path.suffix == ".gz":
         return io.BytesIO(gzip.decompress(path.read_bytes())), "ply"
     with zipfile.ZipFile(path) as archive:
@@ -172,11 +172,11 @@ def _unpacked(path: Path) -> tuple[io.BytesIO, str]:
 
 
 def simplified(shape: Shape, ratios: Sequence[float]) -> list[Shape]:
-    """The base and a level for each ratio of its triangles, by positions alone."""
+    """Return the base and a level for each ratio of its triangles, by positions only."""
     scene = nf.Scene.from_arrays(shape.vertices, shape.faces)
     levels = nf.lod.simplify(scene, ratios)
     if len(levels) <= len(ratios):
-        # Of many small parts only this one makes few triangles, without some of them.
+        # Only this simplifier reaches few triangles on objects of many small parts; it drops some of them.
         levels = nf.lod.simplify(scene, ratios, method="meshopt")
     if len(levels) <= len(ratios):
         raise ValueError(f"ratios: expected some that can be reached, got {ratios}: {levels}")
@@ -184,7 +184,7 @@ def simplified(shape: Shape, ratios: Sequence[float]) -> list[Shape]:
 
 
 def _welded(scene: nf.Scene) -> Shape:
-    """A scene's triangles with vertices that they share."""
+    """Return a scene's triangles with shared vertices."""
     corners = scene.triangles().reshape(-1, 3)
     vertices, faces = np.unique(corners, axis=0, return_inverse=True)
     return Shape(vertices, faces.reshape(-1, 3))
@@ -192,7 +192,7 @@ def _welded(scene: nf.Scene) -> Shape:
 
 # scores ---------------------------------------------------------------------------------------------------------------
 def cameras(size: float, steps: int) -> Iterator[nf.Camera]:
-    """Views of the unit sphere at a solid angle (of that at 1/16 of the screen), just large enough for it."""
+    """Views of the unit sphere at a solid angle (relative to that at 1/16 of the screen), just large enough for it."""
     sine = np.sqrt(1 - (1 - size * nf.lod.reference_solid_angle(HEADSET) / (2 * np.pi)) ** 2)
     fov = HEADSET.left.fov
     focal = HEADSET.render_size[0] / (fov.right - fov.left)

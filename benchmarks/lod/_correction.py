@@ -1,4 +1,4 @@
-"""A factor by material on 1 − SSIM, fitted to scores of levels, and whether it holds for objects left out of it."""
+"""A factor by material on 1 − SSIM, fitted to scores of levels, and its validity for objects left out of the fit."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from benchmarks.lod._material import NEUTRAL, Material
 Array = NDArray[np.float64]
 
 LEAST, MOST = 0.005, 0.4
-"""Least and greatest 1 − SSIM in the neutral material of a sample that counts. Below, it is invisible and its logarithm
-is noise. Above, no reading of the published threshold chooses the level, and factors end because pictures have nothing
-in common."""
+"""Least and greatest 1 − SSIM in the neutral material of a counted sample. Smaller values are invisible, and their
+logarithms are noise. Greater values choose the level under no reading of the published threshold, and factors saturate
+because the pictures have nothing in common."""
 
 NAMES = (
     "metallic",
@@ -35,33 +35,33 @@ KINDS: dict[str, Callable[[Material], bool]] = {
     "mapped pattern": lambda one: one.contrast > 0 and one.dull and one.mapped,
     MIXED: lambda one: one.contrast > 0 and not one.dull,
 }
-"""Materials by their difference from the neutral one. Mixed ones are predicted from both, and never fitted."""
+"""Materials by their difference from the neutral one. Mixed ones are predicted from both parts, and never fitted."""
 
 
 @dataclass(frozen=True, eq=False)
 class Samples:
-    """One for each object, level, size and material, where 1 − SSIM is from `LEAST` to `MOST` in the neutral one."""
+    """Samples by object, level, size and material, with a 1 − SSIM from `LEAST` to `MOST` in the neutral material."""
 
     object: NDArray[np.int64]
     material: NDArray[np.int64]
     neutral: Array
     """1 − SSIM in the neutral material."""
     far: Array
-    """1 − SSIM in this one."""
+    """1 − SSIM in the sample's material."""
     objects: tuple[str, ...]
     materials: tuple[Material, ...]
 
     @property
     def logarithm(self) -> Array:
-        """Of the factor."""
+        """Logarithm of the factor."""
         return np.log(self.far / self.neutral)
 
     def of(self, kind: str) -> NDArray[np.bool_]:
-        """Whether a sample is of a kind of `KINDS`."""
+        """Whether each sample is of a kind of `KINDS`."""
         return np.array([KINDS[kind](one) for one in self.materials])[self.material]
 
     def where(self, mask: NDArray[np.bool_]) -> Samples:
-        """Some of them."""
+        """Select samples by a mask."""
         return replace(
             self,
             object=self.object[mask],
@@ -72,7 +72,7 @@ class Samples:
 
 
 def collect(scores: Mapping[str, Array], materials: Sequence[Material]) -> Samples:
-    """Samples of scores (L, S, M) by object's name."""
+    """Collect samples from scores (L, S, M) by object name."""
     neutral = materials.index(NEUTRAL)
     others = [n for n, material in enumerate(materials) if material != NEUTRAL]
     rows = []
@@ -88,7 +88,7 @@ def collect(scores: Mapping[str, Array], materials: Sequence[Material]) -> Sampl
 
 
 def features(materials: Sequence[Material]) -> Array:
-    """Features (M, 8) by `NAMES`, in which the logarithm is linear: all 0 for the neutral material, of factor 1."""
+    """Features (M, 8) by `NAMES` in which the logarithm is linear: all 0 for the neutral material, of factor 1."""
     rows = []
     for one in materials:
         gloss = 1 - one.roughness
@@ -100,7 +100,7 @@ def features(materials: Sequence[Material]) -> Array:
 
 
 def fit(samples: Samples) -> Array:
-    """Coefficients of least squares, over samples that are not mixed, every object with the same weight."""
+    """Fit coefficients by least squares to samples that are not mixed, with equal weights for all objects."""
     fitted = samples.where(~samples.of(MIXED))
     weight = np.sqrt(1 / np.bincount(fitted.object)[fitted.object])
     rows = features(fitted.materials)[fitted.material]
@@ -108,14 +108,14 @@ def fit(samples: Samples) -> Array:
 
 
 def factor(coefficients: Array, material: Material) -> float:
-    """1 − SSIM of a level, as a multiple of that in the neutral material."""
+    """Ratio of a level's 1 − SSIM in a material to that in the neutral material."""
     return float(np.exp(features([material]) @ coefficients)[0])
 
 
 def intervals(samples: Samples) -> tuple[Array, Array, Array]:
     """Coefficients and the ends of their 95 % intervals, by leaving out each object in turn.
 
-    Samples of one object resemble each other, so that only objects count as independent.
+    Samples of one object are similar, so that only objects count as independent.
     """
     count = len(samples.objects)
     every = fit(samples)
@@ -125,28 +125,28 @@ def intervals(samples: Samples) -> tuple[Array, Array, Array]:
     return every, every - half, every + half
 
 
-# does it hold for others? ---------------------------------------------------------------------------------------------
+# validity for other objects -------------------------------------------------------------------------------------------
 @dataclass(frozen=True)
 class Validity:
-    """How far predictions for an object are off that was left out of the fit."""
+    """Errors of predictions for an object that was left out of the fit."""
 
     log: float
     """Root mean square of the logarithm's error."""
     ssim: float
-    """The same of SSIM's."""
+    """Root mean square of SSIM's error."""
     explained: float
-    """Share of the squared logarithms that predictions take away: 0 as no correction at all, below 0 worse."""
+    """Share of the squared logarithms explained by predictions: 0 as without a correction, below 0 if worse."""
 
 
 def by_coefficients(train: Samples, test: Samples) -> Array:
-    """Logarithms from the coefficients."""
+    """Predict logarithms by the coefficients."""
     return np.asarray(features(test.materials)[test.material] @ fit(train))
 
 
 def by_material(train: Samples, test: Samples) -> Array:
-    """Logarithms from a number for each material, the best that any formula of the material alone could do.
+    """Predict logarithms by a number for each material, the optimum of any formula of the material only.
 
-    Mixed materials get the sum of their parts': the number of their finish and that of their pattern.
+    Mixed materials get the sum of the numbers of their finish and of their pattern.
     """
     means = {NEUTRAL: 0.0}
     for number, material in enumerate(train.materials):
@@ -164,7 +164,7 @@ def by_material(train: Samples, test: Samples) -> Array:
 
 
 def uncorrected(train: Samples, test: Samples) -> Array:
-    """Zero: every material scored as the neutral one."""
+    """Predict zero: every material is scored as the neutral one."""
     return np.zeros(len(test.far) + 0 * len(train.far))
 
 
@@ -172,7 +172,7 @@ MODELS = {"no correction": uncorrected, "coefficients": by_coefficients, "a numb
 
 
 def cross_validated(samples: Samples, name: str) -> Array:
-    """Logarithm predicted for each sample by the fit to all other objects."""
+    """Predict the logarithm of each sample by the fit to all other objects."""
     predicted = np.empty(len(samples.far))
     for number in range(len(samples.objects)):
         inside = samples.object == number
@@ -181,9 +181,9 @@ def cross_validated(samples: Samples, name: str) -> Array:
 
 
 def validity(samples: Samples, predicted: Array) -> Validity:
-    """Of predicted logarithms."""
+    """Compute the errors of predicted logarithms."""
     off = samples.logarithm - predicted
-    # Nothing is less alike than pictures that have nothing in common.
+    # 1 − SSIM is at most 1, for pictures that have nothing in common.
     ssim = samples.far - np.minimum(samples.neutral * np.exp(predicted), 1.0)
     explained = 1 - float((off**2).sum() / (samples.logarithm**2).sum())
     return Validity(float(np.sqrt((off**2).mean())), float(np.sqrt((ssim**2).mean())), explained)

@@ -1,4 +1,4 @@
-"""Objects of half a million triangles and more, as the scenes of Liebisch (2021) must have had."""
+"""Objects of half a million triangles and more, as the scenes of Liebisch (2021) must have contained."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ import nearfar as nf
 from nearfar.lod._simplify.surface import Base, Surface
 
 LEAST = 500_000
-"""Triangles that an object has at least; as each round makes four of one, most have less than 1.6 million."""
+"""Least number of triangles of an object; since each round quadruples them, most have less than 1.6 million."""
 ROUGHNESS = 0.05
-"""Displacement of a midpoint along each axis, at most, as a share of its edge's length."""
+"""Maximum displacement of a midpoint along each axis, as a share of its edge's length."""
 _MIX = np.array([0x9E3779B1, 0x85EBCA77, 0xC2B2AE3D], np.uint32)
 """Odd multipliers, so that no bit of a coordinate is lost."""
 
@@ -28,7 +28,7 @@ def densified(scene: nf.Scene, least: int = LEAST) -> nf.Scene:
 
 
 def _split(surface: Surface) -> Surface:
-    """One round. Midpoints at the same place move alike, so that seams of the texture stay closed."""
+    """Split every triangle once. Midpoints at the same place move alike, so that seams of the texture stay closed."""
     own = surface.positions.astype(np.float64)
     squares = (own * own).sum(axis=1, keepdims=True)
     attributes = {key: values.astype(np.float64) for key, values in surface.attributes.items()}
@@ -46,7 +46,7 @@ def _split(surface: Surface) -> Surface:
 
 
 def _noise(places: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Numbers from −1 to 1 for each axis (N, 3) that depend on the place alone."""
+    """Numbers from −1 to 1 for each axis (N, 3) that depend on the position only."""
     bits = np.ascontiguousarray(places + 0.0, np.float32).view(np.uint32)
     mixed = (bits * _MIX).sum(axis=1, dtype=np.uint32)[:, None] * _MIX
     mixed ^= mixed >> np.uint32(15)

@@ -1,7 +1,7 @@
-"""Materials of other kinds than nearfar's own diffuse ones: metallic, glossy and patterned surfaces in one colour.
+"""Materials besides nearfar's own diffuse ones: metallic, glossy and patterned surfaces in one colour.
 
-Pictures are shaded from the hit of each ray, so that one rendering serves any number of materials, and a pattern is
-evaluated at the point itself: no texture coordinates that a simplifier could move.
+Pictures are shaded from the hit of each ray, so that one rendering serves any number of materials. Patterns are
+evaluated at the point itself, without texture coordinates that a simplifier could move.
 """
 
 from __future__ import annotations
@@ -18,28 +18,28 @@ import nearfar as nf
 Array = NDArray[np.float32]
 Image = NDArray[np.uint8]
 Light = tuple[Array, Array, Array]
-"""Of each hit, summed over lights: diffuse, mirrored, and mirrored at grazing angles."""
+"""Light at each hit, summed over lights: diffuse, mirrored, and mirrored at grazing angles."""
 
 FINER = 2
-"""Rays across a pixel."""
+"""Number of rays across a pixel."""
 
 BASE = 0.5
-"""Reflectance, linear; a pattern's is around it."""
+"""Linear reflectance; patterns vary about it."""
 
 AMBIENT = 0.15
 """Ambient light, linear."""
 BACKGROUND = 0.2
-"""Linear colour between the dark and the bright sides of things: it hides neither."""
+"""Linear colour between the dark and the bright sides of objects, which it thus does not hide."""
 
 LIGHTS = (((-0.5, 0.7, 0.6), 3.0), ((0.9, 0.1, 0.5), 1.0), ((0.1, 0.6, -0.8), 2.0))
-"""Towards each light, by the camera's right, up and back, and how bright it is. They stay with the camera: the object
-turns before both. Nothing else is mirrored."""
+"""Direction towards each light, by the camera's right, up and back, and its brightness. Lights move with the camera:
+the object turns relative to both. Nothing else is mirrored."""
 
-# A pattern's three directions, oblique to all axes about which objects turn, and at right angles to each other.
+# A pattern's three directions, oblique to all axes about which objects turn, and perpendicular to each other.
 _WAVES = np.linalg.qr(np.array([[0.9, 0.3, -0.2], [-0.3, 0.7, 0.6], [0.4, -0.5, 0.8]]))[0].astype(np.float32)
 _MIRRORED = 0.04
 """Reflectance of dielectrics at normal incidence, linear."""
-# Linear values to codes by a table of 16-bit steps, as good as the formula to a third of a code in the darkest.
+# Table from linear values in 16-bit steps to codes, as accurate as the formula to a third of a code in the darkest.
 _LINEAR = np.arange(1 << 16) / ((1 << 16) - 1)
 _CODES = np.round(255 * np.where(_LINEAR <= 0.0031308, 12.92 * _LINEAR, 1.055 * _LINEAR ** (1 / 2.4) - 0.055))
 _CODES = _CODES.astype(np.uint8)
@@ -47,28 +47,28 @@ _CODES = _CODES.astype(np.uint8)
 
 @dataclass(frozen=True)
 class Material:
-    """Material of a surface; without arguments it is dull, in one colour: the neutral one."""
+    """Material of a surface; by default the neutral one, dull and in one colour."""
 
     metallic: float = 0.0
-    """0 to 1."""
+    """Metallic, 0 to 1."""
     roughness: float = 1.0
     """Perceptual, 0 to 1, as in glTF 2.0."""
     frequency: float = 0.0
-    """Of the pattern, in cycles across the bounding sphere."""
+    """Frequency of the pattern, in cycles across the bounding sphere."""
     contrast: float = 0.0
-    """Of the pattern: reflectance goes from BASE (1 − contrast) to BASE (1 + contrast)."""
+    """Contrast of the pattern: reflectance varies from BASE (1 − contrast) to BASE (1 + contrast)."""
     mapped: bool = False
-    """Whether the pattern lies on a sphere around the object and vertices carry where, so that it slides over coarse
-    triangles, as textures do. Otherwise it fills space, and points have it from where they are."""
+    """Whether the pattern lies on a sphere around the object with coordinates stored at vertices, so that it shifts on
+    coarse triangles, as textures do. Otherwise it fills space, and depends on a point's position."""
 
     @property
     def dull(self) -> bool:
-        """Neither metallic nor glossy."""
+        """Whether the material is neither metallic nor glossy."""
         return (self.metallic, self.roughness) == (0.0, 1.0)
 
     @property
     def label(self) -> str:
-        """Short, for tables."""
+        """Short label for tables."""
         parts = [f"metallic {self.metallic:g}, roughness {self.roughness:g}"]
         if self.contrast:
             parts.append(f"{self.frequency:g} cycles{', mapped' * self.mapped}, contrast {self.contrast:g}")
@@ -83,21 +83,21 @@ class Surface:
     """Hits of the rays of one picture, `FINER` by `FINER` to a pixel."""
 
     hit: NDArray[np.bool_]
-    """(FINER H, FINER W)."""
+    """(FINER H, FINER W), whether each ray hit."""
     position: Array
-    """Of each hit (N, 3), in the object's frame, where the bounding sphere has radius 1."""
+    """(N, 3) position of each hit, in the object's frame, where the bounding sphere has radius 1."""
     normal: Array
-    """(N, 3), as of a smooth surface through the vertices."""
+    """(N, 3) normal of a smooth surface through the vertices."""
     mapped: Array
-    """(N, 3), the direction from the middle of the object that vertices carry, between them linear."""
+    """(N, 3) direction from the middle of the object, stored at vertices and interpolated linearly."""
     view: Array
-    """(N, 3), towards the eye."""
+    """(N, 3) direction towards the eye."""
     axes: Array
-    """The camera's right, up and back (3, 3), in rows."""
+    """Rows (3, 3) of the camera's right, up and back."""
 
     @property
     def silhouette(self) -> NDArray[np.bool_]:
-        """(H, W), true where anything is seen of the object."""
+        """(H, W), true where any part of the object is seen."""
         height, width = (side // FINER for side in self.hit.shape)
         return np.asarray(self.hit.reshape(height, FINER, width, FINER).any(axis=(1, 3)))
 
@@ -111,17 +111,17 @@ class Shape:
 
     @functools.cached_property
     def scene(self) -> nf.Scene:
-        """For rays."""
+        """Scene for casting rays."""
         return nf.Scene.from_arrays(self.vertices, self.faces, copy=True)
 
     @functools.cached_property
     def normals(self) -> Array:
-        """Of each vertex (V, 3)."""
+        """Normal of each vertex (V, 3)."""
         return vertex_normals(self.vertices, self.faces)
 
 
 def vertex_normals(vertices: Array, faces: NDArray[np.int64]) -> Array:
-    """Mean of the normals of the faces around each vertex (V, 3), by area."""
+    """Area-weighted mean of the normals of the faces around each vertex (V, 3)."""
     corners = vertices[faces]
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     sums = np.stack(
@@ -132,14 +132,14 @@ def vertex_normals(vertices: Array, faces: NDArray[np.int64]) -> Array:
 
 
 def look(shape: Shape, camera: nf.Camera) -> Surface:
-    """Hits of a camera with FINER times the pixels of the picture, on a shape at the origin."""
+    """Trace a camera with FINER times the pixels of the picture, and return the hits on a shape at the origin."""
     frame = nf.render(shape.scene, camera, channels=("face_id", "position"), backend="cpu")
     numbers = frame.require("face_id")
     hit = numbers >= 0
     position = frame.require("position")[hit].astype(np.float32)
     faces = shape.faces[numbers[hit]]
     parts = shape.vertices[faces]
-    # Barycentric coordinates by areas: by edges they would lose digits in slivers.
+    # Barycentric coordinates by areas: computed from edges they would lose digits in slivers.
     one, two, three = (parts[:, n] - position for n in range(3))
     weights = np.stack([_length(np.cross(*pair)) for pair in ((two, three), (three, one), (one, two))], axis=1)
     weights /= np.maximum(weights.sum(axis=1, keepdims=True), np.finfo(np.float32).tiny)
@@ -150,7 +150,7 @@ def look(shape: Shape, camera: nf.Camera) -> Surface:
 
 
 def shade(surface: Surface, materials: Sequence[Material]) -> Image:
-    """One picture for each material (M, H, W), sRGB codes."""
+    """Shade one picture for each material (M, H, W), sRGB codes."""
     light = _light(surface, {one.roughness for one in materials})
     patterns = {(one.frequency, one.mapped) for one in materials if one.contrast}
     waves = {one: _pattern(surface.mapped if one[1] else surface.position, one[0]) for one in patterns}
@@ -163,7 +163,7 @@ def shade(surface: Surface, materials: Sequence[Material]) -> Image:
             base = base * (1 + np.float32(material.contrast) * waves[material.frequency, material.mapped])
         whole.fill(BACKGROUND)
         whole[surface.hit] = np.minimum(colors(light[material.roughness], base, material.metallic), 1.0)
-        # Slices are summed many times as fast as axes of two.
+        # Summing slices is many times as fast as summing axes of length two.
         rows = functools.reduce(np.add, (whole[n::FINER] for n in range(FINER)))
         mean = functools.reduce(np.add, (rows[:, n::FINER] for n in range(FINER))) / FINER**2
         picture[:] = _CODES[np.round(mean * ((1 << 16) - 1)).astype(np.uint16)]
@@ -171,7 +171,7 @@ def shade(surface: Surface, materials: Sequence[Material]) -> Image:
 
 
 def colors(light: Light, base: Array | np.float32, metallic: float) -> Array:
-    """Linear colour of each hit, by sums over lights that don't depend on the surface's colour."""
+    """Linear colour of each hit, from sums over lights that do not depend on the surface's colour."""
     diffuse, mirrored, grazing = light
     straight = (1 - metallic) * np.float32(_MIRRORED) + metallic * base
     dull = base * np.float32((1 - _MIRRORED) * (1 - metallic))
@@ -179,9 +179,9 @@ def colors(light: Light, base: Array | np.float32, metallic: float) -> Array:
 
 
 def _light(surface: Surface, roughness: Iterable[float]) -> dict[float, Light]:
-    """Sums over lights for each roughness, by glTF's model as pyrender has it.
+    """Sums over lights for each roughness, by glTF's model as in pyrender.
 
-    With F = f₀ + (1 − f₀) s all that depends on the colour comes out of the sums.
+    With F = f₀ + (1 − f₀) s all terms that depend on the colour can be taken out of the sums.
     """
     nv = np.clip(np.abs(_dot(surface.normal, surface.view)), 0.001, 1)
     diffuse = np.zeros(len(nv), np.float32)
@@ -194,7 +194,7 @@ def _light(surface: Surface, roughness: Iterable[float]) -> dict[float, Light]:
         away = 1 - np.clip(_dot(surface.view, half), 0, 1)
         s = away * away * away * away * away
         diffuse += nl * (1 - s) * np.float32(bright / np.pi)
-        # The part of nl D G / (4 nl nv) that all roughness shares, with a little so that nothing is divided by zero.
+        # The factor of nl D G / (4 nl nv) common to all roughnesses, with a small term against division by zero.
         shared = nl * nl * nv / (4 * nl * nv + 0.001) * np.float32(bright / np.pi)
         for rough, (straight, grazing) in mirrors.items():
             rough = max(rough, _MIRRORED)

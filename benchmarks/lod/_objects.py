@@ -1,4 +1,4 @@
-"""Objects with levels for scenes as Liebisch (2021) built them: files where the data are, procedural ones anywhere."""
+"""Objects with levels for scenes as in Liebisch (2021): files if the data exist, else procedural ones."""
 
 from __future__ import annotations
 
@@ -34,18 +34,18 @@ FILES = {
 
 @dataclass(frozen=True)
 class Headset:
-    """A headset as the thesis' performance tables describe it."""
+    """A headset as described by the thesis' performance tables."""
 
     name: str
     degrees: tuple[float, float]
     """Horizontal and vertical field of view."""
     lens: nf.RadialLens
     size: tuple[int, int]
-    """Pixels drawn for an eye."""
+    """Pixels rendered per eye."""
     panel_size: tuple[int, int]
     """Pixels of an eye's panel."""
     printed: dict[int, PrintedTurn]
-    """What was measured with it, by the scene's radius in metres."""
+    """Published measurements with it, by the scene's radius in metres."""
 
     @property
     def fov(self) -> nf.Fov:
@@ -55,17 +55,17 @@ class Headset:
 
     @property
     def panel_fov(self) -> nf.Fov:
-        """Tangents of the part of the panel that the lens spreads over the view."""
+        """Tangents of the part of the panel that the lens magnifies to the view."""
         return nf.Fov(*on_panel(self.fov, self.lens, self.fov.right))
 
     def camera(self, yaw: float = 0.0, *, position: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> nf.Camera:
-        """Turned to the left by an angle in radians."""
+        """Return a camera turned to the left by an angle in radians."""
         turned = (0.0, float(np.sin(yaw / 2)), 0.0, float(np.cos(yaw / 2)))
         return nf.Camera(position, turned, fov=self.fov, size=self.size)
 
 
 def _panel(hmd: nf.Hmd) -> tuple[int, int]:
-    """Pixels of a panel that a profile states."""
+    """Panel size in pixels stated by a profile."""
     if hmd.panel_size is None:
         raise RuntimeError(f"expected a profile with the pixels of the panel: {hmd.name}")
     return hmd.panel_size
@@ -90,7 +90,7 @@ VIVE_PRO = Headset(
 
 
 def sources() -> dict[str, Callable[[], nf.Scene]]:
-    """Loader of each object that is at hand."""
+    """Loader of each available object."""
     loaders: dict[str, Callable[[], nf.Scene]] = {}
     if packed := data.find("objects/spot/spot.zip"):
         loaders["spot"] = functools.partial(_spot, packed)
@@ -101,15 +101,15 @@ def sources() -> dict[str, Callable[[], nf.Scene]]:
 
 
 BY_MESHOPT = ("bunny", "dragon", "FlightHelmet")
-"""Objects of many parts and holes, where the other simplifier ends earlier."""
+"""Objects of many parts and holes, where the other simplifier stops earlier."""
 
 VIEWS = 36
-"""Sides from which objects are measured: a quarter of the default of `measure`, and of its time."""
+"""Number of sides from which objects are measured: a quarter of the default of `measure`, and of its time."""
 
 
 @functools.cache
 def simplified(name: str, *, dense: bool) -> nf.lod.Levels:
-    """Levels of an object, which may be `densified` before."""
+    """Simplify an object, which may be `densified` before."""
     scene, method = sources()[name](), "meshopt" if name in BY_MESHOPT else "fast"
     return nf.lod.simplify(densified(scene) if dense else scene, RATIOS, method=method, normals="smooth", name=name)
 
@@ -125,10 +125,10 @@ def measured(
     directions: str = "even",
     dense: bool = False,
 ) -> list[nf.lod.LodModel]:
-    """Levels of the objects, measured for a headset; kept in nearfar's cache.
+    """Measure the levels of the objects for a headset, or read them from nearfar's cache.
 
-    `dense` objects have half a million triangles and more. For a screen that is so many times `wider`, with as large
-    pixels, curves begin at larger sizes.
+    `dense` objects have half a million triangles and more. A screen `wider` by a factor, with pixels of the same size,
+    makes curves begin at larger sizes.
     """
     levels = [simplified(name, dense=dense) for name in names or sources()]
     fov = nf.Fov(*(wider * side for side in (headset.fov.left, headset.fov.right, headset.fov.down, headset.fov.up)))
@@ -139,11 +139,11 @@ def measured(
 
 @dataclass(frozen=True)
 class Crowd:
-    """Objects at random places in a ball about the origin, turned at random."""
+    """Objects at random places in a ball about the origin, with random orientations."""
 
     model_index: NDArray[np.int64]
     transforms: NDArray[np.float64]
-    """Object's frame to world (N, 4, 4)."""
+    """Transforms from object to world (N, 4, 4)."""
     centers: NDArray[np.float64]
     radii: NDArray[np.float64]
 
@@ -151,7 +151,7 @@ class Crowd:
 def crowd(
     models: Sequence[nf.lod.LodModel], *, size: float, count: int, radius: float = 0.5, seed: int | Sequence[int] = 0
 ) -> Crowd:
-    """Scatter as many objects of one radius, all within `size` metres."""
+    """Scatter `count` objects of one radius, all within `size` metres."""
     random = np.random.default_rng(seed)
     index = random.integers(len(models), size=count)
     ways = random.normal(size=(count, 3))
@@ -167,7 +167,7 @@ def crowd(
 
 
 def _spot(packed: Path) -> nf.Scene:
-    """The file names no material: its texture is put on."""
+    """Load Spot and assign its texture, since the file names no material."""
     with zipfile.ZipFile(packed) as archive:
         mesh = trimesh.load(io.BytesIO(archive.read("spot/spot_triangulated.obj")), file_type="obj", process=False)
         image = Image.open(io.BytesIO(archive.read("spot/spot_texture.png"))).convert("RGB")
@@ -176,7 +176,7 @@ def _spot(packed: Path) -> nf.Scene:
 
 
 def _knot() -> nf.Scene:
-    """A trefoil tube of 96,000 triangles."""
+    """Make a trefoil tube of 96,000 triangles."""
     around, along = np.meshgrid(np.arange(80), np.arange(600))
     t, angle = 2 * np.pi * along.ravel() / 600, 2 * np.pi * around.ravel() / 80
     at = np.stack([np.sin(t) + 2 * np.sin(2 * t), np.cos(t) - 2 * np.cos(2 * t), -np.sin(3 * t)], 1)
@@ -197,7 +197,7 @@ def _knot() -> nf.Scene:
 
 
 def _pebble() -> nf.Scene:
-    """A smooth stone of 81,920 triangles with dents of all sizes."""
+    """Make a smooth stone of 81,920 triangles with dents of all sizes."""
     mesh = trimesh.creation.icosphere(subdivisions=6)
     points = mesh.vertices.view(np.ndarray)
     random = np.random.default_rng(7)

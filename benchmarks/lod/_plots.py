@@ -27,14 +27,14 @@ SWEEPS: tuple[tuple[str, str, Kind], ...] = (
     ("contrast", "solid, 8 cycles", lambda one: _pattern(one, mapped=False) and one.frequency in (0, 8)),
     ("contrast", "mapped, 8 cycles", lambda one: _pattern(one, mapped=True) and one.frequency in (0, 8)),
 )
-"""The property that varies, those that don't, and whether a material belongs to the sweep."""
+"""Sweeps: the varied property, the fixed ones, and whether a material belongs to the sweep."""
 
 LABELS = {"frequency": "frequency, cycles across the object"}
 COLORS = ("#c8102e", "#1f5fa8", "#2e8b57", "#b8860b", "#6a3d9a", "#555555", "#e377c2", "#17becf", "#8c564b")
 
 
 def pyplot() -> Any:
-    """Without a screen."""
+    """Return matplotlib.pyplot without a screen."""
     import matplotlib as mpl
 
     mpl.use("Agg")
@@ -65,7 +65,7 @@ def draw_materials(shapes: Mapping[str, Shape], plan: Plan, path: Path) -> None:
 
 
 def draw_scores(scores: Mapping[str, Array], plan: Plan, path: Path) -> None:
-    """Draw SSIM by each property, the mean of all objects, a line for each level and size."""
+    """Draw mean SSIM of all objects by each property, a line for each level and size."""
     plt = pyplot()
     mean = np.mean(list(scores.values()), axis=0)
     figure, axes = plt.subplots(2, 3, figsize=(13, 8.5), sharey=True, layout="constrained")
@@ -135,7 +135,7 @@ def draw_factors(samples: Samples, path: Path) -> None:
 
 
 def _pattern(material: Material, *, mapped: bool) -> bool:
-    """Whether it is dull, with a pattern of this kind or none."""
+    """Whether a material is dull, with a pattern of this kind or none."""
     return material.dull and (material.mapped == mapped or not material.contrast)
 
 

@@ -17,12 +17,12 @@ DECIMALS = 4
 
 DRAWS = 100
 _SEED, _LOST = 2021, 5
-"""Draws of the decimals that d lacks, and the seed and stream of their random numbers."""
+"""Number of draws of the decimals missing from d, and the seed and stream of their random numbers."""
 
 
 @dataclass(frozen=True)
 class Printed:
-    """A figure of the thesis: number of its table, statistic, the rows that it is about, and its digits."""
+    """A figure of the thesis: number of its table, statistic, rows that it describes, and its digits."""
 
     table: str
     statistic: str
@@ -31,16 +31,16 @@ class Printed:
 
     @property
     def value(self) -> float:
-        """The number."""
+        """The figure as a number."""
         return float(self.text)
 
     @property
     def decimals(self) -> int:
-        """Digits after the point."""
+        """Number of digits after the point."""
         return len(self.text.partition(".")[2])
 
     def beside(self, value: float) -> str:
-        """How a value compares with it: "same" when it is rounded alike, or the difference."""
+        """Compare a value with it: "same" if it is rounded alike, or the difference."""
         return "same" if round(value, self.decimals) == self.value else f"{value - self.value:+.5f}"
 
 
@@ -90,9 +90,9 @@ def computed(study: Study) -> dict[tuple[str, str], float]:
 
 
 def with_decimals(study: Study, draw: int) -> Study:
-    """The same with further decimals of d, drawn evenly from those that rounding takes away.
+    """The study with further decimals of d, drawn uniformly from the rounding interval.
 
-    Rows of one object, level and d get the same ones, because they are one mesh. The SSIM of level 0 is exactly 1.
+    Rows of one object, level and d get the same decimals, because they are one mesh. The SSIM of level 0 is exactly 1.
     """
     kinds = [*zip(study.object.tolist(), study.level.tolist(), study.d.tolist(), strict=True)]
     number = {kind: index for index, kind in enumerate(sorted(set(kinds)))}
@@ -102,6 +102,6 @@ def with_decimals(study: Study, draw: int) -> Study:
 
 
 def spans(study: Study, draws: int = DRAWS) -> dict[tuple[str, str], tuple[float, float]]:
-    """Least and greatest value of each figure over draws of the decimals that d lacks."""
+    """Least and greatest value of each figure over draws of the missing decimals of d."""
     found = [computed(with_decimals(study, draw)) for draw in range(draws)]
     return {key: (min(one[key] for one in found), max(one[key] for one in found)) for key in found[0]}

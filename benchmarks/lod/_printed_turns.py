@@ -1,4 +1,4 @@
-"""Tables 5.12 to 5.17 of Liebisch (2021): what chosen levels save in a turn of the camera."""
+"""Tables 5.12 to 5.17 of Liebisch (2021): savings of chosen levels in a turn of the camera."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 SIZES = (10, 15, 20, 30)
 """Radii of the balls, metres."""
 COUNTS = (100, 500, 1000)
-"""Objects in a ball."""
+"""Numbers of objects in a ball."""
 
 Row = tuple[float, float, float]
 """A value for each of `COUNTS`."""
@@ -15,20 +15,20 @@ Row = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class PrintedTurn:
-    """What the thesis prints for a headset and a ball."""
+    """Printed results of the thesis for a headset and a ball."""
 
     depth: Row
-    """Per cent of full detail's triangles that depth saves."""
+    """Percentage of full detail's triangles saved by depth."""
     lens: Row
-    """Per cent of depth's triangles that the lens saves."""
+    """Percentage of depth's triangles saved by the lens."""
     millions_off: Row
-    """Millions of triangles of a mean frame, at full detail, by depth, through the lens."""
+    """Millions of triangles of a mean frame at full detail, by depth, and through the lens."""
     millions_depth: Row
     millions_lens: Row
     time_depth: Row
-    """Per cent of full detail's time that depth saves."""
+    """Percentage of full detail's time saved by depth."""
     time_lens: Row | None
-    """Per cent of depth's time that the lens saves; None for less than 1.5."""
+    """Percentage of depth's time saved by the lens; None if below 1.5."""
 
 
 RIFT_S = {

@@ -13,11 +13,11 @@ import nearfar as nf
 from benchmarks.lod._objects import Crowd, Headset, crowd
 
 FRAMES = 250
-"""Frames of a turn: every tenth of the thesis' 2,500."""
+"""Number of frames of a turn: every tenth of the thesis' 2,500."""
 DRAWS = 20
-"""Balls of objects at other places."""
+"""Number of balls with different object places."""
 RADIUS = 0.5
-"""Of an object, metres."""
+"""Radius of an object, metres."""
 
 
 @dataclass(frozen=True)
@@ -27,9 +27,9 @@ class Draws:
     size: float
     """Radius of the ball, metres."""
     count: int
-    """Objects in it."""
+    """Number of objects in the ball."""
     radius: float = RADIUS
-    """Of an object, metres."""
+    """Radius of an object, metres."""
     draws: int = DRAWS
     frames: int = FRAMES
 
@@ -43,23 +43,23 @@ class Spread:
 
     @staticmethod
     def of(values: Sequence[float]) -> Spread:
-        """One value for each draw."""
+        """Compute the spread of one value for each draw."""
         return Spread(float(np.mean(values)), float(np.std(values, ddof=1) / np.sqrt(len(values))))
 
     def __str__(self) -> str:
-        """With one decimal."""
+        """Format with one decimal."""
         return f"{self.mean:.1f} ± {self.error:.1f}"
 
 
 @dataclass(frozen=True)
 class Turns:
-    """Triangles of a mean frame by draw (D,): at full detail, and by the name of each way to choose levels."""
+    """Triangles of a mean frame by draw (D,): at full detail, and by the name of each selection method."""
 
     off: NDArray[np.float64]
     drawn: dict[str, NDArray[np.float64]]
 
     def saved(self, way: str, over: str | None = None) -> Spread:
-        """Per cent of triangles that a way saves of another one's, or of full detail's."""
+        """Percentage of triangles that a method saves relative to another one, or to full detail."""
         before = self.off if over is None else self.drawn[over]
         return Spread.of((100 * (1 - self.drawn[way] / before)).tolist())
 
@@ -92,7 +92,7 @@ def _turn(
     cameras: Sequence[nf.Camera],
     ways: dict[str, nf.lod.Selector],
 ) -> tuple[float, dict[str, float]]:
-    """Triangles of a mean frame at full detail, and by each way."""
+    """Triangles of a mean frame at full detail, and by each method."""
     off, drawn = 0.0, dict.fromkeys(ways, 0.0)
     for camera in cameras:
         for name, way in ways.items():
@@ -103,6 +103,6 @@ def _turn(
 
 
 def _triangles(counts: NDArray[np.float64], scene: Crowd, levels: NDArray[np.int32]) -> float:
-    """Triangles in view."""
+    """Number of triangles in view."""
     seen = levels >= 0
     return float(counts[scene.model_index[seen], levels[seen]].sum())

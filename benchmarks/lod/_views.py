@@ -16,11 +16,11 @@ from nearfar import _core
 LUMA = np.array([0.2126, 0.7152, 0.0722])
 """Rec. 709 weights of red, green and blue."""
 LEAST_PIXELS = 16
-"""Pixels of an object below which it is not scored: a mean over fewer pixels than two rows of a window is noise."""
+"""Least number of pixels of a scored object: a mean over fewer pixels than two rows of a window is noise."""
 FINER = 2
-"""Pixels that are drawn along each side of one that is shown, so that warping does not blur."""
+"""Supersampling factor along each side of a displayed pixel, so that warping does not blur."""
 TURNS = 2
-"""Directions of the camera in a scene."""
+"""Number of directions of the camera in a scene."""
 
 Levels = NDArray[np.int32]
 
@@ -36,27 +36,27 @@ class Case:
 
     @classmethod
     def of(cls, models: list[nf.lod.LodModel], headset: Headset, size: int, count: int, *, turns: int = TURNS) -> Case:
-        """As in the thesis, seen from the middle."""
+        """Make a case as in the thesis, seen from the middle."""
         cameras = [headset.camera(2 * np.pi * n / turns) for n in range(turns)]
         return cls(models, crowd(models, size=size, count=count, seed=size * count), headset, cameras)
 
     @functools.cached_property
     def scene(self) -> nf.Scene:
-        """With all levels."""
+        """The scene with all levels."""
         return nf.lod.place(self.models, self.crowd.model_index, self.crowd.transforms)
 
     @functools.cached_property
     def truths(self) -> list[View]:
-        """Pictures at full detail."""
+        """Pictures at full detail, one for each view."""
         return [View.of(self, camera, self.in_full(camera)) for camera in self.cameras]
 
     @property
     def fine_size(self) -> tuple[int, int]:
-        """Width and height of the pictures that are warped."""
+        """Width and height of the pictures before warping."""
         return FINER * self.headset.size[0], FINER * self.headset.size[1]
 
     def warp(self, picture: nf.Frame | NDArray[np.float64], **settings: Any) -> NDArray[Any]:
-        """From the view to the panel."""
+        """Warp a picture from the view to the panel."""
         return self.headset.lens.warp(picture, inverse=True, output_fov=self.headset.panel_fov, **settings)
 
     @functools.cached_property
@@ -71,7 +71,7 @@ class Case:
         return at[..., 0], at[..., 1], inside
 
     def scores(self, number: int, levels: Levels) -> NDArray[np.float64]:
-        """Score of each object (N,) in a view with some levels; NaN for objects that show too little of themselves."""
+        """Score of each object (N,) in a view with given levels; NaN for objects with too few visible pixels."""
         return scores(self.truths[number], View.of(self, self.cameras[number], levels), len(levels))
 
     @property
@@ -80,15 +80,15 @@ class Case:
         return self.models, self.crowd.model_index, self.crowd.centers, self.crowd.radii
 
     def counting(self, camera: nf.Camera, mode: str) -> nf.Camera:
-        """A view in the pixels that a mode counts: those of the panel, or those that a headset draws."""
+        """Return a view in the pixels of a mode: those of the panel, or those that a headset renders."""
         return replace(camera, size=self.headset.panel_size) if mode == "panel" else camera
 
     def in_full(self, camera: nf.Camera) -> Levels:
-        """Level 0 of all that is in view."""
+        """Return level 0 for all objects in view."""
         return np.minimum(nf.lod.select(*self.spheres, camera=camera, mode="depth").level, 0)
 
     def screen_errors(self, camera: nf.Camera) -> NDArray[np.float64]:
-        """Pixels that the geometric error of each level (K, N) covers at the sphere's nearest point; +inf for none."""
+        """Pixels covered by the geometric error of each level (K, N) at the sphere's nearest point; +inf for none."""
         distance = np.linalg.norm(self.crowd.centers - camera.position, axis=1) - self.crowd.radii
         scale = self.headset.size[1] / (self.headset.fov.up - self.headset.fov.down) / np.maximum(distance, 1e-6)
         errors = np.full((max(map(len, self.models)), len(distance)), np.inf)
@@ -98,7 +98,7 @@ class Case:
         return errors
 
     def triangles(self, levels: Levels) -> int:
-        """Triangles in view."""
+        """Number of triangles in view."""
         return sum(
             int(self.models[m].triangles[n]) for m, n in zip(self.crowd.model_index, levels, strict=True) if n >= 0
         )
@@ -109,12 +109,12 @@ class View:
     """Picture on the panel of a headset."""
 
     luma: NDArray[np.float64]
-    """8-bit steps."""
+    """Luma in 8-bit steps."""
     objects: NDArray[np.int32]
 
     @staticmethod
     def of(case: Case, camera: nf.Camera, levels: Levels) -> View:
-        """Draw a view in fine pixels, warp it so that the lens puts it right, and average it to the panel's pixels."""
+        """Draw a view in fine pixels, warp it to cancel the lens's distortion, and average to the panel's pixels."""
         width, height = case.headset.panel_size
         fine = replace(camera, size=case.fine_size)
         frame = nf.render(case.scene, fine, lod=levels, channels=("color", "object_id"))

@@ -1,8 +1,8 @@
-"""How metal, gloss and patterns change the SSIM of a level, and whether a factor by material can correct for them.
+"""Effect of metal, gloss and patterns on the SSIM of a level, and whether a factor by material can correct for it.
 
 `python -m benchmarks.lod.appearance` takes minutes, with `--quick` well below one. Objects are those of the data
-folder and three procedural ones. With `--quick`, or without the data folder, there are only the latter: they show
-the tables, but are too few to judge by. Plots go to the folder NEARFAR_BENCH_OUT.
+folder and three procedural ones. With `--quick`, or without the data folder, only the latter are used: they show
+the tables, but are too few for conclusions. Plots go to the folder NEARFAR_BENCH_OUT.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ Array = NDArray[np.float64]
 
 
 def objects(*, quick: bool) -> dict[str, Shape]:
-    """By name; few and small ones where it is quick."""
+    """Objects by name; few and small ones with `quick`."""
     shapes = {name: make() for name, make in _appearance.PROCEDURAL.items()}
     if not quick:
         scanned = {name: _appearance.scanned(name) for name in _appearance.SCANNED}
@@ -36,12 +36,12 @@ def objects(*, quick: bool) -> dict[str, Shape]:
 
 
 def run(plan: Plan, shapes: Mapping[str, Shape]) -> dict[str, Array]:
-    """Scores (L, S, M) of each object."""
+    """Compute scores (L, S, M) of each object."""
     return {name: _appearance.scores(shape, plan) for name, shape in shapes.items()}
 
 
 def table_of_factors(samples: Samples) -> str:
-    """Of each material: the factor's mean over objects, and how far single samples lie from it."""
+    """Table of each material: the factor's mean over objects, and the spread of single samples about it."""
     rows = []
     for number, material in enumerate(samples.materials):
         logs = samples.logarithm[samples.material == number]
@@ -53,7 +53,7 @@ def table_of_factors(samples: Samples) -> str:
 
 
 def table_of_coefficients(samples: Samples) -> str:
-    """With intervals."""
+    """Table of coefficients with intervals."""
     rows = [
         [name, f"{value:+.3f}", f"{low:+.3f} to {high:+.3f}"]
         for name, value, low, high in zip(_correction.NAMES, *_correction.intervals(samples), strict=True)
@@ -62,7 +62,7 @@ def table_of_coefficients(samples: Samples) -> str:
 
 
 def validities(samples: Samples) -> dict[tuple[str, str], Validity]:
-    """By kind of material and model, for objects that the model was not fitted to."""
+    """Validity by kind of material and model, for objects left out of the model's fit."""
     predictions = {name: _correction.cross_validated(samples, name) for name in _correction.MODELS}
     results = {}
     for kind in _correction.KINDS:
@@ -73,7 +73,7 @@ def validities(samples: Samples) -> dict[tuple[str, str], Validity]:
 
 
 def table_of_validity(samples: Samples) -> str:
-    """Each model on objects that it has not seen, by kind of material."""
+    """Table of each model on objects left out of its fit, by kind of material."""
     rows = [
         [f"{kind}: {name}", f"{result.log:.3f}", f"{result.ssim:.4f}", f"{result.explained:.2f}"]
         for (kind, name), result in validities(samples).items()
@@ -83,7 +83,7 @@ def table_of_validity(samples: Samples) -> str:
 
 
 def verdict(samples: Samples) -> str:
-    """Whether the coefficients help objects that they were not fitted to, in words."""
+    """State in words whether the coefficients improve predictions for objects left out of their fit."""
     results, lines = validities(samples), []
     for kind in [kind for kind in _correction.KINDS if (kind, "coefficients") in results]:
         none, ours, best = (results[kind, name] for name in _correction.MODELS)

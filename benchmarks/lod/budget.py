@@ -1,9 +1,9 @@
-"""Mean SSIM behind the lens under a budget of triangles, beside rules of screen-space error.
+"""Mean SSIM behind the lens under a budget of triangles, compared with rules of screen-space error.
 
 python -m benchmarks.lod.budget [--quick] [--flat]
 
-All rules choose among the same levels; our curves begin at a quarter of the screen. The budget of a view is what the
-rule draws there.
+All rules choose among the same levels; our curves begin at a quarter of the screen. The budget of a view is the number
+of triangles that the rule draws there.
 """
 
 from __future__ import annotations
@@ -21,18 +21,18 @@ from benchmarks.lod._objects import RIFT_S, Headset, measured
 from benchmarks.lod._views import Case, Levels
 
 PIXELS = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
-"""Screen-space error that tile viewers allow, pixels; 16 is the default of most."""
+"""Allowed screen-space errors of tile viewers, pixels; 16 is the usual default."""
 SCENES = [(10, 100), (15, 500), (20, 500), (30, 1000)]
 """Radius of the ball in metres, and number of objects."""
 STEPS = 7
-"""Halvings of the interval in which a budget is looked for: to 1 % of what a rule draws."""
+"""Bisection steps of the search for a budget: to 1 % of the triangles that a rule draws."""
 MODE = "panel"
-"""Sizes in pixels of the panel, on which scores are measured."""
+"""Mode that measures sizes in pixels of the panel, on which scores are measured."""
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """Triangles of all views, the scores of all objects that show enough of themselves, and the mean foreseen."""
+    """Triangles of all views, scores of all objects with enough visible pixels, and the predicted mean."""
 
     triangles: int
     scores: NDArray[np.float64]
@@ -40,7 +40,7 @@ class Outcome:
 
     @property
     def mean(self) -> float:
-        """Over objects."""
+        """Mean score over objects."""
         return float(self.scores.mean())
 
 
@@ -53,25 +53,25 @@ class View:
 
     @property
     def camera(self) -> nf.Camera:
-        """In the pixels that are drawn."""
+        """Camera with the rendered pixels."""
         return self.case.cameras[self.number]
 
     def outcome(self, levels: Levels, foreseen: NDArray[np.float64] | None = None) -> Outcome:
-        """Score the objects that show enough of themselves in the picture with some levels."""
+        """Score the objects with enough visible pixels in the picture at given levels."""
         reached = self.case.scores(self.number, levels)
         scored = (levels >= 0) & np.isfinite(reached)
         mean = np.nan if foreseen is None else float(foreseen[scored].mean())
         return Outcome(self.case.triangles(levels), reached[scored], mean)
 
     def by_screen_error(self, pixels: float) -> Levels:
-        """The coarsest level whose error covers no more than some pixels."""
+        """Choose the coarsest levels whose error covers at most some pixels."""
         full = self.case.in_full(self.camera)
         is_good = self.case.screen_errors(self.camera) <= pixels
         coarsest = len(is_good) - 1 - np.argmax(is_good[::-1], axis=0)
         return np.where(full < 0, full, coarsest).astype(np.int32)
 
     def by_greedy_error(self, budget: int) -> Levels:
-        """From the coarsest levels on, always refine the object whose error covers most pixels, while that fits."""
+        """Refine the object whose error covers most pixels, from the coarsest levels on, while the budget allows."""
         errors, full = self.case.screen_errors(self.camera), self.case.in_full(self.camera)
         levels = np.where(full < 0, full, np.isfinite(errors).sum(axis=0) - 1).astype(np.int32)
         models, index = self.case.models, self.case.crowd.model_index
@@ -90,7 +90,7 @@ class View:
         return levels
 
     def under_budget(self, budget: int) -> Outcome:
-        """Ours."""
+        """Score our choice under a budget."""
         case, camera = self.case, self.case.counting(self.camera, MODE)
         chosen = nf.lod.select(
             *case.spheres, camera=camera, lens=case.headset.lens, mode=MODE, budget=budget, full=True
@@ -102,19 +102,19 @@ Rule = Callable[[View, int], Outcome]
 
 
 def joined(parts: Sequence[Outcome]) -> Outcome:
-    """Outcomes of several views as one."""
+    """Merge the outcomes of several views."""
     counts = [len(part.scores) for part in parts]
     foreseen = float(np.average([part.foreseen for part in parts], weights=counts))
     return Outcome(sum(part.triangles for part in parts), np.concatenate([part.scores for part in parts]), foreseen)
 
 
 def ours(views: Sequence[View], budgets: Sequence[int]) -> Outcome:
-    """A budget for each view."""
+    """Score our choice with a budget for each view."""
     return joined([view.under_budget(budget) for view, budget in zip(views, budgets, strict=True)])
 
 
 def at_equal_mean(views: Sequence[View], budgets: Sequence[int], mean: float) -> Outcome:
-    """The least share of the budgets with which our mean is no worse."""
+    """Score our choice at the least share of the budgets whose mean is no worse."""
     low, high = 0.0, 1.0
     least = [view.case.triangles(coarsest(view)) for view in views]
     best = ours(views, budgets)
@@ -129,13 +129,13 @@ def at_equal_mean(views: Sequence[View], budgets: Sequence[int], mean: float) ->
 
 
 def coarsest(view: View) -> Levels:
-    """Of all that is in view."""
+    """Coarsest levels of all objects in view."""
     full, last = view.case.in_full(view.camera), np.array([len(model) - 1 for model in view.case.models])
     return np.where(full < 0, full, last[view.case.crowd.model_index]).astype(np.int32)
 
 
 def report(headset: Headset, *, quick: bool) -> str:
-    """For each rule: its mean, ours with as many triangles, and our triangles for its mean."""
+    """Table of each rule: its mean, ours with as many triangles, and our triangles for its mean."""
     models = measured(RIFT_S, step=None, wider=2)
     cases = [Case.of(models, headset, *scene) for scene in (SCENES[:1] if quick else SCENES)]
     views = [View(case, number) for case in cases for number in range(len(case.cameras))]

@@ -17,7 +17,7 @@ from benchmarks.harness.timing import machine
 
 Array = NDArray[np.float64]
 COUNT = 1_000
-"""Curves of a table."""
+"""Number of curves of a table."""
 BOUNDS = ([-np.inf, 1e-6, 1e-12, -np.inf], [np.inf, 1e3, 1e12, np.inf])
 
 
@@ -26,7 +26,7 @@ def formula(x: Any, a: Any, b: Any, c: Any, d: Any) -> Any:
 
 
 def curves(samples: int, noise: float) -> tuple[Array, Array]:
-    """Curves of any slope and middle over solid angles, with noise as a share of their height."""
+    """Make curves of any slope and middle over solid angles, with noise as a share of their height."""
     random = np.random.default_rng(0)
     x = np.geomspace(1e-4, 3, samples)
     a, d = random.uniform(-1, 1, (2, COUNT, 1))
@@ -35,7 +35,7 @@ def curves(samples: int, noise: float) -> tuple[Array, Array]:
 
 
 def by_scipy(x: Array, y: Array, **options: Any) -> Array:
-    """Squared residuals from the usual first guess; infinite where SciPy gives up."""
+    """Squared residuals of SciPy's fit from the usual first guess; infinite if it fails."""
     left = np.full(len(y), np.inf)
     middle = np.sqrt(x[0] * x[-1])
     with warnings.catch_warnings(), np.errstate(all="ignore"):
@@ -50,7 +50,7 @@ def by_scipy(x: Array, y: Array, **options: Any) -> Array:
 
 
 def table(samples: int, noise: float) -> str:
-    """Errors are the share of curves whose residual is above the least of all methods by more than 1e-9 of it."""
+    """Table; errors are the share of curves with a residual above the least of all methods by more than 1e-9 of it."""
     x, y = curves(samples, noise)
     repeated = np.tile(x, (COUNT, 1))
 
@@ -66,7 +66,7 @@ def table(samples: int, noise: float) -> str:
         ("SciPy curve_fit", functools.partial(by_scipy, x, y)),
         ("SciPy curve_fit, bounded", functools.partial(by_scipy, x, y, bounds=BOUNDS)),
     ]
-    # Ours reports some curves as flat where SciPy fits noise: those are left out.
+    # Our fit reports some curves as flat where SciPy fits noise: those are left out.
     counted = ours(x).ok
     least = np.min([residuals(ours(x)), *(job() for _, job in scipy_cases)], axis=0)
 

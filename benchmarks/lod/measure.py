@@ -1,10 +1,11 @@
-"""Time of measuring one object's levels, beside a script that does the same with pyrender and scikit-image.
+"""Time of measuring one object's levels, compared with a script that uses pyrender and scikit-image.
 
-`python -m benchmarks.lod.measure [--views N] [--distances N …] [FILE]`. Ours does the whole job: 144 views, 16
+`python -m benchmarks.lod.measure [--views N] [--distances N …] [FILE]`. `measure` does the whole job: 144 views, 16
 distances, 10 levels. The script renders whole frames of base and level for each score, for some views and distances,
-and is scaled by their number, because it takes hours. Curves are compared on all views at those distances: there the
-script renders boxes, of which the first part shows that their scores are those of whole frames. Pictures have one
-sample a pixel and face colours, so that both show the same. The object is a bumpy sphere of 100,488 triangles.
+and its time is scaled to all of them, because that would take hours. Curves are compared on all views at those
+distances: there the script renders boxes, and the first part shows that their scores equal those of whole frames.
+Pictures have one sample a pixel and face colours, so that both are alike. The object is a bumpy sphere of 100,488
+triangles.
 """
 
 from __future__ import annotations
@@ -34,16 +35,16 @@ Array = NDArray[np.float64]
 RATIOS = (0.7, 0.5, 0.35, 0.25, 0.15, 0.1, 0.05, 0.03, 0.01, 0.005)
 VIEWS, DISTANCES = 144, 16
 MAX_CURVE_DIFFERENCE = 1e-3
-"""SSIM by which curves of both may be apart."""
+"""Maximum difference in SSIM between curves of both."""
 
 FINE = 600
-"""Pixels across a box, about, at which a smaller box is drawn."""
+"""Approximate number of pixels across a box to which smaller boxes are supersampled."""
 
 SSIM = {"gaussian_weights": True, "sigma": 1.5, "use_sample_covariance": False, "data_range": 255.0, "full": True}
 
 
 def sphere(rows: int) -> nf.Scene:
-    """Bumps on a sphere: 4 × rows × (rows − 1) triangles."""
+    """Make a bumpy sphere of 4 × rows × (rows − 1) triangles."""
     polar, around = np.linspace(0, np.pi, rows + 1), np.linspace(0, 2 * np.pi, 2 * rows, endpoint=False)
     theta, phi = (grid.ravel() for grid in np.meshgrid(polar, around, indexing="ij"))
     way = np.stack([np.sin(theta) * np.cos(phi), np.cos(theta), np.sin(theta) * np.sin(phi)], axis=1)
@@ -56,7 +57,7 @@ def sphere(rows: int) -> nf.Scene:
 
 # the script ----------------------------------------------------------------------------------------------------------
 def face_colors(scene: nf.Scene) -> Array:
-    """Our shading of each face from outside, as sRGB codes: a picture of it from straight ahead."""
+    """Shading of each face from outside by nearfar, as sRGB codes: a picture of it from straight ahead."""
     corners = scene.triangles().astype(np.float64)
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     length = np.linalg.norm(normals, axis=1, keepdims=True)
@@ -71,7 +72,7 @@ def face_colors(scene: nf.Scene) -> Array:
 
 @contextmanager
 def one_sample() -> Iterator[Any]:
-    """pyrender, whose pictures have four samples a pixel otherwise."""
+    """Yield pyrender with one sample a pixel instead of four."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         import pyrender
@@ -86,7 +87,7 @@ def one_sample() -> Iterator[Any]:
 
 
 class Clock:
-    """Wall and CPU seconds of parts of the script."""
+    """Measures wall and CPU seconds of parts of the script."""
 
     def __init__(self) -> None:
         self.spent: dict[str, Array] = {}
@@ -97,7 +98,7 @@ class Clock:
         self._last = np.array([time.perf_counter(), time.process_time()])
 
     def stop(self, part: str) -> None:
-        """Count the time since the last stop or start for a part."""
+        """Add the time since the last stop or start to a part."""
         now = np.array([time.perf_counter(), time.process_time()])
         self.spent[part] = self.spent.get(part, np.zeros(2)) + now - self._last
         self._last = now
@@ -105,15 +106,15 @@ class Clock:
 
 @dataclass
 class Frame:
-    """Picture that is compared."""
+    """Picture to compare."""
 
     luma: Array
-    """0 to 255."""
+    """Luma, 0 to 255."""
     shown: NDArray[np.bool_]
 
 
 class Script:
-    """Frames of base and level, and their similarity where either shows the object."""
+    """Renders frames of base and level, and computes their similarity where either shows the object."""
 
     def __init__(self, levels: nf.lod.Levels, stand: Stand, pyrender: Any) -> None:
         self.flags = pyrender.RenderFlags.FLAT
@@ -121,7 +122,7 @@ class Script:
         self.stand = stand
 
         class View(pyrender.Camera):  # type: ignore[misc]  # pyrender has no types
-            """Any part of a screen."""
+            """Camera of any part of a screen."""
 
             fov = nf.Fov.symmetric(90)
 
@@ -151,14 +152,14 @@ class Script:
         self.nothing = nf.Scene.from_arrays(speck, [[0, 1, 2]])
 
     def whole(self, number: int, turn: Any) -> nf.Camera:
-        """The whole screen, from where ours sees a box of it."""
+        """Return the camera of the whole screen at the place from which `measure` sees a box of it."""
         width, height = self.stand.screen.size
         x, y = width / 2 * self.stand.screen.pixel, height / 2 * self.stand.screen.pixel
         boxed = self.stand.camera(number, turn)
         return nf.Camera(boxed.position, boxed.orientation, fov=nf.Fov(-x, x, -y, y), size=(width, height))
 
     def frame(self, level: int, camera: nf.Camera, sky: NDArray[np.uint8], finer: int = 1) -> Frame:
-        """A level from somewhere, before the sky; drawn in an odd number of times finer pixels, middle ones count."""
+        """Draw a level before the sky, supersampled by an odd factor; the middle samples count."""
         assert isinstance(camera.fov, nf.Fov)
         x, y, z, w = camera.orientation
         pose = np.eye(4)
@@ -179,7 +180,7 @@ class Script:
         return self.renderer.render(self.scenes[level], self.flags)
 
     def sky(self, camera: nf.Camera) -> NDArray[np.uint8]:
-        """Our background, which pyrender does not have; its time is not counted."""
+        """Return nearfar's background, which pyrender lacks; its time is not counted."""
         return nf.render(self.nothing, camera, channels=["color"], backend="cpu").to_image()
 
 
@@ -214,10 +215,11 @@ def by_whole_frames(script: Script, count: int, views: list[Any], numbers: list[
 
 
 def by_boxes(script: Script, count: int, views: list[Any], numbers: list[int]) -> Array:
-    """Scores (K, D, V) of many views, in pictures of boxes.
+    """Compute scores (K, D, V) of many views, in pictures of boxes.
 
-    Rasterisers round corners to 1/256 of a pixel, which is much beside triangles far below a pixel and shows another
-    one in some pixels. Ours does not round; far pictures are drawn in finer pixels, so that theirs does so less.
+    Rasterisers round corners to 1/256 of a pixel, which is much for triangles far below a pixel, and in some pixels
+    shows another triangle. nearfar does not round; far pictures are supersampled, so that pyrender's rounding matters
+    less.
     """
     scores = np.ones((count, len(numbers), len(views)))
     for d, number in enumerate(numbers):
@@ -276,7 +278,7 @@ def main() -> None:
 
 
 def times(clock: Clock, script: Clock, scored: int, job: int, levels: nf.lod.Levels) -> str:
-    """Ours, and the script scaled to the whole job."""
+    """Table of nearfar's time, and the script's scaled to the whole job."""
     ours, parts = clock.spent["ours"], script.spent
     ways = {
         "nearfar": (ours, job),

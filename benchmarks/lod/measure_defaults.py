@@ -1,8 +1,8 @@
 """Time of measuring objects with the default settings, and the scores that are not needed.
 
 `python -m benchmarks.lod.measure_defaults`. 144 views, 16 distances, four samples a pixel, the Rift S; the levels are
-those of `simplify`. Beside it all scores of all levels (`step=None, saturated=None`), from which the levels that are
-kept and their curves must be the same up to what `saturated` gives away.
+those of `simplify`. For comparison all scores of all levels are measured (`step=None, saturated=None`): the selected
+levels and their curves must be equal up to the tolerance of `saturated`.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ HEADER = ["object", "triangles", "levels", "kept", "wall s", "CPU s", "scores", 
 
 
 def measured(levels: nf.lod.Levels, **settings: Any) -> tuple[nf.lod.LodModel, float, float]:
-    """Model, wall and CPU seconds."""
+    """Measure levels; return the model, and wall and CPU seconds."""
     wall, cpu = time.perf_counter(), time.process_time()
     model = nf.lod.measure(levels, hmd=nf.hmd.RIFT_S, backend="cpu", cache=False, **settings)
     return model, time.perf_counter() - wall, time.process_time() - cpu

@@ -1,4 +1,4 @@
-"""Whether chosen levels look as good as was asked for, behind the lens, wherever an object is seen.
+"""Whether chosen levels look as good as requested, behind the lens, wherever an object is seen.
 
 python -m benchmarks.lod.quality [--quick]
 """
@@ -22,42 +22,42 @@ from benchmarks.lod._views import Case
 from nearfar._camera.rotation import rotation
 
 PUBLISHED = 25
-"""Percentile of the views that curves go through."""
+"""Percentile of the views for the published curves."""
 KEPT = 95.0
-"""Per cent of objects that are to look at least as good as their threshold."""
+"""Percentage of objects that should look at least as good as their threshold."""
 BANDS = (0.0, 15.0, 30.0, 90.0)
-"""Degrees from the axis to an object's centre, between which objects are counted apart."""
+"""Bands of the angle in degrees between the axis and an object's centre, counted separately."""
 SCENES = [(size, 1000) for size in (10, 15, 20, 30)]
 """Radius of the ball in metres, and number of objects."""
 TURNS = 12
-"""Directions of the camera in each: what is on the axis in one is at the edge in another."""
+"""Number of directions of the camera in each: objects on the axis in one are at the edge in another."""
 HALVES = 200
-"""Draws for a standard error."""
+"""Number of draws for a standard error."""
 ALL_VIEWS = 144
-"""Sides from which objects are measured, for fine steps of percentiles."""
+"""Number of sides from which objects are measured, for fine steps of percentiles."""
 MODES = ("depth", "depth+eccentricity", "panel")
 
 
 @dataclass(frozen=True)
 class Promises:
-    """Appearances of objects that were scored (S,), and whether each looks at least as good as its threshold."""
+    """Appearances of scored objects (S,), and whether each looks at least as good as its threshold."""
 
     is_kept: NDArray[np.bool_]
     degrees: NDArray[np.float64]
-    """From the axis to the centre."""
+    """Angle from the axis to the centre, degrees."""
     objects: NDArray[np.int64]
     """A number for each object of each scene."""
     triangles: int
-    """Of all views."""
+    """Number of triangles of all views."""
 
     @property
     def kept(self) -> float:
-        """Per cent of all."""
+        """Percentage of all appearances that are good enough."""
         return 100 * float(self.is_kept.mean())
 
     @functools.cached_property
     def in_bands(self) -> list[NDArray[np.bool_]]:
-        """Appearances (S,) between `BANDS` of objects that appear in every one: all bands show the same objects."""
+        """Appearances (S,) in each of `BANDS` of objects that appear in all of them, so that these are comparable."""
         band = np.digitize(self.degrees, BANDS[1:-1])
         seen = [self.objects[band == number] for number in range(len(BANDS) - 1)]
         everywhere = np.isin(self.objects, functools.reduce(np.intersect1d, seen))
@@ -65,7 +65,7 @@ class Promises:
 
     @property
     def by_band(self) -> list[float]:
-        """Per cent between `BANDS`."""
+        """Percentage in each of `BANDS` that is good enough."""
         return [100 * float(self.is_kept[chosen].mean()) for chosen in self.in_bands]
 
     @property
@@ -77,12 +77,12 @@ class Promises:
             chosen = np.isin(self.objects, random.permutation(names)[: len(names) // 2])
             shares = np.array([100 * self.is_kept[band & chosen].mean() for band in self.in_bands])
             spreads.append(shares - np.roll(shares, 1))
-        # A half drawn from a whole differs from it by as much as the whole differs from all there could be.
+        # A random half differs from the whole by as much as the whole differs from the population.
         return float(np.std(spreads, axis=0).max())
 
 
 def promises(cases: Sequence[Case], models: Sequence[nf.lod.LodModel], mode: str) -> Promises:
-    """Choose levels by some models' curves, and score the objects in the pictures that have them."""
+    """Choose levels by the curves of models, and score the objects in the pictures with these levels."""
     kept, degrees, objects, drawn = [], [], [], 0
     for place, case in enumerate(cases):
         how = nf.lod.Selector(lens=case.headset.lens, mode=mode)
@@ -90,7 +90,7 @@ def promises(cases: Sequence[Case], models: Sequence[nf.lod.LodModel], mode: str
             chosen = how.select(models, *case.spheres[1:], camera=case.counting(camera, mode), full=True)
             reached = case.scores(number, chosen.level)
             scored = np.isfinite(reached) & (chosen.level >= 0)
-            # Of objects at level 0 by a limit no threshold is known.
+            # Objects limited to level 0 have no known threshold.
             kept.append((reached[scored] >= chosen.threshold[scored]) | (chosen.level[scored] == 0))
             way = case.crowd.centers[scored] - camera.position
             ahead = -way @ rotation(camera.orientation)[:, 2] / np.linalg.norm(way, axis=1)
@@ -115,7 +115,7 @@ def row(label: str, found: Promises, percentile: int) -> list[str]:
 
 
 def report(headset: Headset, *, quick: bool) -> str:
-    """Each mode with curves through the published percentile, and with the greatest one that keeps enough."""
+    """Table of each mode with curves of the published percentile, and of the greatest one that keeps enough."""
     models = measured(headset, views=VIEWS if quick else ALL_VIEWS)
     scenes, turns = (SCENES[:1], 4) if quick else (SCENES, TURNS)
     cases = [Case.of(models, headset, *scene, turns=turns) for scene in scenes]

@@ -13,13 +13,13 @@ from benchmarks.harness.compare import OURS, Case, compare
 from benchmarks.harness.timing import machine
 
 OBJECTS, RADIUS = 1_000, 20.0
-"""Number of objects, and the radius of the ball that they stand in, metres."""
+"""Number of objects, and the radius of the ball that contains them, metres."""
 FINEST, COARSEST = 6, 1
 """Subdivisions of the models' spheres: 81,920 to 80 triangles."""
 
 
 def model(seed: int) -> nf.lod.LodModel:
-    """A bumpy ball of six levels, with curves that fall the sooner the coarser."""
+    """Make a bumpy ball of six levels, whose curves fall earlier for coarser levels."""
     random = np.random.default_rng(seed)
     axes = random.normal(size=(6, 3))
     levels = []
@@ -45,7 +45,7 @@ def model(seed: int) -> nf.lod.LodModel:
 
 
 def places(random: np.random.Generator) -> NDArray[np.float64]:
-    """Anywhere in a ball, turned anyhow."""
+    """Random places in a ball, with random orientations."""
     matrices = np.tile(np.eye(4), (OBJECTS, 1, 1))
     for matrix in matrices:
         matrix[:] = trimesh.transformations.random_rotation_matrix(random.random(3))
@@ -87,7 +87,7 @@ choose_again = functools.partial(nf.lod.select, mode="depth")
 
 
 def rebuilt(scene: nf.Scene, levels: NDArray[np.int32]) -> nf.Scene:
-    """The frame without shared levels: the chosen triangles as one new scene with a tree of its own."""
+    """Build a frame without shared levels: the chosen triangles as one new scene with its own search tree."""
     corners = scene.at_levels(levels).triangles().reshape(-1, 3)
     whole = nf.Scene.from_arrays(corners, np.arange(len(corners), dtype=np.uint32).reshape(-1, 3))
     whole._core.build()

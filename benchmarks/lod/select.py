@@ -1,4 +1,4 @@
-"""Run time against error of choosing levels for a million objects, beside NumPy and the time of reading them."""
+"""Run time against error of choosing levels for a million objects, compared with NumPy and the time of reading them."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ RIFT_S = nf.RadialLens((0.22, 0.24))
 
 COUNT = 1_000_000
 MODELS = 20
-"""Objects, and the models that they are of."""
+"""Numbers of objects and of their models."""
 CAMERA = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(87, 87 / 90), size=(1440, 1600))
 BYTES = 44
 """Bytes of an object: centre, radius, number of its model, level."""
 
 
 def models(least: float) -> list[nf.lod.LodModel]:
-    """Eight levels each, as measured objects have them, down to a solid angle."""
+    """Make models of eight levels each, similar to measured objects, down to a solid angle."""
     random = np.random.default_rng(0)
     share = np.linspace(0, 1, 7)
     made = []
@@ -45,7 +45,7 @@ def models(least: float) -> list[nf.lod.LodModel]:
 
 
 def scenes() -> dict[str, tuple[Array, Array, float]]:
-    """Objects that are all in view, of sizes that were measured and mostly of smaller ones, and all around the eye."""
+    """Objects that are all in view, of measured sizes and mostly of smaller ones, and all around the eye."""
     random = np.random.default_rng(1)
     ahead = random.uniform(1, 60, COUNT)
     x, y = random.uniform(-0.9, 0.9, (2, COUNT)) * ahead
@@ -60,7 +60,7 @@ def scenes() -> dict[str, tuple[Array, Array, float]]:
 def by_numpy(
     made: list[nf.lod.LodModel], index: NDArray[np.int64], centers: Array, radii: Array, nodes: int
 ) -> NDArray[np.int32]:
-    """Straightforward, with an inverse by interpolation (or five steps of the published one)."""
+    """Choose levels straightforwardly, with an inverse by interpolation (or five steps of the published one)."""
     assert isinstance(CAMERA.fov, nf.Fov)
     fov, scale, reference = CAMERA.fov, CAMERA.fov.right, nf.lod.reference_solid_angle(CAMERA)
     x, y, ahead = centers[:, 0], centers[:, 1], -centers[:, 2]
@@ -103,7 +103,7 @@ def by_numpy(
 def budget_by_numpy(
     made: list[nf.lod.LodModel], index: NDArray[np.int64], sizes: Array, budget: int
 ) -> tuple[NDArray[np.int64], float]:
-    """Levels and mean score under a budget: all steps between neighbouring levels, sorted. Hulls are not looked for."""
+    """Levels and mean score under a budget: all steps between neighbouring levels, sorted, without convex hulls."""
     count, steps = len(index), len(made[0]) - 1
     scores, added = np.ones((count, steps + 1)), np.zeros((count, steps), np.int64)
     first = 0
@@ -115,7 +115,7 @@ def budget_by_numpy(
         added[mine] = -np.diff(one.triangles)
         first += len(mine) * int(one.triangles[-1])
     slopes = -np.diff(scores, axis=1) / added
-    # A step comes no sooner than the coarser ones of its object.
+    # A step comes after the coarser ones of its object.
     slopes = np.minimum.accumulate(slopes[:, ::-1], axis=1)[:, ::-1]
     order = np.argsort(-slopes, axis=None, kind="stable")
     taken = order[np.cumsum(added.ravel()[order]) <= budget - first]
@@ -124,7 +124,7 @@ def budget_by_numpy(
 
 
 def budget_table(title: str, centers: Array, radii: Array, least: float) -> str:
-    """Budgets of 2 and 20 times the coarsest levels; errors are the mean score below that of the kernel."""
+    """Table of budgets of 2 and 20 times the coarsest levels; errors are the mean score below that of the kernel."""
     made = models(least)
     index = np.random.default_rng(2).integers(0, MODELS, COUNT)
     select = functools.partial(nf.lod.select, made, index, centers, radii, camera=CAMERA, lens=RIFT_S, cull=False)
@@ -148,7 +148,7 @@ def budget_table(title: str, centers: Array, radii: Array, least: float) -> str:
 
 
 def table(title: str, centers: Array, radii: Array, least: float) -> str:
-    """Errors are the share of objects whose level is not that of the exact inverse."""
+    """Table whose errors are the share of objects with a level other than that of the exact inverse."""
     made = models(least)
     index = np.random.default_rng(2).integers(0, MODELS, COUNT)
     select = functools.partial(nf.lod.select, made, index, centers, radii, camera=CAMERA, lens=RIFT_S)

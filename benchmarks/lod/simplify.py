@@ -1,4 +1,4 @@
-"""Levels by both simplifiers: time, its parts, and the levels' distance from the base; nearest points beside peers.
+"""Levels by both simplifiers: time, its parts, and the levels' distance from the base; nearest points against peers.
 
 python -m benchmarks.lod.simplify [FILE …]
 """
@@ -32,7 +32,7 @@ RATIOS = (0.5, 0.25, 0.1, 0.05, 0.02)
 
 
 def knobbly(subdivisions: int) -> trimesh.Trimesh:
-    """A sphere with waves, whose texture coordinates are its x and y."""
+    """Make a sphere with waves, whose texture coordinates are its x and y."""
     ball = trimesh.creation.icosphere(subdivisions)
     waves = 1 + 0.1 * np.sin(8 * ball.vertices[:, :1]) * np.cos(6 * ball.vertices[:, 1:2])
     ball.vertices = ball.vertices * waves
@@ -42,7 +42,7 @@ def knobbly(subdivisions: int) -> trimesh.Trimesh:
 
 
 def levels(name: str, mesh: nf.Scene | trimesh.Trimesh) -> str:
-    """Errors of all levels, and of fast-simplification used by itself on the same surface."""
+    """Table of errors of all levels, and of fast-simplification used directly on the same surface."""
     base = Base(mesh)
     rows = []
     for method in ("fast", "meshopt"):
@@ -70,7 +70,7 @@ def levels(name: str, mesh: nf.Scene | trimesh.Trimesh) -> str:
 
 
 def shares(name: str, mesh: nf.Scene | trimesh.Trimesh) -> str:
-    """Time of one level by its parts."""
+    """Table of the time of one level by its parts."""
     base = Base(mesh)
     target = len(base.surface.faces) // 10
     ticks = [time.perf_counter()]
@@ -103,7 +103,7 @@ def shares(name: str, mesh: nf.Scene | trimesh.Trimesh) -> str:
 
 
 def nearest(subdivisions: int, count: int) -> str:
-    """Points around a knobbly sphere; errors are of distances, by those of all triangles for a few."""
+    """Table for points around a knobbly sphere; distances are compared with those to all triangles for a few points."""
     mesh = knobbly(subdivisions)
     scene = nf.Scene.from_trimesh(mesh)
     scene._core.build()

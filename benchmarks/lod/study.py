@@ -33,7 +33,7 @@ COLUMNS = ("d", "k")
 
 
 def study_or_twin() -> tuple[Study, str]:
-    """The published one, or the made-up one where there is no data folder, and a line that says which."""
+    """Return the published study, or the synthetic one without a data folder, and a line that states which."""
     if data.find(FILE):
         study = load()
         return study, f"published: {len(study)} rows of {len(np.unique(study.participant))} participants"
@@ -42,7 +42,7 @@ def study_or_twin() -> tuple[Study, str]:
 
 
 def table_beside_thesis(study: Study) -> str:
-    """Tables 5.4, 5.5, 5.6 and 5.8 as they are printed, beside the same figures of a study."""
+    """Table of the printed tables 5.4, 5.5, 5.6 and 5.8, and the same figures of a study."""
     ours, ranges = computed(study), spans(study)
     rows = []
     for printed in PRINTED:
@@ -87,7 +87,7 @@ def table_of_normality(study: Study) -> str:
 
 
 def table_of_headsets(study: Study) -> str:
-    """Table 5.6, and textured objects against the same in one colour, where the study has both."""
+    """Table 5.6, and textured objects against the same in one colour, if the study has both."""
     rows = []
     one, other = study.hmds
     for column in COLUMNS:
@@ -123,14 +123,14 @@ def table_of_correlations(study: Study) -> str:
 
 
 def table_of_texture(study: Study) -> str:
-    """Levels of the same object with and without its texture."""
+    """Table of levels of the same object with and without its texture."""
     factors = texture(study)
     rows = [[f"{name}, level {level}", f"{factor:.2f}"] for (name, level), factor in factors.items()]
     return table("1 − SSIM with a texture, times that without", ["", "factor"], rows)
 
 
 def table_of_readings(study: Study) -> str:
-    """Means of d and k for other choices, and the thresholds that follow by each reading of y = kx + d."""
+    """Table of means of d and k for other choices, and the thresholds that follow from each reading of y = kx + d."""
     headset = nf.hmd.RIFT_S
     sigma = nf.lod.reference_solid_angle(headset)
     rows = [

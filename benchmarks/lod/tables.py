@@ -1,4 +1,4 @@
-"""Triangles and time that chosen levels save in scenes built as Liebisch (2021) built them, beside his printed numbers.
+"""Triangles and time saved by chosen levels in scenes as in Liebisch (2021), compared with the printed numbers.
 
 python -m benchmarks.lod.tables [--quick] [--times] [--backend B]
 """
@@ -20,39 +20,39 @@ from benchmarks.lod._printed_turns import COUNTS, SIZES
 from benchmarks.lod._turns import DRAWS, FRAMES, RADIUS, Draws, turns
 
 LEVELS = 10
-"""Levels of an object, as published: here down to 0.15 % of its triangles."""
+"""Number of levels of an object, as published: here down to 0.15 % of its triangles."""
 DENSE = ("spot", "bunny", "dragon", "armadillo")
-"""Objects that are split to a million triangles: so that measuring them takes minutes, not hours."""
+"""Objects that are split to only a million triangles, so that measuring them takes minutes, not hours."""
 RADII = (0.5, 1.0)
-"""Of objects, metres; the thesis does not print it."""
+"""Radii of objects, metres; the thesis does not print them."""
 TWO_LEVELS = 0.008
-"""Share of the triangles that the coarser one of two levels has."""
+"""Share of the triangles in the coarser one of two levels."""
 MODES = ("depth", "depth+eccentricity", "fovea")
 TIMED = 4
-"""Frames of a turn that are drawn."""
+"""Number of drawn frames of a turn."""
 
 Models = Sequence[nf.lod.LodModel]
 
 
 def present(names: Sequence[str]) -> list[str]:
-    """Those of some objects that are at hand, or all that are."""
+    """Return the available ones among named objects, or all available ones if none is."""
     at_hand = sources()
     return [name for name in names if name in at_hand] or list(at_hand)
 
 
 def of_ten(models: Models) -> Models:
-    """With the finest `LEVELS` levels, or all where simplifying ended before."""
+    """Return models with the finest `LEVELS` levels, or all if simplification stopped earlier."""
     return [model.of_levels(range(min(LEVELS, len(model)))) for model in models]
 
 
 def ways(headset: Headset, **settings: Any) -> dict[str, nf.lod.Selector]:
-    """By size alone, and through the lens."""
+    """Return selectors by size only, and through the lens."""
     depth = nf.lod.Selector(mode="depth", **settings)
     return {"depth": depth, "lens": nf.lod.Selector(lens=headset.lens, **settings)}
 
 
 def saved(headset: Headset, models: Models, counts: tuple[int, ...], draws: int, frames: int) -> Iterator[str]:
-    """Tables 5.12 to 5.15: per cent of triangles that are saved, and millions that are drawn."""
+    """Tables 5.12 to 5.15: percentage of triangles saved, and millions drawn."""
     shares, millions = [], []
     for size in SIZES:
         for count in counts:
@@ -80,7 +80,7 @@ def saved(headset: Headset, models: Models, counts: tuple[int, ...], draws: int,
 
 
 def ablation(headset: Headset, models: Models, sparse: Models, draws: int, frames: int) -> str:
-    """What the share that the lens saves depends on, for the most objects."""
+    """Table of the influences on the share saved by the lens, for the greatest number of objects."""
     ten = of_ten(models)
     curve = nf.lod.Curve4PL([1.0], [1.0], [1e-3], [1.0])
     two = [
@@ -118,7 +118,7 @@ def ablation(headset: Headset, models: Models, sparse: Models, draws: int, frame
 
 
 def times(models: Models, size: int, count: int, headset: Headset, backend: str) -> dict[str, float]:
-    """Seconds of a mean frame by mode, colour only, choosing included; the least of two turns."""
+    """Seconds of a mean frame by mode, colour only, including selection; the least of two turns."""
     scene = crowd(models, size=size, count=count)
     world = nf.lod.place(models, scene.model_index, scene.transforms)
     seconds = {}

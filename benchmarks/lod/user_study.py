@@ -1,4 +1,4 @@
-"""The published study of levels of detail: its table, a made-up twin of the same shape, and statistics of either."""
+"""The published study of levels of detail: its table, a synthetic study of the same shape, and their statistics."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _SEED, _RESAMPLE = 2021, 1
 
 @dataclass(frozen=True, eq=False)
 class Study:
-    """A row for each participant, headset and object: the coarsest level that was accepted, its SSIM d, the slope k."""
+    """Table by participant, headset and object: the coarsest accepted level, its SSIM d, the slope k."""
 
     participant: NDArray[np.int64]
     hmd: NDArray[np.str_]
@@ -37,22 +37,22 @@ class Study:
     k: Array
 
     def __len__(self) -> int:
-        """Rows."""
+        """Number of rows."""
         return len(self.d)
 
     def where(self, mask: NDArray[np.bool_]) -> Study:
-        """Rows of a mask."""
+        """Select rows by a mask."""
         return Study(*(getattr(self, field.name)[mask] for field in fields(self)))
 
     def of(self, *, hmd: str | None = None, object: str | None = None) -> Study:  # noqa: A002
-        """Rows of a headset, of an object, or of both."""
+        """Select the rows of a headset, of an object, or of both."""
         every = np.ones(len(self), bool)
         return self.where(
             (every if hmd is None else self.hmd == hmd) & (every if object is None else self.object == object)
         )
 
     def first(self, participants: int) -> Study:
-        """Rows of the first participants."""
+        """Select the rows of the first participants."""
         return self.where(self.participant < participants)
 
     @property
@@ -62,12 +62,12 @@ class Study:
 
     @property
     def objects(self) -> list[str]:
-        """Objects in the order of their first rows, which is the study's."""
+        """Objects in the order of their first rows, which is that of the study."""
         return list(dict.fromkeys(self.object.tolist()))
 
 
 def load(path: Path | None = None) -> Study:
-    """Read the table; FileNotFoundError where there is no data folder."""
+    """Read the table; FileNotFoundError without a data folder."""
     with (path or data.require(FILE)).open(encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     columns = {name: [row[name] for row in rows] for name in (field.name for field in fields(Study))}
@@ -82,10 +82,10 @@ def load(path: Path | None = None) -> Study:
 
 
 def made_up(participants: int = TABULATED, objects: int = 10, *, gap: float = 0.0) -> Study:
-    """A study whose statistics are known: levels are uniform from 0 to 10, each 0.02 lower in d, and k from −¼ to ¾.
+    """Make a study with known statistics: levels are uniform from 0 to 10, each 0.02 lower in d, and k from −¼ to ¾.
 
     So the mean of d is 0.9 and its deviation 0.02 √10, the mean of k 0.25 and its deviation 0.25 √2. `gap` is added to
-    d in the headset "vive", which is otherwise like the other: zero has no effect to find.
+    d for the headset "vive", which is otherwise like the other: with zero there is no effect to find.
     """
     index = np.arange(participants * objects * 2)
     hmd = np.where(index % 2 == 0, "rift", "vive")
@@ -100,11 +100,11 @@ def made_up(participants: int = TABULATED, objects: int = 10, *, gap: float = 0.
     )
 
 
-# rows that contradict others ------------------------------------------------------------------------------------------
+# contradictory rows ---------------------------------------------------------------------------------------------------
 def odd_rows(study: Study) -> list[tuple[int, float]]:
-    """Rows whose d is not the one that its object and level have elsewhere: their numbers, and the d of the majority.
+    """Rows whose d differs from that of their object and level elsewhere: their numbers, and the d of the majority.
 
-    A level of an object is one mesh, and its SSIM at 1/16 of the screen is one number, whoever looks at it.
+    A level of an object is one mesh, and its SSIM at 1/16 of the screen is one number for all participants.
     """
     odd = []
     for name in study.objects:
@@ -117,7 +117,7 @@ def odd_rows(study: Study) -> list[tuple[int, float]]:
 
 
 def mended(study: Study) -> Study:
-    """The same with the d of the majority in odd rows."""
+    """Replace d in odd rows by that of the majority."""
     d = study.d.copy()
     for row, usual in odd_rows(study):
         d[row] = usual
@@ -139,7 +139,7 @@ class Moments:
 
 
 def moments(values: Array) -> Moments:
-    """Of one column."""
+    """Compute the moments of one column."""
     return Moments(
         len(values),
         float(values.mean()),
@@ -149,20 +149,20 @@ def moments(values: Array) -> Moments:
 
 
 def shapiro(values: Array) -> tuple[float, float]:
-    """W and p of the test of Shapiro and Wilk: a small p means that values are not normal."""
+    """W and p of the Shapiro–Wilk test: a small p means that values are not normal."""
     test = stats.shapiro(values)
     return float(test.statistic), float(test.pvalue)
 
 
 def lilliefors(values: Array) -> tuple[float, float]:
-    """D of Kolmogorov and Smirnov from the normal with the values' own mean and deviation (of n − 1), and its p.
+    """D of Kolmogorov–Smirnov for the normal with the values' own mean and deviation (of n − 1), and its p.
 
-    Lilliefors (1967): p is greater for a given normal than for a fitted one. By the formula of Dallal and Wilkinson
-    (1986), which holds up to 0.1; for greater p it returns 0.1.
+    Lilliefors (1967): p is greater for a given normal than for a fitted one. The formula of Dallal and Wilkinson (1986)
+    holds up to 0.1; for greater p this returns 0.1.
     """
     n = len(values)
     distance = float(stats.kstest(values, "norm", args=(values.mean(), values.std(ddof=1))).statistic)
-    # Beyond 100 values they scale D to what it is among 100.
+    # Above 100 values they scale D to its value for 100.
     counted, scaled = min(n, 100), distance * max(n / 100, 1.0) ** 0.49
     root = np.sqrt(counted + 2.78019)
     rest = -0.122119 + 0.974598 / np.sqrt(counted) + 1.67997 / counted
@@ -170,7 +170,7 @@ def lilliefors(values: Array) -> tuple[float, float]:
 
 
 def paired(study: Study, column: str, by: str, one: str, other: str) -> tuple[Array, Array]:
-    """A column for two headsets or objects (`by`), in the order of participants and of the other column."""
+    """Return a column for two headsets or objects (`by`), in the order of participants and of the other column."""
     rest = "object" if by == "hmd" else "hmd"
     sides = []
     for value in (one, other):
@@ -189,7 +189,7 @@ def by_participant(study: Study, column: str) -> Array:
 
 @dataclass(frozen=True)
 class Wilcoxon:
-    """Signed-rank test: the lesser sum of ranks, Z and p (two-sided), pairs, and equal ones, which don't count."""
+    """Signed-rank test: the lesser sum of ranks, Z and p (two-sided), number of pairs, and of ignored equal pairs."""
 
     statistic: float
     z: float
@@ -199,8 +199,8 @@ class Wilcoxon:
 
 
 def wilcoxon(one: Array, other: Array) -> Wilcoxon:
-    """By the normal approximation with ties, without continuity correction, as SPSS does it."""
-    # Differences of decimals would tell equal ranks apart by their last bit.
+    """Compute the test by the normal approximation with ties, without continuity correction, as in SPSS."""
+    # Differences of decimals would make equal ranks differ in their last bit.
     apart = np.round(one - other, 9)
     equal = int((apart == 0).sum())
     if equal == len(apart):
@@ -220,15 +220,15 @@ class Correlation:
 
 
 def correlation(one: Array, other: Array) -> Correlation:
-    """Of two columns; p of τ by the normal approximation, because there are ties."""
+    """Correlate two columns; p of τ by the normal approximation, because there are ties."""
     tau, rho = stats.kendalltau(one, other, method="asymptotic"), stats.spearmanr(one, other)
     return Correlation(float(tau.statistic), float(tau.pvalue), float(rho.statistic), float(rho.pvalue))
 
 
 def texture(study: Study) -> dict[tuple[str, int], float]:
-    """1 − SSIM of a level with a texture, as a multiple of that without, by textured object and level.
+    """Ratio of 1 − SSIM of a level with a texture to that without, by textured object and level.
 
-    The study has two objects twice, the second time in one colour.
+    The study contains two objects twice, the second time in one colour.
     """
     factors = {}
     for plain in study.objects:
@@ -244,10 +244,10 @@ def texture(study: Study) -> dict[tuple[str, int], float]:
 
 # uncertainty of d and k -----------------------------------------------------------------------------------------------
 def bootstrap(study: Study, column: str, *, objects: bool = False, draws: int = 10_000) -> tuple[float, float]:
-    """95 % interval of a column's mean, participants drawn anew with all of their rows, and objects too on request.
+    """95 % interval of a column's mean, resampling participants with all of their rows, and optionally objects.
 
-    Rows of one participant, and of one object, resemble each other: single rows drawn anew would give intervals that
-    are too short.
+    Rows of one participant, and of one object, are similar: resampling single rows would give intervals that are too
+    short.
     """
     people, things = np.unique(study.participant), study.objects
     values = np.array(
@@ -269,7 +269,7 @@ def bootstrap(study: Study, column: str, *, objects: bool = False, draws: int = 
 
 
 def readings(study: Study) -> dict[str, tuple[float, float, int]]:
-    """d, k and rows for other choices of rows and averages; `study` has all participants."""
+    """d, k and number of rows for other choices of rows and averages; `study` has all participants."""
     first = study.first(TABULATED)
     people = np.unique(first.participant)
     without = [first.where(first.participant != who) for who in people]

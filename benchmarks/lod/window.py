@@ -1,7 +1,7 @@
-"""The thesis' window of 10 × 10 pixels beside Wang's of 11 × 11, which `measure` takes: how far scores are apart.
+"""The thesis' window of 10 × 10 pixels against Wang's of 11 × 11, used by `measure`: differences of scores.
 
 `python -m benchmarks.lod.window [--views N]`. The same pictures of four objects' levels, from even directions at six
-of the 16 distances of `measure`, are scored with three windows. The thesis gives the side of its window and not its
+of the 16 distances of `measure`, are scored with three windows. The thesis states the size of its window, but not its
 weights: the likely reading is Wang's Gaussian, σ 1.5, cut to 10 × 10; a uniform one is the other extreme. An even
 window extends one pixel further up and left.
 """
@@ -38,16 +38,16 @@ LUMA = (0.2126, 0.7152, 0.0722)
 
 
 def pictures(scene: nf.Scene, cameras: Sequence[nf.Camera], samples: int) -> tuple[Array, NDArray[np.bool_]]:
-    """Luma (V, H, W) as `measure` compares it, and where the object is at the pixel's centre."""
+    """Luma (V, H, W) as compared by `measure`, and whether each pixel's centre shows the object."""
     frames = list(nf.render_path(scene, cameras, channels=("color", "range"), samples=samples, backend="cpu"))
     luma = np.stack([frame.to_image() @ np.array(LUMA) for frame in frames])
     return luma, np.stack([np.isfinite(frame.require("range")) for frame in frames])
 
 
 def scores(levels: nf.lod.Levels, screen: Screen, distances: Sequence[int], views: int, samples: int) -> Array:
-    """Score all levels but the base with each window, at each distance from each side: (W, K − 1, D, V)."""
+    """Score all levels except the base with each window, at each distance from each side: (W, K − 1, D, V)."""
     center = (float(levels.center[0]), float(levels.center[1]), float(levels.center[2]))
-    # Coarse levels may leave the sphere of the base.
+    # Coarse levels may extend beyond the base's sphere.
     stand = Stand(screen, center, levels.radius, 1.05 * levels.radius)
     found = np.empty((len(WINDOWS), len(levels) - 1, len(distances), views))
     for size, number in enumerate(distances):
@@ -63,7 +63,7 @@ def scores(levels: nf.lod.Levels, screen: Screen, distances: Sequence[int], view
 
 
 def rows(name: str, found: Array) -> list[list[str]]:
-    """One for each other window: how single scores and the 25th percentiles of the views change."""
+    """Make a row for each other window: changes of single scores and of the 25th percentiles of the views."""
     listed = []
     for window, other in list(zip(WINDOWS, found, strict=True))[1:]:
         changes = [other - found[0], statistic.of_views(other, 25.0) - statistic.of_views(found[0], 25.0)]

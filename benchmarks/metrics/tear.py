@@ -1,4 +1,4 @@
-"""Readings of tear on pictures whose tear is known: widths, directions, shear, curvature, overlap.
+"""Readings of `tear` on pictures with a known tear: widths, directions, shear, curvature, overlap.
 
 python -m benchmarks.metrics.tear [--quick] [--plots out/bench]
 """
@@ -29,7 +29,7 @@ CASES: tuple[tuple[str, str, float, float], ...] = (
 
 
 def measured(kind: str, shear: float, curvature: float, tear: float, direction: float) -> float:
-    """Mean of what tear reads along the line."""
+    """Mean tear measured along the line."""
     frame = torn(tear, direction, kind=kind, shear=shear, curvature=curvature)
     return float(at_the_line(nf.tear(frame), tear, direction, kind=kind).mean())
 

@@ -1,4 +1,4 @@
-"""Splats in NumPy that do not hide one another but blend: by their opacity, and by their directions."""
+"""NumPy splats that blend instead of occluding one another: by their opacity, and by their directions."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ LEAST_COSINE, BORDER, SQUARED_RADIUS = 0.25, 1.27, 0.5
 SHARPNESS = 4.0
 """Opacity at q within a splat is e^(−`SHARPNESS` |q|²); its edge is at |q|² = 1/2."""
 LAYER = 0.01
-"""Splats at one sample blend if they are farther than the nearest one by no more than this share of its distance."""
+"""Splats at one sample blend if their distance exceeds that of the nearest one by at most this share."""
 REACH = 3
-"""Greatest distance of a sample from a splat's middle, samples."""
+"""Maximum distance of a sample from a splat's middle, samples."""
 LINE = 1e-4
 """Least sine of the angle between an ellipse's axes in the picture."""
 GRID = 2
@@ -30,12 +30,12 @@ GRID = 2
 
 @dataclass(frozen=True)
 class Blend:
-    """How splats at one sample are mixed."""
+    """Blending of splats at one sample."""
 
     opacity: bool = False
-    """Whether those near the nearest one count, by their opacity; else it alone counts."""
+    """Whether splats near the nearest one count by their opacity; otherwise only the nearest one counts."""
     directions: bool = False
-    """Whether they count by their directions: with weights that fall to 0 where a direction leaves the chosen ones."""
+    """Whether splats count by their directions, with weights that fall to 0 where a direction stops being chosen."""
 
 
 @dataclass(frozen=True)
@@ -44,13 +44,13 @@ class _Splats:
     u: Floats
     v: Floats
     light: Floats
-    """Linear RGB (N, 3) that they show."""
+    """Displayed linear RGB (N, 3)."""
     weight: Floats
-    """Of their directions (N,)."""
+    """Weights of their directions (N,)."""
 
 
 def drawn(tree: nf.orthoview.OrthoTree, camera: nf.Camera, blend: Blend, sky: nf.Frame, views: int = 3) -> nf.Frame:
-    """A picture of a tree's views, without geometry; `sky` is a picture of the same size of what is behind."""
+    """Render a tree's views without geometry; `sky` is a picture of the background with the same size."""
     width, height = camera.size
     fine = replace(camera, size=(width * GRID, height * GRID))
     nearest = np.zeros(width * height * GRID**2)
@@ -72,10 +72,10 @@ def drawn(tree: nf.orthoview.OrthoTree, camera: nf.Camera, blend: Blend, sky: nf
 
 
 def _samples(splats: _Splats, camera: nf.Camera) -> Iterator[tuple[Ints, Floats, Floats, Ints]]:
-    """Samples that show splats: their numbers, nearness (1/depth) and opacity there, and the splats' numbers."""
+    """Yield samples covered by splats: their numbers, nearness (1/depth) and opacity there, and the splats' numbers."""
     width, height = camera.size
     place = camera.project(splats.point)
-    # The derivative, by a step that is small beside a splat.
+    # The derivative, by a step that is small compared with a splat.
     axes = [camera.project(splats.point + 1e-3 * axis) - place for axis in (splats.u, splats.v)]
     (ux, uy, uw), (vx, vy, vw) = (axis.T * 1e3 for axis in axes)
     determinant = ux * vy - uy * vx
@@ -101,7 +101,7 @@ def _samples(splats: _Splats, camera: nf.Camera) -> Iterator[tuple[Ints, Floats,
 
 
 def _splats(tree: nf.orthoview.OrthoTree, camera: nf.Camera, views: int) -> _Splats:
-    """The splats of a cut, of one view more than are drawn: it has the weight 0, and the others its cosine less."""
+    """Splats of a cut with one view more than are drawn: it has the weight 0, and the others have its cosine less."""
     cut = tree.cut(camera, views=views + 1, geometry=False)
     units = np.array(tree.directions) / np.linalg.norm(tree.directions, axis=1, keepdims=True)
     parts = []
@@ -140,6 +140,6 @@ SKY_DIRECTION, SKY = np.array([-2, 9, 3]) / np.sqrt(94), np.array([[0.130, 0.135
 
 
 def irradiance(normal: Floats) -> Floats:
-    """Linear RGB that a white surface reflects."""
+    """Linear RGB reflected by a white surface."""
     sky, sun = 0.5 + 0.5 * normal @ SKY_DIRECTION, np.maximum(normal @ SUN_DIRECTION, 0)
     return np.asarray(SKY[0] + (SKY[1] - SKY[0]) * sky[:, None] + SUN * sun[:, None])

@@ -32,9 +32,9 @@ ANGLE = 60.0
 """Vertical field of view, degrees: that of the page."""
 EVERYWHERE = np.array([[-np.inf] * 3, [np.inf] * 3])
 CLIENTS = {"nearfar": "&geometry=1", "nearfar, splats": "&geometry=0", "3d-tiles-renderer": "tiles", "Spark": "spark"}
-"""For each viewer what its address asks for: the page with near leaves as geometry and without, and the others."""
+"""Request of each viewer's address: the page with near leaves as geometry and without, and the other viewers."""
 QUIET = 5.0
-"""Seconds without a byte and without a change after which a client is taken to be done."""
+"""Seconds without a received byte and without a change after which a client is considered finished."""
 
 FLY = """async ([poses, cuts, step, seconds]) => {
   const gl = document.querySelector('canvas').getContext('webgl2');
@@ -78,21 +78,21 @@ STILL = """async ([width, height]) => {
 
 @dataclass(frozen=True)
 class Way:
-    """A straight flight with a turn, by its places one `step` of seconds after another."""
+    """A straight flight with a turn; its places follow each other at intervals of `step` seconds."""
 
     tree: nf.orthoview.OrthoTree
     height: float
     speed: float
     seconds: float
     error: float
-    """Greatest width of a view's pixels in pixels of the picture."""
+    """Maximum width of a view's pixels in pixels of the picture."""
     splat_error: float
-    """The same of the cells that Spark draws."""
+    """The same for the cells that Spark draws."""
     step: float = 1.0
 
     @cached_property
     def poses(self) -> list[dict[str, Any]]:
-        """As the page has them."""
+        """Poses in the page's format."""
         low, high = self.tree.bounds
         place = low + np.array([0.33, 0.0, 0.39]) * (high - low) + [0.0, self.height, 0.0]
         found = []
@@ -108,7 +108,7 @@ class Way:
 
     @cached_property
     def cuts(self) -> list[dict[str, Any]]:
-        """For Spark: names of each cut's cells and of those above, coarse ones first, and which lie in which."""
+        """Cuts for Spark: names of each cut's cells and their ancestors, coarse ones first, and their hierarchy."""
         return [self._cut(number) for number in range(len(self.poses))]
 
     def _cut(self, number: int) -> dict[str, Any]:
@@ -142,7 +142,7 @@ def name_of(level: int, place: Place) -> str:
 
 
 def prepare(way: Way, folder: Path) -> dict[str, Path]:
-    """Write what the viewers read; the folders that are served."""
+    """Write the files that the viewers read; return the folders to serve."""
     page, splats, job = (folder / name for name in ("page", "splats", "job"))
     for each in (page, splats, job):
         each.mkdir(exist_ok=True)
@@ -176,7 +176,7 @@ class Client:
         self._page, self._way, self._gate = page, way, gate
 
     def settled(self, number: int, patience: float) -> dict[str, Any]:
-        """Stand at a place of the way until nothing comes and nothing changes; what is missing, and its own figures."""
+        """Stand at a place until nothing arrives or changes; return the missing parts and the viewer's figures."""
         begin = time.monotonic()
         last, since = None, begin
         pose, cut = self._way.poses[number], self._way.cuts[number]
@@ -192,12 +192,12 @@ class Client:
             self._page.wait_for_timeout(200)
 
     def picture(self) -> NDArray[np.uint8]:
-        """The picture (H, W, 4)."""
+        """Return the picture (H, W, 4)."""
         data = base64.b64decode(self._page.evaluate(STILL, list(SIZE)))
         return np.frombuffer(data, np.uint8).reshape(SIZE[1], SIZE[0], 4)[::-1]
 
     def fly(self, pace: float) -> NDArray[np.float64]:
-        """Fly as long as the way takes, at a part of its speed: times of frames, their ms and how much was missing."""
+        """Fly the way at a fraction of its speed: times of frames, their ms and the amount missing."""
         way = self._way
         frames = self._page.evaluate(FLY, [way.poses, way.cuts, way.step / pace, way.seconds])
         return np.array(frames, np.float64).reshape(-1, 3)
@@ -205,7 +205,7 @@ class Client:
 
 @contextmanager
 def opened(chromium: Any, url: str, name: str, way: Way, gate: Gate) -> Iterator[Client]:
-    """A viewer without a cache, at the begin of the way."""
+    """Open a viewer without a cache, at the beginning of the way."""
     context = chromium.new_context(viewport={"width": SIZE[0], "height": SIZE[1]})
     page = context.new_page()
     page.on("pageerror", lambda error: print(f"{name}: {error}"))

@@ -17,7 +17,7 @@ def save_counts(
     flat: tuple[Sequence[int], Sequence[int]],
     path: Path,
 ) -> None:
-    """The three counts of each frame, and cells against distance and against the world's size."""
+    """Plot the three counts of each frame, and cells against distance and against the world's size."""
     plt = pyplot()
     figure, (left, right) = plt.subplots(1, 2, figsize=(10, 3.8), layout="constrained", width_ratios=(3, 2))
     for name, column in zip(NAMES, counts.T, strict=True):
@@ -33,7 +33,7 @@ def save_counts(
 
 
 def save_changes(errors: NDArray[Any], lines: Mapping[str, NDArray[Any]], path: Path) -> None:
-    """Changes from picture to picture against the error."""
+    """Plot changes from picture to picture against the error."""
     plt = pyplot()
     figure, axis = plt.subplots(figsize=(7, 3.4), layout="constrained")
     for name, changes in lines.items():

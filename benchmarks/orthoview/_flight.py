@@ -1,4 +1,4 @@
-"""A flight over Tokyo, and how steady pictures of it are."""
+"""A flight over Tokyo, and the temporal stability of its pictures."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ import nearfar as nf
 from benchmarks.orthoview._worlds import World
 
 RATE = 72
-"""Pictures a second."""
+"""Pictures per second."""
 SECONDS = 30.0
 SIZE = (320, 240)
 FOV = nf.Fov.symmetric(60, 4 / 3)
 SAMPLES = 4
-"""Samples of a pixel of orthoviews; the truth has 16."""
+"""Samples per pixel of orthoviews; the truth has 16."""
 PARTS, FRAMES = 10, 30
-"""Parts of the flight that are drawn, and pictures of each."""
+"""Number of drawn parts of the flight, and of pictures of each."""
 FIRST = 8
-"""Pictures at a part's start that do not count: nothing was faded before."""
+"""Number of ignored pictures at a part's start: nothing was faded before."""
 METHODS = ("truth", "orthoviews", "steady", "steady truth")
 
 
 def camera_at(world: World, time: float, size: tuple[int, int] = SIZE) -> nf.Camera:
-    """A third of a circle of 420 m, 18 m or more from the houses, at 29 m/s and at heights of 65 to 155 m."""
+    """Camera on a third of a circle of 420 m, 18 m or more from the houses, at 29 m/s and heights of 65 to 155 m."""
     angle = np.pi - np.radians(4) * time
     height = 110 + 45 * np.cos(2 * np.pi * time / SECONDS)
     middle = world.box[0] + (world.side / 2, 1.0, world.side / 2)
@@ -38,7 +38,7 @@ def camera_at(world: World, time: float, size: tuple[int, int] = SIZE) -> nf.Cam
 
 
 def truth_at(world: World, tree: nf.orthoview.OrthoTree, time: float, size: tuple[int, int] = SIZE) -> nf.Frame:
-    """The truth with its motion since the picture before."""
+    """Render the truth with its motion since the previous picture."""
     now, before = (camera_at(world, at, size) for at in (time, time - 1 / RATE))
     channels = ("color", "range", "motion")
     clip = nf.Clip(box=tree.bounds)
@@ -47,16 +47,16 @@ def truth_at(world: World, tree: nf.orthoview.OrthoTree, time: float, size: tupl
 
 @dataclass
 class Findings:
-    """Of a method's pictures."""
+    """Findings about a method's pictures."""
 
     alike: list[float]
-    """Motion-compensated SSIM of each picture with the one before."""
+    """Motion-compensated SSIM of each picture with the previous one."""
     psnr: list[float]
     ssim: list[float]
 
 
 def part(world: World, tree: nf.orthoview.OrthoTree, number: int, folder: Path) -> dict[str, Findings]:
-    """Measure a part of the flight, unless the folder has it."""
+    """Measure a part of the flight, unless the folder contains it."""
     path = folder / f"popping-{number}.json"
     if not path.is_file():
         found = {name: Findings([], [], []) for name in METHODS}
@@ -88,14 +88,14 @@ def part(world: World, tree: nf.orthoview.OrthoTree, number: int, folder: Path) 
 
 
 def flown(world: World, tree: nf.orthoview.OrthoTree, folder: Path, most: int) -> Iterator[dict[str, Findings]]:
-    """The parts of the flight, of which at most some are measured now."""
+    """Yield the parts of the flight, of which at most `most` are measured now."""
     missing = [n for n in range(PARTS) if not (folder / f"popping-{n}.json").is_file()]
     later = set(missing[most:])
     return (part(world, tree, n, folder) for n in range(PARTS) if n not in later)
 
 
 def plot(parts: list[dict[str, Findings]], path: Path) -> None:
-    """SSIM of consecutive pictures over time."""
+    """Plot SSIM of consecutive pictures over time."""
     import matplotlib as mpl
 
     mpl.use("agg")

@@ -1,4 +1,4 @@
-"""A server of files over one link of a certain rate, which stops when as many bytes have gone out as are allowed."""
+"""File server over one link with a given rate, which stops when the allowed number of bytes has been sent."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 PIECE = 4096
-"""Bytes that are sent at once: so exactly a rate and a limit are kept."""
+"""Bytes sent at once: small, so that rates and limits are exact."""
 
 
 @dataclass
@@ -27,22 +27,22 @@ class Gate:
     mbps: float = math.inf
     rtt_ms: float = 0.0
     allowed: float = math.inf
-    """Bytes that may go out in all."""
+    """Total number of bytes allowed."""
     sent: int = 0
     requests: int = 0
     waiting: int = 0
-    """Clients that wait until more may go out."""
+    """Number of clients that wait until more bytes are allowed."""
     _free: float = 0.0
     _changed: threading.Condition = field(default_factory=threading.Condition)
 
     def allow(self, count: float) -> None:
-        """From now on let this many bytes out in all."""
+        """Set the total number of bytes allowed from now on."""
         with self._changed:
             self.allowed = count
             self._changed.notify_all()
 
     def take(self, count: int, connection: socket.socket) -> int:
-        """Wait until some of a number of bytes may go out; 0 if nobody waits for them any more."""
+        """Wait until some of `count` bytes may be sent, and return their number; 0 if the client has gone."""
         with self._changed:
             self.waiting += 1
             while self.sent >= self.allowed and not _is_closed(connection):
@@ -59,7 +59,7 @@ class Gate:
 
 
 class _Handler(SimpleHTTPRequestHandler):
-    """Serves folders by the first part of the address; some of them through a gate."""
+    """Serves folders by the first part of the address; some of them through the gate."""
 
     protocol_version = "HTTP/1.1"
     disable_nagle_algorithm = True
@@ -123,11 +123,11 @@ class _Listener(ThreadingHTTPServer):
     daemon_threads = True
 
     def handle_error(self, request: Any, client_address: Any) -> None:
-        """Pages break off what they want no more; that is no error."""
+        """Ignore the error: pages cancel requests that they no longer need."""
 
 
 def _is_closed(connection: socket.socket) -> bool:
-    """Whether the other side has closed a connection."""
+    """Whether the peer has closed a connection."""
     readable, _, _ = select.select([connection], [], [], 0)
     try:
         return bool(readable) and not connection.recv(1, socket.MSG_PEEK)
@@ -137,7 +137,7 @@ def _is_closed(connection: socket.socket) -> bool:
 
 @contextmanager
 def served(folders: Mapping[str, Path], gate: Gate, counted: frozenset[str]) -> Iterator[str]:
-    """Serve folders by name, those that are counted through the gate; the address."""
+    """Serve folders by name, `counted` ones through the gate; yield the address."""
     handler = partial(_Handler, folders=folders, gate=gate, counted=counted)
     with _Listener(("127.0.0.1", 0), handler) as server:
         thread = threading.Thread(target=server.serve_forever, args=(0.05,))

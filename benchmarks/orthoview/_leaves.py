@@ -1,4 +1,4 @@
-"""Leaves that the benchmarks of stored views draw: boxes, vertex colours, foliage, and photographed textures."""
+"""Leaves drawn by the benchmarks of stored views: boxes, vertex colours, foliage, and photographed textures."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ HELMET = "objects/gltf/FlightHelmet/FlightHelmet.gltf"
 
 @dataclass(frozen=True)
 class Leaf:
-    """A cubic cell and what touches it."""
+    """A cubic cell and the geometry that touches it."""
 
     name: str
     scene: nf.Scene
@@ -43,7 +43,7 @@ def layout_of(depth_bits: int = 12, normal_bits: int = 16, size: int = SIZE) -> 
 
 
 def leaves() -> Iterator[Leaf]:
-    """Leaves of the test data, where they are there, and of procedural scenes."""
+    """Yield leaves of the test data, if they exist, and of procedural scenes."""
     if (path := data.find(TOKYO)) is not None:
         city = nf.Scene.load(path)
         for side in (250.0, 500.0):
@@ -55,14 +55,14 @@ def leaves() -> Iterator[Leaf]:
 
 
 def in_the_middle(name: str, scene: nf.Scene, side: float) -> Leaf:
-    """The leaf on the ground in the middle of a scene."""
+    """Return the leaf on the ground in the middle of a scene."""
     x, _, z = (scene.bounds.mean(axis=0) - side / 2).tolist()
     corner = (x, float(np.floor(scene.bounds[0, 1])), z)
     return Leaf(name, scene.query(np.array([corner, np.add(corner, side)])), corner, side)
 
 
 def helmet() -> Leaf | None:
-    """A model with photographed textures, whole; None without the test data."""
+    """Return a whole model with photographed textures; None without the test data."""
     if (path := data.find(HELMET)) is None:
         return None
     scene, side = nf.Scene.load(path), 0.75

@@ -1,4 +1,4 @@
-"""Pictures of trees beside the truth, and what differs."""
+"""Pictures of trees compared with the truth."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ import nearfar as nf
 from benchmarks.orthoview._worlds import World
 
 SAMPLES = 16
-"""Samples of a pixel where colours are compared."""
+"""Samples per pixel for comparisons of colours."""
 SHARE, METRES = 0.02, 1.0
 """Two surfaces are the same if their distances differ by less than this share and this many metres."""
 
 ALIKE = 2
-"""Pixels by which depths of a point and of a view differ at most if the view shows the point."""
+"""Maximum difference in pixels between depths of a point and of a view that shows the point."""
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -27,7 +27,7 @@ Bools = NDArray[np.bool_]
 
 @dataclass(frozen=True)
 class Setting:
-    """How a tree is drawn."""
+    """Settings for drawing a tree."""
 
     views: int = 3
     error_px: float = 1.0
@@ -51,7 +51,7 @@ class Truth:
     world: World
     camera: nf.Camera
     box: Floats
-    """The tree's box, beyond which nothing is seen."""
+    """The tree's box, beyond which nothing is visible."""
 
     @cached_property
     def color(self) -> nf.Frame:
@@ -59,7 +59,7 @@ class Truth:
 
     @cached_property
     def range(self) -> NDArray[np.float32]:
-        """Metres (H, W) from the camera."""
+        """Distances (H, W) in metres from the camera."""
         return self._render(("range",), 1).require("range")
 
     def _render(self, channels: tuple[str, ...], samples: int) -> nf.Frame:
@@ -69,30 +69,30 @@ class Truth:
 
 @dataclass(frozen=True)
 class Quality:
-    """Findings about a picture; shares of its pixels, of those that show a surface where not told otherwise."""
+    """Findings about a picture; shares of its pixels that show a surface in the truth, unless stated otherwise."""
 
     psnr: float
     ssim: float
     holes: float
-    """Show nothing."""
+    """Pixels that show nothing."""
     inner_holes: float
-    """Of those, pixels all of whose eight neighbours should show a surface."""
+    """Holes all of whose eight neighbours should show a surface."""
     through: float
-    """Show something farther away."""
+    """Pixels that show a surface farther away."""
     inner_through: float
-    """Of those, pixels that are farther away than all their neighbours should be, too."""
+    """Pixels among them that are farther away than the true surfaces of all their neighbours, too."""
     before: float
-    """Show something nearer."""
+    """Pixels that show a nearer surface."""
     false: float
-    """Show something where the sky is; share of the whole picture."""
+    """Pixels that show a surface instead of the sky; share of the whole picture."""
     read: float
-    """Bytes that a client reads that has nothing yet."""
+    """Bytes read by a client without any data."""
     geometry: float
-    """Those of geometry among them."""
+    """Bytes of geometry among them."""
     splats: float
-    """In the picture."""
+    """Number of splats in the picture."""
     leaves: float
-    """Drawn as geometry."""
+    """Number of leaves drawn as geometry."""
 
 
 def compared(truth: Truth, tree: nf.orthoview.OrthoTree, setting: Setting) -> Quality:
@@ -125,22 +125,22 @@ def compared(truth: Truth, tree: nf.orthoview.OrthoTree, setting: Setting) -> Qu
 
 
 def differences(truth: NDArray[np.float32], ranges: NDArray[np.float32]) -> tuple[Bools, Bools, Bools, Bools]:
-    """Pixels that are holes, that show what lies behind, what lies before, and something in the sky."""
+    """Masks of pixels that are holes, that show surfaces behind, surfaces in front, and surfaces instead of the sky."""
     should, is_there = np.isfinite(truth), np.isfinite(ranges)
     both = should & is_there
     return should & ~is_there, both & (ranges > beyond(truth)), both & (truth > beyond(ranges)), is_there & ~should
 
 
 def shown_by(points: NDArray[Any], axes: Floats, extents: Floats, center: Floats, depth: NDArray[Any]) -> Bools:
-    """Whether a view shows world points (…, 3): in one of nine pixels its depth is that of the point.
+    """Whether a view shows world points (…, 3): one of nine pixels has the depth of the point.
 
     Parameters
     ----------
     points
         NaN for none.
     axes, extents, center, depth
-        As of an `OrthoView`: unit vectors to the right, upwards and to the viewer (3, 3), the extents along them, the
-        cell's middle, and metres behind the front, infinite where nothing is.
+        As for an `OrthoView`: unit vectors to the right, upwards and to the viewer (3, 3), the extents along them, the
+        cell's middle, and metres behind the front, infinite for empty pixels.
     """
     local = np.nan_to_num((points - center) @ axes.T)
     size = np.array(depth.shape[::-1])
@@ -154,13 +154,13 @@ def shown_by(points: NDArray[Any], axes: Floats, extents: Floats, center: Floats
 
 
 def beyond(ranges: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Distance from which on a surface is another one."""
+    """Distance from which a surface counts as another one."""
     farther: NDArray[np.float32] = ranges * np.float32(1 + SHARE) + np.float32(METRES)
     return farther
 
 
 def farthest(ranges: NDArray[np.float32]) -> NDArray[np.float32]:
-    """The greatest distance of a pixel and its eight neighbours."""
+    """Greatest distance of a pixel and its eight neighbours."""
     padded = np.pad(ranges, 1, mode="edge")
     nine = np.lib.stride_tricks.sliding_window_view(padded, (3, 3))
     most: NDArray[np.float32] = nine.max(axis=(2, 3))
@@ -168,6 +168,6 @@ def farthest(ranges: NDArray[np.float32]) -> NDArray[np.float32]:
 
 
 def mean(found: Sequence[Quality]) -> Quality:
-    """The mean of several pictures."""
+    """Mean of several pictures."""
     names = Quality.__dataclass_fields__
     return Quality(**{name: float(np.mean([getattr(one, name) for one in found])) for name in names})

@@ -1,4 +1,4 @@
-"""Draws sheets of pictures with their errors, halves beside one another, and quality against bytes."""
+"""Draws sheets of pictures with their errors, halves side by side, and quality against bytes."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ SMALL = (292, 219)
 """Pixels of the sheet's pictures."""
 WIDE = (1200, 500)
 GAIN = 3
-"""Factor of errors that are shown."""
+"""Factor of the displayed errors."""
 MARGIN, TITLE, LINE = 4, 22, 18
 MEGABYTES = (0.5, 1, 2, 5, 10, 20, 50)
 
@@ -51,14 +51,14 @@ def save_sheet(rows: Sequence[Sequence[Any]], titles: Sequence[str], path: Path)
 
 
 def error(reference: Picture, picture: Picture) -> Picture:
-    """The greatest difference of the three colours, black on white."""
+    """Greatest difference of the three colours, black on white."""
     difference = np.abs(reference.astype(int) - picture).max(axis=-1, keepdims=True)
     shade: Picture = (255 - np.minimum(GAIN * difference, 255)).astype(np.uint8).repeat(3, axis=-1)
     return shade
 
 
 def save_halves(left: Picture, right: Picture, path: Path) -> None:
-    """Save the left half of one picture beside the right half of another, with a line between."""
+    """Save the left half of one picture beside the right half of another, with a line between them."""
     middle = left.shape[1] // 2
     whole = np.concatenate([left[:, :middle], right[:, middle:]], axis=1)
     whole[:, middle - 1 : middle + 1] = 255
@@ -69,7 +69,7 @@ def save_halves(left: Picture, right: Picture, path: Path) -> None:
 
 
 def save_panels(panels: Sequence[tuple[str, Picture]], columns: int, path: Path, *, scale: int = 1) -> None:
-    """Save pictures of one size in rows, enlarged by a whole number, each below its title of some lines or none."""
+    """Save pictures of one size in rows, enlarged by a whole number, each below its title of any number of lines."""
     height, width = (scale * side for side in panels[0][1].shape[:2])
     rows = [panels[first : first + columns] for first in range(0, len(panels), columns)]
     lines = [max(len(title.splitlines()) for title, _ in row) for row in rows]
@@ -87,7 +87,7 @@ def save_panels(panels: Sequence[tuple[str, Picture]], columns: int, path: Path,
 
 
 def write(picture: Image.Image, text: str, middle: tuple[int, int]) -> None:
-    """Write black text about a point; the font has no ×."""
+    """Write black text centred at a point; the font has no ×."""
     from PIL import ImageDraw, ImageFont
 
     ImageDraw.Draw(picture).text(
@@ -96,7 +96,7 @@ def write(picture: Image.Image, text: str, middle: tuple[int, int]) -> None:
 
 
 def save(picture: Image.Image, path: Path) -> None:
-    """Save; a PNG with a palette, which pictures of few hues do well with."""
+    """Save a picture; PNG with a palette, which suffices for pictures of few hues."""
     path.parent.mkdir(parents=True, exist_ok=True)
     if path.suffix == ".jpg":
         picture.save(path, quality=88, optimize=True)
@@ -105,7 +105,7 @@ def save(picture: Image.Image, path: Path) -> None:
 
 
 def plot_errors(lines: Mapping[str, Sequence[Quality]], errors: Sequence[float], path: Path) -> None:
-    """SSIM against bytes, a point for each error."""
+    """Plot SSIM against bytes, with a point for each error."""
     import matplotlib as mpl
 
     mpl.use("agg")

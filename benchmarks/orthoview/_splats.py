@@ -1,4 +1,4 @@
-"""Pictures of one view's splats from beside its direction: pieces of planes, and balls as squares that face it."""
+"""Pictures of one view's splats from another direction: pieces of planes, and balls as squares facing the viewer."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from nearfar.orthoview import _codec
 from nearfar.orthoview._layout import Layout
 
 TURN = 20.0
-"""Degrees between a view's direction and the picture's; directions that neighbour one another are 45° apart."""
+"""Angle in degrees between a view's direction and the picture's; adjacent directions are 45° apart."""
 
 STEEPEST = 0.2
-"""Least cosine between a normal and the view's direction by which a splat is stretched."""
+"""Least cosine between a normal and the view's direction that limits the stretching of a splat."""
 
 
 Floats = NDArray[np.float64]
@@ -26,7 +26,7 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Pixels:
-    """The pixels of a view that show something."""
+    """Non-empty pixels of a view."""
 
     middle: Floats
     """World positions (N, 3), metres."""
@@ -37,12 +37,12 @@ class Pixels:
     axes: Floats
     """Unit vectors to the right, upwards and towards the viewer (3, 3)."""
     sides: Floats
-    """Of a pixel, to the right and upwards (2,), metres."""
+    """Width and height of a pixel (2,), metres."""
     seen: NDArray[np.bool_]
-    """Which pixels they are (H, W)."""
+    """Mask of these pixels (H, W)."""
 
     def tangents(self, least: float) -> tuple[Floats, Floats]:
-        """Their sides on the tangent planes (N, 3), whose normals have at least some cosine to the viewer."""
+        """Sides of pixels on the tangent planes (N, 3), whose normals have at least a given cosine to the viewer."""
         n = self.normal @ self.axes.T
         zero, slope = np.zeros(len(n)), -n[:, :2] / np.maximum(n[:, 2:], least)
         u = np.stack([zero + 1, zero, slope[:, 0]], axis=1) @ self.axes * self.sides[0]
@@ -51,7 +51,7 @@ class Pixels:
 
 
 def pixels(leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int) -> Pixels:
-    """The pixels of one view of a leaf."""
+    """Non-empty pixels of one view of a leaf."""
     axes, extents = (np.array(values) for values in _core.orthoview_axes(layout.directions[number]))
     width, height, deep = extents * leaf.side
     codes = views.depths()[number, ..., 0]
@@ -66,7 +66,7 @@ def pixels(leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int) -> 
 
 
 def camera(leaf: Leaf, direction: tuple[int, int, int], size: int) -> nf.Camera:
-    """Parallel rays onto the whole leaf, from a view's direction turned upwards and to the side."""
+    """Camera with parallel rays onto the whole leaf, from a view's direction turned upwards and to the side."""
     (right, up, toward), extents = _core.orthoview_axes(direction)
     turn = np.radians(TURN / np.sqrt(2))
     eye = np.array(toward) + np.tan(turn) * (np.array(right) + np.array(up))
@@ -81,13 +81,13 @@ def camera(leaf: Leaf, direction: tuple[int, int, int], size: int) -> nf.Camera:
 
 
 def truth(leaf: Leaf, direction: tuple[int, int, int], size: int) -> NDArray[np.uint8]:
-    """The leaf itself, ray by ray."""
+    """Render the leaf itself, ray by ray."""
     box = nf.Clip(box=leaf.box)
     return nf.render(leaf.scene, camera(leaf, direction, size), clip=box, samples=4).to_image()
 
 
 def picture(leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int) -> NDArray[np.uint8]:
-    """The splats of one view, shaded by their normals with the formula of all pictures."""
+    """Render the splats of one view, shaded by their normals with the formula of all pictures."""
     direction = layout.directions[number]
     onto = camera(leaf, direction, layout.size)
     return nf.render(splats(leaf, views, layout, number, onto), onto, samples=4).to_image()

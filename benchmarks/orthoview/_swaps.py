@@ -1,4 +1,4 @@
-"""How far splats lie, in the picture, from the splats of their parents that take their places."""
+"""Distances in the picture between splats and the splats of their parents that replace them."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ import nearfar as nf
 from nearfar.orthoview._view import OrthoView
 
 REACH = 4.0
-"""Pixels of a child behind its parent's surface within which its own belongs to it."""
+"""Maximum distance in pixels of a child's splat behind its parent's surface to belong to it."""
 
 Tree = nf.orthoview.OrthoTree
 
 
 def moved(tree: Tree, camera: nf.Camera, error_px: float = 1.0) -> NDArray[np.float64]:
-    """Pixels between the middles of children's splats and their parents', were these as near as their level is drawn.
+    """Distances in pixels between the middles of children's and their parents' splats, where the level changes.
 
-    Of the parents in a cut, from the directions they are drawn from. Of children that lie behind their parent's surface
-    and do not belong to it, nothing takes the place.
+    Parents are those in a cut, from the directions in which they are drawn. Children farther behind their parent's
+    surface do not belong to it and are not replaced.
     """
     cut, found = tree.cut(camera, error_px=error_px, geometry=False), []
     keys = cut.keys()
@@ -36,7 +36,7 @@ def moved(tree: Tree, camera: nf.Camera, error_px: float = 1.0) -> NDArray[np.fl
 
 
 def between(camera: nf.Camera, parent: OrthoView, child: OrthoView, start: float) -> NDArray[np.float64]:
-    """Pixels between a child's splats in the picture and its parent's."""
+    """Distances in pixels between a child's splats in the picture and its parent's."""
     points = child.points()[np.isfinite(child.depth)]
     size, offset = len(parent.depth), points - parent.center
     column = np.floor((offset @ parent.right / parent.extents[0] + 0.5) * size).astype(int)

@@ -1,4 +1,4 @@
-"""Worlds of which pictures are taken, their trees, and the places from which they are seen."""
+"""Worlds for pictures, their trees, and the viewpoints."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ from nearfar.orthoview._grid import Place
 from nearfar.orthoview._viewer import Viewer
 
 SIZE = 256
-"""Pixels of a view."""
+"""Width and height of a view in pixels."""
 ALL = 26
-"""Directions of the trees that are built; smaller sets are its first ones."""
+"""Number of directions of the built trees; smaller sets are its first ones."""
 FOV = nf.Fov.symmetric(60, 4 / 3)
 PICTURE = (640, 480)
 EYE_HEIGHT = 1.7
 GROUND = ("ground", "land")
-"""Beginnings of the names of objects that one stands on."""
+"""Prefixes of the names of objects that serve as ground."""
 RING = 48
-"""Horizontal directions in which walkers look about."""
+"""Number of horizontal directions in which walkers look."""
 
 LANDSCAPE = 3.0
-"""Greatest geometric error of the landscape, metres."""
+"""Maximum geometric error of the landscape, metres."""
 
 Floats = NDArray[np.float64]
 
@@ -42,7 +42,7 @@ class World:
 
     name: str
     source: Callable[[Floats], nf.Scene]
-    """Gives what lies in a box."""
+    """Function that returns the geometry in a box."""
     low: tuple[float, float, float]
     side: float
     height: float
@@ -50,27 +50,27 @@ class World:
 
     @cached_property
     def box(self) -> Floats:
-        """The square (2, 3), which ends with its last leaf."""
+        """Box of the square (2, 3), which ends with its last leaf."""
         extent = [self.side - 1e-3, self.height, self.side - 1e-3]
         return np.array([self.low, np.add(self.low, extent)])
 
     @cached_property
     def scene(self) -> nf.Scene:
-        """Everything in the square."""
+        """All geometry in the square."""
         return self.source(self.box)
 
     def camera(self, eye: Floats, target: Floats) -> nf.Camera:
         return nf.Camera.look_at(eye, target, fov=FOV, size=PICTURE)
 
     def from_air(self) -> list[nf.Camera]:
-        """Across the square from beside it, and down on it from a corner."""
+        """Cameras across the square from beside it, and down on it from a corner."""
         at = self.side * np.array([(0.5, 0.25, -0.15), (0.55, 0.0, 0.6), (0.0, 0.45, 0.0), (0.5, 0.0, 0.5)])
         at[::2, 1] = np.maximum(at[::2, 1], 0.6 * self.height)
         at += self.box[0]
         return [self.camera(at[0], at[1]), self.camera(at[2], at[3])]
 
     def from_ground(self, count: int = 2) -> list[nf.Camera]:
-        """Walkers under the sky, a long way from what they look at, and from one another."""
+        """Cameras of walkers under the sky, far from what they look at, and from one another."""
         axis = np.linspace(0.2, 0.8, 41) * self.side
         x, z = np.stack(np.meshgrid(axis, axis), axis=-1).reshape(-1, 2).T
         start = self.box[0] + np.column_stack([x, np.full(len(x), self.height), z])
@@ -92,12 +92,12 @@ class World:
         return cameras
 
     def part(self, side: float) -> World:
-        """A smaller square in the middle."""
+        """Return a smaller square in the middle."""
         (x, y, z), margin = self.low, (self.side - side) / 2
         return replace(self, name=f"{self.name} {side:g} m", low=(x + margin, y, z + margin), side=side)
 
     def build(self, folder: Path, directions: int = ALL, layers: int = 1) -> Path:
-        """Build its tree, unless the folder has it; returns the tree's place."""
+        """Build the tree, unless the folder contains it; return its path."""
         path = folder / f"{self.name.replace(' ', '-')}-{directions}-{layers}.zarr"
         nf.orthoview.build(
             self.scene, path, cell=self.cell, aabb=self.box, size=SIZE, directions=directions, layers=layers
@@ -106,7 +106,7 @@ class World:
 
 
 def opened(path: Path, directions: int, layers: int = 1) -> nf.orthoview.OrthoTree:
-    """A tree as if it had been built with fewer directions or layers: views do not depend on others."""
+    """Open a tree as if built with fewer directions or layers: views do not depend on others."""
     tree = nf.orthoview.open(path)
     whole = tree._layout
     tree._layout = replace(whole, directions=directions_of(directions), layers=layers)
@@ -122,7 +122,7 @@ def opened(path: Path, directions: int, layers: int = 1) -> nf.orthoview.OrthoTr
 
 
 def tokyo(tiles: str | None) -> World:
-    """1.5 km about Shimbashi, without tiles of the core; with ground below the houses, which the data lack."""
+    """1.5 km around Shimbashi, without tiles of the core; with ground below the houses, which the data lack."""
     source: nf.SceneSource = nf.open_source(tiles) if tiles else tokyo_core()
     x, z = (-1750.0, 1000.0) if tiles else (-1500.0, 0.0)
 
@@ -146,7 +146,7 @@ def _ground(box: Floats, step: float = 125.0, y: float = -0.5) -> Floats:
 
 
 def forest() -> World:
-    """160 m of woods about a trail."""
+    """160 m of woods around a trail."""
     whole = nf.datasets.forest()
     return World("forest", whole.query, (-80.0, -16.0, -80.0), 160.0, 64.0, 20.0)
 

@@ -1,9 +1,9 @@
-"""Pictures of a tree on graphics adapters: frame times, splats a second, bytes of views, beside the processor's.
+"""Pictures of a tree on graphics adapters: frame times, splats per second, bytes of views, against the processor's.
 
     python -m benchmarks.orthoview.adapters TREE
 
-An eye looks at the middle of the tree. The error of the cut is lowered until its views have as many splats as are
-asked for, 25 million as in the paper. Both ways of atomic integers are measured where an adapter has those of 64 bits.
+An eye looks at the middle of the tree. The error of the cut is reduced until its views have the requested number of
+splats, 25 million as in the paper. Both kinds of atomic integers are measured if an adapter supports those of 64 bits.
 Without a GPU the adapters are software on the processor (lavapipe, llvmpipe).
 """
 
@@ -28,7 +28,7 @@ from nearfar._render import backend as backends
 
 SIZES = {"640x480": ((640, 480),), "2x1832x1920": ((1832, 1920), (1832, 1920))}
 DIFFERENCE = 2e-3
-"""Difference of linear colours from which pixels count as different."""
+"""Least difference of linear colours at which pixels count as different."""
 LEAST = 0.05
 """Least error of a cut, pixels."""
 
@@ -63,7 +63,7 @@ def of(shape: tuple[int, int]) -> nf.Fov:
 def gathered(
     tree: nf.orthoview.OrthoTree, camera: nf.Camera, wanted: float
 ) -> tuple[nf.orthoview.OrthoCut, list[_core.OrthoSplats]]:
-    """A cut whose views have as many splats, or the finest one."""
+    """Find a cut whose views have the wanted number of splats, or the finest one."""
     error = 4.0
     while True:
         cut = tree.cut(camera, geometry=False, error_px=error)
@@ -91,7 +91,7 @@ def sizes(splats: Sequence[_core.OrthoSplats]) -> str:
 def frames(
     title: str, splats: Sequence[_core.OrthoSplats], cameras: Sequence[nf.Camera], grid: int, repeat: int
 ) -> str:
-    """Times of the pictures of all cameras."""
+    """Table of the times of the pictures of all cameras."""
     settings = [Shot(cameras=(camera,), channels=("color",)).settings for camera in cameras]
 
     def draw(device: _core.GpuDevice | None = None) -> list[dict[str, Any]]:
@@ -137,7 +137,7 @@ def frames(
 
 
 def save_pictures(path: Path, tree: nf.orthoview.OrthoTree) -> None:
-    """A picture by the processor, by an adapter, and the pixels that differ, white."""
+    """Save a picture by the processor, by an adapter, and the differing pixels in white."""
     camera = eye(tree, 0.1)
     settings: dict[str, Any] = {"samples": 16, "channels": ("color",), "geometry": False}
     one, other = (tree.render(camera, **settings, backend=name).require("color") for name in ("cpu", "gpu"))

@@ -1,7 +1,7 @@
 """Bits of depths and normals: bytes, errors, surfels that become balls, and how much a picture of the splats changes.
 
-Differences are those from depths of 16 bits and normals of 24. Pictures are compared with the leaf itself, too: from
-beside the view's direction its splats show no more than that one view saw, whatever the bits.
+Differences are relative to depths of 16 bits and normals of 24. Pictures are also compared with the leaf itself: from
+beside the view's direction its splats show only what that view saw, regardless of the bits.
 """
 
 from __future__ import annotations
@@ -24,15 +24,15 @@ from nearfar import _core
 from nearfar.orthoview import _codec
 
 Format = tuple[int, int]
-"""Bits of depths and of normals."""
+"""Numbers of bits of depths and of normals."""
 
 FINEST: Format = (16, 24)
 DEPTHS: list[Format] = [(bits, 24) for bits in (8, 9, 10, 11, 12, 14, 16)]
 NORMALS: list[Format] = [(16, 16), (12, 16), (10, 16), (12, 24)]
-"""Those of the second table."""
+"""Formats of the second table."""
 
 SHOWN = (4, 5)
-"""Numbers of the directions of which pictures are made: from above, and from above and beside."""
+"""Numbers of the rendered directions: from above, and from above and beside."""
 
 PLOT = "orthoview-bits.png"
 
@@ -42,9 +42,9 @@ class Stored:
     """A leaf's views in a format."""
 
     kilobytes: dict[str, float]
-    """Compressed, of a view that shows something, by channel."""
+    """Compressed size of a non-empty view, by channel."""
     metres: NDArray[np.float64]
-    """Depths (D, size, size); NaN where nothing is."""
+    """Depths (D, size, size) in metres; NaN for empty pixels."""
     normals: NDArray[np.float32]
     surfels: NDArray[np.bool_]
     pictures: list[NDArray[np.uint8]]
@@ -56,13 +56,13 @@ class Loss:
 
     kilobytes: dict[str, float]
     rms: tuple[float, float]
-    """Root of the depths' mean square error, millimetres and pixels."""
+    """Root mean square error of the depths, millimetres and pixels."""
     most: tuple[float, float]
-    """Greatest error of a depth, millimetres and pixels."""
+    """Maximum error of a depth, millimetres and pixels."""
     angles: tuple[float, float]
-    """Mean and greatest error of the normals, degrees."""
+    """Mean and maximum error of the normals, degrees."""
     changed: float
-    """Share of the pixels that become surfels or balls."""
+    """Share of the pixels that change from surfels to balls or back."""
     psnr: float
     ssim: float
     truth: float
@@ -117,7 +117,7 @@ def loss_of(views: Stored, finest: Stored, truths: list[NDArray[np.uint8]], side
     errors = views.metres - finest.metres
     pixels = np.array([max(_core.orthoview_axes(direction)[1][:2]) for direction in DIRECTIONS]) * side / seen.shape[1]
     each = [1e3 * errors[seen], (errors / pixels[:, None, None])[seen]]
-    # Half a chord is the sine of half an angle, which float32 keeps where the angle is small.
+    # Half a chord is the sine of half an angle, which float32 represents accurately for small angles.
     chords = np.linalg.norm(views.normals[seen].astype(np.float64) - finest.normals[seen], axis=1)
     angles = np.degrees(2 * np.arcsin(np.minimum(chords / 2, 1)))
     millimetres, in_pixels = (float(np.sqrt((of_unit**2).mean())) for of_unit in each)

@@ -1,10 +1,10 @@
-"""The page of trees beside 3d-tiles-renderer and Spark in one Chromium: pictures after equal bytes, and a flight.
+"""The page of trees, 3d-tiles-renderer and Spark in one Chromium: pictures after equal bytes, and a flight.
 
     python -m benchmarks.orthoview.browsers [STORE] --out FOLDER
 
 STORE is a tree with geometry; without one a city is built. 3d-tiles-renderer reads the leaves' geometry, Spark the
-cells of the cuts as SPZ files. All get their bytes through one gate, which closes after a number of them. Pages need
-a browser and `npm ci --prefix tests/readers`.
+cells of the cuts as SPZ files. All receive their bytes through one gate, which closes after a number of them. Pages
+need a browser and `npm ci --prefix tests/readers`.
 """
 
 from __future__ import annotations
@@ -30,20 +30,20 @@ from tests.support.browser import started
 STEPS = (0.5, 1.0, 2.0, 4.0, 8.0)
 """Megabytes after which pictures are taken at the first place."""
 MORE = 2.0
-"""Further megabytes at each place after it."""
+"""Further megabytes at each later place."""
 PLACES = 4
 SHEET = (1.0, 4.0)
-"""Megabytes of the pictures that stand side by side; the last row is the last place."""
+"""Megabytes of the pictures on the sheet; the last row is the last place."""
 PACE = 0.4
-"""Part of the way's speed at which it is flown: software draws few frames a second."""
+"""Factor of the way's speed in the flight: software draws few frames per second."""
 RTT = 20.0
 PATIENCE = 180.0
-"""Seconds after which a picture is taken in any case."""
+"""Timeout of a picture, seconds."""
 TRUTH = 1e-6
-"""Error at which all leaves in the picture are triangles."""
+"""Error at which all visible leaves are drawn as triangles."""
 Array = NDArray[np.float64]
 Truth = tuple[Array, NDArray[np.bool_], Array]
-"""A picture, the pixels that are full of surfaces, and the sky alone."""
+"""A picture, the pixels fully covered by surfaces, and a picture of the sky only."""
 
 
 def main() -> None:
@@ -78,14 +78,14 @@ def main() -> None:
 
 
 def city(folder: Path) -> nf.orthoview.OrthoTree:
-    """A tree of 1 km of a city."""
+    """Build a tree of 1 km of a city."""
     box = np.array([[-512.0, -9.0, -512.0], [511.0, 200.0, 511.0]])
     world = nf.datasets.city(blocks=12, detail=1)
     return nf.orthoview.build(world, folder / "city.zarr", cell=64, aabb=box, size=128, directions=9)
 
 
 def standing(chromium: Any, url: str, way: Way, gate: Gate, given: argparse.Namespace, folder: Path) -> None:
-    """Pictures after equal bytes: ever more at the first place, and some more at each of the others."""
+    """Compare pictures after equal bytes: increasing numbers at the first place, and some more at each other one."""
     places = [round(n * (len(way.poses) - 1) / (PLACES - 1)) for n in range(PLACES)]
     stops = [(places[0], step) for step in STEPS]
     stops += [(place, STEPS[-1] + (n + 1) * MORE) for n, place in enumerate(places[1:])]
@@ -113,11 +113,11 @@ def standing(chromium: Any, url: str, way: Way, gate: Gate, given: argparse.Name
 
 
 def compared(name: str, shown: NDArray[np.uint8], truth: Truth, file: Path) -> list[str]:
-    """How alike a viewer's picture is to the truth, and its holes; the picture is kept."""
+    """Similarity of a viewer's picture to the truth, and its holes; the picture is saved."""
     right, solid, sky = truth
     picture = shown[..., :3] / 255.0
     if name.startswith("nearfar"):
-        # The canvas has no alpha: nothing is where the sky is.
+        # The canvas has no alpha: pixels with the sky's colour are empty.
         is_hole = np.abs(picture - sky).max(axis=-1) < 2 / 255
     else:
         is_hole = shown[..., 3] < 128
@@ -132,7 +132,7 @@ def file_of(name: str, stop: Sequence[object]) -> str:
 
 
 def flying(chromium: Any, url: str, way: Way, gate: Gate, given: argparse.Namespace) -> None:
-    """From an empty cache the first picture over a link, and a flight from there."""
+    """Measure the first picture over a link with an empty cache, and a flight from there."""
     rows = []
     for name in given.viewers:
         start, asked = gate.sent, gate.requests
@@ -156,7 +156,7 @@ def flying(chromium: Any, url: str, way: Way, gate: Gate, given: argparse.Namesp
 
 
 def truth_of(way: Way, place: int, folder: Path) -> Truth:
-    """The picture of all leaves' triangles, where it shows some in the whole pixel, and the sky alone."""
+    """Render all leaves' triangles, the pixels fully covered by them, and the sky only."""
     camera = way.camera(place)
     kept = folder / f"truth-{place}.npz"
     if not kept.is_file():
@@ -170,7 +170,7 @@ def truth_of(way: Way, place: int, folder: Path) -> Truth:
 
 
 def sheet(truths: dict[int, Truth], stops: list[tuple[int, float]], folder: Path, path: Path) -> None:
-    """A row for each stop: the truth, and the viewers whose pictures are there."""
+    """Draw a row for each stop: the truth, and the available pictures of viewers."""
     rows = []
     for place, megabytes in stops:
         files = [folder / file_of(name, (place, f"{megabytes:g}")) for name in CLIENTS]

@@ -1,9 +1,9 @@
-"""Splats of a walk, and what a continuous cut, a budget and a gaze do to them.
+"""Splats along a walk, and the effect of a continuous cut, a budget and a gaze on them.
 
     python -m benchmarks.orthoview.counts TREE walk growth still bands gaze budget swaps --out FOLDER
 
-The walk's counts are those of figure 10 of the paper: of the cut all around the viewer, of what reaches into the
-picture, and of what nothing hides. Leaves are drawn from views at any distance.
+The walk's counts are those of figure 10 of the paper: splats of the cut all around the viewer, splats that reach into
+the picture, and splats that are not occluded. Leaves are drawn from views at any distance.
 """
 
 from __future__ import annotations
@@ -30,15 +30,15 @@ from nearfar._camera.shot import Shot
 from nearfar.orthoview import _cut
 
 FRAMES, HEIGHT, SPEED = 200, 30.0, 15.0
-"""Of the walk; metres above the tree's lowest point, and metres from frame to frame."""
+"""Frames of the walk, its height in metres above the tree's lowest point, and metres per frame."""
 NEAR = 5.0
-"""Degrees from the gaze."""
+"""Angle from the gaze that counts as near, degrees."""
 STEPS = 40
-"""Steps from an error to its double."""
+"""Number of steps from an error to its double."""
 BANDS = (0.05, 0.1, 0.25, 0.5)
 BUDGETS = (400_000, 200_000, 100_000)
 PITCH = 2**0.5 / 256
-"""Width of a leaf's pixel in flat worlds, leaves."""
+"""Width of a leaf's pixel in flat worlds, in leaves."""
 HEADSET = nf.Fov.symmetric(100, 1.0), (1440, 1440)
 
 Tree = nf.orthoview.OrthoTree
@@ -57,7 +57,7 @@ def main() -> None:
 
 
 def path(tree: Tree, frames: int) -> Iterator[nf.Camera]:
-    """A walk past the middle of a tree, that looks ahead and turns slowly."""
+    """Cameras of a walk past the middle of a tree, looking ahead and turning slowly."""
     low, high = tree.bounds
     middle = (low + high) / 2
     for frame in range(frames):
@@ -69,7 +69,7 @@ def path(tree: Tree, frames: int) -> Iterator[nf.Camera]:
 
 
 def walk(tree: Tree, out: Path | None) -> str:
-    """The three counts of each frame."""
+    """Table of the three counts of each frame."""
     counts = []
     for camera in path(tree, FRAMES):
         cut = tree.cut(camera, geometry=False, around=True)
@@ -88,14 +88,14 @@ def walk(tree: Tree, out: Path | None) -> str:
 
 
 def cells_within(tree: Tree) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Distances, and the cells of a cut around the middle of a walk that begin within them."""
+    """Distances, and the number of cells of a cut around the middle of a walk that begin within them."""
     camera = next(itertools.islice(path(tree, FRAMES), FRAMES // 2, None))
     distance = np.sort(tree.cut(camera, geometry=False, around=True).distance)
     return distance, np.arange(1, len(distance) + 1)
 
 
 def flat_worlds() -> tuple[list[int], list[int]]:
-    """Sides of flat worlds in leaves, and the cells of cuts in their middle."""
+    """Sides of flat worlds in leaves, and the number of cells of cuts in their middle."""
     sides, cells = [16, 32, 64, 128, 256, 512, 1024], []
     for side in sides:
         camera = nf.Camera((side / 2, 0.1, side / 2), fov=FOV, size=SIZE)
@@ -106,14 +106,14 @@ def flat_worlds() -> tuple[list[int], list[int]]:
 
 
 def growth(tree: Tree, out: Path | None) -> str:
-    """Cells of cuts of flat worlds."""
+    """Table of cells of cuts of flat worlds."""
     del tree, out
     rows = [[f"{side}²", str(cells)] for side, cells in zip(*flat_worlds(), strict=True)]
     return table("Cells of a cut around a viewer in a flat world", ["leaves", "cells"], rows)
 
 
 def still(tree: Tree, out: Path | None) -> str:
-    """Changes from picture to picture while the error of a camera that does not move doubles."""
+    """Table of changes from picture to picture while the error of a static camera doubles."""
     errors = np.geomspace(1.0, 2.0, STEPS + 1)
     rows, lines = [], {}
     for height, band in itertools.product(HEIGHTS, (None, 0.1, _cut.BAND)):
@@ -137,7 +137,7 @@ def still(tree: Tree, out: Path | None) -> str:
 
 @contextmanager
 def blending(band: float | None) -> Iterator[dict[str, Any]]:
-    """Settings of pictures whose levels blend in a band, or not."""
+    """Yield settings of pictures whose levels blend in a band, or do not blend."""
     default = _cut.BAND
     try:
         _cut.BAND = band or default
@@ -147,7 +147,7 @@ def blending(band: float | None) -> Iterator[dict[str, Any]]:
 
 
 def bands(tree: Tree, out: Path | None) -> str:
-    """Splats and time of cuts with several bands, and without any."""
+    """Table of splats and times of cuts with several bands, and without any."""
     del out
     rows = []
     for height, band in itertools.product(HEIGHTS, (None, *BANDS)):
@@ -163,7 +163,7 @@ def bands(tree: Tree, out: Path | None) -> str:
 
 
 def gaze(tree: Tree, out: Path | None) -> str:
-    """Splats that a gaze at the middle saves, and PSNR within 5° of it and beyond."""
+    """Table of splats saved by a gaze at the middle, and PSNR within 5° of it and beyond."""
     del out
     rows = []
     for height, (fov, size), error in itertools.product(HEIGHTS, ((FOV, SIZE), HEADSET), (1.0, 0.5)):
@@ -198,7 +198,7 @@ def psnr(square: NDArray[np.float64]) -> str:
 
 
 def budget(tree: Tree, out: Path | None) -> str:
-    """Errors that keep to a budget over a part of the walk."""
+    """Table of errors that keep a budget along a part of the walk."""
     del out
     rows = []
     cameras = list(itertools.islice(path(tree, FRAMES), 0, None, 10))
@@ -214,7 +214,7 @@ def budget(tree: Tree, out: Path | None) -> str:
 
 
 def swaps(tree: Tree, out: Path | None) -> str:
-    """How far splats lie from the parent's that take their places."""
+    """Table of distances between splats and the parent's splats that replace them."""
     del out
     rows = []
     for height in HEIGHTS:

@@ -1,6 +1,6 @@
-"""How much of worlds each set of directions hides from viewers, which set is chosen, and how long that takes.
+"""Shares of worlds hidden from viewers by each set of directions, the chosen set, and the time of the choice.
 
-The plot goes to the folder NEARFAR_BENCH_OUT, where it is set.
+The plot goes to the folder NEARFAR_BENCH_OUT, if it is set.
 """
 
 from __future__ import annotations
@@ -26,25 +26,25 @@ MANHATTAN = "city/manhattan_deckgl/manhattan_core.glb"
 TOKYO = "city/tokyo23/tokyo_core_lod1.glb"
 
 GRID = 28.5
-"""Degrees by which Manhattan has to be turned about y for its avenues to run along an axis."""
+"""Angle in degrees about y that aligns Manhattan's avenues with an axis."""
 
 ANGLES = (0.0, 15.0, 30.0, 45.0)
-"""Degrees between an axis and the streets of Manhattan."""
+"""Angles in degrees between an axis and the streets of Manhattan."""
 
 
 @dataclass(frozen=True)
 class World:
-    """A world, and how it is looked at."""
+    """A world, and its viewers."""
 
     name: str
     source: nf.SceneSource
     cell: float
     below: bool = False
-    """Whether viewers look up from below as well."""
+    """Whether viewers also look up from below."""
 
     @property
     def label(self) -> str:
-        """Name and leaf."""
+        """Name of the world and size of its leaf."""
         return f"{self.name}, {self.cell:g} m"
 
 
@@ -64,7 +64,7 @@ def main() -> None:
 
 
 def worlds() -> Iterator[World]:
-    """Cities with grids and without, wooded land, and bodies in space."""
+    """Yield cities with and without a grid, wooded land, and bodies in space."""
     city = nf.datasets.city(blocks=12, detail=1)
     yield World("city, streets along the axes", city, 40.0)
     yield World("city, streets along the axes", city, 80.0)
@@ -84,7 +84,7 @@ def worlds() -> Iterator[World]:
 
 
 def of_angles() -> Iterator[World]:
-    """Manhattan at angles to the axes."""
+    """Yield Manhattan at angles to the axes."""
     path = data.find(MANHATTAN)
     if path is not None:
         scene = nf.Scene.load(path)
@@ -93,14 +93,14 @@ def of_angles() -> Iterator[World]:
 
 
 def turned(scene: nf.Scene, degrees: float) -> nf.Scene:
-    """The triangles of a scene, turned about the y axis."""
+    """Rotate the triangles of a scene about the y axis."""
     corners, (sine, cosine) = scene.triangles().reshape(-1, 3), np.sin(np.radians([degrees, degrees + 90]))
     matrix = np.array([[cosine, 0, -sine], [0, 1, 0], [sine, 0, cosine]], np.float32)
     return nf.Scene.from_arrays(corners @ matrix, np.arange(len(corners), dtype=np.uint32).reshape(-1, 3))
 
 
 def measured(world: World, rows: list[list[str]]) -> Choice:
-    """The choice for a world, of which a row of the table is made."""
+    """Choose directions for a world, and add a row to the table."""
     grid = Grid.over(world.source.bounds, world.cell)
     world.source.query(grid.box(0, (0, 0, 0)))  # makes the search tree of a scene in memory
     wall, cpu = time.perf_counter(), time.process_time()
@@ -112,7 +112,7 @@ def measured(world: World, rows: list[list[str]]) -> Choice:
 
 
 def draw(choices: Mapping[str, Choice], by_angle: Sequence[Choice], path: Path) -> None:
-    """Draw the shares of all worlds by the set, with a ring about the chosen ones, and those of Manhattan by angle."""
+    """Draw the shares of all worlds by set, with a ring around the chosen ones, and those of Manhattan by angle."""
     import matplotlib as mpl
 
     mpl.use("agg")

@@ -1,8 +1,8 @@
-"""Trees as splats for other viewers: sizes and times, the width of Gaussians, and Spark's pictures beside ours.
+"""Trees as splats for other viewers: sizes and times, the width of Gaussians, and Spark's pictures against ours.
 
     python -m benchmarks.orthoview.export sizes|sigma|pictures STORE --level N --out FOLDER
 
-STORE is a tree; `sigma` takes the cell of a level that shows the most, `pictures` the cells that `tree.render` draws,
+STORE is a tree; `sigma` uses the cell of a level with the most splats, `pictures` the cells drawn by `tree.render`,
 from the same cameras. Pictures need a browser and `npm ci --prefix tests/readers`.
 """
 
@@ -29,7 +29,7 @@ EVERYWHERE = np.array([[-np.inf] * 3, [np.inf] * 3])
 SIGMAS = (0.4, 0.5, 0.55, 0.6, 0.7, 0.85)
 SIZE = (480, 320)
 VIEWS = 8
-"""Of a cell in `tree.render`: splats have all."""
+"""Number of views of a cell in `tree.render`; splats contain all views."""
 Array = NDArray[np.float64]
 
 
@@ -46,7 +46,7 @@ def main() -> None:
 
 
 def sizes(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
-    """Splats before and after thinning, bytes, and seconds of a processor."""
+    """Table of splats before and after thinning, bytes, and CPU seconds."""
     rows = []
     with tempfile.TemporaryDirectory() as folder:
         for name, compression in (("one.spz", None), ("one.glb", None), ("packed.glb", "spz")):
@@ -72,7 +72,7 @@ def sizes(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
 
 
 def sigma(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
-    """One cell by Spark and by `tree.render`, for several widths of Gaussians."""
+    """Compare one cell by Spark and by `tree.render`, for several widths of Gaussians."""
     cells = cells_of(tree)
     key = max(cells.at(given.level), key=lambda cell: cells.read(*cell).pixels)
     box = tree.box(*key)
@@ -106,7 +106,7 @@ def sigma(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
 
 
 def pictures(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
-    """The cells of a cut by Spark, by `tree.render` and by rays."""
+    """Compare the cells of a cut by Spark, by `tree.render` and by rays."""
     scene = nf.Scene.load(Path(tree.path, "geometry", "tileset.json"))
     rows, sheet = [], []
     for name, look in looks(tree).items():
@@ -161,7 +161,7 @@ def cells_of(tree: nf.orthoview.OrthoTree) -> Cells:
 
 
 def looks(tree: nf.orthoview.OrthoTree) -> dict[str, Look]:
-    """Cameras over a world and beside it."""
+    """Cameras above a world and beside it, by name."""
     (x, low, z), (_, _, _), side = tree.bounds[0], tree.bounds[1], float(np.ptp(tree.bounds[:, 0]))
     middle = (x + side / 2, low, z + side / 2)
     return {

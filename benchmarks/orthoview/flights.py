@@ -1,11 +1,11 @@
-"""Flights over links: stalls and bytes with prefetching and without, beside a client of 3D Tiles; bytes a metre.
+"""Flights over links: stalls and bytes with and without prefetching, against a client of 3D Tiles; bytes per metre.
 
     python -m benchmarks.orthoview.flights stalls TREE             # speeds and links, on a virtual clock
     python -m benchmarks.orthoview.flights speed TREE              # ever faster: pictures that adapt, and stalls
     python -m benchmarks.orthoview.flights growth TREE --out FOLDER  # bytes a metre in worlds of growing extent
 
-TREE is a store of the whole of Tokyo with geometry. The client of 3D Tiles reads the same leaves by screen-space error:
-only leaves have content, and each is refined down to that.
+TREE is a store of the whole of Tokyo with geometry. The client of 3D Tiles selects the same leaves by screen-space
+error: only leaves have content, and each is refined down to them.
 """
 
 from __future__ import annotations
@@ -29,16 +29,16 @@ from nearfar.orthoview._simulate import flown
 RATE, SECONDS = 72, 60
 FOV, PICTURE = nf.Fov.symmetric(60, 4 / 3), (640, 480)
 START = (-8000.0, -3000.0)
-"""Where flights begin, in Tokyo's metres."""
+"""Starting point of flights, in Tokyo's metres."""
 WAYS = {"walk": (1.5, 2.0), "drive": (14.0, 30.0), "helicopter": (50.0, 120.0), "aeroplane": (150.0, 400.0)}
-"""Metres a second and of height."""
+"""Speeds in metres per second, and heights in metres."""
 LINKS = (20.0, 50.0, 100.0)
-"""Megabits a second."""
+"""Rates in megabits per second."""
 RTT = 30.0
 FINEST = 1e-6
-"""Error at which all leaves in sight are geometry: by this tileset's errors 3D Tiles refines all within 30 km."""
+"""Error at which all visible leaves are geometry: with this tileset's errors 3D Tiles refines all within 30 km."""
 LOOKS = 8
-"""Frames after which the client of 3D Tiles looks for tiles again: each look takes long here."""
+"""Frames between updates of the client of 3D Tiles, since each takes long here."""
 
 
 def main() -> None:
@@ -52,7 +52,7 @@ def main() -> None:
 
 
 def flight(speed: float, height: float, seconds: float = SECONDS) -> list[nf.Camera]:
-    """Frames of a flight in long curves, with a look a little downwards."""
+    """Frames of a flight in long curves, looking slightly downwards."""
     place, angle, cameras = np.array([START[0], height, START[1]]), 0.3, []
     for frame in range(int(seconds * RATE)):
         angle += 0.4 * np.sin(0.8 * frame / RATE) / RATE
@@ -63,7 +63,7 @@ def flight(speed: float, height: float, seconds: float = SECONDS) -> list[nf.Cam
 
 
 class Tiles:
-    """The plans of a client of 3D Tiles: all leaves in the picture, the nearest first."""
+    """Plans of a client of 3D Tiles: all leaves in the picture, the nearest first."""
 
     def __init__(self, cutter: Cutter) -> None:
         self._cutter = cutter
@@ -73,7 +73,7 @@ class Tiles:
     def __call__(
         self, camera: nf.Camera, time: float, received: Received, busy: bool, held: Callable[[Part], bool]
     ) -> Plan:
-        """The tiles in the picture."""
+        """Plan the tiles in the picture."""
         self._frames += 1
         if self._frames % LOOKS == 1:
             self._plan = self._look(camera)
@@ -114,7 +114,7 @@ def _row(log: nf.orthoview.FlightLog, bare: nf.orthoview.FlightLog) -> list[str]
 
 
 def speed(given: argparse.Namespace) -> None:
-    """Ever faster at one height, over a link that is too slow for the last of them."""
+    """Increase the speed at one height, over a link that is too slow for the last speeds."""
     tree, rows, link = nf.orthoview.open(given.tree), [], nf.stream.Link(mbps=20.0, rtt_ms=RTT)
     for metres in (50.0, 100.0, 200.0, 400.0):
         cameras = flight(metres, 120.0, 30)
@@ -128,9 +128,9 @@ def speed(given: argparse.Namespace) -> None:
 
 
 def growth(given: argparse.Namespace) -> None:
-    """Bytes that come into the picture for each metre, by the world's extent.
+    """Table of bytes that come into the picture per metre, by the world's extent.
 
-    A world that ends at a square's sides has the cells within it: cuts of the whole one, less what lies outside.
+    A world that ends at a square's sides has the cells within it: cuts of the whole one without cells outside.
     """
     tree, rows = nf.orthoview.open(given.tree), []
     whole = float((tree.bounds[1] - tree.bounds[0]).max())
@@ -153,7 +153,7 @@ def growth(given: argparse.Namespace) -> None:
 
 
 def _asked(tree: nf.orthoview.OrthoTree, height: float) -> list[dict[Part, tuple[int, float]]]:
-    """On each of 400 metres the picture's parts, their bytes, and how far from the way's middle their cells are."""
+    """Parts of the picture on each of 400 metres, with bytes and the distance of their cells from the way's middle."""
     opened = tree._opened()
     cutter, grid, metres = opened.viewer.cutter, opened.grid, 400
     facts: dict[Part, tuple[int, float]] = {}

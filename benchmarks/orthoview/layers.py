@@ -1,4 +1,4 @@
-"""The second layer of views: what it takes, and how many pixels of other views it fills."""
+"""The second layer of views: its cost, and the number of pixels of other views that it fills."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ SIZE = 256
 DIRECTIONS = directions_of(9)
 LAYOUT = Layout(Grid((0.0, 0.0, 0.0), 1.0, (1, 1, 1)), DIRECTIONS, SIZE, 12, 16, 3)
 MORE = directions_of(13)
-"""Directions to which those of a second layer are compared; the first are the same."""
+"""Directions with which a second layer is compared; the first ones are the same."""
 AXES = [_core.orthoview_axes(direction) for direction in MORE]
 TOKYO = "city/tokyo23/tokyo_core_lod1.glb"
 BOUNDS = (0.0, 0.002, 0.005, 0.01, 0.02, 0.05)
 VIEWERS = 8
 DRAWN = 3
-"""Views that a client draws of a cell."""
+"""Number of views of a cell that a client draws."""
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -36,21 +36,21 @@ Children = list[tuple[tuple[int, int, int], _core.OrthoViews]]
 
 @dataclass(frozen=True)
 class Cell:
-    """A leaf, or a cell that is composed of leaves."""
+    """A leaf, or a cell composed of leaves."""
 
     name: str
     scene: nf.Scene
     corner: Floats
     side: float
     levels: int = 0
-    """Levels of cells below."""
+    """Number of levels of cells below."""
 
     def part(self) -> nf.Scene:
-        """Query what touches the cell."""
+        """Query the geometry that touches the cell."""
         return self.scene.query(np.array([self.corner, self.corner + self.side]))
 
     def children(self) -> Iterator[tuple[tuple[int, int, int], Cell]]:
-        """Give the cells of half the side, with their places."""
+        """Yield the cells of half the side, with their places."""
         half = self.side / 2
         for octant in OCTANTS:
             yield octant, Cell("", self.scene, self.corner + np.array(octant) * half, half, self.levels - 1)
@@ -66,11 +66,11 @@ class Gain:
     hidden: float
     """Share of viewers' pixels that no view's first layer shows."""
     left: float
-    """Share that second layers do not show either."""
+    """Share that is still hidden with second layers."""
     hidden_with_more: float
-    """Share that no view's first layer shows if there are more directions."""
+    """Share that no view's first layer shows with more directions."""
     filled: Floats
-    """Share that each direction's second layer shows."""
+    """Share shown by each direction's second layer."""
 
 
 def main() -> None:
@@ -141,20 +141,20 @@ def composed(children: Children, *, behind: bool, count: int = len(DIRECTIONS)) 
 
 
 def time_ratio(cell: Cell) -> float:
-    """How many times as long it takes to draw a leaf, or to compose a cell, with second layers."""
+    """Ratio of the times to draw a leaf, or to compose a cell, with and without second layers."""
     make = fresh_parent if cell.levels else fresh_leaf
     alone, layered = (best(make(cell, behind=behind), repeat=1).wall for behind in (False, True))
     return layered / alone
 
 
 def fresh_parent(cell: Cell, *, behind: bool) -> Callable[[], object]:
-    """Composes a cell of its children, which are drawn."""
+    """Compose a cell of its children, which are drawn."""
     children = [(octant, drawn(child, behind=behind)) for octant, child in cell.children()]
     return lambda: composed(children, behind=behind)
 
 
 def fresh_leaf(cell: Cell, *, behind: bool) -> Callable[[], object]:
-    """Draws a scene without search trees, as each leaf of a build is, twice."""
+    """Draw a scene without search trees, like each leaf of a build, twice."""
     part = cell.part()
     scenes = [part.subset(triangles=np.ones(part.triangle_count, bool))._core for _ in range(2)]
     return lambda: leaf(scenes.pop(), cell, behind=behind)
@@ -190,27 +190,27 @@ def gain(cell: Cell) -> Gain:
 
 
 def nearest(toward: Floats, count: int) -> list[int]:
-    """Give the numbers of the directions that a client draws, of the first `count` ones."""
+    """Return the numbers of the directions that a client draws, among the first `count` ones."""
     cosines = [np.dot(axes[2], toward) for axes, _ in AXES[:count]]
     numbers: list[int] = np.argsort(cosines)[::-1][:DRAWN].tolist()
     return numbers
 
 
 def lost_of(points: Floats, firsts: NDArray[np.uint16], drawn_ones: list[int], cell: Cell) -> Floats:
-    """Give the points that none of some views shows."""
+    """Return the points that none of the given views shows."""
     lost: Floats = points[~np.any([shows(firsts[n], n, points, cell) for n in drawn_ones], axis=0)]
     return lost
 
 
 def bytes_of(views: _core.OrthoViews | None) -> Floats:
-    """Bytes of each direction's chunks."""
+    """Return the bytes of each direction's chunks."""
     chunks = {} if views is None else _codec.encoded(views, LAYOUT)
     sizes = [sum(len(chunks.get((n, channel), b"")) for channel in CHANNELS) for n in range(len(DIRECTIONS))]
     return np.array(sizes, np.float64)
 
 
 def seen(scene: nf.Scene, cell: Cell, toward: Floats) -> Floats:
-    """The points, one a pixel, of a cell's surfaces that face a viewer, who sees nothing else."""
+    """Return the points, one per pixel, of a cell's surfaces that face a viewer of this cell only."""
     right = np.cross([0, 1, 0], toward)
     right /= np.linalg.norm(right)
     up = np.cross(toward, right)
@@ -219,7 +219,7 @@ def seen(scene: nf.Scene, cell: Cell, toward: Floats) -> Floats:
     across, above = np.meshgrid(place * width, place * height)
     center = cell.corner + cell.side / 2 + 2 * cell.side * toward
     starts = (center + across[..., None] * right + above[..., None] * up).reshape(-1, 3)
-    # Within the cell: past the last of the planes that rays enter by, before the first of those that they leave by.
+    # Within the cell: after the last of the planes by which rays enter, before the first of those by which they leave.
     sides = [(cell.corner + far * cell.side - starts) / -toward for far in (0.0, 1.0)]
     enter, leave = np.minimum(*sides).max(axis=1), np.maximum(*sides).min(axis=1)
     is_inside = enter < leave
@@ -232,7 +232,7 @@ def seen(scene: nf.Scene, cell: Cell, toward: Floats) -> Floats:
 
 
 def shows(codes: NDArray[np.uint16], direction: int, points: Floats, cell: Cell) -> Bools:
-    """Whether one of the 3 × 3 pixels about a point's place is as near in depth as one surface may reach."""
+    """Whether one of the 3 × 3 pixels around a point's place has a depth as near as one surface may reach."""
     (right, up, toward), extents = AXES[direction]
     width, height, depth = np.array(extents) * cell.side
     offset = points - cell.corner - cell.side / 2

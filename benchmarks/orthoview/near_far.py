@@ -1,4 +1,4 @@
-"""Near–far reduction of a tree beside that of its world: time, pictures for a user beside the centre, and the maps.
+"""Near–far reduction of a tree and of its world: time, pictures for a user beside the centre, and the maps.
 
 python -m benchmarks.orthoview.near_far --tiles FOLDER --trees FOLDER
 """

@@ -1,10 +1,10 @@
-"""Pictures of trees beside ray-traced truth: what they lose, by directions, views, error, geometry and layers.
+"""Pictures of trees against ray-traced truth: losses by directions, views, error, geometry and layers.
 
     python -m benchmarks.orthoview.pictures sets cuts errors geometry layers sheet wide --tiles FOLDER --out FOLDER
 
-Trees of 26 directions are built once and kept in --trees; those of fewer directions are their first views. Each table
-takes the mean of two places on the ground and of two in the air. Without --tiles Tokyo is another part, of
-the core, which is in one file.
+Trees of 26 directions are built once and stored in --trees; those of fewer directions are their first views. Each
+table gives the mean of two places on the ground and of two in the air. Without --tiles, Tokyo is another part, its
+core, which is in one file.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ SETS = (5, 9, 13, 26)
 VIEWS = (2, 3, 5)
 ERRORS = (0.5, 1.0, 2.0, 4.0)
 DIRECTIONS = 9
-"""Of tables that do not vary them."""
+"""Number of directions in tables that do not vary it."""
 PARTS = {"Tokyo": 500.0, "forest": 40.0, "landscape": 250.0}
-"""Worlds, and the sides of the parts whose second layers are measured: these take longer to build."""
+"""Worlds, and sides of the parts with second layers, which take longer to build."""
 HEADER = [
     "PSNR, dB",
     "SSIM",
@@ -61,7 +61,7 @@ def main() -> None:
 
 
 def places(world: World) -> Iterator[tuple[str, list[nf.Camera]]]:
-    """Cameras of a world by where they are."""
+    """Yield cameras of a world by their location."""
     yield f"{world.name}, ground", world.from_ground()
     yield f"{world.name}, air", world.from_air()
 
@@ -71,7 +71,7 @@ def truths(world: World, cameras: list[nf.Camera], tree: nf.orthoview.OrthoTree)
 
 
 def by_sets(worlds: list[World], trees: Path, out: Path | None) -> None:
-    """Directions and views."""
+    """Table of sets of directions and numbers of views."""
     del out
     rows = []
     for world in worlds:
@@ -87,7 +87,7 @@ def by_sets(worlds: list[World], trees: Path, out: Path | None) -> None:
 
 
 def by_cuts(worlds: list[World], trees: Path, out: Path | None) -> None:
-    """Directions with equal cuts: sets whose widest view is wider are allowed as much more of an error."""
+    """Table of sets of directions with equal cuts: sets whose widest view is wider are allowed as much more error."""
     del out
     rows = []
     for world in worlds:
@@ -104,7 +104,7 @@ def by_cuts(worlds: list[World], trees: Path, out: Path | None) -> None:
 
 
 def by_errors(worlds: list[World], trees: Path, out: Path | None) -> None:
-    """The error allowed."""
+    """Table of allowed errors."""
     rows: list[list[str]] = []
     lines: dict[str, list[Quality]] = {}
     for world in worlds:
@@ -123,7 +123,7 @@ def by_errors(worlds: list[World], trees: Path, out: Path | None) -> None:
 
 
 def by_geometry(worlds: list[World], trees: Path, out: Path | None) -> None:
-    """Near leaves as geometry or not."""
+    """Table of near leaves with and without geometry."""
     del out
     rows = []
     for world in worlds:
@@ -139,7 +139,7 @@ def by_geometry(worlds: list[World], trees: Path, out: Path | None) -> None:
 
 
 def by_layers(worlds: list[World], trees: Path, out: Path | None) -> None:
-    """One layer or two, without geometry."""
+    """Table of one and two layers, without geometry."""
     del out
     rows = []
     for world in worlds:
@@ -157,7 +157,7 @@ def by_layers(worlds: list[World], trees: Path, out: Path | None) -> None:
 
 
 def sheet(worlds: list[World], trees: Path, out: Path | None) -> None:
-    """Truth and 2, 3, 5 views with their errors, from the ground and from the air."""
+    """Draw the truth and 2, 3, 5 views with their errors, from the ground and from the air."""
     if out is None:
         return
     rows: list[list[Any]] = []
@@ -172,7 +172,7 @@ def sheet(worlds: list[World], trees: Path, out: Path | None) -> None:
 
 
 def wide(worlds: list[World], trees: Path, out: Path | None) -> None:
-    """Tokyo from the air: the truth on the left, orthoviews on the right."""
+    """Draw Tokyo from the air: the truth on the left, orthoviews on the right."""
     if out is None:
         return
     world = worlds[0]
@@ -186,12 +186,12 @@ def wide(worlds: list[World], trees: Path, out: Path | None) -> None:
 
 
 def amounts(quality: Quality) -> list[str]:
-    """Bytes that are read, and splats that are drawn."""
+    """Format the bytes read, and the number of splats drawn."""
     return [f"{quality.read / 1e6:.2f}", f"{quality.geometry / 1e6:.2f}", f"{quality.splats / 1e3:.0f}"]
 
 
 def cells(quality: Quality) -> list[str]:
-    """Cells of a table below `HEADER`."""
+    """Format the cells of a table below `HEADER`."""
     shares = (
         quality.holes,
         quality.inner_holes,

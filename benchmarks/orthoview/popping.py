@@ -1,9 +1,9 @@
-"""Popping: how steady consecutive pictures of a flight are, with and without `Steady`, and what it costs.
+"""Popping: stability of consecutive pictures of a flight, with and without `Steady`, and its cost.
 
     python -m benchmarks.orthoview.popping flight swaps speed blends --tiles FOLDER --trees FOLDER --out FOLDER
 
-The flight is measured in parts, whose findings are kept in --out: --parts says how many at most are measured in a run,
-and the table is of those that are there. The tree has 26 directions; see `benchmarks.orthoview.pictures`.
+The flight is measured in parts, whose findings are stored in --out: --parts limits the number measured in a run, and
+the table contains all available ones. The tree has 26 directions; see `benchmarks.orthoview.pictures`.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ from benchmarks.orthoview._flight import METHODS, PARTS, RATE, SAMPLES, camera_a
 from benchmarks.orthoview._worlds import World, tokyo
 
 PLACES = (2.0, 12.0, 22.0)
-"""Moments of the flight at which cuts are swapped, seconds."""
+"""Times of the flight at which cuts are swapped, seconds."""
 FADE = 36
-"""Pictures of a fade that are compared."""
+"""Number of pictures of a fade that are compared."""
 SMALL = (160, 120)
 BLENDED = 8
-"""Pictures of splats that blend."""
+"""Number of pictures of splats that blend."""
 Tree = nf.orthoview.OrthoTree
 
 
@@ -50,7 +50,7 @@ def main() -> None:
 
 
 def flight(world: World, tree: Tree, out: Path, parts: int) -> None:
-    """Similarity of consecutive pictures, and their errors."""
+    """Table of the similarity of consecutive pictures, and their errors."""
     found = list(flown(world, tree, out, parts))
     rows = []
     for name in METHODS:
@@ -67,7 +67,7 @@ def flight(world: World, tree: Tree, out: Path, parts: int) -> None:
 
 
 def swaps(world: World, tree: Tree, out: Path, parts: int) -> None:
-    """Least similarity of consecutive pictures after the cut has been swapped before a camera that stands still."""
+    """Table of the least similarity of consecutive pictures after the cut was swapped for a static camera."""
     del out, parts
     rows = []
     for time in PLACES:
@@ -82,7 +82,7 @@ def swaps(world: World, tree: Tree, out: Path, parts: int) -> None:
 
 
 def fades(one: nf.Frame, other: nf.Frame) -> Iterator[str]:
-    """SSIM without and with blending."""
+    """Yield SSIM without and with blending."""
     yield f"{nf.ssim(one, other):.4f}"
     for rate in (RATE, 30):
         steady = nf.orthoview.Steady()
@@ -91,7 +91,7 @@ def fades(one: nf.Frame, other: nf.Frame) -> Iterator[str]:
 
 
 def bisector(tree: Tree, world: World, start: float) -> tuple[nf.Camera, nf.Camera]:
-    """Cameras at both sides of the next place of the flight at which some cell is seen from other directions."""
+    """Cameras on both sides of the next place of the flight at which some cell is seen from other directions."""
 
     def directions(time: float) -> set[object]:
         return set(tree.cut(camera_at(world, time)).keys(in_picture=True))
@@ -107,7 +107,7 @@ def bisector(tree: Tree, world: World, start: float) -> tuple[nf.Camera, nf.Came
 
 
 def speed(world: World, tree: Tree, out: Path, parts: int) -> None:
-    """Time of a picture of 640 × 480 pixels."""
+    """Table of the time of a picture of 640 × 480 pixels."""
     del out, parts
     moments = [12 + n / RATE for n in range(2)]
     frames = [tree.render(camera_at(world, time, (640, 480))) for time in moments]
@@ -128,7 +128,7 @@ def speed(world: World, tree: Tree, out: Path, parts: int) -> None:
 
 
 def blends(world: World, tree: Tree, out: Path, parts: int) -> None:
-    """Splats that blend where they lie on one another, without geometry."""
+    """Compare splats that blend where they overlap, without geometry."""
     del out, parts
     blends = {
         "nearest splat": Blend(),

@@ -1,9 +1,9 @@
-"""Speed of pictures of a tree: splats a second, their peers, and the cut of a world of a million cells.
+"""Speed of pictures of a tree: splats per second, their peers, and the cut of a world of a million cells.
 
     NEARFAR_NUM_THREADS=1 python -m benchmarks.orthoview.splats TREE
 
-Eyes look at the middle of the tree along its diagonal from half its width away. The points alone are what NumPy and
-pyrender draw: a pixel each, without planes, balls or normals.
+Eyes look at the middle of the tree along its diagonal from half its width away. NumPy and pyrender draw the points
+only: a pixel each, without planes, balls or normals.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from nearfar._camera.shot import Shot
 SIZE = (640, 480)
 FOV = nf.Fov.symmetric(60, SIZE[0] / SIZE[1])
 HEIGHTS = (0.05, 0.25)
-"""Heights of the eyes over the ground, in widths of the tree."""
+"""Heights of the eyes above the ground, in widths of the tree."""
 
 
 def main() -> None:
@@ -51,7 +51,7 @@ def eye(tree: nf.orthoview.OrthoTree, height: float) -> nf.Camera:
 
 
 def pictures(tree: nf.orthoview.OrthoTree, camera: nf.Camera, repeat: int, title: str) -> str:
-    """Splats a second, of all in the views and of those that are projected, and of the peers' points."""
+    """Table of splats per second, of all in the views and of projected ones, and of the peers' points."""
     cut = tree.cut(camera, geometry=False)
     splats = tree._viewer.views.get(cut.keys())
     total = sum(view.count for view in splats)
@@ -109,7 +109,7 @@ def numpy_points(points: NDArray[np.float64], camera: nf.Camera) -> Callable[[],
 def pyrender_points(
     points: NDArray[np.float64], colors: NDArray[np.uint8], camera: nf.Camera
 ) -> Callable[[], Any] | None:
-    """The same points by OpenGL, which is software where there is no graphics card; None without pyrender."""
+    """Draw the same points by OpenGL, in software without a graphics card; None without pyrender."""
     os.environ.setdefault("PYOPENGL_PLATFORM", "egl")
     if importlib.util.find_spec("pyrender") is None:
         return None
@@ -134,7 +134,7 @@ def pyrender_points(
 
 
 def cuts(repeat: int) -> str:
-    """Cuts of flat worlds of 10⁴ to 10⁶ leaves, all of which show something."""
+    """Table of cuts of flat worlds of 10⁴ to 10⁶ leaves, none of which is empty."""
     rows = []
     for side in (128, 256, 512, 1024):
         cells = full(side)

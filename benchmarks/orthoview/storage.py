@@ -1,4 +1,4 @@
-"""Storage: bytes of the geometry of leaves against bytes of their views, and the density at which the two cross."""
+"""Storage: bytes of the geometry of leaves against bytes of their views, and the density at which both are equal."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ from nearfar.orthoview._geometry import cell_glb, step_of
 from nearfar.orthoview._grid import Grid
 
 PLACE = (1, 1, 1)
-"""Of the leaf, among neighbours on all sides."""
+"""Place of the leaf, among neighbours on all sides."""
 
 SIDES = (125.0, 250.0, 500.0, 1000.0)
-"""Of leaves, metres, for which the crossing is told in triangles per square kilometre."""
+"""Sides of leaves in metres for which the crossing is given in triangles per square kilometre."""
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class Leaf:
     geometry: int
     """Bytes of its GLB."""
     shared: int
-    """Of these, those of meshes of several placements."""
+    """Bytes of meshes with several placements among them."""
     merged: int
     """Bytes of its GLB if each placement had its own triangles."""
     views: int
@@ -46,12 +46,12 @@ class Leaf:
 
     @property
     def world(self) -> str:
-        """The world it is from."""
+        """World of the leaf."""
         return self.name.partition(",")[0]
 
     @property
     def row(self) -> list[str]:
-        """Of the table."""
+        """Row of the table."""
         per_km2 = self.triangles / (self.side / 1000) ** 2
         numbers = [f"{self.triangles:,}", f"{per_km2:,.0f}", f"{self.triangles / SIZE**2:.3g}"]
         sizes = [f"{bytes_ / 1000:,.1f}" for bytes_ in (self.geometry, self.shared, self.merged, self.views)]
@@ -72,7 +72,7 @@ def main() -> None:
 
 
 def worlds() -> Iterator[tuple[str, Any, float]]:
-    """Worlds and sides of leaves in the middle of them."""
+    """Yield worlds and sides of leaves in the middle of them."""
     path = data.find(TOKYO)
     if path is not None:
         city = nf.Scene.load(path)
@@ -87,7 +87,7 @@ def worlds() -> Iterator[tuple[str, Any, float]]:
 
 
 def measured(case: tuple[str, Any, float]) -> Leaf | None:
-    """The bytes of the leaf in the middle of a world; None if nothing is there."""
+    """Measure the bytes of the leaf in the middle of a world; None if it is empty."""
     name, world, side = case
     grid = Grid(corner_of(name, world, side), side, (3, 3, 3))
     part = world.query(grid.box(0, PLACE))
@@ -106,7 +106,7 @@ def measured(case: tuple[str, Any, float]) -> Leaf | None:
 
 
 def corner_of(name: str, world: Any, side: float) -> tuple[float, float, float]:
-    """Least corner of a grid of three leaves along each axis, whose middle one has the ground, or a body, in it."""
+    """Least corner of a grid of three leaves along each axis, whose middle one contains the ground or a body."""
     if name == "asteroids":
         x, y, z = (world.centers[np.argmax(world.radii)] - 1.5 * side).tolist()
         return x, y, z
@@ -118,14 +118,14 @@ def corner_of(name: str, world: Any, side: float) -> tuple[float, float, float]:
 
 
 def shared(part: nf.Scene, step: float) -> int:
-    """Bytes of the meshes of several placements in the GLB of a leaf."""
+    """Bytes of meshes with several placements in the GLB of a leaf."""
     images: list[str | None] = [None] * part._core.texture_count
     export = _core.Export(part._core, np.zeros(1, np.uint16), 1, names=[], images=images, step=step, compressed=True)
     return sum(len(content) for content, _, _ in export.shared())
 
 
 def crossing_of(world: str, leaves: list[Leaf]) -> list[str]:
-    """Row of a world: where the ratio is 1 on lines between the logarithms of its leaves, or beyond them."""
+    """Row of a world: where the ratio is 1, by linear interpolation or extrapolation of its leaves' logarithms."""
     ordered = sorted(leaves, key=lambda leaf: leaf.triangles)
     dense = np.log([leaf.triangles for leaf in ordered])
     ratios = np.log([leaf.merged / leaf.views for leaf in ordered])
@@ -138,7 +138,7 @@ def crossing_of(world: str, leaves: list[Leaf]) -> list[str]:
 
 
 def draw(found: list[Leaf]) -> None:
-    """Save the plot: bytes by triangles a pixel, both logarithmic."""
+    """Save the plot of bytes by triangles per pixel, both logarithmic."""
     folder = os.environ.get(FOLDER)
     if not folder:
         return

@@ -2,7 +2,7 @@
 
     python -m benchmarks.orthoview.updates TREE --tiles FOLDER
 
-The squares lie about the middle of the tree. The world is as it was, so that all views stay equal and only work is
+The squares lie around the middle of the tree. The world is unchanged, so that all views stay equal and only work is
 measured. Chaudhuri et al. report 20.8, 24.0 and 42.5 s.
 """
 

@@ -1,4 +1,4 @@
-"""Views of leaves and parents: triangle by triangle against ray by ray, with Embree's rays alone beside them."""
+"""Views of leaves and parents: triangle by triangle against ray by ray, and against Embree's rays alone."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def main() -> None:
 
 
 def leaves() -> Iterator[tuple[str, nf.Scene, tuple[float, float, float], float]]:
-    """Cells of few and of many triangles."""
+    """Yield cells of few and of many triangles."""
     path = data.find(TOKYO)
     if path is not None:
         city = nf.Scene.load(path)
@@ -50,7 +50,7 @@ def leaves() -> Iterator[tuple[str, nf.Scene, tuple[float, float, float], float]
 
 
 def cell(scene: nf.Scene, side: float) -> tuple[nf.Scene, tuple[float, float, float], float]:
-    """The cell in the middle of a scene, and what touches it."""
+    """Return the cell in the middle of a scene, and the geometry that touches it."""
     x, _, z = (scene.bounds.mean(axis=0) - side / 2).tolist()
     corner = (x, float(np.floor(scene.bounds[0, 1])), z)
     return scene.query(np.array([corner, np.add(corner, side)])), corner, side
@@ -60,7 +60,7 @@ def of_leaf(
     name: str, scene: nf.Scene, corner: tuple[float, float, float], side: float
 ) -> tuple[_core.OrthoViews, list[str]]:
     def draw(way: str) -> Callable[[], _core.OrthoViews]:
-        # Each leaf of a build is a scene of its own, whose search tree rays need first.
+        # Each leaf of a build is a new scene, whose search tree must be built before rays.
         scenes = [fresh(scene) for _ in range(REPEAT + 1)]
         return lambda: _core.OrthoViews.of_cell(scenes.pop(), (corner, side), DIRECTIONS, LAYOUT.format, way=way)
 
@@ -72,7 +72,7 @@ def of_leaf(
 
 
 def rendered(scene: nf.Scene, corner: tuple[float, float, float], side: float) -> float:
-    """Seconds of the same pictures by the renderer: no limits, no reduction, no codes."""
+    """Seconds of the same pictures by the renderer: without limits, reduction and codes."""
     scenes = [scene.subset(triangles=np.ones(scene.triangle_count, bool)) for _ in range(REPEAT + 1)]
 
     def job() -> None:
@@ -90,7 +90,7 @@ def rendered(scene: nf.Scene, corner: tuple[float, float, float], side: float) -
 
 
 def fresh(scene: nf.Scene) -> _core.Scene:
-    """The same scene without search trees."""
+    """Copy a scene without search trees."""
     return scene.subset(triangles=np.ones(scene.triangle_count, bool))._core
 
 
@@ -130,7 +130,7 @@ def of_steps(views: _core.OrthoViews) -> list[list[str]]:
         "compressing and packing, connected pixels included": lambda: _codec.encoded(views, LAYOUT),
     }
     rows = [[name, f"{best(job).wall * 1e3:.1f}"] for name, job in jobs.items()]
-    # A texel of a child is 10 bytes. One of a parent's picture, of four for each pixel, is 16: read and written.
+    # A texel of a child is 10 bytes. A texel of a parent's picture, four for each pixel, is 16: read and written.
     pixels = len(DIRECTIONS) * SIZE * SIZE
     moved = {"drawing a child into its parent": pixels * (10 + 2 * 16), "reducing a parent": pixels * (4 * 16 + 10)}
     return [[*row, f"{moved[row[0]] / float(row[1]) / 1e6:.1f}" if row[0] in moved else ""] for row in rows]

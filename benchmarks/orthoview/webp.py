@@ -1,7 +1,7 @@
-"""Colours of leaves by zstd, lossless WebP and lossy WebP: bytes, time and error; and errors that add up over levels.
+"""Colours of leaves by zstd, lossless WebP and lossy WebP: bytes, time and error; and accumulated errors over levels.
 
-A parent's colours come from its children's. Where those are lossy, a parent is composed of what readers of its children
-see, so that a build that goes on reads the same colours again; the last table compares that with parents of exact ones.
+A parent's colours are computed from its children's. If these are lossy, a parent is composed of the decoded colours of
+its children, so that a resumed build reads the same colours; the last table compares that with parents of exact ones.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ Seen = NDArray[np.bool_]
 
 @dataclass(frozen=True)
 class Way:
-    """A way to keep the colours of a view."""
+    """A way to store the colours of a view."""
 
     name: str
     encode: Callable[[Picture, Seen], bytes]
@@ -171,7 +171,7 @@ def parents(children: Views) -> Views:
 
 
 def settled(views: _core.OrthoViews, quality: int) -> _core.OrthoViews:
-    """The views as readers see them."""
+    """Decode the views as readers do."""
     colors, depths = views.colors(), views.depths()
     for picture, seen in zip(colors, depths[..., 0] > 0, strict=True):
         picture[:] = np.where(seen[..., None], _webp.decode(_webp.encode(picture, quality, seen), SIZE), 0)
@@ -179,7 +179,7 @@ def settled(views: _core.OrthoViews, quality: int) -> _core.OrthoViews:
 
 
 def between(exact: Views, other: Views) -> float:
-    """PSNR of all cells' pixels in which something is."""
+    """PSNR of the non-empty pixels of all cells."""
     right, found = (np.concatenate([views[place].colors() for place in exact]) for views in (exact, other))
     seen = np.concatenate([exact[place].depths()[..., 0] > 0 for place in exact])
     return psnr(right, found, seen)

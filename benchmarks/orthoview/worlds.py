@@ -1,9 +1,9 @@
-"""Whole worlds: time, bytes and memory of trees of growing parts, and what that says of larger ones.
+"""Whole worlds: time, bytes and memory of trees of growing parts, and their extrapolation to larger ones.
 
     python -m benchmarks.orthoview.worlds tokyo --tiles FOLDER   # squares of up to 16 km, from a folder of tiles
     python -m benchmarks.orthoview.worlds asteroids world         # rocks up to all; a procedural city, in part
 
-Each tree is built in a process of its own, whose greatest memory is noted. Slopes are those of a line through the
+Each tree is built in a separate process, whose peak memory is recorded. Slopes are those of a line through the
 logarithms; a slope of 1 is proportional.
 """
 
@@ -51,14 +51,14 @@ def main() -> None:
 
 
 def tokyo(given: argparse.Namespace) -> Iterator[Row]:
-    """Squares about the middle of the city: more of it, the same leaves."""
+    """Squares around the middle of the city: more of it, the same leaves."""
     cell = given.cell or 500.0
     for side in (500, 1000, 2000, 4000, 8000, 16000):
         yield {"world": "tokyo", "tiles": given.tiles, "side": side, "cell": cell}
 
 
 def asteroids(given: argparse.Namespace) -> Iterator[Row]:
-    """Of 29,264 rocks of 97,000 polygons in a ring: those on one side of it, up to all."""
+    """29,264 rocks of 97,000 polygons in a ring: those on one side of it, up to all."""
     for share in (0.03, 0.1, 0.3, 1.0):
         yield {"world": "asteroids", "share": share, "cell": given.cell}
 
@@ -80,7 +80,7 @@ SERIES = {"tokyo": tokyo, "asteroids": asteroids, "world": world, "forest": fore
 
 
 def in_process(job: Row) -> Row:
-    """Build in a process of its own."""
+    """Build in a separate process."""
     command = [sys.executable, "-m", "benchmarks.orthoview.worlds", "--one", json.dumps(job)]
     process = subprocess.run(command, capture_output=True, text=True, check=False)
     if process.returncode:
@@ -121,7 +121,7 @@ def built(job: Row) -> Row:
 
 
 def opened(job: Row) -> tuple[nf.SceneSource, np.ndarray]:
-    """A world, and the part of it that is built."""
+    """Open a world, and return it with the part to build."""
     if job["world"] == "asteroids":
         rocks = nf.datasets.asteroids()
         low, high = rocks.bounds
@@ -139,7 +139,7 @@ def opened(job: Row) -> tuple[nf.SceneSource, np.ndarray]:
     aabb = np.array([middle - half, middle + half])
     aabb[:, 1] = -np.inf, np.inf
     aabb[:, 1] = (source if job["world"] == "tokyo" else source.query(aabb)).bounds[:, 1]
-    # A square ends with its last leaf: the sides belong to leaves.
+    # A square ends with its last leaf, since its sides belong to leaves.
     aabb[1, (0, 2)] -= 1e-3
     return source, aabb
 
@@ -152,7 +152,7 @@ def tokyo_core() -> nf.Scene:
 
 
 def report(name: str, rows: list[Row]) -> str:
-    """A table, and the slopes of time and bytes."""
+    """Table of the parts, and the slopes of time and bytes."""
     header = ["part", "triangles", "leaves", "levels", "s", "CPU s", "MB", "kB a view", "ms a cell", "memory, MB"]
     lines = [
         [
@@ -180,7 +180,7 @@ def slope(rows: list[Row], key: str) -> float:
 
 
 def plot(name: str, rows: list[Row], folder: Path) -> None:
-    """Time, bytes and memory over triangles, both axes logarithmic."""
+    """Plot time, bytes and memory against triangles, both axes logarithmic."""
     import matplotlib.pyplot as plt
 
     folder.mkdir(parents=True, exist_ok=True)

@@ -28,7 +28,7 @@ TEXT = {
 
 
 def draw_tasks(path: Path, size: tuple[int, int]) -> None:
-    """Draw the truth, the conventional and the continuous picture of each task, one row a task."""
+    """Draw the truth, the conventional and the continuous picture of each task, one row per task."""
     rows = []
     for name, answers in (("count", _count(size)), ("tape", _tape(size)), ("ball", _ball(size))):
         columns = [_captioned(picture, f"{TEXT[name]}  {title}") for title, picture in answers.items()]

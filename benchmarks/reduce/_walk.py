@@ -1,4 +1,4 @@
-"""Parts of the benchmark of walks: ways through cities, the jump of far points at a change, and drawings."""
+"""Parts of the benchmark of walks: ways through cities, jumps of far points at changes, and drawings."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ FOCAL = 480.0
 
 _TURNS = np.radians(np.arange(0.0, 360.0, 2.0))
 _MARGIN = 3.0
-"""Distance in metres that a way keeps from the wall that it leads towards."""
+"""Distance in metres that a way keeps from the wall ahead."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +32,7 @@ class Change:
     ranges: Array
     """(N,) metres from the old centre to each point."""
     measured: Array
-    """(N,) pixels by which the point is elsewhere in the new picture."""
+    """(N,) pixels by which the point moves in the new picture."""
     predicted: Array
     """(N,) f·|ΔO⊥|/ρ, the prediction of first order."""
     exact: Array
@@ -40,7 +40,7 @@ class Change:
 
 
 def free_way(scene: nf.Scene, start: Sequence[float], length: float) -> Array:
-    """Way (N, 3) of a length from a place: straight on until a wall, then where it is free the farthest, not back."""
+    """Way (N, 3) of a given length from a place: straight on until a wall, then in the freest direction, not back."""
     path, heading, left = [np.array(start, np.float64)], None, length
     while left > 0.1 and len(path) < 20:
         forward = np.column_stack([np.cos(_TURNS), np.zeros(len(_TURNS)), np.sin(_TURNS)])
@@ -78,7 +78,7 @@ def around(position: Array) -> list[nf.Camera]:
 def measure(old: nf.ReducedScene, new: nf.ReducedScene, position: Array, stride: int = 30) -> Change:
     """Find far points of the old pictures in the new ones, by their positions in the scene.
 
-    Maps with range say which scene point a far pixel shows. Displacements are turned into pixels of the middle of a
+    The range of a map defines the scene point of a far pixel. Displacements are converted to pixels of the middle of a
     picture, whose focal length is `FOCAL`: f·tan of the angle between the two directions.
     """
     from scipy.spatial import cKDTree
@@ -100,7 +100,7 @@ def measure(old: nf.ReducedScene, new: nf.ReducedScene, position: Array, stride:
         errors, nearest = cKDTree(second[shown]).query(points[is_far])
         sight = points[is_far] - old.center
         reach = np.linalg.norm(sight, axis=1)
-        # Where the nearest point is farther away than a pixel is wide, this one is hidden in the new picture.
+        # If the nearest point is farther away than a pixel is wide, this one is occluded in the new picture.
         found = errors <= reach / FOCAL
         turned = np.linalg.norm(np.cross(rays[pixels[is_far]], rays[shown[nearest]]), axis=1)
         across = np.linalg.norm(np.cross(step, sight / reach[:, None]), axis=1)

@@ -184,7 +184,7 @@ def draw(paths: dict[str, Array], away: Array, rate: float, path: Path) -> None:
 
 
 def city(blocks: int, detail: int) -> nf.Scene:
-    """The city with a single moving car, because the others would stand in its way."""
+    """City with a single moving car, because others would obstruct it."""
     scene = nf.datasets.city(blocks=blocks, detail=detail)
     others = {f"car_{k}" for k in range(8)} - {CAR}
     return scene.subset(objects=[name for name in scene.object_names if name not in others])

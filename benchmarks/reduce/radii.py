@@ -1,4 +1,4 @@
-"""The published radii beside those that are chosen by the ground: PSNR, SSIM and tear for ten users.
+"""The published radii against those chosen by the ground: PSNR, SSIM and tear for ten users.
 
 python -m benchmarks.reduce.radii [--quick]
 """
@@ -17,18 +17,18 @@ from benchmarks.harness.views import views
 USERS = 10
 R1, R2 = 30.0, 50.0
 DENSITY = 20.0
-"""Pixels for each degree, at which tears are measured."""
+"""Density in pixels per degree at which tears are measured."""
 
 
 def dense(view: nf.Camera) -> nf.Camera:
-    """The same view with `DENSITY`."""
+    """The same view with the density `DENSITY`."""
     assert isinstance(view.fov, nf.Fov)
     more = DENSITY / np.radians(view.width / (view.fov.right - view.fov.left))
     return replace(view, size=(round(view.width * more), round(view.height * more)))
 
 
 def measures(reduced: nf.ReducedScene, view: nf.Camera, truth: nf.Frame) -> list[float]:
-    """PSNR in decibels and SSIM of a picture, its mean tear along r2 in pixels, and the part of it that is a kink."""
+    """PSNR in decibels and SSIM of a picture, its mean tear along r2 in pixels, and its share that is a kink."""
     frame = reduced.render(view, channels=("color",), method="exact")
     placed = reduced.render(dense(view), channels=("position",), method="exact", env=False)
     torn = nf.boundary_tear(placed, center=reduced.center, radius=reduced.r2)

@@ -64,7 +64,7 @@ def frames(name: str, scene: nf.Scene, center: NDArray[np.float64], size: tuple[
     ]
     for method, morph, how in jobs:
         reduced = nf.reduce(scene, center=center, r1=R1, r2=R2, face_size=512, samples=1, morph=morph)
-        # Each frame is for a user who has just moved, so that data kept for a standing user does not count.
+        # Each frame is for a user who has just moved, so that data cached for a static user does not count.
         job = partial(_moved, reduced, camera, itertools.count(), channels=("color",), **how)
         timing: Timing = best(job, repeat=3)
         frame = job()
@@ -78,13 +78,13 @@ def frames(name: str, scene: nf.Scene, center: NDArray[np.float64], size: tuple[
 
 
 def _moved(reduced: nf.ReducedScene, camera: nf.Camera, steps: Iterator[int], **settings: Any) -> nf.Frame:
-    """Render a frame for a user who is a millimetre farther on than in the last one."""
+    """Render a frame for a user who is a millimetre ahead of the last one."""
     x, y, z = camera.position
     return reduced.render(replace(camera, position=(x + 1e-3 * next(steps), y, z)), **settings)
 
 
 def poses(size: tuple[int, int]) -> str:
-    """Table of the time of posing a car of the procedural city, and of a frame, for a user who stands still."""
+    """Table of the time of posing a car of the procedural city, and of a frame, for a static user."""
     scene = nf.datasets.city(blocks=12, seed=0, detail=2)
     car = next(name for name in scene.object_names if name.startswith("car"))
     scene = scene.with_dynamic([car])

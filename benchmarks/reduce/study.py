@@ -108,8 +108,8 @@ def disparity(quick: bool, plots: Path | None) -> str:
 def statistics() -> str:
     """Table of the printed answers, and the test statistics that follow from them.
 
-    McNemar's test looks at the pairs of answers in which a participant was right in one condition only: b pairs in
-    favour of the continuous condition, c in favour of the other. χ² is (b − c)²/(b + c).
+    McNemar's test uses the pairs of answers in which a participant was right in one condition only: b pairs in favour
+    of the continuous condition, c in favour of the other. χ² is (b − c)²/(b + c).
     """
     rows = []
     for question, answers, b, c, printed in (

@@ -1,6 +1,6 @@
 """Tear along the end of the near part, for users and views chosen at random: both methods, two pairs of radii.
 
-Where a city has things that hide others, rows tell apart what tears: surfaces across r₂, those that the user sees, each
+For cities with occlusion, rows separate the sources of tears: surfaces across r₂, surfaces visible to the user, each
 object by itself, and the ground.
 
 python -m benchmarks.reduce.tear [--quick]
@@ -29,10 +29,10 @@ REACH = 8.0
 """Greatest distance of users from the centre, metres."""
 
 DENSITY = 20.0
-"""Pixels for each degree where the camera looks, as a headset has them."""
+"""Density in pixels per degree where the camera looks, as in headsets."""
 
 LEAST_EDGE = 200
-"""Least number of boundary pixels with both sides in view, so that a view counts."""
+"""Least number of boundary pixels with both sides in view for a view to count."""
 
 MOST_TRIES = 60
 
@@ -51,7 +51,7 @@ def cases(quick: bool) -> Iterator[tuple[str, nf.Scene, Point]]:
 
 
 def views(center: Point, seed: int) -> Iterator[nf.Camera]:
-    """Yield views of users anywhere within `REACH` who look anywhere, slightly down."""
+    """Yield views of users at random places within `REACH` with random directions, slightly downwards."""
     draw = np.random.default_rng(seed)
     fov = nf.Fov.symmetric(60, 16 / 9)
     width = round(DENSITY * float(np.degrees(fov.right - fov.left)))
@@ -78,7 +78,7 @@ def places_of(frame: nf.Frame) -> Positions:
 
 
 def seen(frame: nf.Frame, truth: nf.Frame) -> Mask:
-    """Pixels (H, W) whose points the user sees in the truth, to 1 % of their distance and a pixel to each side."""
+    """Pixels (H, W) whose points are visible in the truth, to 1 % of their distance and a pixel to each side."""
     camera, points = frame.camera, places_of(frame)
     known = np.isfinite(points).all(axis=-1)
     away = np.linalg.norm(places_of(truth) - camera.position, axis=-1)
@@ -96,12 +96,12 @@ def seen(frame: nf.Frame, truth: nf.Frame) -> Mask:
 
 
 def only(frame: nf.Frame, kept: Mask) -> nf.Frame:
-    """The frame with the positions of some pixels."""
+    """Keep the positions of some pixels of a frame only."""
     return nf.Frame(frame.camera, frame.origin, position=np.where(kept[..., None], frame.require("position"), np.nan))
 
 
 def parts(scene: nf.Scene, frame: nf.Frame, truth: nf.Frame, end: Mask) -> dict[str, list[tuple[nf.Frame, bool]]]:
-    """Frames of each row of the table, and whether only surfaces across r₂ count; `end` has pixels beyond r₂."""
+    """Frames of each row of the table, and whether only surfaces across r₂ count; `end` marks pixels beyond r₂."""
     numbers = frame.require("object_id")
     crossing = [n for n in np.unique(numbers[end]) if n >= 0 and (numbers[~end] == n).any()]
     ground = [n for n, name in enumerate(scene.object_names) if name.startswith("ground")]

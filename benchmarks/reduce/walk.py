@@ -21,7 +21,7 @@ from benchmarks.reduce._walk import FOCAL, FOV, Array, Change, at_distance, draw
 from nearfar._base import data
 
 LENGTH, SPEED, RATE = 200.0, 1.4, 10.0
-"""Metres of a walk, metres a second, pictures a second."""
+"""Length in metres of a walk, speed in metres per second, pictures per second."""
 REACH, R2 = 8.0, 50.0
 HYSTERESIS = 1.0
 
@@ -49,7 +49,7 @@ class Walked:
 
 
 def cases(quick: bool) -> Iterator[Case]:
-    """Yield the city, along an avenue and around a corner, and the centre of Tokyo, where it is free."""
+    """Yield the city, along an avenue and around a corner, and the centre of Tokyo, along free ground."""
     city = nf.datasets.city(blocks=3, detail=0) if quick else nf.datasets.city()
     corner = [(0.0, 1.7, 20.0), (0.0, 1.7, -66.0), (114.0, 1.7, -66.0)]
     yield Case("procedural city", city, np.array(corner[:2] if quick else corner))
@@ -59,7 +59,7 @@ def cases(quick: bool) -> Iterator[Case]:
 
 
 def ahead(case: Case, regions: nf.Regions) -> tuple[float, list[float]]:
-    """Milliseconds of the first reduction, which builds the trees, and of each next one in the background, alone."""
+    """Milliseconds of the first reduction, which builds the trees, and of each further one in the background, alone."""
     started = time.perf_counter()
     reduced = regions.reduced(0)
     first = time.perf_counter() - started
@@ -72,7 +72,7 @@ def ahead(case: Case, regions: nf.Regions) -> tuple[float, list[float]]:
 
 
 def walk(case: Case, regions: nf.Regions, size: tuple[int, int]) -> Walked:
-    """Walk in real time: a picture is not shown before its time, so that what is made ahead has no longer than that."""
+    """Walk in real time: no picture is shown before its time, which limits the time for making regions ahead."""
     walker, walked = regions.walk(fade=0.5), Walked()
     length = float(np.linalg.norm(np.diff(case.path, axis=0), axis=1).sum())
     count = int(length / SPEED * RATE)

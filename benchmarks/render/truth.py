@@ -1,7 +1,7 @@
 """Times of 1080p frames of ground truth by channels and samples, compared with embreex (tracing only) and pyrender.
 
-`python -m benchmarks.render.truth [file …]`; without files the core of Tokyo, or the procedural city where there is no
-data. CPU seconds are those of all threads; error is against 256 samples, root mean square in linear light.
+`python -m benchmarks.render.truth [file …]`; without files the core of Tokyo, or the procedural city without data. CPU
+seconds are those of all threads; error is against 256 samples, root mean square in linear light.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ def by_samples(scene: nf.Scene) -> list[list[str]]:
 
 
 def embree(scene: nf.Scene, camera: nf.Camera) -> Timing | None:
-    """Time the same primary rays, traced without shading, on one thread, because embreex has no other."""
+    """Time the same primary rays, traced without shading, on one thread, because embreex supports no others."""
     if not importlib.util.find_spec("embreex"):
         return None
     from embreex import rtcore_scene
@@ -84,7 +84,7 @@ def embree(scene: nf.Scene, camera: nf.Camera) -> Timing | None:
 
 
 def pyrender(scene: nf.Scene, camera: nf.Camera) -> Timing | None:
-    """Time depth alone by OpenGL, in software if there is no GPU, without the upload."""
+    """Time depth only by OpenGL, in software if there is no GPU, without the upload."""
     if not importlib.util.find_spec("pyrender"):
         return None
     os.environ.setdefault("PYOPENGL_PLATFORM", "egl")

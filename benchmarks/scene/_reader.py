@@ -1,4 +1,4 @@
-"""One reader of the benchmark `files`, in a process of its own: python -m benchmarks.scene._reader READER FILE."""
+"""One reader of the benchmark `files` in a separate process: python -m benchmarks.scene._reader READER FILE."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def _nearfar(path: Path) -> nf.Scene:
 
 
 def _trimesh(path: Path) -> Any:
-    """With the images of base colours, which trimesh decodes when they are asked for."""
+    """Load by trimesh, with the images of base colours, which it decodes on access."""
     import trimesh
 
     loaded = trimesh.load_scene(path, process=False)
@@ -37,7 +37,7 @@ def _trimesh(path: Path) -> Any:
 
 
 def _pygltflib(path: Path) -> Any:
-    """The arrays of all primitives as views of the file's bytes, without transforms, materials and images."""
+    """Load the arrays of all primitives as views of the file's bytes, without transforms, materials and images."""
     from pygltflib import GLTF2
 
     document = GLTF2().load(str(path))
@@ -82,7 +82,7 @@ READERS: dict[str, Callable[[Path], Any]] = {
 
 
 def child(reader: str, path: Path) -> None:
-    """Load a file some times and print what that took."""
+    """Load a file several times and print the times and memory."""
     read = READERS[reader]
     _warm(read, path.suffix)
     Path("/proc/self/clear_refs").write_text("5")

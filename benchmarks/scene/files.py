@@ -1,7 +1,7 @@
-"""Loading of files beside trimesh, pygltflib with NumPy, and Open3D: seconds, and growth of memory.
+"""Loading of files compared with trimesh, pygltflib with NumPy, and Open3D: seconds, and growth of memory.
 
-Each reader loads each file in a process of its own, the file being in the system's cache. Times are the best of
-several. Memory is the growth of the process's peak at its first load; it is given as a multiple of nearfar's scene: its
+Each reader loads each file in a separate process, with the file in the system's cache. Times are the best of several.
+Memory is the growth of the process's peak at its first load; it is given as a multiple of nearfar's scene: its
 vertices, faces, normals, texture coordinates, colours, numbers of materials and objects, and textures.
 """
 
@@ -43,9 +43,9 @@ PACKED = {"quantised": (), "meshopt": ("-c",)}
 """Settings of gltfpack for variants of a city."""
 
 SECONDS = 900
-"""After which a reader is stopped."""
+"""Timeout of a reader, seconds."""
 SMALL = 20e6
-"""Bytes of a scene below which the growth of memory says more about the reader's code than about the file."""
+"""Bytes of a scene below which the growth of memory depends more on the reader's code than on the file."""
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ class Reading:
 
     seconds: float
     growth: int
-    """Bytes."""
+    """Growth of memory, bytes."""
     size: int
     """Bytes of the arrays; 0 for other readers than nearfar."""
 
@@ -92,7 +92,7 @@ def _row(found: dict[str, Reading | None]) -> list[str]:
 
 # files ----------------------------------------------------------------------------------------------------------------
 def files(folder: Path) -> Iterator[tuple[str, Path]]:
-    """Names and paths of files, made one after the other."""
+    """Yield names and paths of files, made one after the other."""
     for name in FILES:
         path = data.find(name)
         if path is None:
@@ -111,7 +111,7 @@ def files(folder: Path) -> Iterator[tuple[str, Path]]:
 
 
 def _meshes(folder: Path) -> Iterator[tuple[str, Path]]:
-    """A million triangles as STL, PLY and OBJ."""
+    """Yield a million triangles as STL, PLY and OBJ."""
     import trimesh
 
     scene = nf.datasets.city(blocks=5)
@@ -124,7 +124,7 @@ def _meshes(folder: Path) -> Iterator[tuple[str, Path]]:
 
 
 def _cities(folder: Path) -> Iterator[tuple[str, Path]]:
-    """Procedural cities as GLB: with instances, without, and packed by other programs."""
+    """Yield procedural cities as GLB: with instances, without, and packed by other programs."""
     for instanced in (True, False):
         scene = nf.datasets.city(instanced=instanced)
         path = folder / "city.glb"
@@ -160,7 +160,7 @@ def _one_mesh(path: Path, vertices: Any, faces: Any) -> Path:
 
 
 def _measured(reader: str, path: Path) -> Reading | None:
-    """Measure a reader in a process of its own; None if it does not read the file."""
+    """Measure a reader in a separate process; None if it does not read the file."""
     if reader == "pygltflib" and path.suffix not in (".glb", ".gltf"):
         return None
     command = [sys.executable, "-m", "benchmarks.scene._reader", reader, str(path)]

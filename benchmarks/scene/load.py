@@ -27,7 +27,7 @@ def main() -> None:
 
 
 def loading() -> None:
-    """Time in seconds from the file to a scene that can be drawn; trimesh's scene still has 12,408 meshes."""
+    """Time in seconds from the file to a drawable scene; trimesh's scene still has 12,408 meshes."""
     rows = []
     for name in FILES:
         path = data.find(name)
@@ -41,7 +41,7 @@ def loading() -> None:
 
 
 def changing() -> None:
-    """Time in milliseconds of deriving a scene from a scene."""
+    """Time in milliseconds of deriving a scene from another one."""
     path = data.find(FILES[0])
     if path is None:
         return

@@ -1,4 +1,4 @@
-"""Latency for others during a flood of requests for regions: of a file, and of a new client's first ring.
+"""Latency for other clients during a flood of region requests: of a file, and of a new client's first ring.
 
 python -m benchmarks.serve.flood [--quick]
 """
@@ -25,19 +25,19 @@ from nearfar.serve._site import Site
 from nearfar.stream._on_demand import OnDemand
 
 ADDRESSES, CLIENTS = 8, 6
-"""Addresses of the flood, and how many requests each sends at once: more than the four that one may wait for."""
+"""Number of addresses of the flood, and of concurrent requests per address: more than the four allowed to wait."""
 HEADER = ["", "file, median ms", "file, 99th percentile ms", "first ring, median s", "refused", "accepted"]
 
 
 @contextmanager
 def flood(url: str) -> Iterator[tuple[Any, Any]]:
-    """Let a process ask for one new place after the other meanwhile; counts of refused and accepted requests."""
+    """Request new places from another process meanwhile; yield counts of refused and accepted requests."""
     context = multiprocessing.get_context("spawn")
     refused, accepted = context.Value("i", 0), context.Value("i", 0)
     process = context.Process(target=_flood, args=(url, refused, accepted))
     process.start()
     try:
-        # Until all places that the addresses may wait for are taken.
+        # Wait until all places in the queues of the addresses are taken.
         while not refused.value:
             time.sleep(0.05)
         yield refused, accepted
@@ -84,7 +84,7 @@ def file_times(url: str, count: int) -> list[float]:
 
 
 def first_ring(url: str, number: int) -> float:
-    """Seconds until a new client is told of the coarse ring 0."""
+    """Seconds until a new client is notified of the coarse ring 0."""
     start = time.perf_counter()
     line = http.client.HTTPConnection(urlsplit(url).netloc, timeout=300, source_address=(f"127.0.4.{number + 1}", 0))
     line.request("GET", f"/at/{8 * number - 31},3.75,5/parts")

@@ -1,9 +1,9 @@
-"""Requests per second, times and memory of the server beside nginx: the same files, generator and machine.
+"""Requests per second, times and memory of the server and of nginx: the same files, generator and machine.
 
 python -m benchmarks.serve.load [--quick] [--rounds N]
 
-Needs wrk on the PATH, and compares with nginx if that is there, too. Generator and server share the machine's cores.
-Memory is told after each round of loads.
+Needs wrk on the PATH, and compares with nginx if that is installed, too. Generator and server share the machine's
+cores. Memory is reported after each round of loads.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ http {{
 
 @contextmanager
 def nearfar(folder: Path) -> Iterator[tuple[str, int]]:
-    """Serve a folder's files; the address and the process."""
+    """Serve a folder's files; yield the address and the process number."""
     command = [sys.executable, "-c", NEARFAR, str(folder)]
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as running:
         assert running.stdout
@@ -70,7 +70,7 @@ def nearfar(folder: Path) -> Iterator[tuple[str, int]]:
 
 @contextmanager
 def nginx(folder: Path) -> Iterator[tuple[str, int]]:
-    """Serve a folder's files; the address and the process."""
+    """Serve a folder's files; yield the address and the process number."""
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
@@ -85,20 +85,20 @@ def nginx(folder: Path) -> Iterator[tuple[str, int]]:
 
 
 def answers(port: int) -> bool:
-    """Whether something listens."""
+    """Whether a server listens on a port."""
     with socket.socket() as line:
         return line.connect_ex(("127.0.0.1", port)) == 0
 
 
 def resident(process: int) -> float:
-    """Megabytes of memory of a process and those that it began."""
+    """Memory in megabytes of a process and its children."""
     children = Path(f"/proc/{process}/task/{process}/children").read_text().split()
     texts = [Path(f"/proc/{each}/status").read_text() for each in (process, *children)]
     return sum(int(re.findall(r"VmRSS:\s+(\d+)", text)[0]) for text in texts) / 1000
 
 
 def load(url: str, connections: int, seconds: int, part: str | None) -> tuple[float, float, float, float, int]:
-    """Requests and megabytes a second, median and 99th percentile in milliseconds, errors."""
+    """Requests and megabytes per second, median and 99th percentile in milliseconds, number of errors."""
     headers = [] if part is None else ["-H", f"Range: {part}"]
     command = ["wrk", "-t", "1", "-c", str(connections), "-d", f"{seconds}s", "--latency", *headers, url]
     told = subprocess.run(command, check=True, capture_output=True, text=True).stdout
@@ -118,7 +118,7 @@ def load(url: str, connections: int, seconds: int, part: str | None) -> tuple[fl
 
 
 def row(url: str, server: str, what: str, connections: int, seconds: int) -> list[str]:
-    """Cells of a row of a load."""
+    """Cells of a load's row."""
     file, part = ASKED[what]
     rate, megabytes, middle, high, errors = load(f"{url}files/{file}", connections, seconds, part)
     return [
@@ -162,7 +162,7 @@ def main() -> None:
         (folder / "files").mkdir()
         for file, count in (SMALL, TYPICAL):
             (folder / "files" / file).write_bytes(hashlib.shake_128(file.encode()).digest(count))
-        # nginx's workers run as another user where it is started by root.
+        # nginx's workers run as another user if root starts it.
         folder.chmod(0o755)
         run(folder, 1 if arguments.quick else SECONDS, arguments.rounds)
 

@@ -1,4 +1,4 @@
-"""Seconds from a request for a new centre until its rings are there, for one client and for two at once.
+"""Seconds from a request for a new centre until its rings are available, for one client and for two at once.
 
 python -m benchmarks.serve.on_demand [--quick | --tokyo]
 """
@@ -60,7 +60,7 @@ Times = tuple[float, ...]
 
 
 def ask(url: str, place: Place) -> tuple[Times, tuple[int, int]]:
-    """Ask for a place, and fetch each file as soon as its part tells of it; seconds, and bytes of both stages."""
+    """Request a place, and fetch each file as soon as its part lists it; return seconds, and bytes of both stages."""
     connection = http.client.HTTPConnection(urlsplit(url).netloc)
     start = time.perf_counter()
     connection.request("GET", "/at/{},{},{}/parts".format(*place))
@@ -78,7 +78,7 @@ def ask(url: str, place: Place) -> tuple[Times, tuple[int, int]]:
 
 
 def fetched(url: str, name: str) -> bytes:
-    """Content of a file, over a connection of its own: the server closes those that are idle."""
+    """Content of a file over a new connection, since the server closes idle ones."""
     files = http.client.HTTPConnection(urlsplit(url).netloc)
     files.request("GET", f"/{name}")
     content = files.getresponse().read()
@@ -94,7 +94,7 @@ def row(name: str, found: list[tuple[Times, tuple[int, int]]]) -> list[str]:
 
 
 def measured(name: str, load: Callable[[], nf.Scene], places: tuple[Place, ...]) -> list[list[str]]:
-    """Rows of a scene: one client after the other, then two at once; no place is asked for twice."""
+    """Rows of a scene: one client after the other, then two at once; no place is requested twice."""
     start = time.perf_counter()
     maker = OnDemand(load(), radii=PUBLISHED)
     nf.cast_rays(maker.scene, np.array([[0.0, 1.7, 0.0]]), np.array([[0.0, -1.0, 0.0]]))
@@ -115,7 +115,7 @@ def measured(name: str, load: Callable[[], nf.Scene], places: tuple[Place, ...])
 
 
 def whole_of_tokyo() -> nf.Scene:
-    """Each building an object; SystemExit without the data."""
+    """Load Tokyo with each building as an object; SystemExit without the data."""
     arrays = tokyo.with_buildings()
     if arrays is None:
         raise SystemExit("--tokyo: expected NEARFAR_DATA to name a folder of data beside tools/tokyo.py")

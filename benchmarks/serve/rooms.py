@@ -1,9 +1,9 @@
-"""Rooms: round trips, residence, CPU, memory and bytes of users, also through a slow link, beside attackers, for hours.
+"""Rooms: round trips, residence, CPU, memory and bytes of users, also over a slow link, during attacks, and for hours.
 
 python -m benchmarks.serve.rooms [users] [link] [attacks] [hour] [--seconds N] [--by WAY]
 
 Builds the examples `rooms_load` and `link` of rust/serve. Users and server share the machine's cores. `link` needs
-Linux and root: it makes two network namespaces and carries each packet between them with a delay and loss of its own.
+Linux and root: it creates two network namespaces and carries packets between them with a delay and losses.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ GROUP, HERTZ = 4, 72
 USERS = (8, 32, 200, 1000)
 LINK_USERS = (8, 32)
 DELAY_MS, MBIT, LOSSES = 10, 100, (0, 1, 2)
-"""Of the link, in each direction; losses in per cent."""
+"""Delay, rate and losses of the link in each direction; losses in per cent."""
 NEAR, FAR = ("nf-near", "10.77.0.1"), ("nf-far", "10.77.0.2")
 ATTACKS = ("garbage", "flood-pose", "flood-say", "flood-signal", "churn", "mute", "vanish", "slow")
 ATTACKED_USERS = 32
@@ -45,7 +45,7 @@ COSTS = ["cores", "µs a pose", "kB a user", "B up a pose", "closed form", "B do
 
 
 def load(users: int, hertz: float, seconds: float, *options: str, inside: str | None = None) -> Figures:
-    """Measure users on a server; both as JSON tells it."""
+    """Measure users on a server; return the figures of both."""
     within = ["ip", "netns", "exec", inside] if inside else []
     arguments = [str(users), str(GROUP), str(hertz), str(seconds), *options]
     command = [*within, str(EXAMPLES / "rooms_load"), *arguments]
@@ -55,7 +55,7 @@ def load(users: int, hertz: float, seconds: float, *options: str, inside: str | 
 
 
 def times(figures: Figures) -> list[str]:
-    """The columns of HEADER."""
+    """Format the columns of HEADER."""
     shown = [
         f"{figures[name][part] or float('nan'):.2f}" for name in ("round_trip", "way") for part in ("median", "99")
     ]
@@ -64,7 +64,7 @@ def times(figures: Figures) -> list[str]:
 
 
 def costs(figures: Figures) -> list[str]:
-    """The columns of COSTS."""
+    """Format the columns of COSTS."""
     counts = (
         f"{figures['cores']:.2f}",
         f"{figures['microseconds_per_pose']:.0f}",
@@ -76,7 +76,7 @@ def costs(figures: Figures) -> list[str]:
 
 @contextmanager
 def link(loss: float) -> Iterator[list[str]]:
-    """Carry packets between two namespaces; the options that make the server run in one of them."""
+    """Carry packets between two namespaces; yield the options that make the server run in one of them."""
     command = [str(EXAMPLES / "link"), *NEAR, *FAR, str(DELAY_MS), str(MBIT), str(loss)]
     with ahead_of_others():
         running = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
@@ -90,7 +90,7 @@ def link(loss: float) -> Iterator[list[str]]:
 
 
 def by_users(seconds: float, way: list[str]) -> None:
-    """Users on loopback."""
+    """Measure users on loopback."""
     rows = []
     for users in USERS:
         figures = load(users, HERTZ, seconds, *way)
@@ -99,7 +99,7 @@ def by_users(seconds: float, way: list[str]) -> None:
 
 
 def by_loss(seconds: float, way: list[str]) -> None:
-    """Users behind a link that loses packets."""
+    """Measure users behind a link that loses packets."""
     rows = []
     for users in LINK_USERS:
         for loss in LOSSES:
@@ -111,7 +111,7 @@ def by_loss(seconds: float, way: list[str]) -> None:
 
 
 def by_attack(seconds: float, way: list[str]) -> None:
-    """Users beside eight who misbehave in the group of the first four."""
+    """Measure users while eight others misbehave in the group of the first four."""
     rows = []
     for attack in ("nobody", *ATTACKS, "nobody"):
         options = [] if attack == "nobody" else ["--attack", attack]
@@ -121,7 +121,7 @@ def by_attack(seconds: float, way: list[str]) -> None:
 
 
 def by_hour(way: list[str]) -> None:
-    """Memory of the server over an hour of eight users."""
+    """Measure the server's memory over an hour of eight users."""
     options = ["--stay", str(STAY_SECONDS), *way]
     figures = load(8, HOUR_RATE * HERTZ, HOUR_SECONDS, *options)
     print(f"{figures['poses_per_second'] * 8 * HOUR_SECONDS:.0f} poses; MB after each tenth of an hour:")
@@ -129,7 +129,7 @@ def by_hour(way: list[str]) -> None:
 
 
 def main() -> None:
-    """Print the tables that are asked for."""
+    """Print the requested tables."""
     parser = argparse.ArgumentParser()
     parser.add_argument("parts", nargs="*", choices=["users", "link", "attacks", "hour", []])
     parser.add_argument("--seconds", type=float, default=8.0)

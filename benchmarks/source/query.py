@@ -1,7 +1,7 @@
 """10,000 cells of the whole of Tokyo: time of `Scene.query` against the triangles it returns, and against reading them.
 
-Reading is a compiled loop that copies the same triangles, indices and corners, from where they lie in the city's
-arrays, in one thread. Cells come in random order, so that nothing of a cell is in a cache when it is read.
+Reading is a compiled loop that copies the same triangles, indices and corners, from their places in the city's arrays,
+in one thread. Cells come in random order, so that no data of a cell is cached before it is read.
 """
 
 from __future__ import annotations
@@ -27,15 +27,15 @@ from benchmarks.harness.tokyo import with_buildings
 from nearfar._base import data
 
 SIDE = 100
-"""Cells along each side of the city."""
+"""Number of cells along each side of the city."""
 ROUNDS = 3
-"""Times that each cell is queried and read; the least counts."""
+"""Number of times that each cell is queried and read; the least time counts."""
 CORE = "city/tokyo23/tokyo_core_lod1.glb"
 
 
 @dataclass(frozen=True)
 class Measured:
-    """Seconds of each cell and what it returned."""
+    """Seconds of each cell, and its numbers of triangles."""
 
     counts: NDArray[np.int64]
     query: NDArray[np.float64]
@@ -59,7 +59,7 @@ def permutation(side: int) -> list[int]:
 
 
 def cells_of(bounds: NDArray[np.float64], side: int) -> list[NDArray[np.float64]]:
-    """Boxes (2, 3) of square cells, without end in height, in random order."""
+    """Boxes (2, 3) of square cells, unbounded in height, in random order."""
     low, high = bounds[:, (0, 2)]
     width = (high - low) / side
     boxes = []
@@ -89,13 +89,13 @@ def whole_city(
 def touching(
     bounds: NDArray[np.float64], side: int, vertices: NDArray[np.float32], faces: NDArray[np.uint32]
 ) -> list[NDArray[np.int64]]:
-    """For each cell, in the order of `cells_of`, the faces whose boxes touch it: those that reading copies."""
+    """Return for each cell, in the order of `cells_of`, the faces whose boxes touch it, which reading copies."""
     low, high = bounds[:, (0, 2)]
     corners = (vertices[:, (0, 2)] - low) * side / (high - low)
     places = np.clip(corners, 0, side - 1).astype(np.int16)[faces]
     first, last = places.min(axis=1), places.max(axis=1)
     spans = last - first + 1
-    # A face touches as many cells as its box: most touch one.
+    # A face touches as many cells as its box; most touch one.
     number = np.repeat(np.arange(len(faces)), spans.prod(axis=1, dtype=np.int64))
     step = np.arange(len(number)) - np.searchsorted(number, number)
     column, row = first[number].T + np.stack([step % spans[number, 0], step // spans[number, 0]])
@@ -106,7 +106,7 @@ def touching(
 
 
 def reader() -> Callable[..., None]:
-    """Compile a loop that copies triangles: their indices, and the corners that these name."""
+    """Compile a loop that copies triangles: their indices, and their corners."""
     numba = importlib.import_module("numba")
 
     def body(rows: Any, vertices: Any, faces: Any, indices: Any, corners: Any) -> None:
@@ -128,7 +128,7 @@ def measure(
     vertices: NDArray[np.float32],
     faces: NDArray[np.uint32],
 ) -> Measured:
-    """Time each cell's query and the reading of as many triangles from the same places."""
+    """Time each cell's query, and the reading of as many triangles from the same places."""
     read = reader()
     counts = np.zeros(len(boxes), np.int64)
     seconds = np.full((2, len(boxes)), np.inf)
@@ -213,7 +213,7 @@ def peers(
     vertices: NDArray[np.float32],
     faces: NDArray[np.uint32],
 ) -> None:
-    """Time other ways to the same triangles of the cell with the median number of them."""
+    """Time other methods of finding the same triangles for the cell with the median number of them."""
     at = int(np.argsort(measured.counts)[len(boxes) // 2])
     box = boxes[at]
 
@@ -235,7 +235,7 @@ def peers(
 
 
 def centre() -> None:
-    """Time the R-tree of trimesh beside ours on the centre of Tokyo; it would need tens of gigabytes for the city."""
+    """Time trimesh's R-tree and our query on the centre of Tokyo; the city would need tens of gigabytes."""
     path = data.find(CORE)
     if path is None:
         print(f"{CORE} is not there\n")

@@ -22,7 +22,7 @@ FAR = 1000.0
 """The far plane of the paper, metres; a mono plane there leaves nothing to share."""
 CULLS = ("frustum", "discard", "occlusion")
 KINDS = (*CULLS, "resolved")
-"""Hybrid pictures: those assembled bilinearly by what is culled, and those that are resolved."""
+"""Hybrid pictures: bilinear ones by culling mode, and resolved ones."""
 STAGES = ("left", "right", "culling", "center", "assembly", "filling")
 HEAD = (0.0, 1.7, 0.0)
 AHEAD = (0.0, 0.0, 0.0, 1.0)
@@ -36,13 +36,13 @@ SCENES: dict[str, Callable[[], nf.Scene]] = {
 
 
 def plain(scene: nf.Scene, rig: nf.stereo.HybridRig, **settings: Any) -> list[nf.Frame]:
-    """Both eyes without a plane, between the same depths."""
+    """Render both eyes without a plane, between the same depths."""
     clip = rig.clip(HEAD, AHEAD, near=0.1, far=FAR)
     return [nf.render(scene, camera, clip=clip, **settings) for camera in rig.cameras(HEAD, AHEAD)[:2]]
 
 
 def clock() -> float:
-    """Seconds that the adapter has worked on passes, by its own clock; 0 without one."""
+    """Seconds of the adapter's passes, by its own clock; 0 without one."""
     stats = nf.gpu.stats()
     return float(stats.get("raster_seconds", 0.0) + stats.get("resolve_seconds", 0.0))
 
@@ -50,7 +50,7 @@ def clock() -> float:
 def seconds(
     jobs: dict[str, Callable[[], Any]], repeat: int, clocks: Callable[[], float]
 ) -> tuple[dict[str, float], dict[str, float]]:
-    """Least wall time of each job, in turns, and the least time by another clock."""
+    """Least wall time of each job, run alternately, and the least time by another clock."""
     import time
 
     best, other = dict.fromkeys(jobs, float("inf")), dict.fromkeys(jobs, float("inf"))
@@ -64,7 +64,7 @@ def seconds(
 
 
 def similarity(reference: nf.Frame, test: nf.Frame) -> float:
-    """SSIM of sRGB codes with windows of 4 × 4 pixels, as the paper."""
+    """SSIM of sRGB codes with windows of 4 × 4 pixels, as in the paper."""
     codes = reference.to_image(), test.to_image()
     return float(nf.ssim(*codes, data_range=255.0, window="uniform", size=4, convention="full"))
 
@@ -117,7 +117,7 @@ def score(truth: list[nf.Frame], frame: nf.StereoFrame) -> float:
 
 
 def found_stages(frame: nf.StereoFrame) -> dict[str, float]:
-    """Seconds of each stage; those of plain stereo are given to both eyes in equal parts."""
+    """Seconds of each stage; those of plain stereo are divided equally between both eyes."""
     found = dict(frame.stats["seconds"])
     eyes = found.pop("eyes", 0.0)
     return {stage: found.get(stage, eyes / 2 if stage in ("left", "right") else 0.0) for stage in STAGES}
@@ -131,7 +131,7 @@ STAGE_HEADER = [
 
 
 def stage_row(rig: nf.stereo.HybridRig, scene: nf.Scene, frame: nf.StereoFrame, found: dict[str, float]) -> list[str]:
-    """Seconds, primitives and fragments of each view, as Fig. 5."""
+    """Seconds, primitives and fragments of each view, as in Fig. 5."""
     counted = rig.triangles(scene, HEAD, AHEAD, far=FAR)
     views = [counted[view] for view in ("left", "right", "center")]
     whole = 2 * rig.size[0] * rig.size[1]

@@ -27,7 +27,7 @@ PAPER = HybridRig(
 
 
 def errors() -> str:
-    """Table of the greatest error to the side, of infinitely far points, and of planes for a pixel and for a bend."""
+    """Table of the maximum horizontal error of infinitely far points, and of planes for a pixel and for a bend."""
     rows = [["the paper's Vive, 1344 px, 64 mm", *(f"{PAPER.with_plane(m).max_error():.2f}" for m in PLANES), "", ""]]
     for name in nf.hmd.names():
         hmd = nf.hmd.get(name)
@@ -40,7 +40,7 @@ def errors() -> str:
 
 
 def times(repeat: int) -> str:
-    """Table of the time to make a rig, and what follows from it, microseconds."""
+    """Table of the time to make a rig and to compute its properties, microseconds."""
     import timeit
 
     hmd = nf.hmd.VIVE

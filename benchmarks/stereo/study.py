@@ -10,12 +10,12 @@ import math
 from benchmarks.harness.timing import table
 
 DECISIONS = {"SPHERES": (175, 277), "LANDSCAPE": (162, 297), "BEAMS": (147, 304)}
-"""Times that hybrid and that plain stereo was taken for plain stereo, by scene."""
+"""Number of times that hybrid and plain stereo were taken for plain stereo, by scene."""
 SUBJECTS, INVALID, PAIRS = 47, 48, 1410
 
 
 def binomial(successes: int, count: int) -> float:
-    """Two-sided p of at least as unlikely a number of successes, if both were equally likely."""
+    """Two-sided p of a number of successes that is at least as unlikely, if both outcomes were equally likely."""
     less = min(successes, count - successes)
     return min(1.0, float(2 * sum(math.comb(count, k) for k in range(less + 1)) / 2**count))
 

@@ -1,4 +1,4 @@
-"""Temporal anti-aliasing: error against 64 samples for still and moving heads, beside single frames; time of a frame.
+"""Temporal anti-aliasing: error against 64 samples for still and moving heads and for single frames; frame time.
 
 python -m benchmarks.stereo.temporal [--quick]
 """
@@ -16,7 +16,7 @@ from benchmarks.harness.timing import machine, table
 
 HEAD = (0.0, 1.7, 0.0)
 STEPS = {"still": 0.0, "1 cm": 0.01, "3 cm": 0.03}
-"""Metres that the head moves from picture to picture, sideways; 1 cm is 0.9 m/s at 90 Hz."""
+"""Sideways movement of the head between pictures, metres; 1 cm is 0.9 m/s at 90 Hz."""
 COUNT = 32
 
 

@@ -1,4 +1,4 @@
-"""Zones against planes: by how much a beam bends from pixel to pixel, the error, and the time of a frame.
+"""Zones against planes: the bend of a beam from pixel to pixel, the error, and the time of a frame.
 
 python -m benchmarks.stereo.zone [--quick] [--plots out/bench]
 """
@@ -20,7 +20,7 @@ PLANE = 3.0
 ENDS = (4.0, 6.0, 12.0, 24.0)
 HEAD = (0.0, 1.7, 0.0)
 BEAM = ((-0.16, 1.5, -1.4), (0.9, 1.25, -30.0))
-"""Ends of a beam that the left eye sees beside its axis, metres."""
+"""Ends of a beam visible beside the left eye's axis, metres."""
 
 
 def beam() -> nf.Scene:
@@ -42,14 +42,14 @@ def beam() -> nf.Scene:
 
 
 def turned_to(axis: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Matrix (4, 4) that turns z to an axis."""
+    """Matrix (4, 4) that rotates z to an axis."""
     import trimesh
 
     return np.asarray(trimesh.geometry.align_vectors((0.0, 0.0, 1.0), axis))
 
 
 def greatest_turn(rig: nf.stereo.HybridRig) -> float:
-    """Greatest change of the beam's direction, degrees, over ten of the paper's pixels of the left eye's picture."""
+    """Maximum change of the beam's direction, degrees, over ten of the paper's pixels of the left eye's picture."""
     camera = rig.cameras(HEAD)[0]
     fov = rig.left.fov
     density = PAPER.size[0] / (fov.right - fov.left)
@@ -83,7 +83,7 @@ def measure(size: tuple[int, int], repeat: int) -> str:
 
 
 def draw(path: Path) -> None:
-    """Draw the beam through a plane and through a zone, and by how much both are off."""
+    """Draw the beam through a plane and through a zone, and the errors of both."""
     import matplotlib as mpl
 
     mpl.use("agg")

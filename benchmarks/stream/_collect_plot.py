@@ -18,7 +18,7 @@ class Row(Protocol):
 
     @property
     def name(self) -> str:
-        """Whose figures they are."""
+        """Name of the row."""
 
     @property
     def seconds(self) -> tuple[tuple[float, float], ...]:
@@ -26,7 +26,7 @@ class Row(Protocol):
 
     @property
     def misses(self) -> tuple[float, ...]:
-        """Means of a sphere by level."""
+        """Mean misses per sphere by level."""
 
 
 def levels(path: Path, names: Sequence[str], rows: Sequence[Row]) -> None:

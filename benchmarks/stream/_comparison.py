@@ -1,4 +1,4 @@
-"""Experiment 1 of CloVR (2024): what twenty users see while each strategy loads, and how sure the differences are."""
+"""Experiment 1 of CloVR (2024): the view of twenty users while each strategy loads, and significance tests."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ from nearfar.stream._measures import mean_over_time, measured
 
 STRATEGIES = ("vis0", "vis1", "clovr", "clovrd")
 USERS, AWAY = 20, 2.0
-"""Number of users, and metres between each of them and the centre."""
+"""Number of users, and their distance in metres from the centre."""
 ALPHA = 0.05 / 6
-"""Level of each of six comparisons, so that all of them together err with 5 % at most (Bonferroni)."""
+"""Significance level of each of six comparisons, for a total of 5 % (Bonferroni)."""
 
 ALL_STATES = 64
-"""States of clients, more than there are: all users see the same ones."""
+"""Number of client states, more than exist: all users see the same ones."""
 
 Point = tuple[float, float, float]
 
 
 def users(center: Point, seed: int = 1) -> list[tuple[Point, float]]:
-    """Seeded places and directions (degrees about the vertical) of users."""
+    """Pseudo-random places and directions (degrees about the vertical) of users."""
     turns = np.random.default_rng(seed).uniform(0.0, 2.0 * np.pi, (USERS, 2))
     return [((center[0] + AWAY * math.cos(at), center[1], center[2] + AWAY * math.sin(at)), look) for at, look in turns]
 
@@ -60,7 +60,7 @@ def quality(
 
 
 def thinned(line: nf.stream.Timeline) -> nf.stream.Timeline:
-    """Of vis1 every fourth portion, and the last two states: the last portion, and the map."""
+    """Keep of vis1 the first two states, every fourth portion, and the last two states (last portion and map)."""
     if line.strategy != "vis1":
         return line
     count = len(line.frames["time"])
@@ -69,7 +69,7 @@ def thinned(line: nf.stream.Timeline) -> nf.stream.Timeline:
 
 
 def filled(line: nf.stream.Timeline, found: dict[str, Any]) -> dict[str, Any]:
-    """The portions between, linear in their numbers."""
+    """Interpolate the omitted portions linearly in their numbers."""
     if line.strategy != "vis1":
         return found
     numbers = np.arange(len(line.frames["time"]))
@@ -78,7 +78,7 @@ def filled(line: nf.stream.Timeline, found: dict[str, Any]) -> dict[str, Any]:
 
 
 def seen(line: nf.stream.Timeline, parts: SceneParts, path: HeadPath, *, every: float) -> dict[str, Any]:
-    """Measures of a timeline."""
+    """Measure the pictures of a timeline."""
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "the picture folds")
         return measured(line, parts, path, every=every, rate=72.0, duration=math.inf).pictures
@@ -94,7 +94,7 @@ class Pair:
 
 
 def significance(values: NDArray[np.float64]) -> tuple[float, float, list[Pair]]:
-    """Friedman's χ² and p, and all pairs."""
+    """Friedman's χ² and p, and the tests of all pairs."""
     from scipy import stats
 
     chi, p = stats.friedmanchisquare(*values.T)

@@ -13,10 +13,10 @@ HEADER = ["", "MB in", "gathered, CPU ms", "and encoded", "MB/s a core, all", "e
 
 
 def row(name: str, rings: nf.stream.Rings) -> list[str]:
-    """MB of the arrays that are compressed, CPU milliseconds, MB/s a core.
+    """MB of the compressed arrays, CPU milliseconds, MB/s per core.
 
-    What compression alone takes is the difference to the same files without it, which copy their arrays, with longer
-    normals: a few milliseconds too little. Where it is less than a tenth of all, it is not shown.
+    The time of compression alone is the difference to the same files without it, which copy their arrays, with longer
+    normals: a few milliseconds too little. It is not shown if it is less than a tenth of the total.
     """
     raw = encode(rings, compressed=True)
     plain, packed = (best(partial(encode, rings, compressed=compressed), repeat=5).cpu for compressed in (False, True))
@@ -27,7 +27,7 @@ def row(name: str, rings: nf.stream.Rings) -> list[str]:
 
 
 def encode(rings: nf.stream.Rings, *, compressed: bool) -> int:
-    """Encode the rings' files; bytes of their arrays before compression."""
+    """Encode the rings' files; return the bytes of their arrays before compression."""
     scene = rings.scene
     textures = len(_core.scene_parts(scene._core)["textures"])
     export = _core.Export(

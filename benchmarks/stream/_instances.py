@@ -1,4 +1,4 @@
-"""Bytes and loading times of the same near geometry with instances, and with each copy as a mesh of its own."""
+"""Bytes and loading times of the same near geometry with instances, and with each copy as a separate mesh."""
 
 from __future__ import annotations
 
@@ -13,25 +13,25 @@ from nearfar import _core
 from nearfar.stream._radii import PUBLISHED
 
 RATES = (50e6, 100e6)
-"""Bits a second of links."""
+"""Rates of links, bits per second."""
 
 
 @dataclass(frozen=True)
 class Loading:
-    """Bytes that a client waits for: geometry with textures, and maps."""
+    """Bytes needed by a client: geometry with textures, and maps."""
 
     name: str
     encode: float
-    """Seconds of the server's work on geometry."""
+    """Seconds of encoding geometry on the server."""
     geometry: int
     maps: int
-    """Bytes."""
+    """Bytes of maps."""
     decode_geometry: float
     decode_maps: float
-    """Seconds of nearfar's own reader."""
+    """Seconds of decoding by nearfar's own reader."""
 
     def total(self, rate: float) -> float:
-        """Seconds until the last ring is there: all bytes over the link, then decoded, with nothing at once."""
+        """Seconds until the last ring is available: all bytes over the link, then decoding, without overlap."""
         return 8.0 * (self.geometry + self.maps) / rate + self.decode_geometry + self.decode_maps
 
 
@@ -55,7 +55,7 @@ def loadings(place: Place, bundle: nf.stream.Bundle) -> tuple[list[Loading], flo
 
 
 def loaded(near: Near) -> nf.Scene:
-    """The scene that a client draws, decoded."""
+    """Decode the scene that a client draws."""
     return one_scene(near.scenes())
 
 
@@ -77,7 +77,7 @@ def least(job: Callable[[], object], repeat: int = 3) -> float:
 
 
 def rows(found: list[Loading]) -> list[list[str]]:
-    """A row for each encoding; the last columns are loading times as multiples of the first encoding's."""
+    """Make a row for each encoding; the last columns are loading times relative to the first encoding's."""
     first = found[0]
     return [
         [

@@ -1,4 +1,4 @@
-"""Times of one load of the page: from its own marks, and from the browser's times of its files."""
+"""Times of one load of the page: from its own marks, and from the browser's resource timing."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from nearfar.stream._strategies import Plan, plan_of
 from tests.support.reader_cases import SECONDS
 
 SIZE = (320, 200)
-"""Pixels of the picture: few, because programs draw it."""
+"""Size of the picture in pixels: small, because it is drawn in software."""
 
-# Browsers keep the times of 250 files unless they are asked for more.
+# Browsers store the times of 250 files by default.
 BEFORE = "performance.setResourceTimingBufferSize(100000)"
 
 DONE = """(last) => {
@@ -35,25 +35,25 @@ TOLD = """() => ({
 
 @dataclass(frozen=True)
 class Loaded:
-    """A load; all times are seconds from the request of the manifest on."""
+    """A load; all times are in seconds since the request of the manifest."""
 
     picture: dict[str, float]
-    """Of the first complete picture: when the last of its bytes was there (`received`), when all was decoded and on
-    the GPU (`ready`), and when the frame began that showed it (`shown`)."""
+    """First complete picture: when the last of its bytes had arrived (`received`), when all was decoded and on the GPU
+    (`ready`), and when the frame that showed it began (`shown`)."""
     first_ring: dict[str, float]
-    """The same of the first near geometry."""
+    """The same for the first near geometry."""
     total: dict[str, float]
-    """The same of everything."""
+    """The same for everything."""
     bytes: int
-    """Of all files from the manifest on, with headers."""
+    """Bytes of all files since the manifest, with headers."""
     protocol: str
-    """Of HTTP, as browsers name it."""
+    """HTTP protocol, as named by browsers."""
     page: float
-    """Seconds from navigation to the request of the manifest: the page itself."""
+    """Seconds from navigation to the request of the manifest, spent on the page itself."""
 
 
 def stages(strategy: str, last: int) -> dict[str, int]:
-    """Numbers of the rings with which the picture, the first near geometry and everything are there."""
+    """Numbers of the rings that complete the picture, the first near geometry and everything."""
     picture = 0 if strategy.startswith("clovr") else last
     return {"picture": picture, "first_ring": last if strategy == "vis0" else 1, "total": last}
 
@@ -63,12 +63,12 @@ def plan(bundle: nf.stream.Bundle, strategy: str) -> Plan:
 
 
 def files_until(steps: Plan, ring: int) -> set[str]:
-    """Files that the page has asked for and needs when a ring is there."""
+    """Files that the page has requested and needs for a ring."""
     names = set[str]()
     for step in steps.steps:
         if step.ring is not None and step.ring > ring:
             break
-        # Dynamic objects come behind ring 0, which does not wait for them.
+        # Dynamic objects follow ring 0, which does not wait for them.
         if step.ring is not None or ring > 0:
             names |= set(step.files)
     return names

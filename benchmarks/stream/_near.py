@@ -1,4 +1,4 @@
-"""Near geometry of the benchmarks' scenes as files: rings in several encodings, and what gltfpack makes of them."""
+"""Near geometry of the benchmarks' scenes as files: rings in several encodings, and as processed by gltfpack."""
 
 from __future__ import annotations
 
@@ -33,10 +33,10 @@ class Place:
 
     name: str
     make: Callable[..., nf.Scene]
-    """Makes the scene; takes `instanced`."""
+    """Function that makes the scene; it has the parameter `instanced`."""
     center: Point
     users: tuple[Point, ...]
-    """Where users stand, metres from the centre."""
+    """Positions of users relative to the centre, metres."""
 
 
 def places(quick: bool) -> list[Place]:
@@ -58,20 +58,20 @@ def places(quick: bool) -> list[Place]:
 
 
 def whole_textures(scene: nf.Scene, quality: int | None) -> Textures:
-    """Textures in their own size, whatever a client sees of them."""
+    """Textures in their original size, whatever is visible to a client."""
     return TextureFiles(scene, quality).halved(np.zeros(scene._core.texture_count, np.uint32))
 
 
 @dataclass(frozen=True)
 class Near:
-    """The geometry of all rings as files."""
+    """Geometry of all rings as files."""
 
     rings: nf.stream.Rings
     files: Files
     entries: list[dict[str, Any]]
-    """Rings as in a manifest, without maps."""
+    """Entries of rings in a manifest, without maps."""
     seconds: float
-    """Of encoding."""
+    """Seconds of encoding."""
 
     @classmethod
     def of(cls, rings: nf.stream.Rings, *, compressed: bool, quality: int | None = 90) -> Near:
@@ -81,13 +81,13 @@ class Near:
         return cls(rings, files, entries, time.perf_counter() - start)
 
     def names(self, ring: int, *, images: bool) -> set[str]:
-        """Files of a ring: those of textures, or the others."""
+        """Names of a ring's files: textures, or the others."""
         entry = self.entries[ring - 1]
         named = [] if entry["geometry"] is None else [entry["geometry"], *entry["parts"]]
         return {name for name in named if name.endswith(".webp") == images}
 
     def sent(self, *, images: bool) -> list[int]:
-        """Bytes of each ring from 1 on; a file counts once."""
+        """Bytes of each ring from 1 on; each file counts once."""
         seen: set[str] = set()
         counts = []
         for ring in range(1, len(self.entries) + 1):
@@ -97,7 +97,7 @@ class Near:
         return counts
 
     def scenes(self) -> list[nf.Scene | None]:
-        """The geometry of each ring, decoded."""
+        """Decode the geometry of each ring."""
         return [
             None
             if entry["geometry"] is None
@@ -107,12 +107,12 @@ class Near:
 
 
 def one_scene(scenes: Sequence[nf.Scene | None], moving: nf.Scene | None = None) -> nf.Scene:
-    """Dynamic objects, and all rings, as a client has them."""
+    """Join dynamic objects and all rings, as a client does."""
     return joined(moving, [(f"ring {ring}", scene) for ring, scene in enumerate(scenes, 1) if scene is not None])
 
 
 def shown(scenes: Sequence[nf.Scene | None], env: nf.EnvMap, moving: nf.Scene | None) -> nf.ReducedScene:
-    """Dynamic objects and all rings before the last map, as a client shows them."""
+    """Dynamic objects and all rings in front of the last map, as a client shows them."""
     near = one_scene(scenes, moving)
     zones = nf.partition(near, center=env.center, r1=0.7 * PUBLISHED[-1], r2=PUBLISHED[-1])
     counts = {**zones.summary(), "rays": 0}
@@ -120,7 +120,7 @@ def shown(scenes: Sequence[nf.Scene | None], env: nf.EnvMap, moving: nf.Scene | 
 
 
 def gltfpack(folder: Path, name: str, *options: str) -> Path | None:
-    """The file that gltfpack makes of another one beside it; None if it is not on the path."""
+    """Process a file by gltfpack and return its output beside it; None if gltfpack is not on the path."""
     program = shutil.which("gltfpack")
     if program is None:
         return None
@@ -131,7 +131,7 @@ def gltfpack(folder: Path, name: str, *options: str) -> Path | None:
 
 
 class Packed:
-    """Plain files of rings in a folder, and what gltfpack makes of each."""
+    """Plain files of rings in a folder, and gltfpack's versions of them."""
 
     def __init__(self, near: Near, folder: Path) -> None:
         self._near, self._folder = near, folder
@@ -155,7 +155,7 @@ class Packed:
 
 
 def in_one_file(rings: nf.stream.Rings, folder: Path, *options: str) -> tuple[int, bytes | None]:
-    """Bytes of all rings as one plain file, where a mesh is stored once, and what gltfpack makes of it."""
+    """Bytes of all rings as one plain file, in which a mesh is stored once, and gltfpack's version of it."""
     scene, codes = rings.scene, rings.codes()
     images: list[str | None] = [None] * len(_core.scene_parts(scene._core)["textures"])
     groups = np.where((codes >= 1) & (codes <= rings.count), 1, 0).astype(np.uint16)
@@ -167,7 +167,7 @@ def in_one_file(rings: nf.stream.Rings, folder: Path, *options: str) -> tuple[in
 
 
 def error(rings: nf.stream.Rings, ring: int, scene: nf.Scene | None) -> float:
-    """Greatest distance in metres from a corner of a ring's objects to the nearest one of what was decoded."""
+    """Maximum distance in metres from a corner of a ring's objects to the nearest decoded one."""
     if scene is None:
         return 0.0
     true, found = (corners(part) for part in (rings.scene.subset(objects=rings.objects(ring)), scene))
@@ -175,5 +175,5 @@ def error(rings: nf.stream.Rings, ring: int, scene: nf.Scene | None) -> float:
 
 
 def corners(scene: nf.Scene) -> Any:
-    """Different corners of all triangles in the world, metres."""
+    """Distinct corners of all triangles in the world, metres."""
     return np.unique(scene.triangles().reshape(-1, 3), axis=0) + scene.origin

@@ -1,4 +1,4 @@
-"""Pictures of encoded near geometry and maps beside those of what was not compressed, and beside the truth."""
+"""Pictures of encoded near geometry and maps compared with those of uncompressed ones, and with the truth."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ import nearfar as nf
 from benchmarks.stream._near import Place
 
 FOV, SIZE = nf.Fov.symmetric(90, 1.6), (640, 400)
-"""Of the views."""
+"""Field of view and size of the views."""
 TURNS = (0.4, 2.0, 3.5, 5.1)
-"""Directions in which a user looks, radians."""
+"""Viewing directions of a user, radians."""
 
 
 def cameras(place: Place) -> Iterator[nf.Camera]:
@@ -28,7 +28,7 @@ def cameras(place: Place) -> Iterator[nf.Camera]:
 def rows(
     place: Place, truth: nf.Scene, base: nf.ReducedScene, others: Mapping[str, nf.ReducedScene]
 ) -> list[list[str]]:
-    """PSNR and SSIM of the pictures of each, in sRGB codes: mean and least against the base, mean against the truth."""
+    """PSNR and SSIM of all pictures, in sRGB codes: mean and least against the base, mean against the truth."""
     sources = {"without loss": base, **others}
     against_base: dict[str, list[tuple[float, float]]] = {name: [] for name in sources}
     against_truth: dict[str, list[tuple[float, float]]] = {name: [] for name in sources}

@@ -10,7 +10,7 @@ import nearfar as nf
 from benchmarks.harness.loads import Network
 from benchmarks.stream._loaded import SIZE, files_until, plan, stages
 
-# Six at a time, those of the next step ahead, as web/src/show/loader.ts asks for them.
+# Six at a time, with the next step's requested ahead, as in web/src/show/loader.ts.
 REPLAY = """async (steps) => {
   const begin = performance.now();
   const times = {};
@@ -47,7 +47,7 @@ REPLAY = """async (steps) => {
 }"""
 
 
-# A file that fits into a packet, one after the other.
+# A file that fits into a packet, fetched repeatedly.
 TRIPS = """async (name) => {
   const times = [];
   for (let trip = 0; trip < 21; trip++) {
@@ -60,7 +60,7 @@ TRIPS = """async (name) => {
 
 
 def round_trip(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle) -> float:
-    """Milliseconds from a request to its short answer on the idle link, with what browser and server add."""
+    """Milliseconds from a request to its short response on the idle link, including browser and server."""
     files = bundle._manifest["files"]
     least = min(files, key=lambda name: int(files[name]["bytes"]))
     with way.page(chromium, SIZE) as page:
@@ -69,11 +69,11 @@ def round_trip(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle) 
 
 
 def requests(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, strategy: str) -> dict[str, float]:
-    """Seconds from the request of the manifest until the files of each stage were there."""
+    """Seconds from the request of the manifest until the files of each stage had arrived."""
     steps = plan(bundle, strategy)
     given = [{"asked": step.asked, "files": step.files, "isAhead": step.is_ahead} for step in steps.steps]
     with way.page(chromium, SIZE) as page:
-        # An address of the server where no script runs; the connection stays open.
+        # An address of the server without scripts; the connection stays open.
         page.goto(f"{url}NOTHING")
         times = page.evaluate(REPLAY, given)
     return {
@@ -83,9 +83,9 @@ def requests(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, st
 
 
 def simulated_requests(bundle: nf.stream.Bundle, link: nf.stream.Link, strategy: str, seed: int) -> dict[str, float]:
-    """The same of a simulated load from `nearfar serve`, without decoding."""
+    """The same for a simulated load from `nearfar serve`, without decoding."""
     line = nf.stream.simulate(bundle, link=link, strategy=strategy, gzip=True, seed=seed)
-    # The first connection is open.
+    # The first connection is already open.
     times = dict(zip(line.files, (line.file_times - link.handshake * link.rtt).tolist(), strict=True))
     steps = plan(bundle, strategy)
     return {

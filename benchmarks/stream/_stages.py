@@ -1,4 +1,4 @@
-"""Seconds and memory of the stages of an export, in a process of its own; prints them as JSON.
+"""Seconds and memory of the stages of an export, in a separate process; prints them as JSON.
 
 python -m benchmarks.stream._stages PLACE INSTANCED SAMPLES QUICK
 """
@@ -52,7 +52,7 @@ class Watch:
 
 
 def stages(place: Place, *, instanced: bool, samples: int, folder: Path) -> dict[str, Any]:
-    """An export, step by step as `nf.stream.export` does it; and one map alone, for comparison."""
+    """Run an export, step by step like `nf.stream.export`; and one map alone, for comparison."""
     watch = Watch()
     before = resident()
     scene = watch("make the scene", lambda: place.make(instanced=instanced))
@@ -86,24 +86,24 @@ def stages(place: Place, *, instanced: bool, samples: int, folder: Path) -> dict
 
 
 def one_map(rings: nf.stream.Rings, samples: int) -> None:
-    """Map 0 as a map of its own, with colour and range."""
+    """Bake map 0 as a separate map, with colour and range."""
     settings: dict[str, Any] = {"center": rings.center, "size": FACE_SIZE, "samples": samples, "rings": rings.codes()}
     _core.bake_rings(rings.scene._core, **settings, range=True, object_id=False, count=0, report=lambda *_: None)
 
 
 def resident() -> int:
-    """Bytes of memory of this process."""
+    """Resident memory of this process, bytes."""
     return int(psutil.Process().memory_info().rss)
 
 
 def most_resident() -> int:
-    """Greatest memory that this process had, bytes; `getrusage` would count that of its parent, too."""
+    """Peak memory of this process, bytes; `getrusage` would include its parent's, too."""
     status = Path("/proc/self/status").read_text()
     return 1024 * int(next(line.split()[1] for line in status.splitlines() if line.startswith("VmHWM")))
 
 
 def arrays(scene: nf.Scene) -> int:
-    """Bytes of a scene's arrays; meshes of equal counts and bounds are one that several placements share."""
+    """Bytes of a scene's arrays; meshes of equal counts and bounds count as one shared by several placements."""
     parts = _core.scene_parts(scene._core)
     meshes = {(mesh.vertex_count, mesh.face_count, str(mesh.bounds())): mesh for mesh in parts["meshes"]}
     flat = [*parts.values(), *parts["textures"]]
@@ -116,7 +116,7 @@ WORK = ("search tree", "assign", "findings", "bake", "encode maps", "encode geom
 
 
 def row(name: str, found: dict[str, Any], whole: float) -> list[str]:
-    """CPU seconds of the stages, their sum in CPU and wall seconds, and rays and CPU of all maps over those of one."""
+    """CPU seconds of the stages, their sum in CPU and wall seconds, and rays and CPU of all maps relative to one."""
     wall, cpu = found["wall"], found["cpu"]
     return [
         name,

@@ -14,7 +14,7 @@ Lines = dict[str, nf.stream.Timeline]
 
 
 def pyplot() -> Any:
-    """Matplotlib without a screen."""
+    """Return matplotlib.pyplot without a screen."""
     import matplotlib as mpl
 
     mpl.use("agg")
@@ -24,13 +24,13 @@ def pyplot() -> Any:
 
 
 def save(figure: Any, path: Path) -> None:
-    """Write a figure and let it go."""
+    """Write a figure and close it."""
     figure.savefig(path, dpi=70)
     pyplot().close(figure)
 
 
 def quality(path: Path, places: dict[str, Lines]) -> None:
-    """Fig. 4: OVC, OFC and continuity by the share of geometry that has been loaded."""
+    """Fig. 4: OVC, OFC and continuity by the share of loaded geometry."""
     figure, grid = pyplot().subplots(3, len(places), figsize=(3.6 * len(places), 7), layout="constrained",
                                       sharex=True, sharey="row", squeeze=False)  # fmt: skip
     for column, (place, lines) in zip(grid.T, places.items(), strict=True):
@@ -50,9 +50,9 @@ def quality(path: Path, places: dict[str, Lines]) -> None:
 
 
 def times(path: Path, places: dict[str, Lines], others: dict[str, dict[str, list[float]]]) -> None:
-    """Fig. 6: seconds until the picture is complete and until all is there. Fig. 7: seconds until each radius.
+    """Fig. 6: seconds until the picture is complete and until everything is loaded. Fig. 7: seconds until each radius.
 
-    `others` has those of vis0 and vis1 by place.
+    `others` contains those of vis0 and vis1 by place.
     """
     figure, grid = pyplot().subplots(1, 1 + len(places), figsize=(3.6 + 2.7 * len(places), 3.8), layout="constrained")
     left = grid[0]
@@ -68,7 +68,7 @@ def times(path: Path, places: dict[str, Lines], others: dict[str, dict[str, list
     for axes, (place, lines) in zip(grid[1:], places.items(), strict=True):
         for name in COLORS:
             seconds = others[place].get(name, lines[name].ring_times[1:])
-            # vis1 lies on vis0: both end with the same files.
+            # The lines of vis1 and vis0 coincide: both end with the same files.
             axes.plot(lines["clovrd"].radii, seconds, "--" if name == "vis1" else "-", color=COLORS[name], marker=".",
                       label=name)  # fmt: skip
         axes.set(title=place, xlabel="R in metres", ylim=(0.0, None))
@@ -78,7 +78,7 @@ def times(path: Path, places: dict[str, Lines], others: dict[str, dict[str, list
 
 
 def rates(path: Path, places: dict[str, Lines], limit: float) -> None:
-    """Fig. 8: estimated frames a second while loading."""
+    """Fig. 8: estimated frames per second while loading."""
     figure, grid = pyplot().subplots(1, len(places), figsize=(3.4 * len(places), 3), layout="constrained",
                                       sharey=True, squeeze=False)  # fmt: skip
     for axes, (place, lines) in zip(grid[0], places.items(), strict=True):

@@ -1,4 +1,4 @@
-"""Bytes, quality, seconds and memory of bundles beside plain GLB, gltfpack, whole maps and scenes without instances.
+"""Bytes, quality, seconds and memory of bundles, plain GLB, gltfpack, whole maps and scenes without instances.
 
 python -m benchmarks.stream.bytes [--quick] [--plots out/bench]; gltfpack on the path adds its columns.
 """
@@ -29,14 +29,14 @@ Measured = dict[str, list[int]]
 
 
 def export(scene: nf.Scene, folder: Path, place: Place, **settings: Any) -> tuple[nf.stream.Bundle, float]:
-    """A bundle, and the seconds it took."""
+    """Export a bundle; return it, and the seconds taken."""
     start = time.perf_counter()
     bundle = nf.stream.export(scene, folder, center=place.center, radii=PUBLISHED, **settings)
     return bundle, time.perf_counter() - start
 
 
 def whole_maps(bundle: nf.stream.Bundle) -> list[int]:
-    """Bytes of each ring's map whole: colour, and from ring 1 on ranges in the same planes as changes have."""
+    """Bytes of each ring's map as a whole: colour, and from ring 1 on ranges in the same planes as in changes."""
     scale, sizes = bundle._layout.scale, []
     for ring in range(bundle.count + 1):
         env = bundle.map(ring)
@@ -62,7 +62,7 @@ def sizes(bundle: nf.stream.Bundle, near: Near, plain: Near, packed: dict[str, l
 
 
 def sizes_table(place: Place, near: Near, measured: Measured) -> str:
-    """A row for each ring, and their sums."""
+    """Table with a row for each ring, and their sums."""
     loads = [None, *near.rings.summary()]
     rows = []
     for ring in range(near.rings.count + 1):
@@ -85,7 +85,7 @@ def print_one_file(rings: nf.stream.Rings, folder: Path) -> None:
 
 
 def errors_table(place: Place, rings: nf.stream.Rings, decoded: dict[str, Any]) -> str:
-    """Greatest errors of positions of each ring in millimetres."""
+    """Table of the maximum position errors of each ring in millimetres."""
     rows = [
         [name, *(f"{error(rings, ring, scene) * 1e3:.2f}" for ring, scene in enumerate(scenes, 1))]
         for name, scenes in decoded.items()

@@ -1,8 +1,8 @@
-"""CloVR's (2024) sphere collection by simulated users, beside what the paper prints.
+"""CloVR's (2024) sphere collection by simulated users, compared with the printed figures.
 
 python -m benchmarks.stream.collect [--quick] [--pairs NUMBER] [--real] [--plots out/bench]
 
---real lets them play on a server of this machine, too, which takes as long as the trials do.
+--real also lets them play on a server of this machine, which takes as long as the trials do.
 """
 
 from __future__ import annotations
@@ -29,23 +29,23 @@ from nearfar.stream.collect import Outcome, Person, Settings, play, simulate
 
 LEVELS = ("easy", "intermediate", "hard")
 GROUPS = 2
-"""Groups at the same time."""
+"""Number of groups at the same time."""
 
 
 @dataclass(frozen=True)
 class Figures:
-    """Figures of some trials, in the form in which the paper prints them."""
+    """Figures of several trials, in the paper's form."""
 
     name: str
     spheres: tuple[float, float]
-    """Mean and standard deviation of a trial's spheres."""
+    """Mean and standard deviation of the spheres per trial."""
     seconds: tuple[tuple[float, float], ...]
-    """The same of a sphere's seconds, by level."""
+    """Mean and standard deviation of the seconds per sphere, by level."""
     misses: tuple[float, ...]
-    """Means by level: of a sphere, and of a trial; the paper does not say which of them it prints."""
+    """Means by level, per sphere and per trial; the paper does not state which it prints."""
     trial_misses: tuple[float, ...]
     r: float
-    """Pearson's correlation of spheres' seconds and misses."""
+    """Pearson's correlation of seconds and misses per sphere."""
     round_trip: tuple[float, float, float] | None = None
     """Mean, standard deviation and maximum, milliseconds."""
 
@@ -62,7 +62,7 @@ PRINTED = Figures(
 
 
 def figures(name: str, outcomes: Sequence[Outcome], trips: np.ndarray | None = None) -> Figures:
-    """Those of some trials, and of round trips in seconds."""
+    """Compute the figures of trials, and of round trips in seconds."""
     spheres = [sphere for outcome in outcomes for sphere in outcome.spheres]
     levels = [[sphere for sphere in spheres if sphere.level == level] for level in LEVELS]
     r = np.corrcoef([sphere.seconds for sphere in spheres], [sphere.misses for sphere in spheres])[0, 1]
@@ -78,7 +78,7 @@ def figures(name: str, outcomes: Sequence[Outcome], trips: np.ndarray | None = N
 
 
 def modelled(name: str, settings: Settings, person: Person, pairs: int) -> Figures:
-    """Pairs of groups on a clock of their own; each pair has spheres and people of its own."""
+    """Simulate pairs of groups, each with its own clock, spheres and people."""
     return figures(
         name,
         [
@@ -90,7 +90,7 @@ def modelled(name: str, settings: Settings, person: Person, pairs: int) -> Figur
 
 
 def calibrated(uncalibrated: Figures) -> Person:
-    """People who search for as long as makes easy spheres take the printed time; nothing else is fitted."""
+    """People whose search times make easy spheres take the printed time; nothing else is fitted."""
     return Person(search=max(PRINTED.seconds[0][0] - uncalibrated.seconds[0][0], 0.0))
 
 
@@ -102,7 +102,7 @@ async def _play(
 
 
 def play_group(url: str, group: int, settings: Settings, person: Person) -> list[tuple[list[Outcome], np.ndarray]]:
-    """A group's users in real time, in this process."""
+    """Let a group's users play in real time, in this process."""
 
     async def all_of_them() -> list[tuple[list[Outcome], np.ndarray]]:
         seeds = (100 * group + user for user in range(settings.users))
@@ -112,7 +112,7 @@ def play_group(url: str, group: int, settings: Settings, person: Person) -> list
 
 
 def real(settings: Settings, person: Person) -> Figures:
-    """Two groups in a room of a server, with a process for each group."""
+    """Let two groups play in a room of a server, with a process for each group."""
     site = Site({"a.txt": b"a"}, has_page=False)
     context = multiprocessing.get_context("spawn")
     with Server({"": site}, rooms=Rooms()) as server, ProcessPoolExecutor(GROUPS, mp_context=context) as pool:
@@ -123,7 +123,7 @@ def real(settings: Settings, person: Person) -> Figures:
 
 
 def show(found: Sequence[Figures]) -> None:
-    """The table of the paper's figures."""
+    """Print the table of the paper's figures."""
     rows = [["spheres of a trial", *(_pair(each.spheres, 1) for each in found)]]
     for number, level in enumerate(LEVELS):
         rows.append([f"seconds, {level}", *(_pair(each.seconds[number], 2) for each in found)])

@@ -1,4 +1,4 @@
-"""Bytes that textures cut by distance and levels of detail save in a bundle, and how little pictures change.
+"""Bytes saved in a bundle by cutting textures by distance and by levels of detail, and the change of pictures.
 
 python -m benchmarks.stream.detail
 """
@@ -19,7 +19,7 @@ from nearfar._base import data
 
 HELMET = "objects/gltf/FlightHelmet/FlightHelmet.gltf"
 HEIGHT = 0.8
-"""Height of the model that a picture shows, metres."""
+"""Height of the displayed model, metres."""
 
 DISTANCES = (2.0, 5.0, 10.0, 20.0, 39.0)
 """Metres from the centre to the object."""
@@ -29,7 +29,7 @@ SETTINGS: dict[str, Any] = {"radii": RADII, "face_size": 256}
 
 
 def bytes_of(bundle: nf.stream.Bundle, kind: str) -> int:
-    """Bytes of all files of a kind, by the end of their names."""
+    """Bytes of all files of a kind, by suffix."""
     return sum(len(bundle.read(name)) for name in parts_of(bundle) if name.endswith(kind))
 
 
@@ -70,7 +70,7 @@ def in_room(folder: Path) -> list[str]:
 
 
 def levels(folder: Path) -> list[list[str]]:
-    """Triangles and bytes of a thousand objects in a ball of 20 m, by the way in which levels are chosen."""
+    """Triangles and bytes of a thousand objects in a ball of 20 m, by selection method."""
     random = np.random.default_rng(0)
     models = [model(seed) for seed in range(8)]
     placed = places(random)

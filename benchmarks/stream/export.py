@@ -22,7 +22,7 @@ RADII = (20.0, 60.0, 200.0)
 
 
 def exporter(scene: nf.Scene, groups: NDArray[np.uint16], textures: int, *, compressed: bool) -> _core.Export:
-    """Export with URIs of images, which nothing reads."""
+    """Export with URIs of images, which are never read."""
     return _core.Export(
         scene._core,
         groups,
@@ -37,7 +37,7 @@ def exporter(scene: nf.Scene, groups: NDArray[np.uint16], textures: int, *, comp
 def encode(
     scene: nf.Scene, groups: NDArray[np.uint16], textures: int, *, compressed: bool
 ) -> tuple[list[bytes], dict[str, Any]]:
-    """All files, shared meshes in buffers of their own, and the sums of their statistics."""
+    """Encode all files, with shared meshes in separate buffers; return them and the sums of their statistics."""
     export = exporter(scene, groups, textures, compressed=compressed)
     shared = export.shared()
     uris: list[str | None] = [f"{number}.bin" for number in range(len(shared))]
@@ -50,7 +50,7 @@ def encode(
 
 
 def packed(glb: bytes) -> tuple[float, int] | None:
-    """Seconds and bytes of gltfpack's compression of a file with positions of the same step."""
+    """Seconds and bytes of gltfpack's compression of a file with the same step of positions."""
     with tempfile.TemporaryDirectory() as folder:
         Path(folder, "given.glb").write_bytes(glb)
         start = time.perf_counter()

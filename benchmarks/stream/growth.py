@@ -20,9 +20,9 @@ from benchmarks.harness.timing import machine, table
 from nearfar.stream._radii import PUBLISHED
 
 RATE, WALK = 72.0, 1.4
-"""Pictures a second; metres a second of a user who walks."""
+"""Pictures per second; speed of a walking user in metres per second."""
 BESIDE = 1.0
-"""Metres of the user beside the centre."""
+"""Distance of the user from the centre, metres."""
 EYE_HEIGHT = 1.3
 """Height of the user's eyes in CloVR (2024), metres."""
 FINEST = 1e-6
@@ -32,13 +32,13 @@ FOV, SIZE = nf.Fov.symmetric(90, 1.6), (640, 400)
 
 @dataclass(frozen=True)
 class Case:
-    """Something that changes the picture for a while."""
+    """A gradual or sudden change of the picture."""
 
     name: str
     seconds: float
-    """How long it lasts; 0 for a switch from one picture to the next."""
+    """Duration; 0 for a switch from one picture to the next."""
     picture: Callable[[float], nf.Frame]
-    """The picture at a time; of a switch at 0 and after it."""
+    """Function that returns the picture at a time; for a switch at 0 and after it."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ class Measured:
     continuity: NDArray[np.float64]
     """SSIM of the pair in one window over the whole picture."""
     folded: int
-    """Pictures that are folded."""
+    """Number of folded pictures."""
 
 
 class City:
@@ -69,37 +69,37 @@ class City:
         self.user = (x - BESIDE, EYE_HEIGHT, z)
 
     def view(self, ahead: float = 0.0) -> nf.Camera:
-        """The view of the user, or of one who has walked some metres."""
+        """Return the view of the user, or of a user some metres ahead."""
         eye = (self.user[0], self.user[1], self.user[2] - ahead)
         return nf.Camera.look_at(eye, (eye[0], self.target[1], eye[2] + self.target[2]), fov=FOV, size=SIZE)
 
     def shown(self, ring: int, radius: float | None = None, strength: float = 1.0) -> nf.Frame:
-        """The client's picture, by bent rays, of a ring whose morph has grown this far."""
+        """Return the client's picture, by bent rays, of a ring at a stage of its morph's growth."""
         grown = self.rings[ring].with_growth(radius if ring else 0.0, strength)
         return grown.render(self.view(), method="exact", channels=("color",))
 
     def truth(self, ahead: float) -> nf.Frame:
-        """The full scene."""
+        """Return the picture of the full scene."""
         return nf.render(self.scene, self.view(ahead), channels=("color",))
 
 
 def growing(city: City, growth: nf.stream.Growth) -> Callable[[float], nf.Frame]:
-    """Ring 5 while its radius grows."""
+    """Return pictures of ring 5 while its radius grows."""
     return lambda time: city.shown(5, growth.radius(5, time))
 
 
 def first_by_radius(city: City, seconds: float) -> Callable[[float], nf.Frame]:
-    """Ring 1 while its radius grows from 0, as in CloVR (2024)."""
+    """Return pictures of ring 1 while its radius grows from 0, as in CloVR (2024)."""
     return lambda time: city.shown(1, city.bundle.radii[0] * min(time / seconds, 1.0))
 
 
 def first_by_strength(city: City, seconds: float) -> Callable[[float], nf.Frame]:
-    """Ring 1 at its own radius while its strength grows."""
+    """Return pictures of ring 1 at its own radius while its strength grows."""
     return lambda time: city.shown(1, city.bundle.radii[0], min(time / seconds, 1.0))
 
 
 def cases(city: City, quick: bool) -> Iterator[Case]:
-    """Growth of ring 5 and of ring 1, arrivals, switches and a walk."""
+    """Yield growth of ring 5 and of ring 1, arrivals, switches and a walk."""
     radii = city.bundle.radii
     still = nf.stream.Growth(radii, fade=0.0)
     for seconds in (still.seconds(5), 1.0):
@@ -123,7 +123,7 @@ def cases(city: City, quick: bool) -> Iterator[Case]:
 
 
 def measure(case: Case, pairs: int) -> Measured:
-    """Continuity of consecutive pictures, of pairs at equal distances in time."""
+    """Measure the continuity of consecutive pictures, of pairs at equal intervals."""
     step = 1.0 / RATE
     starts = np.linspace(0.0, max(case.seconds - step, 0.0), pairs if case.seconds else 1)
     found, folded = [], 0
@@ -137,7 +137,7 @@ def measure(case: Case, pairs: int) -> Measured:
 
 
 def draw(measured: list[Measured], folder: Path) -> None:
-    """1 − SSIM by the share of the duration; of switches, which take no time, across the whole width."""
+    """Draw 1 − SSIM by the share of the duration; for switches, which take no time, across the whole width."""
     import matplotlib as mpl
 
     mpl.use("Agg")
@@ -155,7 +155,7 @@ def draw(measured: list[Measured], folder: Path) -> None:
             style = "--" if "without" in one.case.name else "-"
             axis.axhline(1.0 - one.continuity[0], color="0.5", linestyle=style, lw=1.2, label=one.case.name)
         axis.set_xlabel("share of the duration")
-        # Pairs of equal pictures lie at 0, which a logarithmic axis does not have.
+        # Pairs of equal pictures are at 0, which a logarithmic axis lacks.
         axis.set_yscale("symlog", linthresh=FINEST)
         axis.set_yticks([0.0, *(10.0**power for power in range(-6, 0))])
         axis.set_ylim(-0.15 * FINEST, 0.15)

@@ -1,4 +1,4 @@
-"""Maps of rings as changes against whole maps: rays, seconds, bytes and PSNR.
+"""Maps of rings as changes and as whole maps: rays, seconds, bytes and PSNR.
 
 python -m benchmarks.stream.maps [--quick]
 """
@@ -30,7 +30,7 @@ EYE_HEIGHT = 1.3
 
 
 def maps_table(rings: nf.stream.Rings, size: int, samples: int) -> tuple[str, nf.stream.RingMaps]:
-    """Bytes and PSNR of each ring's map, as changes and whole, and the seconds and rays of all."""
+    """Table of bytes and PSNR of each ring's map, as changes and whole, and the seconds and rays of all."""
     start = time.perf_counter()
     first = nf.stream.bake_maps(
         nf.stream.assign(rings.scene, center=rings.center, radii=rings.radii[:1]), face_size=size, samples=samples
@@ -73,12 +73,12 @@ def maps_table(rings: nf.stream.Rings, size: int, samples: int) -> tuple[str, nf
 
 
 def decoded_from(files: Files) -> Decoded:
-    """Decode files that were just encoded."""
+    """Decode files just encoded."""
     return lambda name, decode: decode(files.content[name])
 
 
 def codec_table(maps: nf.stream.RingMaps) -> str:
-    """Seconds of all maps, and of the ranges of ring 1 against those of plain residuals."""
+    """Table of seconds of all maps, and of the ranges of ring 1 against those of plain residuals."""
     scale, size, files = scale_of(maps, ERROR), maps.first.face_size, Files()
     env = maps.map(1)
     assert env.range is not None
@@ -106,13 +106,13 @@ def timed(job: Callable[[], Any]) -> tuple[float, Any]:
 
 
 def whole_range(face: Any, step: float) -> bytes:
-    """A face's codes, all of them."""
+    """Encode all codes of a face."""
     none = np.zeros((1, *face.shape), bool)
     return codec.encode_ranges(face[None], None, none, np.array([], np.int64), tile=TILE, step=step)
 
 
 def plainly_encoded(codes: Any) -> bytes:
-    """Left + upper − upper left in 16 bits predicts; residuals are folded; high bytes before low bytes; zlib."""
+    """Predict by left + upper − upper left in 16 bits; fold residuals; high bytes before low bytes; zlib."""
     across = codes.copy()
     across[:, :, 1:] -= codes[:, :, :-1]
     residual = across.copy()

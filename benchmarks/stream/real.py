@@ -1,13 +1,13 @@
-"""The four strategies over a real link, by the page in Chromium, beside their simulation.
+"""The four strategies over a real link, by the page in Chromium, compared with their simulation.
 
 python -m benchmarks.stream.real [--quick] [--repeat N] [--loss SHARE ...] [--link-only] [--place WORD] [--json FILE]
 
-The city and the factory at two centres each, 50 Mbit/s, 20 ms. Of each load: when the complete picture, the first near
-geometry and everything had been received, were ready (decoded, on the GPU) and were shown, from the request of the
-manifest on. Programs decode and draw here, and take longer than the link. So the link is also compared alone: the same
-requests in the same order by the same browser, without decoding; simulated with the round trip that a short request
-takes, which is longer than the link's own by what browser and server do. Needs what `benchmarks.harness.link.no_link`
-names.
+The city and the factory at two centres each, 50 Mbit/s, 20 ms. For each load: when the complete picture, the first near
+geometry and everything had been received, were ready (decoded, on the GPU) and were shown, since the request of the
+manifest. Decoding and drawing are done in software here, and take longer than the link. The link is therefore also
+compared alone: the same requests in the same order by the same browser, without decoding; simulated with the measured
+round trip of a short request, which exceeds the link's own by the time of browser and server. For requirements see
+`benchmarks.harness.link.no_link`.
 """
 
 from __future__ import annotations
@@ -34,11 +34,11 @@ from benchmarks.stream._near import EYE_HEIGHT, Place, places
 from benchmarks.stream._requests import requests, round_trip, simulated_requests
 
 LINK = nf.stream.Link(50, rtt_ms=20, http=1, handshake=1)
-"""Files come from `nearfar serve`, by HTTP/1.1 without TLS."""
+"""Link of files from `nearfar serve`, by HTTP/1.1 without TLS."""
 FAST = nf.stream.Link(1000, http=1, handshake=1)
-"""On which decoding is measured."""
+"""Link on which decoding is measured."""
 CONTENT = 1448 / 1500
-"""Share of a full packet that is not headers; simulated links count content alone."""
+"""Share of payload in a full packet; simulated links count payload only."""
 STRATEGIES = ("clovr", "clovrd", "vis0", "vis1")
 STAGES = ("picture", "first_ring", "total")
 KINDS = ("received", "ready", "shown")
@@ -52,14 +52,14 @@ class Outcome:
     loss: float
     strategy: str
     real: list[dict[str, dict[str, float]]]
-    """Of each load, by stage: seconds until it was received, ready and shown."""
+    """Seconds until each load's stages were received, ready and shown."""
     simulated: dict[str, float]
-    """By stage: seconds until it was received, of requests alone, or else ready."""
+    """Seconds until each stage was ready, or received for requests alone."""
     megabytes: float = 0.0
-    """With headers; of loads."""
+    """Megabytes of loads, with headers."""
 
     def median(self, stage: str, kind: str) -> float:
-        """Of the loads: when a stage was received, ready or shown."""
+        """Median time over the loads at which a stage was received, ready or shown."""
         return float(np.median([one[stage][kind] for one in self.real]))
 
 
@@ -71,7 +71,7 @@ def all_places(quick: bool) -> list[Place]:
 
 
 def content(link: nf.stream.Link) -> nf.stream.Link:
-    """The link of a simulation, whose rate counts content alone."""
+    """Link for a simulation, whose rate counts payload only."""
     assert link.mbps is not None
     return replace(link, mbps=link.mbps * CONTENT)
 
@@ -79,7 +79,7 @@ def content(link: nf.stream.Link) -> nf.stream.Link:
 def simulated(
     bundle: nf.stream.Bundle, link: nf.stream.Link, strategy: str, seed: int, *, decode_mbs: float
 ) -> dict[str, float]:
-    """When each stage is ready in a simulation, on a connection that is open."""
+    """Seconds until each stage is ready in a simulation, on an open connection."""
     line = nf.stream.simulate(
         bundle, link=content(link), strategy=strategy, gzip=True, seed=seed, decode_mbs=decode_mbs
     )
@@ -87,7 +87,7 @@ def simulated(
 
 
 def decoding(bundle: nf.stream.Bundle, loads: list[Loaded]) -> float:
-    """Megabytes a second with which a simulation over the fast link takes as long as loads by clovrd did."""
+    """Megabytes per second with which a simulation over the fast link takes as long as the loads by clovrd."""
     goal = float(np.median([one.total["ready"] for one in loads]))
     low, high = 0.01, 1e4
     for _ in range(30):
@@ -104,7 +104,7 @@ def median_of_seeds(job: Callable[[int], dict[str, float]], loss: float) -> dict
 
 
 def measured_decoding(bundle: nf.stream.Bundle, repeat: int) -> float:
-    """Megabytes a second of decoding, uploads and frames, from loads over the fast link."""
+    """Megabytes per second of decoding, uploads and frames, from loads over the fast link."""
     with opened(FAST, bundle) as (way, chromium, url):
         # The first load of a browser also compiles its shaders.
         loads = [load(way, chromium, url, bundle, "clovrd") for _ in range(repeat + 1)][1:]
@@ -113,20 +113,21 @@ def measured_decoding(bundle: nf.stream.Bundle, repeat: int) -> float:
 
 @contextmanager
 def opened(link: nf.stream.Link, bundle: nf.stream.Bundle) -> Iterator[tuple[Network, Any, str]]:
-    """A link, a browser at its end, and the address of a bundle behind it."""
+    """Open a link, a browser at its end, and serve a bundle behind it; yield them with the address."""
     with network(link, real=True) as way, way.shown(Path(bundle._reader.place)) as url, way.browser(url) as chromium:
         yield way, chromium, url
 
 
 def requests_alone(place: str, bundle: nf.stream.Bundle, loss: float, repeat: int) -> Iterator[Outcome]:
-    """The requests of all strategies over a link with a loss."""
+    """Measure the requests of all strategies over a link with losses."""
     link = replace(LINK, loss=loss)
     with ahead_of_others(), opened(link, bundle) as (way, chromium, url):
         trip = round_trip(way, chromium, url, bundle)
         print(f"{place}: {way.name}; a round trip of a request takes {trip:.1f} ms")
         ours = replace(content(link), rtt_ms=trip)
         for strategy in STRATEGIES:
-            # Those of clovr wait for cross-fades, which need frames; until the second ring they are those of clovrd.
+            # Requests of clovr wait for cross-fades, which need frames; until the second ring they equal those of
+            # clovrd.
             if strategy == "clovr":
                 continue
             alone = [requests(way, chromium, url, bundle, strategy) for _ in range(repeat)]
@@ -141,7 +142,7 @@ def requests_alone(place: str, bundle: nf.stream.Bundle, loss: float, repeat: in
 
 
 def loads(place: str, bundle: nf.stream.Bundle, loss: float, repeat: int, mbs: float) -> Iterator[Outcome]:
-    """Loads of the page by all strategies over a link with a loss."""
+    """Measure loads of the page by all strategies over a link with losses."""
     link = replace(LINK, loss=loss)
     with opened(link, bundle) as (way, chromium, url):
         print(f"{place}: {way.name}; decoding, uploads and frames like {mbs:.2f} MB/s")

@@ -1,4 +1,4 @@
-"""Bytes that the regions of one bundle share, and the time and memory of an export with several centres.
+"""Bytes shared by the regions of one bundle, and the time and memory of an export with several centres.
 
 python -m benchmarks.stream.regions [--quick]
 """
@@ -22,7 +22,7 @@ DISTANCES = (5.0, 10.0, 20.0, 80.0)
 
 
 def files_of(region: nf.stream.Bundle) -> tuple[set[str], set[str]]:
-    """Files of a region's geometry with its parts, and of its maps."""
+    """Files of a region's geometry with its parts, and files of its maps."""
     geometry: set[str] = set()
     maps: set[str] = set()
     for ring in region._rings:
@@ -36,7 +36,7 @@ def size(bundle: nf.stream.Bundle, names: set[str]) -> int:
 
 
 def row(scene: nf.Scene, centers: list[tuple[float, float, float]], face_size: int) -> list[str]:
-    """Bytes of the first region, and of what the last one adds to those before it."""
+    """Bytes of the first region, and bytes added by the last one."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "bundle"
         start = time.perf_counter()

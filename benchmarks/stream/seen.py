@@ -1,4 +1,4 @@
-"""Objects that a user beside the centre sees, ring by ring, and as geometry by falling footprint (vis1), by bytes.
+"""Objects visible to a user beside the centre, ring by ring, and as geometry by falling footprint (vis1), by bytes.
 
 python -m benchmarks.stream.seen [--quick] [--plots out/bench]
 """
@@ -24,10 +24,10 @@ from nearfar.stream._radii import PUBLISHED
 EYE_HEIGHT = 1.3
 """Height of the user's eyes in CloVR (2024), metres."""
 TEXELS = 3
-"""Texels of maps along a pixel of the pictures in which objects are counted: an odd number, so that the middle of a
-pixel is that of a texel. Where it lies between texels, the outlines of all objects move by half a texel."""
+"""Texels of maps along a pixel of the pictures in which objects are counted: odd, so that a pixel's centre is a texel's
+centre. Between texels, the outlines of all objects would move by half a texel."""
 PARTS = 8
-"""Parts of the geometry, of equally many objects, in which vis1 is counted."""
+"""Number of parts of the geometry, with equal numbers of objects, after which vis1 is counted."""
 STEP = 2.0**-10
 """Step of positions in metres, as in bundles."""
 
@@ -43,14 +43,14 @@ def faces_of(source: Any, eye: Point, size: int) -> Any:
 
 
 def before(near: nf.Scene, env: nf.EnvMap, center: Point, morph: str) -> nf.ReducedScene:
-    """Whole objects in front of a map."""
+    """Return whole objects in front of a map."""
     zones = nf.partition(near, center=center, r1=0.7 * PUBLISHED[-1], r2=PUBLISHED[-1])
     counts = {**zones.summary(), "rays": 0}
     return nf.ReducedScene(near, zones, env, morph=morph, boundary="r2", counts=counts, is_whole=False)
 
 
 def clovr(scene: nf.Scene, maps: nf.stream.RingMaps, sent: list[int], size: int, user: Point) -> Iterator[Row]:
-    """Ring after ring."""
+    """Yield the rows of ring after ring."""
     center = maps.rings.center
     truth = faces_of(scene, user, size)
     moving = scene.subset(objects=maps.rings.objects(0))
@@ -64,7 +64,7 @@ def clovr(scene: nf.Scene, maps: nf.stream.RingMaps, sent: list[int], size: int,
 
 
 def vis1(scene: nf.Scene, maps: nf.stream.RingMaps, map_bytes: int, size: int, user: Point) -> Iterator[Row]:
-    """Near objects that O sees, by falling footprint and without a morph; the map comes last."""
+    """Yield the rows of near objects visible from O, by falling footprint and without a morph; the map comes last."""
     center, last = maps.rings.center, maps.rings.count
     truth = faces_of(scene, user, size)
     weights = nf.stream.footprints(scene, center=center)
@@ -91,13 +91,13 @@ def vis1(scene: nf.Scene, maps: nf.stream.RingMaps, map_bytes: int, size: int, u
 
 
 def sent_by_ring(bundle: nf.stream.Bundle) -> list[int]:
-    """Bytes of rings and maps that a client has with each ring, without dynamic objects."""
+    """Bytes of rings and maps received up to each ring, without dynamic objects."""
     each = [row["geometry"] + row["color"] + row["range"] for row in bundle.summary()]
     return [sum(each[: ring + 1]) for ring in range(len(each))]
 
 
 def map_bytes(maps: nf.stream.RingMaps, size: int) -> int:
-    """Bytes of the last map whole, with range."""
+    """Bytes of the last map as a whole, with range."""
     env = nf.stream.bake_maps(maps.rings, face_size=size).map(maps.rings.count)
     assert env.range is not None
     scale = scale_of(maps, 2.0**-11)

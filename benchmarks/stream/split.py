@@ -19,9 +19,9 @@ from nearfar.stream._radii import PUBLISHED
 from nearfar.stream._split import stages
 
 REACH, EYE_HEIGHT, STEP = 1.0, 1.3, 2.0**-10
-"""Metres of the users from the centre; height of the eyes in CloVR (2024); step of positions in files, metres."""
+"""Distance of users from the centre; height of the eyes in CloVR (2024); step of positions in files, metres."""
 PIXELS = {"640 pixels and 90°": 1.0 / 320.0, "20 pixels a degree": math.radians(1.0 / 20.0)}
-"""A pixel in the middle of the picture, radians."""
+"""Angle of a pixel in the middle of the picture, radians."""
 
 
 def encoded(scene: nf.Scene) -> int:

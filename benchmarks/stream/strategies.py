@@ -1,4 +1,4 @@
-"""The four strategies of CloVR (2024) simulated: times, what users see, and tests of the differences.
+"""The four strategies of CloVR (2024) simulated: times, visible objects, and tests of the differences.
 
 python -m benchmarks.stream.strategies [--quick] [--place NUMBER] [--part NAME] [--gzip] [--plots out/bench]
 """
@@ -23,10 +23,10 @@ from nearfar.stream._head_path import HeadPath
 from nearfar.stream._radii import PUBLISHED
 
 MBPS, RTT = 50.0, 20.0
-"""Rate in megabits a second, as in CloVR, and round trip in milliseconds."""
+"""Rate in megabits per second, as in CloVR, and round trip in milliseconds."""
 TRIANGLES_PER_SECOND, DISPLAY = 181e6, 72.0
-"""A device that draws 35.6 million triangles 5.09 times a second, as CloVR prints for its unreduced City, if it has as
-many; and frames a second of its display."""
+"""Speed of a device that draws 35.6 million triangles 5.09 times per second, as CloVR prints for its unreduced City, if
+it has that many; and frames per second of its display."""
 
 PARTS = ("times", "seen", "comparison")
 
@@ -41,7 +41,7 @@ class Case:
 
 
 def exported(quick: bool, chosen: int | None, folder: Path) -> list[Case]:
-    """Four places, or one of them; the second centre of the factory is 30 m along the hall."""
+    """Export four places, or one of them; the second centre of the factory is 30 m along the hall."""
     listed = places(quick)
     x, _, z = listed[-1].center
     listed.append(replace(listed[-1], name="factory, 30 m on", center=(x + 30.0, EYE_HEIGHT, z)))
@@ -50,7 +50,7 @@ def exported(quick: bool, chosen: int | None, folder: Path) -> list[Case]:
 
 
 def export(place: Place, folder: Path, quick: bool, *, instanced: bool = True) -> Case:
-    """A place's bundle; without instances also without compression."""
+    """Export a place's bundle; without instances also without compression."""
     scene = place.make(instanced=instanced)
     bundle = written(scene, place, folder, PUBLISHED, quick, compression="meshopt" if instanced else None)
     name = place.name if instanced else f"{place.name}, copies, plain"
@@ -60,7 +60,7 @@ def export(place: Place, folder: Path, quick: bool, *, instanced: bool = True) -
 def written(
     scene: nf.Scene, place: Place, folder: Path, radii: Sequence[float], quick: bool, **settings: str | None
 ) -> nf.stream.Bundle:
-    """A bundle with some radii."""
+    """Write a bundle with given radii."""
     return nf.stream.export(
         scene,
         folder,
@@ -73,7 +73,7 @@ def written(
 
 
 def lines_of(case: Case, link: nf.stream.Link, gzip: bool) -> plots.Lines:
-    """All strategies over a link."""
+    """Simulate all strategies over a link."""
     return {
         name: nf.stream.simulate(
             case.bundle, link=link, strategy=name, gzip=gzip, frame_ms=0.0, triangles_per_second=TRIANGLES_PER_SECOND
@@ -83,7 +83,7 @@ def lines_of(case: Case, link: nf.stream.Link, gzip: bool) -> plots.Lines:
 
 
 def by_radius(case: Case, link: nf.stream.Link, gzip: bool, quick: bool) -> dict[str, list[float]]:
-    """Seconds of vis0 and vis1 until all is there, by the last radius: each has a bundle of its own."""
+    """Seconds of vis0 and vis1 until everything is loaded, by the last radius, with a separate bundle for each."""
     found: dict[str, list[float]] = {"vis0": [], "vis1": []}
     for count in range(1, len(PUBLISHED) + 1):
         with tempfile.TemporaryDirectory() as folder:
@@ -94,7 +94,7 @@ def by_radius(case: Case, link: nf.stream.Link, gzip: bool, quick: bool) -> dict
 
 
 def print_times(cases: list[Case], link: nf.stream.Link, gzip: bool) -> None:
-    """Times of all strategies at all places."""
+    """Print the times of all strategies at all places."""
     rows = []
     for case in cases:
         start = time.perf_counter()
@@ -114,7 +114,7 @@ def print_times(cases: list[Case], link: nf.stream.Link, gzip: bool) -> None:
 
 
 def print_seen(cases: list[Case], lines: dict[str, plots.Lines], size: int, every: float) -> dict[str, plots.Lines]:
-    """OVC, OFC and continuity for a user 1 m to the left of the centre, in all directions."""
+    """Print OVC, OFC and continuity for a user 1 m to the left of the centre, in all directions."""
     found, rows = {}, []
     for case in cases:
         x, y, z = case.bundle.center
@@ -129,7 +129,7 @@ def print_seen(cases: list[Case], lines: dict[str, plots.Lines], size: int, ever
         rows.append([case.place.name, "truth at the centre", *(f"{share:.3f}" for share in limit), "", "", ""])
         for name, line in own.items():
             seen = line.pictures
-            # From the first picture on.
+            # Since the first picture.
             later = [
                 value for when, value in zip(seen["time"], seen["continuity"], strict=True) if when > line.picture + 0.1
             ]
@@ -142,7 +142,7 @@ def print_seen(cases: list[Case], lines: dict[str, plots.Lines], size: int, ever
 
 
 def print_comparison(cases: list[Case], link: nf.stream.Link, size: tuple[int, int]) -> None:
-    """Experiment 1."""
+    """Print experiment 1."""
     rows, tests = [], []
     for case in cases:
         parts = SceneParts.of(case.scene, case.bundle, _comparison.camera_of(case.bundle.center, 0.0, size), 16)

@@ -16,12 +16,12 @@ from benchmarks.harness.timing import best, machine, table
 from benchmarks.tessellate.tessellate import PIXEL, VIEW, plane
 
 NEAR, REACH, TOLERANCE = 0.7, 1.0, 4.0
-"""r₁ as a share of R; metres of the users from the centre; pixels, of the view that the other benchmark has."""
+"""r₁ as a share of R; distance of users from the centre, metres; tolerance in pixels of the other benchmark's view."""
 CENTER = np.array([0.3, 1.7, 0.2])
 STAGES = {"10 m, all strengths": (10.0, 10.0, 0.0), "10 to 14 m": (10.0, 14.0, 1.0), "22 to 32 m": (22.0, 32.0, 1.0)}
 """Least and greatest R, least strength."""
 EXEMPT = 2.6 * REACH
-"""Radius within which there is no bound below full strength, metres."""
+"""Radius without a bound below full strength, metres."""
 
 Array = NDArray[Any]
 
@@ -31,7 +31,7 @@ def sheet(*corners: tuple[float, float, float]) -> trimesh.Trimesh:
 
 
 def surfaces() -> dict[str, trimesh.Trimesh]:
-    """Return what is split, each of two triangles."""
+    """Return the surfaces to split, each of two triangles."""
     walls = {
         f"wall {x:g} m off, {height:g} m high": sheet((x, -2, -40), (x, -2, 40), (x, height, 40), (x, height, -40))
         for x, height in ((4.0, 30.0), (9.0, 30.0), (20.0, 300.0))

@@ -13,9 +13,9 @@ from benchmarks.harness.loads import Network
 from benchmarks.stream._loaded import plan, show
 
 WINDOW = 0.5
-"""Seconds that a rate is taken over."""
+"""Length of the window of a rate, seconds."""
 
-# The head turns by 15 degrees a second. A frame: when it begins, and the ring that is shown, -1 for none.
+# The head turns by 15 degrees per second. A frame is its start time and the ring shown, -1 for none.
 WATCH = """(() => {
   const frames = [];
   window.loadFrames = frames;
@@ -33,26 +33,26 @@ WATCH = """(() => {
 
 @dataclass(frozen=True)
 class Loading:
-    """A load, from the first frame on until the last ring is shown."""
+    """A load, from the first frame until the last ring is shown."""
 
     seconds: float
     picture: float
-    """Seconds until something is shown."""
+    """Seconds until the first picture."""
     rates: list[float]
-    """Frames a second in each window."""
+    """Frames per second in each window."""
     longest: float
     """Milliseconds of the longest frame."""
 
 
 def rates(begins: Sequence[float]) -> list[float]:
-    """Frames a second in windows, from when each frame begins, seconds; the last window is whole."""
+    """Frames per second in windows, from the start times of frames, seconds; the last window is complete."""
     at = np.array(begins) - begins[0]
     counts = np.bincount((at / WINDOW).astype(int))[: max(int(at[-1] / WINDOW), 1)]
     return [*map(float, counts / WINDOW)]
 
 
 def loading(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, strategy: str, size: Any) -> Loading:
-    """Open a bundle's page by a strategy, and watch until all is shown."""
+    """Open a bundle's page by a strategy, and watch until everything is shown."""
     last = len(plan(bundle, strategy).radii)
     with way.page(chromium, size) as page:
         page.add_init_script(WATCH)
@@ -60,7 +60,7 @@ def loading(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, str
         frames = page.evaluate("() => window.loadFrames")
     times = [now / 1e3 for now, _ in frames]
     first = next(now / 1e3 for now, ring in frames if ring >= 0)
-    # The frame that shows the last ring may be the last one.
+    # The last frame may be the one that shows the last ring.
     end = next((place for place, (_, ring) in enumerate(frames) if ring >= last), len(frames) - 1)
     times = times[: end + 1]
     return Loading(times[-1] - times[0], first - times[0], rates(times), float(np.diff(times).max(initial=0.0)) * 1e3)

@@ -1,4 +1,4 @@
-// A scene as one GLB in three.js, or as 3D Tiles in 3d-tiles-renderer: when it is on the screen. `?glb` or `?tiles`.
+// Shows a scene as one GLB in three.js (`?glb`), or as 3D Tiles in 3d-tiles-renderer (`?tiles`), and reports when.
 import { TilesRenderer } from '3d-tiles-renderer';
 import { MeshoptDecoder } from 'meshoptimizer';
 import * as THREE from 'three';
@@ -14,7 +14,7 @@ camera.position.fromArray(eye);
 camera.lookAt(...target);
 const scene = new THREE.Scene().add(new THREE.HemisphereLight(0xffffff, 0x888888, 2));
 
-/** Draw, and wait until it is drawn. */
+/** Draws, waits for the GPU to finish, and returns the time in milliseconds. */
 function drawn() {
   renderer.render(scene, camera);
   const gl = renderer.getContext();

@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 from tests.support.browser import opened, wait_until
 
 SECTORS = 12
-"""Of a turn; each has a rate of its own."""
+"""Number of sectors of a turn; each has a separate rate."""
 
-# The page's viewer as what `_whole.mjs` offers.
+# The page's viewer with the interface of `_whole.mjs`.
 OF_PAGE = """([position]) => {
   const { nearfar } = window;
   const { viewer } = nearfar;
@@ -97,17 +97,17 @@ class Turn:
     """A turn of the head."""
 
     shown: list[float]
-    """Frames a second of each sector, as the browser shows them."""
+    """Frames per second of each sector, as displayed by the browser."""
     waited: list[float]
-    """The same, each frame drawn and waited for, and none shown."""
+    """The same with each frame drawn and waited for, but not displayed."""
     script: float
-    """Milliseconds of a frame that the page's script takes."""
+    """Milliseconds per frame of the page's script."""
     triangles: float
-    """Drawn in a frame, mean."""
+    """Mean number of triangles drawn per frame."""
 
 
 def rates(frames: Sequence[tuple[float, float]]) -> NDArray[np.float64]:
-    """Frames a second in each sector of a turn, from the angle and the milliseconds at which each frame begins."""
+    """Frames per second in each sector of a turn, from the angle and the start time in milliseconds of each frame."""
     yaw, time = np.array(frames).T
     sector = (yaw[:-1] / (2.0 * np.pi) * SECTORS).astype(int)
     counts = np.bincount(sector, minlength=SECTORS)
@@ -116,7 +116,7 @@ def rates(frames: Sequence[tuple[float, float]]) -> NDArray[np.float64]:
 
 
 def turned(page: Any, seconds: float) -> Turn:
-    """Turn the head twice: frames are shown, then, in half the time, waited for."""
+    """Turn the head twice: frames are displayed, then, in half the time, waited for."""
     shown, waited = page.evaluate(TURN, [seconds, False]), page.evaluate(TURN, [seconds / 2.0, True])
     return Turn(
         [*map(float, rates(shown["frames"]))],
@@ -127,20 +127,20 @@ def turned(page: Any, seconds: float) -> Turn:
 
 
 def renderer(page: Any) -> str:
-    """The name of what draws."""
+    """Name of the renderer that draws."""
     return str(page.evaluate(RENDERER))
 
 
 def photo(page: Any, path: Path, yaw: float = 0.0) -> None:
-    """Save what the page draws as JPEG."""
+    """Save the page's picture as JPEG."""
     path.write_bytes(base64.b64decode(page.evaluate(PHOTO, yaw)))
 
 
 @contextmanager
 def of_page(chromium: Any, url: str, size: tuple[int, int], eye: Sequence[float]) -> Iterator[Any]:
-    """A bundle's page, all of which is there, for a user at a place."""
+    """Open a bundle's page, completely loaded, for a user at a place."""
     with opened(chromium, *size) as page:
-        # Without growth, which takes a while.
+        # Growth would take a while.
         page.goto(f"{url}?strategy=clovrd")
         wait_until(page, lambda: page.evaluate(COMPLETE))
         page.evaluate(OF_PAGE, [list(eye)])
@@ -149,7 +149,7 @@ def of_page(chromium: Any, url: str, size: tuple[int, int], eye: Sequence[float]
 
 @contextmanager
 def of_whole(chromium: Any, url: str, size: tuple[int, int]) -> Iterator[Any]:
-    """The page of a whole scene."""
+    """Open the page of a whole scene."""
     with opened(chromium, *size) as page:
         page.goto(url)
         wait_until(page, lambda: page.evaluate("() => Boolean(window.rates)"))

@@ -1,4 +1,4 @@
-// A whole scene, one GLB, in plain three.js: what rates.py turns a head in. A frame is drawn as the page draws its own.
+// A whole scene, one GLB, in plain three.js, for the turns of rates.py. Frames are drawn as in the page.
 import * as THREE from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 
@@ -12,7 +12,7 @@ const scene = new THREE.Scene().add(new THREE.HemisphereLight(0xffffff, 0x888888
 scene.background = new THREE.Color(0x88aadd);
 const { scene: whole } = await new GLTFLoader().loadAsync('scene.glb');
 scene.add(whole);
-// Nothing moves: matrices are made once.
+// The scene is static: matrices are computed once.
 scene.updateMatrixWorld(true);
 scene.matrixWorldAutoUpdate = false;
 

@@ -1,10 +1,10 @@
-"""Milliseconds of the page's main thread, frame by frame, for decoding and uploads while a bundle loads.
+"""Milliseconds per frame of the page's main thread for decoding and uploads while a bundle loads.
 
 python -m benchmarks.view.frames [--quick] [--scene FILE] [--repeat N]
 
-Chromium's trace tells wall and CPU time of the main thread between marks around the uploads of each frame and around
-the answers of workers since the frame before. Drawing is not in it. Where other programs run, or where the GPU is a
-process on the same cores, wall time has their share too.
+Chromium's trace gives wall and CPU time of the main thread between marks around the uploads of each frame and around
+the responses of workers since the previous frame. Drawing is not included. If other programs run, or if the GPU is a
+process on the same cores, wall time includes their share.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from tests.support.browser import opened, started, wait_for_ring, wait_until
 LINK = nf.stream.Link(50, rtt_ms=20)
 CENTER = (0.0, 1.3, 0.0)
 MOST = 4.0
-"""Milliseconds of a frame that decoding and uploads may take."""
+"""Maximum milliseconds per frame for decoding and uploads."""
 
 MARKS = """(() => {
   const { get, set } = Object.getOwnPropertyDescriptor(Worker.prototype, 'onmessage');
@@ -56,7 +56,7 @@ TRACED = {"recordMode": "recordContinuously", "includedCategories": ["blink.user
 
 
 def trace(url: str, last: int) -> list[dict[str, Any]]:
-    """Marks of a load until the last ring is there, in their order."""
+    """Marks of a load until the last ring is loaded, in order."""
     with started() as program, opened(program, 640, 400) as page:
         session = program.new_browser_cdp_session()
         events: list[dict[str, Any]] = []
@@ -75,7 +75,7 @@ def trace(url: str, last: int) -> list[dict[str, Any]]:
 
 
 def frames(marks: list[dict[str, Any]]) -> NDArray[np.float64]:
-    """Wall and CPU milliseconds (N, 2) of the frames that had work, answers before a frame counted with it."""
+    """Wall and CPU milliseconds (N, 2) of frames with work, including the responses before each frame."""
     found, begun, sums = [], {}, np.zeros(2)
     for mark in marks:
         name, end = mark["name"][:-1], mark["name"][-1]
@@ -93,7 +93,7 @@ def frames(marks: list[dict[str, Any]]) -> NDArray[np.float64]:
 
 
 def row(name: str, values: NDArray[np.float64]) -> list[str]:
-    """Count, median, 99th percentile, maximum, and how many are above `MOST`."""
+    """Count, median, 99th percentile, maximum, and number above `MOST`."""
     over = int((values > MOST).sum())
     return [name, f"{len(values)}", *(f"{np.percentile(values, p):.2f}" for p in (50, 99, 100)), f"{over}"]
 

@@ -2,9 +2,9 @@
 
 python -m benchmarks.view.load [--quick] [--repeat N] [--throttle]
 
-All three run in the same headless Chromium, over a shaped link between two network namespaces where that can be had,
-else behind Chromium's own throttle. Files come from Python's own server as they are, without compression. The page
-shows all of the scene; one GLB holds all of it, with a node for each copy; the tileset holds the near part alone.
+All three run in the same headless Chromium, over a shaped link between two network namespaces if possible, else with
+Chromium's own throttle. Files come from Python's own server without compression. The page shows the whole scene; one
+GLB contains all of it, with a node for each copy; the tileset contains the near part only.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ CENTER = (0.0, 1.3, 0.0)
 TARGET = (-2.0, 4.0, -40.0)
 SIZE, ANGLE = (640, 400), 75.0
 
-# When each ring was first in a frame, by the page's own clock.
+# Time at which each ring was first in a frame, by the page's own clock.
 WATCH = """() => {
   const shown = [];
   window.shownRings = shown;
@@ -51,7 +51,7 @@ SCRIPT = """() => performance.getEntriesByType('resource').find((entry) => /page
 
 
 def one_glb(scene: nf.Scene) -> bytes:
-    """All of a scene as a plain GLB with a node for each copy."""
+    """Encode the whole scene as a plain GLB with a node for each copy."""
     groups = np.ones(len(scene.object_names) + 1, np.uint16)
     export = _core.Export(
         scene._core,
@@ -72,12 +72,12 @@ def write_script(name: str, path: Path) -> None:
     esbuild = CHECKOUT / "web" / "node_modules" / ".bin" / "esbuild"
     source = CHECKOUT / "benchmarks" / "view" / name
     command = [str(esbuild), str(source), "--bundle", "--minify", "--format=esm", f"--outfile={path}"]
-    # In a module of its own folder, packages are looked up where NODE_PATH tells.
+    # For a module in its own folder, packages are looked up in NODE_PATH.
     subprocess.run(command, check=True, capture_output=True, env={**os.environ, "NODE_PATH": str(READERS)})
 
 
 def prepare(scene: nf.Scene, folder: Path) -> dict[str, int]:
-    """Write all files that are served; their bytes."""
+    """Write all files to serve; return their bytes."""
     bundle = nf.stream.export(scene, folder / "bundle", center=CENTER)
     nf.view.write_page(folder / "bundle")
     (folder / "scene.glb").write_bytes(one_glb(scene))
@@ -95,7 +95,7 @@ def prepare(scene: nf.Scene, folder: Path) -> dict[str, int]:
 
 
 def page_times(way: Network, chromium: Any, url: str, strategy: str) -> dict[str, float]:
-    """Seconds from navigation until the script was there, ring 0, and the last ring were shown."""
+    """Seconds from navigation until the script was loaded, and ring 0 and the last ring were shown."""
     with way.page(chromium, SIZE) as page:
         page.add_init_script(f"({WATCH})()")
         page.goto(f"{url}bundle/?strategy={strategy}")
@@ -110,7 +110,7 @@ def page_times(way: Network, chromium: Any, url: str, strategy: str) -> dict[str
 
 
 def peer_times(way: Network, chromium: Any, url: str) -> dict[str, float]:
-    """The same of another program's page."""
+    """The same for another program's page."""
     with way.page(chromium, SIZE) as page:
         page.goto(url)
         page.wait_for_function("() => window.result", timeout=SECONDS * 1e3)

@@ -1,12 +1,11 @@
-"""Bytes that a server sends to pages of one room, which exchange files or do not.
+"""Bytes that a server sends to pages of one room, with and without exchange of files between pages.
 
 python -m benchmarks.view.peers [--quick] [--bundle FOLDER] [--pages N …]
 
-Pages of one headless Chromium on this machine, each with a cache of its own, load all files of a bundle: that of the
-procedural city, or one in a folder. They start together, or each when the one before has all and rests. Bytes of files
-are those of the requests. All bytes are what the server counts as it sends them, with scripts, styles and manifests;
-some are compressed.
-Seconds are from navigation; all pages share the cores of the machine, and draw by programs.
+Pages of one headless Chromium on this machine, each with a separate cache, load all files of a bundle: that of the
+procedural city, or one in a folder. They start together, or each after the previous one has finished. Bytes of files
+are those of the requests. All bytes are counted by the server as it sends them, with scripts, styles and manifests;
+some are compressed. Seconds are since navigation; all pages share the cores of the machine, and draw in software.
 """
 
 from __future__ import annotations
@@ -42,9 +41,9 @@ class Loads:
     files: int
     """Bytes of files that the server sent."""
     all: int
-    """Bytes of all its answers."""
+    """Bytes of all its responses."""
     exchanged: int
-    """Bytes of files that pages sent each other."""
+    """Bytes of files exchanged between pages."""
     first: float
     """Seconds until the first picture, the median of all pages."""
     slowest: float
@@ -52,7 +51,7 @@ class Loads:
 
 
 def sent(url: str) -> int:
-    """Bytes that a server has sent, by its own count."""
+    """Bytes sent by a server, by its own count."""
     with urlopen(f"{url}metrics") as answer:
         found = re.search(r"^nearfar_sent_bytes_total (\d+)", answer.read().decode(), re.MULTILINE)
     assert found
@@ -60,7 +59,7 @@ def sent(url: str) -> int:
 
 
 def loads(chromium: Any, folder: Path, count: int, way: str) -> Loads:
-    """Load a bundle in so many pages."""
+    """Load a bundle in `count` pages."""
     with Server({"": Site.of_bundle(folder)}, rooms=Rooms()) as server, ExitStack() as stack:
         pages: list[PeerPage] = []
         for _ in range(count):
@@ -95,7 +94,7 @@ def main() -> None:
             for way in WAYS:
                 if way == "in turns" and count == 1:
                     continue
-                # A browser that has drawn for long is slower.
+                # A browser becomes slower after drawing for long.
                 with started() as chromium:
                     found = loads(chromium, folder, count, way)
                 numbers = [f"{value / 1e6:.2f}" for value in (found.files, found.all, found.exchanged)]

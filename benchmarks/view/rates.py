@@ -1,15 +1,15 @@
-"""Frames a second of the page and of whole scenes in plain three.js, after loading and while a bundle loads.
+"""Frames per second of the page and of whole scenes in plain three.js, after loading and while a bundle loads.
 
 python -m benchmarks.view.rates [--quick] [--place WORD] [--parts PART …] [--seconds S] [--json FILE] [--pictures DIR]
     [--folder DIR]
 
 The city and the factory at two centres each. After loading, a head turns once, level, a metre beside the centre (the
-city) or half a metre (the factory): frames as the browser shows them, at most 60 a second, and frames that are drawn,
-waited for and not shown. Whole scenes are one GLB without textures, from where the user of the first centre stands:
-with a node for each copy of a mesh, and with copies as meshes of their own, as scenes without instances have them.
-While loading, bundles come over 50 Mbit/s and 20 ms, by each strategy. Chromium draws by programs unless
-NEARFAR_BROWSER_DRAWING has other flags, such as "--use-gl=angle --use-angle=gl-egl --ignore-gpu-blocklist"; a line says
-by what it draws. Each turn has a browser of its own, and pictures are taken after turns: look whether all is in them.
+city) or half a metre (the factory): frames as displayed by the browser, at most 60 per second, and frames that are
+drawn, waited for and not displayed. Whole scenes are one GLB without textures, from the user's place at the first
+centre: with a node for each copy of a mesh, and with copies as separate meshes, as in scenes without instances. While
+loading, bundles come over 50 Mbit/s and 20 ms, by each strategy. Chromium draws in software unless
+NEARFAR_BROWSER_DRAWING has other flags, such as "--use-gl=angle --use-angle=gl-egl --ignore-gpu-blocklist"; a line
+names the renderer. Each turn has a separate browser, and pictures are taken after turns: check that they are complete.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ from tests.support.browser import started
 
 SCREEN = (1920, 1080)
 EYES = (3664, 1920)
-"""One picture, which stands for those of a headset's two eyes of 1832 × 1920: it has as many pixels."""
+"""Size of one picture that replaces those of a headset's two eyes of 1832 × 1920, with as many pixels."""
 COPIES = {"whole, instances": True, "whole, copies": False}
 LOCAL = Network(nf.stream.Link(1000), None)
 """No link between server and page."""
@@ -64,20 +64,20 @@ class Load:
 
 
 class Files:
-    """Bundles and whole scenes in a folder; made unless they are there."""
+    """Bundles and whole scenes in a folder; made if they are missing."""
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
 
     def bundle(self, place: Place) -> nf.stream.Bundle:
-        """A place's bundle."""
+        """Return a place's bundle."""
         folder = self._folder / _name(place.name)
         if (folder / "manifest.json").exists():
             return nf.stream.open(folder)
         return nf.stream.export(place.make(), folder, center=place.center, by_footprint=True)
 
     def whole(self, place: Place, *, instanced: bool) -> Path:
-        """A folder with the page of a whole scene."""
+        """Return a folder with the page of a whole scene."""
         folder = self._folder / _name(f"{place.name} whole {'instances' if instanced else 'copies'}")
         folder.mkdir(parents=True, exist_ok=True)
         if not (folder / "scene.glb").exists():
@@ -94,7 +94,7 @@ def _name(text: str) -> str:
 
 
 def eye(place: Place) -> list[float]:
-    """Where the user stands."""
+    """Position of the user."""
     return [*map(float, np.add(place.center, place.users[0]))]
 
 
@@ -105,11 +105,11 @@ class Run:
         self.files, self._pictures, self._seconds = files, pictures, seconds
         self._sizes = [(width // 4, height // 4) if quick else (width, height) for width, height in (SCREEN, EYES)]
         self.renderer = ""
-        """Name of what draws, as WebGL tells it."""
+        """Name of the renderer, as reported by WebGL."""
         self.seen, self.loads = list[Seen](), list[Load]()
 
     def figures(self) -> dict[str, Any]:
-        """All of it, for a file."""
+        """Return all results, for a file."""
         return {
             "renderer": self.renderer,
             "turns": [asdict(one) for one in self.seen],
@@ -159,7 +159,7 @@ class Run:
 
 
 def rate(values: Sequence[float]) -> str:
-    """Mean and standard deviation."""
+    """Format mean and standard deviation."""
     return f"{np.mean(values):.1f} ± {np.std(values):.1f}"
 
 
@@ -201,7 +201,7 @@ def of_loads(loads: list[Load]) -> str:
 
 @contextmanager
 def folder_of(given: Path | None) -> Iterator[Path]:
-    """The folder that was named, or one for this run."""
+    """Yield the folder that was named, or a temporary one."""
     if given is None:
         with tempfile.TemporaryDirectory() as name:
             yield Path(name)

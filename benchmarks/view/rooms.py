@@ -1,9 +1,9 @@
-"""Memory and resources that the page holds while it is used in a room for an hour, on a clock that steps.
+"""Memory and resources held by the page during an hour in a room, on a simulated clock.
 
 python -m benchmarks.view.rooms [--quick]
 
-Eight others send poses at 72 Hz; users join, leave and speak, pointers go on and off, users are muted, and the
-connection breaks off once a minute. One frame of 36 is drawn. Bytes are the page's own objects after a collection.
+Eight others send poses at 72 Hz; users join, leave and speak, pointers are switched on and off, users are muted, and
+the connection is lost once a minute. One frame of 36 is drawn. Bytes are the page's own objects after a collection.
 """
 
 from __future__ import annotations

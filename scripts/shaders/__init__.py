@@ -1,1 +1,1 @@
-"""Snippets of shaders for engines, translated from WGSL that vectors test: `python -m scripts.shaders.write`."""
+"""Shader snippets for engines, translated from tested WGSL: `python -m scripts.shaders.write`."""

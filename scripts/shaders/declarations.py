@@ -1,7 +1,7 @@
-"""Translates a part of WGSL to GLSL and HLSL, with names, order and comments as they are.
+"""Translates a subset of WGSL to GLSL and HLSL; names, order and comments stay.
 
-The part: constants, structures and functions of numbers and vectors, with `let`, `var`, assignments, `if` and `return`.
-All else is refused with a sentence, so that no text is translated to something that means another thing.
+The subset: constants, structures and functions of numbers and vectors, with `let`, `var`, assignments, `if` and
+`return`. Everything else is refused with a message, so that no text changes its meaning in translation.
 """
 
 from __future__ import annotations
@@ -10,16 +10,16 @@ from scripts.shaders.expressions import Expressions, Language, Names, Value
 from scripts.shaders.tokens import Reader
 
 _LONGEST = 120
-"""Characters of a line."""
+"""Maximum number of characters of a line."""
 
 
 def translate(text: str, language: Language) -> str:
-    """The same program in another language.
+    """Translate a program to another language.
 
     Raises
     ------
     RefusedError
-        If the text has something that the translator does not know.
+        Text that the translator does not support.
     """
     return _Program(text, language).translated()
 
@@ -48,7 +48,7 @@ class _Program:
             self._add(depth, line)
 
     def _define(self) -> str:
-        """A name that nothing else has. In HLSL, `x` in `let x = x` would be the new one."""
+        """Consume the name of a definition, which must be unused: in HLSL, `x` in `let x = x` would be the new one."""
         name = self._reader.defined()
         if name in {**self._names.structs, **self._names.functions, **self._names.variables}:
             raise self._reader.refused(f"a second {name!r}")
@@ -113,7 +113,7 @@ class _Program:
         if len(line) <= _LONGEST:
             self._add(0, line)
             return
-        # Neither language allows a comma behind the last parameter.
+        # Neither language allows a comma after the last parameter.
         self._add(0, start)
         for part in written[:-1]:
             self._add(1, f"{part},")

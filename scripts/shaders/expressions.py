@@ -1,4 +1,4 @@
-"""Translates WGSL's expressions of numbers and vectors. Types are found, because GLSL and HLSL want them written."""
+"""Translates WGSL's expressions of numbers and vectors. Types are inferred, because GLSL and HLSL need them."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ Language = Literal["glsl", "hlsl"]
 SCALARS = {"f32": "float", "u32": "uint", "bool": "bool"}
 _VECTOR = re.compile(r"vec([234])<f32>")
 _PLAIN = ("abs", "clamp", "max", "min", "normalize", "sqrt")
-"""Functions with one name and meaning in all languages. Arguments and result are of one type, f32 or a vector."""
+"""Functions with the same name and meaning in all languages. Arguments and result have one type, f32 or a vector."""
 _TO_NUMBER = ("dot", "length")
-"""The same, from vectors to a number."""
+"""Such functions from vectors to a number."""
 _STEPS = (("||",), ("&&",), ("==", "!=", "<", ">", "<=", ">="), ("+", "-"), ("*", "/"))
-"""Operators from the loosest to the tightest."""
+"""Operators by increasing precedence."""
 
 
 @dataclass(frozen=True)
@@ -30,27 +30,27 @@ class Value:
 
 @dataclass
 class Names:
-    """Those that a place of the program sees, with WGSL types."""
+    """Names visible at a place of the program, with WGSL types."""
 
     variables: dict[str, str] = field(default_factory=dict)
     structs: dict[str, dict[str, str]] = field(default_factory=dict)
     functions: dict[str, tuple[list[str], str]] = field(default_factory=dict)
-    """Types of parameters and of the result."""
+    """Types of the parameters and of the result."""
 
 
 def is_real(kind: str) -> bool:
-    """Whether a type is that of a number or vector of float32."""
+    """Whether a type is a number or vector of float32."""
     return kind == "f32" or bool(_VECTOR.fullmatch(kind))
 
 
 class Expressions:
-    """Translates expressions at the place of a reader."""
+    """Translates expressions at a reader's position."""
 
     def __init__(self, reader: Reader, names: Names, language: Language) -> None:
         self.reader, self.names, self.language = reader, names, language
 
     def type(self) -> str:
-        """A type in WGSL."""
+        """Read a type in WGSL."""
         name = self.reader.take()
         if re.fullmatch(r"vec\d", name):
             self.reader.take("<")
@@ -61,20 +61,20 @@ class Expressions:
         return name
 
     def written(self, kind: str) -> str:
-        """A type in the other language."""
+        """Translate a type to the other language."""
         if vector := _VECTOR.fullmatch(kind):
             return f"{'vec' if self.language == 'glsl' else 'float'}{vector[1]}"
         return SCALARS.get(kind, kind)
 
     def of_type(self, kind: str) -> str:
-        """An expression of a type."""
+        """Read an expression of a given type."""
         value = self.value()
         if value.type != kind:
             raise self.reader.refused(f"how to make {kind} of {value.text!r}, which is {value.type}")
         return value.text
 
     def value(self, step: int = 0) -> Value:
-        """An expression whose operators are as tight as a step or tighter."""
+        """Read an expression whose operators have at least the given precedence."""
         if step == len(_STEPS):
             return self._unary()
         left = self.value(step + 1)
@@ -104,13 +104,13 @@ class Expressions:
             return self._with_members(self._primary())
         self.reader.take()
         value = self._unary()
-        # `--` means another thing elsewhere.
+        # `--` has another meaning in the other languages.
         if value.text[0] == sign or not (is_real(value.type) if sign == "-" else value.type == "bool"):
             raise self.reader.refused(f"{sign} before {value.type}")
         return Value(sign + value.text, value.type)
 
     def member(self, of: Value) -> Value:
-        """A value's member or swizzle, after the dot."""
+        """Read a value's member or swizzle, after the dot."""
         name = self.reader.take()
         vector = _VECTOR.fullmatch(of.type)
         if vector and len(name) <= 4 and set(name) <= set("xyzw"[: int(vector[1])]):
@@ -153,7 +153,7 @@ class Expressions:
         return found
 
     def _made(self, kind: str) -> Value:
-        """A vector or a structure of its parts. HLSL has functions for structures, which `declarations` writes."""
+        """Read the constructor of a vector or structure. HLSL needs functions for structures, from `declarations`."""
         arguments = self._arguments()
         kinds = [value.type for value in arguments]
         if kind in self.names.structs:
@@ -161,7 +161,7 @@ class Expressions:
             name = f"make_{kind}" if self.language == "hlsl" else kind
         else:
             sizes = [1 if kind == "f32" else int(kind[3]) for kind in kinds if is_real(kind)]
-            # HLSL has no vector of one number.
+            # HLSL has no vectors of one number.
             fits = len(sizes) == len(kinds) > 1 and sum(sizes) == int(kind[3])
             name = self.written(kind)
         if not fits:

@@ -1,4 +1,4 @@
-"""Reads WGSL sign by sign, and refuses what the translator does not know."""
+"""Splits WGSL into tokens, and refuses text that the translator does not support."""
 
 from __future__ import annotations
 
@@ -26,16 +26,16 @@ _RESERVED = frozenset(
         """,
     )
 )
-"""Names that mean something in GLSL or HLSL."""
+"""Reserved names of GLSL or HLSL."""
 
 
 class RefusedError(ValueError):
-    """WGSL that the translator does not know."""
+    """WGSL that the translator does not support."""
 
 
 @dataclass(frozen=True)
 class Token:
-    """A comment, the end of a line, a number, a name, a sign, or the end of the text."""
+    """A comment, end of line, number, name, sign, or end of the text."""
 
     kind: str
     text: str
@@ -43,7 +43,7 @@ class Token:
 
 
 def tokens(text: str) -> list[Token]:
-    """All tokens of a text but spaces."""
+    """Split a text into tokens, without spaces."""
     found: list[Token] = []
     at, line = 0, 1
     while at < len(text):
@@ -59,28 +59,28 @@ def tokens(text: str) -> list[Token]:
 
 
 class Reader:
-    """A place in a text."""
+    """A position in a text."""
 
     def __init__(self, text: str) -> None:
         self._tokens, self._at = tokens(text), 0
 
     def refused(self, what: str) -> RefusedError:
-        """The error that says where the translator is, and that it does not know something."""
+        """Return the error that names the position and the unsupported construct."""
         return RefusedError(f"line {self._tokens[self._at].line}: the translator does not know {what}")
 
     def _next(self) -> int:
-        """Statements may go on in the next line."""
+        """Index of the next token after line ends, because statements may continue in the next line."""
         at = self._at
         while self._tokens[at].kind == "line":
             at += 1
         return at
 
     def peek(self) -> str:
-        """The next sign, number, name or comment; "" at the end."""
+        """Return the next sign, number, name or comment; "" at the end."""
         return self._tokens[self._next()].text
 
     def take(self, *expected: str) -> str:
-        """The next sign, number or name, which is passed; one of those expected, if any are."""
+        """Consume and return the next sign, number or name, which must be one of `expected` if any are given."""
         at = self._next()
         text = self._tokens[at].text
         if self._tokens[at].kind == "comment":
@@ -91,14 +91,14 @@ class Reader:
         return text
 
     def takes(self, text: str) -> bool:
-        """Whether this comes next; if it does it is passed."""
+        """Consume a token if it comes next; return whether it did."""
         found = self.peek() == text
         if found:
             self.take()
         return found
 
     def defined(self) -> str:
-        """A name that is being defined."""
+        """Consume a name that is being defined."""
         name = self.take()
         if not re.fullmatch(r"[A-Za-z_]\w*", name) or "__" in name:
             raise self.refused(f"the name {name!r}")
@@ -107,7 +107,7 @@ class Reader:
         return name
 
     def between(self) -> list[str]:
-        """Comments and empty lines before a declaration or a statement, which are passed."""
+        """Consume comments and empty lines before a declaration or a statement."""
         lines: list[str] = []
         while (token := self._tokens[self._at]).kind in ("comment", "line"):
             ends_a_line = self._at > 0 and self._tokens[self._at - 1].kind != "line"

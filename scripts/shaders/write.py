@@ -8,7 +8,7 @@ from scripts.shaders.declarations import translate
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 SOURCES = ("morph.wgsl", "world.wgsl")
-"""Below rust/gpu/src/shaders; each may call what those before it declare."""
+"""Files in rust/gpu/src/shaders; each may call functions declared in previous ones."""
 
 HEADER = """\
 // The morph of nearfar in {language}: where the user is shown a point of the world. Licence: MIT or Apache-2.0.
@@ -27,13 +27,13 @@ HEADER = """\
 
 
 def source() -> str:
-    """The WGSL that all languages get."""
+    """Return the WGSL for all languages."""
     texts = [(CHECKOUT / "rust" / "gpu" / "src" / "shaders" / name).read_text(encoding="utf-8") for name in SOURCES]
     return "\n".join(texts)
 
 
 def files() -> dict[str, str]:
-    """Texts of all files by their paths in the checkout."""
+    """Return the texts of all files by their paths in the checkout."""
     wgsl = source()
     headers = {name: HEADER.format(language=name, sources=" and ".join(SOURCES)) for name in ("WGSL", "GLSL", "HLSL")}
     glsl = f"{headers['GLSL']}\n{translate(wgsl, 'glsl')}"
@@ -47,7 +47,7 @@ def files() -> dict[str, str]:
 
 
 def _once(text: str) -> str:
-    """A text that may be included several times."""
+    """Guard a text against multiple inclusion."""
     return f"#ifndef NEARFAR_MORPH\n#define NEARFAR_MORPH\n{text}\n#endif\n"
 
 

@@ -5,9 +5,9 @@ with shaped(nf.stream.Link(50, rtt_ms=20, loss=0.01)) as link:
     with link.side("server"):                                # sockets made here are at the server's side
         ...
 
-TCP, UDP and QUIC cross it alike. It needs root, `ip` and `nsenter`; `no_link` says what is missing. The machine's own
-network stays as it is, and nothing is left behind, however the process ends: a namespace without a name ends with what
-holds it.
+It carries TCP, UDP and QUIC alike. It needs root, `ip` and `nsenter`; `no_link` states what is missing. The machine's
+own network is not changed, and nothing is left behind, however the process ends: a namespace without a name ends with
+the processes that hold it.
 """
 
 from __future__ import annotations
@@ -30,35 +30,35 @@ SERVER, CLIENT = ADDRESSES
 SIDES = ("server", "client")
 CHECKOUT = Path(__file__).resolve().parents[3]
 QUEUE_SECONDS = 0.1
-"""How long a full queue before the bottleneck takes, at the link's first rate."""
+"""Seconds that a full queue before the bottleneck takes to drain, at the link's first rate."""
 
 __all__ = ["CLIENT", "SERVER", "Shaped", "no_link", "shaped"]
 
 
 class Shaped:
-    """A link that is up; made by `shaped`."""
+    """An active link; made by `shaped`."""
 
     def __init__(self, namespaces: Sequence[int], process: subprocess.Popen[str], folder: Path) -> None:
         self._namespaces = dict(zip(SIDES, namespaces, strict=True))
         self._process, self._folder = process, folder
 
     def side(self, name: str) -> AbstractContextManager[None]:
-        """Put this thread at one side, "server" or "client"; the sockets that it makes stay there."""
+        """Move this thread to one side, "server" or "client"; sockets that it creates stay there."""
         return inside(self._namespaces[name])
 
     def command(self, name: str, arguments: Sequence[str]) -> list[str]:
-        """The command that runs a program at one side, while this process lives."""
+        """Return the command that runs a program at one side, while this process lives."""
         return ["nsenter", f"--net=/proc/{os.getpid()}/fd/{self._namespaces[name]}", *arguments]
 
     def program(self, name: str, path: str) -> str:
-        """The path of a program that runs another one at one side, with the arguments that it is given."""
+        """Return the path of a wrapper that runs a program at one side with the given arguments."""
         script = self._folder / f"{name}-{Path(path).name}"
         script.write_text(f'#!/bin/sh\nexec {" ".join(self.command(name, [path]))} "$@"\n')
         script.chmod(0o700)
         return str(script)
 
     def counts(self) -> dict[str, Any]:
-        """Packets that went `down` to the client and `up`; the `latest` delivery in seconds after its time; `cpu`."""
+        """Count packets `down` to the client and `up`; the `latest` delivery in seconds after its due time; `cpu`."""
         assert self._process.stdin
         self._process.stdin.write("\n")
         self._process.stdin.flush()
@@ -76,16 +76,17 @@ def shaped(
     link
         Rate or trace, which counts all bytes from IP headers on and begins with the first packet; delay and loss.
     queue
-        Bytes that wait before the bottleneck; what finds it full is dropped. By default those of a tenth of a second.
+        Size of the queue before the bottleneck in bytes; packets that find it full are dropped. By default a tenth of a
+        second.
     congestion
-        TCP's congestion control on both sides, one of those that the kernel has.
+        TCP's congestion control on both sides, one of those that the kernel supports.
     seed
-        Of the losses.
+        Seed of the losses.
 
     Raises
     ------
     OSError
-        Where no link can be had, with what is missing; for a congestion control that the kernel does not have.
+        Missing requirements of links, which the message lists; or a congestion control that the kernel lacks.
     """
     reason = no_link()
     if reason:
@@ -113,8 +114,8 @@ def _queue(link: nf.stream.Link) -> int:
 
 @contextmanager
 def _forwarder(given: dict[str, Any]) -> Iterator[subprocess.Popen[str]]:
-    """The process between the sides; it lives until this ends."""
-    # An interrupt is for whoever uses the link, who then closes it. The process ends when its input is closed.
+    """Run the process between the sides until the context ends."""
+    # An interrupt is for the user of the link, who then closes it. The process ends when its input is closed.
     with subprocess.Popen(
         [sys.executable, "-m", "benchmarks.harness.link.forward", json.dumps(given)],
         cwd=CHECKOUT,

@@ -1,7 +1,7 @@
 """Process that carries packets between two TUN devices; a link starts it.
 
-It answers each line on its standard input with its counts as a line of JSON, and ends when that is closed, as it is
-when whoever started it dies. The devices, and with them the link, end with it.
+It answers each line on its standard input with its counts as a line of JSON, and ends when its input is closed, which
+also happens if the parent process dies. The devices, and with them the link, end with it.
 """
 
 from __future__ import annotations
@@ -21,16 +21,16 @@ from nearfar.stream import Link
 
 MTU = 1500
 PRIORITY = 50
-"""Among what runs before all else on a machine: pages that are measured may do so with less."""
+"""Real-time priority; measured pages may run with a lower one."""
 BATCH = 64
-"""Packets that are read in a row; then those that have arrived are written."""
+"""Number of packets read in a row before arrived ones are written."""
 
 
 class Forwarder:
-    """Carries packets of both sides."""
+    """Forwards packets of both sides."""
 
     def __init__(self, devices: list[int], paths: list[Path]) -> None:
-        """Take the devices of both sides and the paths that begin at each."""
+        """Store the devices of both sides and the paths that begin at each."""
         self._devices = devices
         self._paths = dict(zip(devices, paths, strict=True))
         self._across = dict(zip(devices, reversed(devices), strict=True))
@@ -38,7 +38,7 @@ class Forwarder:
         self._late = 0.0
 
     def run(self, control: int, answers: Any) -> None:
-        """Carry packets until the control is closed."""
+        """Forward packets until the control is closed."""
         watched = [*self._devices, control]
         while True:
             for device in select.select(watched, [], [], self._deliver())[0]:
@@ -50,14 +50,14 @@ class Forwarder:
                     print(json.dumps(self._counts()), file=answers, flush=True)
 
     def _now(self) -> float:
-        """Seconds since the first packet: with it a trace begins."""
+        """Seconds since the first packet, with which a trace begins."""
         now = time.monotonic()
         if self._start is None:
             self._start = now
         return now - self._start
 
     def _deliver(self) -> float | None:
-        """Write what has arrived; returns the seconds until the next packet arrives, None if there is none."""
+        """Write arrived packets; return the seconds until the next packet arrives, None if there is none."""
         if self._start is None:
             return None
         nearest: float | None = None
@@ -66,7 +66,7 @@ class Forwarder:
             if time_due is not None and time_due <= now:
                 self._late = max(self._late, now - time_due)
                 for packet in path.due(now):
-                    # A side whose device is down loses what arrives.
+                    # A side whose device is down loses its packets.
                     with suppress(OSError):
                         os.write(self._across[device], packet)
                 time_due = path.next()
@@ -81,7 +81,7 @@ class Forwarder:
                 path.take(now, os.read(device, MTU + 64))
 
     def _counts(self) -> dict[str, Any]:
-        """Packets of either direction, the latest that one was written after its time, and seconds of CPU time."""
+        """Counts of both directions, the greatest delay of a write after its due time, and seconds of CPU time."""
         down, up = (asdict(path.counts) for path in self._paths.values())
         return {"down": down, "up": up, "latest": self._late, "cpu": time.process_time()}
 
@@ -89,7 +89,7 @@ class Forwarder:
 def main() -> None:
     given = json.loads(sys.argv[1])
     link = Link(**given["link"])
-    # Where the machine is busy, packets are still on time.
+    # Real-time priority keeps packets on time on a busy machine.
     with suppress(OSError):
         os.sched_setscheduler(0, os.SCHED_RR, os.sched_param(PRIORITY))
     try:

@@ -14,9 +14,9 @@ from contextlib import contextmanager
 from pathlib import Path
 
 ADDRESSES = ("10.91.0.1", "10.91.0.2")
-"""Of the server and of the client; they exist within the two namespaces alone."""
+"""Addresses of the server and of the client; they exist only within the two namespaces."""
 DEVICE = "shaped0"
-"""Name of the device in either. Chromium takes those that begin with "tun" for no connection."""
+"""Name of the device on both sides. Chromium does not count devices beginning with "tun" as connections."""
 TUN = "/dev/net/tun"
 _CLONE_NEWNET = 0x40000000
 _TUNSETIFF, _IFF_TUN, _IFF_NO_PI = 0x400454CA, 0x0001, 0x1000
@@ -44,7 +44,7 @@ def no_link() -> str:
 
 
 def new_namespace() -> int:
-    """Make a network namespace and return the descriptor that keeps it."""
+    """Create a network namespace and return the descriptor that holds it."""
     here = os.open(_SELF, os.O_RDONLY)
     try:
         _call("unshare", _CLONE_NEWNET)
@@ -59,7 +59,7 @@ def new_namespace() -> int:
 
 @contextmanager
 def inside(namespace: int) -> Iterator[None]:
-    """Put this thread, and what it starts, into the namespace; sockets stay where they were made."""
+    """Move this thread, and processes that it starts, into the namespace; existing sockets stay where they are."""
     here = os.open(_SELF, os.O_RDONLY)
     try:
         _call("setns", namespace, _CLONE_NEWNET)
@@ -72,14 +72,14 @@ def inside(namespace: int) -> Iterator[None]:
 
 
 def open_device(namespace: int, address: str, *, mtu: int, congestion: str) -> int:
-    """Make the link's end in a namespace: a TUN device that is up, with an address and TCP's settings."""
+    """Create the link's end in a namespace: an active TUN device with an address and TCP's settings."""
     device = _device(namespace)
     os.set_blocking(device, False)
     with inside(namespace):
         for name, value in (
-            # Nothing but what a test sends crosses the link.
+            # Only packets of a test cross the link.
             ("ipv6/conf/all/disable_ipv6", "1"),
-            # A connection learns nothing from those before it.
+            # A connection does not use metrics of previous ones.
             ("ipv4/tcp_no_metrics_save", "1"),
         ):
             setting = Path("/proc/sys/net", name)
@@ -88,14 +88,14 @@ def open_device(namespace: int, address: str, *, mtu: int, congestion: str) -> i
         _ip("link", "set", "lo", "up")
         _ip("address", "add", f"{address}/32", "dev", DEVICE)
         _ip("link", "set", DEVICE, "mtu", str(mtu), "txqueuelen", "5000", "up")
-        # By route, because namespaces may not choose among all kinds of congestion control as their default.
+        # Set per route, because namespaces may not choose all kinds of congestion control as their default.
         other = ADDRESSES[1 - ADDRESSES.index(address)]
         _ip("route", "add", other, "dev", DEVICE, "src", address, "congctl", congestion)
     return device
 
 
 def _device(namespace: int) -> int:
-    """A TUN device without a header before its packets: the kernel cuts what is larger than the MTU itself."""
+    """Create a TUN device without packet headers: the kernel fragments packets larger than the MTU itself."""
     with inside(namespace):
         device = os.open(TUN, os.O_RDWR | os.O_CLOEXEC)
         try:

@@ -1,4 +1,4 @@
-"""One direction of a link: a queue before a bottleneck, packets that are lost, and a delay."""
+"""One direction of a link: a queue before a bottleneck, random losses, and a delay."""
 
 from __future__ import annotations
 
@@ -14,32 +14,32 @@ class Counts:
     """Packets of one direction."""
 
     taken: int = 0
-    """That a side sent."""
+    """Packets sent by a side."""
     overflowed: int = 0
-    """That found the queue full."""
+    """Packets dropped because the queue was full."""
     lost: int = 0
-    """That were lost behind the bottleneck."""
+    """Packets lost behind the bottleneck."""
     delivered: int = 0
     delivered_bytes: int = 0
-    """With all headers from IP on."""
+    """Bytes with all headers from IP on."""
 
 
 class Path:
-    """Packets on their way, on a clock that the caller reads. Nothing overtakes."""
+    """Packets in transit, on a clock that the caller reads. Packets stay in order."""
 
     def __init__(self, clock: Clock, *, delay: float, loss: float, queue: int, seed: int) -> None:
-        """Take what tells how long bytes take, seconds of delay, the share lost, and bytes of the queue."""
+        """Store the clock of the rate, the delay in seconds, the share lost, and the size of the queue in bytes."""
         self._clock, self._delay, self._loss, self._most = clock, delay, loss, queue
         self._random = random.Random(seed).random
         self._waiting = deque[tuple[float, int]]()
-        """When packets are through the bottleneck, and their bytes."""
+        """Times at which packets leave the bottleneck, and their bytes."""
         self._queued = 0
         self._through = 0.0
         self._flying = deque[tuple[float, bytes]]()
         self.counts = Counts()
 
     def take(self, now: float, packet: bytes) -> None:
-        """A side sends a packet."""
+        """Accept a packet that a side sends."""
         counts, waiting, size = self.counts, self._waiting, len(packet)
         counts.taken += 1
         while waiting and waiting[0][0] <= now:
@@ -56,11 +56,11 @@ class Path:
         self._flying.append((self._through + self._delay, packet))
 
     def next(self) -> float | None:
-        """When the next packet arrives at the other side."""
+        """Time at which the next packet arrives at the other side."""
         return self._flying[0][0] if self._flying else None
 
     def due(self, now: float) -> list[bytes]:
-        """Take the packets off the link that have arrived."""
+        """Remove and return the packets that have arrived."""
         flying, arrived = self._flying, list[bytes]()
         while flying and flying[0][0] <= now:
             arrived.append(flying.popleft()[1])

@@ -1,10 +1,10 @@
-// The page of trees as a client. It draws by itself when its pose changes, before the frames that are measured.
+// The page of trees as a client. It draws by itself when its pose changes, before the measured frames.
 window.client = {
   see: (pose) => window.orthoview.setPose(pose),
   async draw() {},
-  /** Draw at once: what was drawn before a task is not kept. */
+  /** Draws at once, since pictures of earlier tasks are not preserved. */
   paint: () => window.orthoview.time(),
-  /** Views of the cut and of the coarse cells that are not there. */
+  /** Number of missing views of the cut and of coarse cells. */
   get missing() {
     const { waiting, holes, kept } = window.orthoview.facts;
     return kept === 0 ? 1 : waiting + holes;

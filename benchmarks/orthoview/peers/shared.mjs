@@ -1,4 +1,4 @@
-// A picture by three.js for a pose: radians, yaw to the left, pitch up.
+// Draws a picture by three.js for a pose: radians, yaw to the left, pitch up.
 import * as THREE from 'three';
 
 export const job = await (await fetch('/job/job.json')).json();

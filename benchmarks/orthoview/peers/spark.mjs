@@ -1,8 +1,8 @@
-// Spark on SPZ files, one a cell: those of each cut and of the cells above it, coarse ones first.
+// Spark with SPZ files, one per cell: those of each cut and of its ancestors, coarse ones first.
 import { SparkRenderer, SplatMesh } from '@sparkjsdev/spark';
 import { camera, job, look, renderer, scene } from './shared.mjs';
 
-/** Files that are asked for at once, as many as browsers open connections. */
+/** Maximum number of concurrent requests, which is browsers' number of connections. */
 const AT_ONCE = 6;
 const spark = new SparkRenderer({ renderer, autoUpdate: false });
 scene.add(spark);
@@ -31,7 +31,7 @@ async function load(name) {
   fill();
 }
 
-/** A cell's own splats, or those of the cells below once all of these are there, as tiles that replace one another. */
+/** Returns a cell, or its descendants once all of them are loaded, like tiles that replace their parent. */
 function chosen({ name, below }) {
   if (below.length > 0 && below.every((child) => meshes.has(child.name))) return below.flatMap(chosen);
   return meshes.has(name) ? [name] : [];
@@ -51,7 +51,7 @@ window.client = {
     await spark.update({ scene, camera }); // and sort
     renderer.render(scene, camera);
   },
-  /** Files of the cut that are not there. */
+  /** Number of missing files of the cut. */
   get missing() {
     return wanted.filter((name) => !meshes.has(name)).length;
   },

@@ -1,4 +1,4 @@
-// 3d-tiles-renderer on the leaves' tileset, with the light of all renderers here.
+// 3d-tiles-renderer with the leaves' tileset, lit as in all renderers here.
 import { ImplicitTilingPlugin } from '3d-tiles-renderer/core/plugins';
 import { TilesRenderer } from '3d-tiles-renderer/three';
 import { MeshoptDecoder } from 'meshoptimizer';
@@ -13,12 +13,12 @@ tiles.manager.addHandler(/\.glb$/, new GLTFLoader(tiles.manager).setMeshoptDecod
 tiles.group.rotation.x = -Math.PI / 2;
 tiles.setCamera(camera);
 tiles.setResolution(camera, ...job.size);
-// All leaves of a picture may stay.
+// The cache can hold all leaves of a picture.
 Object.assign(tiles.lruCache, { minSize: 20_000, maxSize: 30_000, minBytesSize: 2e9, maxBytesSize: 4e9 });
 scene.add(tiles.group);
 scene.updateMatrixWorld(true);
 
-/** The formula of docs/render.md on faces, both of whose sides are lit. */
+/** Material with the formula of docs/render.md for faces lit on both sides. */
 function lit({ color, vertexColors, map }) {
   const material = new THREE.MeshBasicMaterial({ color, vertexColors, map, side: THREE.DoubleSide });
   material.onBeforeCompile = (shader) => {
@@ -46,7 +46,7 @@ window.client = {
     tiles.update();
     renderer.render(scene, camera);
   },
-  /** Tiles of the picture that are not there. */
+  /** Number of missing tiles of the picture. */
   get missing() {
     const { queued, downloading, parsing } = tiles.stats;
     return tiles.root ? queued + downloading + parsing : 1;

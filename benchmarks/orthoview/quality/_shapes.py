@@ -1,4 +1,4 @@
-"""Splats of several shapes, drawn by a slow and plain splatter."""
+"""Splats of several shapes, drawn by a simple, slow splatter."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ from nearfar.orthoview._gaussians import LEAST_COSINE, SUN, lit
 BORDER = 1.27
 """Factor of the size of surfels at the border of a surface, as in `tree.render`."""
 INNER = 9
-"""Pixels of a surfel's surroundings that are connected with it, itself included, where it is not at a border."""
+"""Number of pixels of a surfel's neighbourhood connected with it, including itself, away from borders."""
 STEP = 0.01
-"""Share of a splat's sides by which the derivative of the projection is taken."""
+"""Step of the projection's derivative, as a share of a splat's sides."""
 
 Floats = NDArray[np.float64]
 Sides = tuple[Floats, Floats]
 
 
 def circle(pixels: Pixels, camera: nf.Camera) -> Sides:
-    """Discs that face the viewer and bound a pixel."""
+    """Discs that face the viewer and enclose a pixel."""
     width = np.hypot(*pixels.sides) / np.sqrt(2)
     ahead = np.broadcast_to(_ahead(camera), pixels.middle.shape)
     right = _unit(np.cross(ahead, [0.0, 1.0, 0.0]))
@@ -39,13 +39,13 @@ def warped_circle(pixels: Pixels, camera: nf.Camera) -> Sides:
 
 
 def ellipse(pixels: Pixels, camera: nf.Camera) -> Sides:
-    """The pixels on the tangent planes, whose corners lie on the ellipse."""
+    """Ellipses on the tangent planes through the corners of the pixels there."""
     del camera
     return pixels.tangents(LEAST_COSINE)
 
 
 def mixed(is_surfel: NDArray[np.bool_], is_inner: NDArray[np.bool_]) -> Callable[[Pixels, nf.Camera], Sides]:
-    """Ellipses where pixels are connected, larger ones at borders, and balls elsewhere."""
+    """Ellipses for connected pixels, larger ones at borders, and balls elsewhere."""
 
     def shape(pixels: Pixels, camera: nf.Camera) -> Sides:
         surfel, inner = (picked[pixels.seen][:, None] for picked in (is_surfel, is_inner))
@@ -69,7 +69,7 @@ def inner(bits: NDArray[np.uint8]) -> NDArray[np.bool_]:
 
 
 def drawn(pixels: Pixels, sides: Sides, camera: nf.Camera) -> tuple[NDArray[np.uint8], Floats]:
-    """The colours (H, W, 3) and depths (H, W) of the nearest splats; infinite depths where there is none."""
+    """Draw the nearest splats: colours (H, W, 3) and depths (H, W), infinite for empty pixels."""
     width, height = camera.size
     middle = camera.project(pixels.middle)
     u, v = (_image(camera, pixels.middle, side) for side in sides)
@@ -90,13 +90,13 @@ def drawn(pixels: Pixels, sides: Sides, camera: nf.Camera) -> tuple[NDArray[np.u
                 px, py = x + 0.5 - middle[some, 0], y + 0.5 - middle[some, 1]
                 a = (v[some, 1] * px - v[some, 0] * py) / determinant[some]
                 b = (u[some, 0] * py - u[some, 1] * px) / determinant[some]
-                # The sample that holds the middle counts, so that nothing thin vanishes.
+                # The sample that contains the middle counts, so that thin splats do not vanish.
                 inside = (a * a + b * b <= 0.5) | ((np.abs(px) <= 0.5) & (np.abs(py) <= 0.5))
                 inside &= (x >= 0) & (x < width) & (y >= 0) & (y < height)
                 splat, x, y = some[inside], x[inside], y[inside]
                 with np.errstate(divide="ignore"):
                     depth = plane[splat] / (normal[splat] * along[y, x]).sum(axis=1)
-                # A splat that is seen from its edge has no plane that meets the ray nearby.
+                # An edge-on splat has no plane that intersects the ray nearby.
                 depth = np.where(np.abs(depth - middle[splat, 2]) < _reach(sides, splat), depth, middle[splat, 2])
                 key = depth.astype(np.float32).view(np.uint32).astype(np.uint64) << np.uint64(32)
                 np.minimum.at(nearest, y * width + x, key | splat.astype(np.uint64))
@@ -109,14 +109,14 @@ def drawn(pixels: Pixels, sides: Sides, camera: nf.Camera) -> tuple[NDArray[np.u
 
 
 def _lit(pixels: Pixels, camera: nf.Camera) -> NDArray[np.uint8]:
-    """Colours in the light of all pictures, with normals turned to the viewer."""
+    """Colours in the light of all pictures, with normals turned towards the viewer."""
     toward = np.array(camera.position) - pixels.middle
     side = np.where((pixels.normal * toward).sum(axis=1, keepdims=True) < 0, -1.0, 1.0)
     return lit(pixels.color, (side * pixels.normal).astype(np.float32), SUN)
 
 
 def _image(camera: nf.Camera, middle: Floats, side: Floats) -> Floats:
-    """A side's image by the derivative of the projection (N, 2), pixels."""
+    """Image of a side by the derivative of the projection (N, 2), pixels."""
     ahead, behind = (camera.project(middle + sign * STEP * side)[:, :2] for sign in (1, -1))
     image: Floats = (ahead - behind) / (2 * STEP)
     return image
@@ -134,7 +134,7 @@ def _ahead(camera: nf.Camera) -> Floats:
 
 
 def _other(normals: Floats) -> Floats:
-    """For each vector an axis that is far from it."""
+    """For each vector an axis that is far from parallel."""
     axes: Floats = np.eye(3)[np.abs(normals).argmin(axis=1)]
     return axes
 

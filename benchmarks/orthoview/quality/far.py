@@ -1,8 +1,8 @@
-"""A far forest, a tree of which covers a few pixels: geometry with many samples beside orthoviews with one.
+"""A far forest, whose trees cover a few pixels each: geometry with many samples against orthoviews with one.
 
     python -m benchmarks.orthoview.quality.far --out FOLDER --trees FOLDER
 
-The truth has 16 × 16 samples a pixel. The tree is built once, in some minutes, and kept in --trees.
+The truth has 16 × 16 samples a pixel. The tree is built once, in some minutes, and stored in --trees.
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ from benchmarks.orthoview import _sheets
 from benchmarks.orthoview._worlds import FOV, PICTURE, World
 
 TREES, SIDE, CELL = 96_000, 1760.0, 160.0
-"""Trees of the forest; its side and that of leaves, metres."""
+"""Number of trees of the forest; its side and the side of leaves, metres."""
 EYE, TARGET = (0.0, 350.0, 1700.0), (0.0, 0.0, 150.0)
 LARGE = (2072, 1554)
-"""Pixels of a picture with one sample for each, which is reduced."""
+"""Size in pixels of a picture with one sample per pixel, which is then reduced."""
 TRUTH = 256
 """Samples of a pixel."""
 PART, CROP, ZOOM = (128, 104, 320, 240), (256, 230, 80, 60), 4
-"""Parts of the pictures that are shown and enlarged: left, top, width and height in pixels."""
+"""Displayed and enlarged parts of the pictures: left, top, width and height in pixels."""
 
 Picture = NDArray[np.uint8]
 
@@ -71,7 +71,7 @@ SHOWN = ("geometry, 4 × 4 samples", f"geometry, {LARGE[0]} × {LARGE[1]} reduce
 
 
 def built(world: World, folder: Path) -> nf.orthoview.OrthoTree:
-    """Build the tree, unless the folder has it, without geometry: nothing is near."""
+    """Build the tree, unless the folder contains it, without geometry, since nothing is near."""
     path = folder / "far-forest.zarr"
     return nf.orthoview.build(world.scene, path, cell=CELL, aabb=world.box, size=256, directions=9, geometry=False)
 
@@ -79,7 +79,7 @@ def built(world: World, folder: Path) -> nf.orthoview.OrthoTree:
 def methods(
     world: World, tree: nf.orthoview.OrthoTree, camera: nf.Camera, clip: nf.Clip
 ) -> dict[str, Callable[[], Picture]]:
-    """Ways to draw the picture, by name."""
+    """Methods of drawing the picture, by name."""
 
     def geometry(samples: int) -> Callable[[], Picture]:
         return lambda: nf.render(
@@ -104,7 +104,7 @@ def methods(
 
 
 def reduced(frame: nf.Frame) -> Picture:
-    """The mean of linear light over each pixel of the smaller picture."""
+    """Average linear light over each pixel of the smaller picture."""
     channels = [Image.fromarray(channel) for channel in np.moveaxis(frame.require("color"), -1, 0)]
     smaller = [np.asarray(channel.resize(PICTURE, Image.Resampling.BOX)) for channel in channels]
     camera = replace(frame.camera, size=PICTURE)
@@ -117,7 +117,7 @@ def quality(truth: Picture, picture: Picture) -> tuple[float, float]:
 
 
 def save(panels: list[tuple[str, Picture]], path: Path) -> None:
-    """Parts of the pictures, and below them a part of these, enlarged."""
+    """Save parts of the pictures, and below them an enlarged part of each."""
     x, y, width, height = PART
     left, top, across, down = CROP
     parts = [(title, picture[y : y + height, x : x + width]) for title, picture in panels]

@@ -1,9 +1,9 @@
-"""Time of a frame of geometry beside that of a tree, by the extent of the world: loaded and drawn first, and once more.
+"""Time of a frame of geometry and of a tree, by the extent of the world: loaded and drawn first, and once more.
 
     python -m benchmarks.orthoview.quality.frames TREE --tiles FOLDER --out FOLDER
 
-TREE is a store of the whole of Tokyo with geometry, and the folder has its tiles. Worlds end at a square about the eye,
-in which `benchmarks.orthoview.flights growth` counts bytes. Each frame is drawn in a process of its own.
+TREE is a store of the whole of Tokyo with geometry, and the folder has its tiles. Worlds end at a square around the
+eye, for which `benchmarks.orthoview.flights growth` counts bytes. Each frame is drawn in a separate process.
 """
 
 from __future__ import annotations
@@ -29,14 +29,14 @@ from nearfar.orthoview._cut import Settings
 from nearfar.orthoview._viewer import Parts
 
 SIDES = (1.0, 2.0, 4.0, 8.0, 16.0, 32.0)
-"""Of worlds, kilometres."""
+"""Sides of worlds, kilometres."""
 WHOLE = 60.0
-"""Side of a square about the eye that holds the whole of Tokyo, whose side is that of the last world."""
+"""Side of a square around the eye that contains the whole of Tokyo, the last world."""
 EYES = {"walker": 2.0, "120 m above": 120.0}
-"""Heights, metres."""
+"""Heights of the eyes, metres."""
 WAYS = ("rays", "rasters", "orthoviews")
 LIMIT = 540
-"""Seconds that a process may take."""
+"""Timeout of a process, seconds."""
 REPEAT = 3
 
 Row = dict[str, Any]
@@ -71,7 +71,7 @@ def main() -> None:
 
 
 def in_process(given: argparse.Namespace, side: float, way: str) -> Row:
-    """Draw in a process of its own; the reason if it fails."""
+    """Draw in a separate process; return the reason if it fails."""
     job = json.dumps({"side": side, "way": way})
     command = [
         sys.executable,
@@ -94,7 +94,7 @@ def in_process(given: argparse.Namespace, side: float, way: str) -> Row:
 
 
 def measured(tree: str, tiles: str, job: Row) -> Row:
-    """Seconds until the first frame, and of the next ones."""
+    """Seconds of the first frame, and of the next ones."""
     half = 500.0 * (WHOLE if job["side"] == SIDES[-1] else job["side"])
     began, busy = time.perf_counter(), time.process_time()
     draws, facts = orthoviews(tree, half) if job["way"] == "orthoviews" else geometry(tiles, half, job["way"])
@@ -110,13 +110,13 @@ def measured(tree: str, tiles: str, job: Row) -> Row:
 
 
 def eye(height: float) -> nf.Camera:
-    """In the middle of the way of `flights growth`."""
+    """Camera in the middle of the way of `flights growth`."""
     place = np.array([START[0], height, START[1]])
     return nf.Camera.look_at(place, np.add(place, [1.0, -0.15, 0.0]), fov=FOV, size=PICTURE)
 
 
 def geometry(tiles: str, half: float, way: str) -> tuple[Callable[[nf.Camera], Any], Row]:
-    """All triangles of the square."""
+    """Draw all triangles of the square."""
     source = nf.open_source(tiles)
     low, high = source.bounds
     box = [(START[0] - half, low[1], START[1] - half), (START[0] + half, high[1], START[1] + half)]
@@ -127,7 +127,7 @@ def geometry(tiles: str, half: float, way: str) -> tuple[Callable[[nf.Camera], A
 
 
 def orthoviews(path: str, half: float) -> tuple[Callable[[nf.Camera], Any], Row]:
-    """The cells and leaves of the cut whose middles lie in the square."""
+    """Draw the cells and leaves of the cut whose middles lie in the square."""
     tree = nf.orthoview.open(path)
     opened = tree._opened()
     viewer, grid = opened.viewer, opened.grid
@@ -148,7 +148,7 @@ def orthoviews(path: str, half: float) -> tuple[Callable[[nf.Camera], Any], Row]
 
 
 def report(rows: list[Row]) -> str:
-    """A row for each world and way."""
+    """Table with a row for each world and method."""
     lines = []
     for row in rows:
         name = [f"{row['side']:g}", row["way"]]
@@ -171,7 +171,7 @@ def report(rows: list[Row]) -> str:
 
 
 def plot(rows: list[Row], out: Path) -> None:
-    """Seconds by the world's side, both axes logarithmic."""
+    """Plot seconds by the world's side, both axes logarithmic."""
     import matplotlib as mpl
 
     mpl.use("agg")

@@ -1,9 +1,9 @@
-"""Holes in pictures of Tokyo from the air: where they lie, why, and what other choices of views leave.
+"""Holes in pictures of Tokyo from the air: their places, their causes, and their number with other choices of views.
 
     python -m benchmarks.orthoview.quality.holes --tiles FOLDER --trees FOLDER --out FOLDER
 
-A hole is a pixel that shows nothing where the truth shows a surface. Its cause is found by looking for the surface in
-the views of the cell in which it lies.
+A hole is a pixel that shows nothing where the truth shows a surface. Its cause is found by searching for the surface in
+the views of the cell that contains it.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from nearfar.orthoview._viewer import Parts
 
 VIEWS, DIRECTIONS = 3, 9
 PLACES = 12
-"""Other places in the air."""
+"""Number of other places in the air."""
 CAUSES = {
     "no direction of 26": (120, 0, 140),
     "no direction of 9": (220, 40, 40),
@@ -40,13 +40,13 @@ CAUSES = {
 """Causes of holes by the views that show the surface, and their colours."""
 SURFACES = ("walls", "roofs", "ground")
 FLAT = 0.7
-"""Least upward part of a roof's normal."""
+"""Least upward component of a roof's normal."""
 NUDGE = 0.01
 """Metres by which points are moved to the viewer, so that those on a cell's side lie in the cell that shows them."""
 
 Bools = NDArray[np.bool_]
 Choice = Callable[[nf.orthoview.OrthoTree, nf.Camera], OrthoCut]
-"""The cut from which a picture is drawn."""
+"""Function that chooses the cut for a picture."""
 
 
 def main() -> None:
@@ -86,7 +86,7 @@ def main() -> None:
 
 
 def drawn(tree: nf.orthoview.OrthoTree, camera: nf.Camera, choose: Choice, samples: int = 1) -> nf.Frame:
-    """The picture of a tree from chosen views."""
+    """Draw a tree from chosen views."""
     viewer, cut = tree._viewer, choose(tree, camera)
     keys = cut.keys()
     near = viewer.near.scene(viewer.cutter.with_guests(cut.leaf_places()))
@@ -97,7 +97,7 @@ def drawn(tree: nf.orthoview.OrthoTree, camera: nf.Camera, choose: Choice, sampl
 
 
 def cells(cut: OrthoCut) -> Iterator[tuple[int, Place]]:
-    """Levels and places of a cut's cells."""
+    """Yield levels and places of a cut's cells."""
     places: Iterator[Place] = map(tuple, cut.place.tolist())
     return zip(cut.level.tolist(), places, strict=True)
 
@@ -135,7 +135,7 @@ def causes(
 
 
 def colored(truth: nf.Frame, cause: NDArray[np.int64]) -> NDArray[np.uint8]:
-    """A pale picture with the causes of holes."""
+    """Draw a pale picture with the causes of holes."""
     picture = (128 + truth.to_image() // 2).astype(np.uint8)
     for n, color in enumerate(CAUSES.values()):
         picture[cause == n] = color
@@ -143,12 +143,12 @@ def colored(truth: nf.Frame, cause: NDArray[np.int64]) -> NDArray[np.uint8]:
 
 
 def lifted(degrees: float, views: int = VIEWS) -> Choice:
-    """The views that are nearest to the viewer's direction raised by an angle."""
+    """Choose the views nearest to the viewer's direction raised by an angle."""
     return lambda tree, camera: tree.cut(camera, views=views, lift_deg=degrees)
 
 
 def with_top(tree: nf.orthoview.OrthoTree, camera: nf.Camera) -> OrthoCut:
-    """The two nearest views, and that from above."""
+    """Choose the two nearest views, and that from above."""
     cut = tree.cut(camera, views=MOST_VIEWS)
     top = tree.directions.index((0, 1, 0))
     several = []
@@ -159,7 +159,7 @@ def with_top(tree: nf.orthoview.OrthoTree, camera: nf.Camera) -> OrthoCut:
 
 
 def of_choices(world: World, trees: Path) -> list[list[str]]:
-    """Holes and quality by the choice of views."""
+    """Rows of holes and quality by the choice of views."""
     tree = opened(world.build(trees), DIRECTIONS)
     rows = []
     for place, cameras in (("air", world.from_air()), ("ground", world.from_ground())):
@@ -181,7 +181,7 @@ CHOICES: dict[str, Choice] = {
 
 
 def elsewhere(world: World, trees: Path) -> list[list[str]]:
-    """Holes from other places in the air, by directions and by the angle."""
+    """Rows of holes from other places in the air, by directions and by the angle."""
     draw = np.random.default_rng(0)
     eyes, targets = (draw.uniform(0, 1, (PLACES, 3)) for _ in range(2))
     low = world.box[0]

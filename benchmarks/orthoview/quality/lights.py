@@ -1,10 +1,10 @@
-"""Other lights: the splats of one cut shaded by three lights, beside the same shading of ray-traced truth.
+"""Other lights: the splats of one cut shaded by three lights, against the same shading of ray-traced truth.
 
     python -m benchmarks.orthoview.quality.lights --out FOLDER --trees FOLDER
 
-Views hold colours without light and normals. So a client that has drawn these of a picture, and its distances, shades
-it by any light, and reads nothing. By day the formula is that of all renderers; at night lamps light the streets,
-without shadows.
+Views contain normals, and colours without light. A client that has drawn these for a picture, and its distances, can
+thus shade it by any light without further data. By day the formula is that of all renderers; at night lamps light the
+streets, without shadows.
 """
 
 from __future__ import annotations
@@ -27,25 +27,25 @@ from nearfar import _core
 from nearfar.orthoview._gaussians import SUN
 
 BLOCKS, SIDE, CELL = 8, 640.0, 80.0
-"""Of the city; metres."""
+"""Blocks and side of the city, and side of leaves; metres."""
 DIRECTIONS = 13
-"""As `directions="auto"` chooses for streets along the axes."""
+"""Number of directions that `directions="auto"` chooses for streets along the axes."""
 EYE, TARGET = (330.0, 120.0, 420.0), (0.0, 0.0, 40.0)
 SIZE = (420, 315)
 GRID = 3
 """Samples along each axis of a pixel."""
 CHANNELS = ("albedo", "shading_normal", "position")
 HEAD = (0.0, 6.9, 1.85)
-"""Where the light of a lamp is, from its foot, metres."""
+"""Position of a lamp's light relative to its foot, metres."""
 LAMPS, REACH = 12, 60.0
-"""Nearest lamps that light a point, within so many metres."""
+"""Number of nearest lamps that light a point, and their maximum distance in metres."""
 
 Floats = NDArray[np.float32]
 
 
 @dataclass(frozen=True)
 class Light:
-    """Light of a world: a sky of two colours, a sun, and lamps that stand in it."""
+    """Light of a world: a sky of two colours, a sun, and lamps in the scene."""
 
     name: str
     sky: tuple[tuple[float, float, float], tuple[float, float, float]]
@@ -54,9 +54,9 @@ class Light:
     sun: tuple[float, float, float]
     toward: tuple[float, float, float]
     background: tuple[tuple[float, float, float], ...]
-    """At the nadir, the horizon and the zenith."""
+    """Colours at the nadir, the horizon and the zenith."""
     lamp: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    """Of a lamp at a distance of 1 m."""
+    """Colour of a lamp's light at a distance of 1 m."""
 
 
 UP = (-0.206_284_3, 0.928_279_1, 0.309_426_4)
@@ -103,7 +103,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         tree = nf.orthoview.open(world.build(given.trees or Path(folder), DIRECTIONS))
         truth = nf.render(world.scene, camera, clip=nf.Clip(box=tree.bounds), channels=("color", *CHANNELS))
-        # A pixel of a view is as wide as one of the picture, not as one of its samples.
+        # A pixel of a view is as wide as a pixel of the picture, not as one of its samples.
         views = tree.render(camera, error_px=GRID, channels=("color", *CHANNELS))
         read = tree._viewer.views.read_bytes
         rows, pictures = [], []
@@ -134,7 +134,7 @@ def lamps(city: nf.Scene) -> NDArray[np.float64]:
 
 
 def shaded(frame: nf.Frame, light: Light, heads: NDArray[np.float64]) -> NDArray[np.uint8]:
-    """The picture of a frame's surfaces in a light, sRGB, a pixel for GRID × GRID samples."""
+    """Shade a frame's surfaces by a light, sRGB, one pixel for GRID × GRID samples."""
     _, rays = frame.camera.rays()
     linear = background(rays.astype(np.float32), light)
     normal, position = frame.require("shading_normal"), frame.require("position") + np.array(frame.origin)
@@ -151,7 +151,7 @@ def shaded(frame: nf.Frame, light: Light, heads: NDArray[np.float64]) -> NDArray
 
 
 def from_lamps(points: NDArray[np.float64], normals: Floats, heads: NDArray[np.float64]) -> Floats:
-    """Light of the nearest lamps, which falls with the square of the distance."""
+    """Light of the nearest lamps, which decreases with the square of the distance."""
     distance, lamp = KDTree(heads).query(points, LAMPS, distance_upper_bound=REACH)
     total = np.zeros(len(points), np.float32)
     for away, number in zip(distance.T, lamp.T, strict=True):
@@ -162,7 +162,7 @@ def from_lamps(points: NDArray[np.float64], normals: Floats, heads: NDArray[np.f
 
 
 def background(rays: Floats, light: Light) -> Floats:
-    """The sky along rays (H, W, 3), as all renderers have it."""
+    """Sky along rays (H, W, 3), as in all renderers."""
     nadir, horizon, zenith = np.array(light.background, np.float32)
     end = np.where(rays[..., 1:2] < 0, nadir, zenith)
     sky: Floats = horizon + (end - horizon) * np.sqrt(np.abs(rays[..., 1:2]))
@@ -170,7 +170,7 @@ def background(rays: Floats, light: Light) -> Floats:
 
 
 def encoded(linear: Floats) -> NDArray[np.uint8]:
-    """The mean of the samples of each pixel as sRGB."""
+    """Average the samples of each pixel, as sRGB."""
     blocks = np.minimum(linear, 1).reshape(SIZE[1], GRID, SIZE[0], GRID, 3)
     mean = np.ascontiguousarray(blocks.mean(axis=(1, 3)), np.float32)
     return _core.encode_srgb(mean.ravel()).reshape(mean.shape)

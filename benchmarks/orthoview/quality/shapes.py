@@ -1,10 +1,10 @@
-"""Shapes of splats side by side: a tree before a wall, from 70° beside the direction of the view that has them.
+"""Shapes of splats compared: a tree in front of a wall, 70° away from the direction of the view that shows them.
 
     python -m benchmarks.orthoview.quality.shapes --out FOLDER                   # one view of a cell of 10 m
     python -m benchmarks.orthoview.quality.shapes --tiles FOLDER --trees FOLDER  # trees, with ellipses alone
 
-What the view does not show counts for no shape: shares are of the samples of the picture whose surfaces it shows, PSNR
-and SSIM of pixels all of whose samples show these or the sky.
+Surfaces that the view does not show do not count: shares are of the samples of the picture whose surfaces it shows;
+PSNR and SSIM are of pixels all of whose samples show these or the sky.
 """
 
 from __future__ import annotations
@@ -38,14 +38,14 @@ from nearfar.orthoview._codec import CONNECTED
 from nearfar.orthoview._layout import Layout
 
 SIDE = 10.0
-"""Of the cell, metres."""
+"""Side of the cell, metres."""
 TURN = 70.0
-"""Degrees between the view's direction and the picture's."""
+"""Angle in degrees between the view's direction and the picture's."""
 SIZE = (300, 264)
 GRID = 4
 """Samples along each axis of a pixel."""
 NEAR = 0.25
-"""Metres by which distances differ at least where they are of two surfaces."""
+"""Least difference in metres between distances of two surfaces."""
 FRONT = (0, 0, 1)
 
 Bools = NDArray[np.bool_]
@@ -83,7 +83,7 @@ def main() -> None:
 
 
 def of_trees(worlds: list[World], trees: Path) -> str:
-    """Pictures from the air by `tree.render`, and with surfels alone, none of them larger at borders."""
+    """Compare pictures from the air by `tree.render` with surfels only, none of them larger at borders."""
     rows = []
     for world in worlds:
         tree = opened(world.build(trees), len(layout_of().directions))
@@ -100,13 +100,13 @@ def of_trees(worlds: list[World], trees: Path) -> str:
 
 
 def _surfels(*arguments: Any, decoded: Callable[..., Any] = _codec.decoded) -> Any:
-    """Views with all pixels connected."""
+    """Decode views with all pixels connected."""
     views, bits = decoded(*arguments)
     return views, np.full_like(bits, 15)
 
 
 def tree_and_wall() -> Leaf:
-    """A broadleaf before a wall of bricks, on a lawn."""
+    """Make a broadleaf tree in front of a brick wall, on a lawn."""
     stage, low = Stage(), np.array([-SIDE / 2, 0.0, -SIDE / 2])
     stage.once(vegetation.broadleaf(3, 4, 3), "tree")
     stage.once(quads(wall(np.array([-4.8, 0.0, -3.0]), (24, 18), (0.4, 0.4)), bricks(24, 18)), "wall")
@@ -133,7 +133,7 @@ def bricks(columns: int, rows: int) -> NDArray[np.int32]:
 
 
 def camera(leaf: Leaf, layout: Layout) -> nf.Camera:
-    """From beside the view's direction, where a pixel of the view is as wide as one of the picture."""
+    """Camera beside the view's direction, for which a pixel of the view is as wide as one of the picture."""
     turn, fov = np.radians(TURN), nf.Fov.symmetric(24, SIZE[0] / SIZE[1])
     away = leaf.side / layout.size / (2 * fov.right / SIZE[0])
     middle = leaf.box.mean(axis=0)
@@ -157,7 +157,7 @@ def shapes(views: _core.OrthoViews, number: int) -> dict[str, Shape]:
 
 @dataclass(frozen=True)
 class Findings:
-    """About a picture; shares in percent of the samples whose surfaces the view shows."""
+    """Findings about a picture; shares in percent of the samples whose surfaces the view shows."""
 
     picture: NDArray[np.uint8]
     psnr: float
@@ -166,7 +166,7 @@ class Findings:
     too_far: float
     too_near: float
     false: float
-    """Samples of the sky that show a splat."""
+    """Share of sky samples that show a splat."""
 
     def cells(self) -> list[str]:
         """Cells of a table below `HEADER`."""
@@ -179,18 +179,18 @@ HEADER = ["PSNR, dB", "SSIM", "holes, %", "too far, %", "too near, %", "false, %
 
 @dataclass(frozen=True)
 class Truth:
-    """The leaf as the camera sees it, with a ray for each sample."""
+    """The leaf as seen by the camera, with a ray for each sample."""
 
     fine: nf.Camera
-    """A pixel for each sample."""
+    """Camera with a pixel for each sample."""
     frame: nf.Frame
     sky: NDArray[np.float32]
     shown: Bools
-    """Samples whose surfaces the view shows."""
+    """Mask of samples whose surfaces the view shows."""
 
     @classmethod
     def of(cls, leaf: Leaf, onto: nf.Camera, views: _core.OrthoViews, layout: Layout, number: int) -> Truth:
-        """Trace it."""
+        """Trace the truth."""
         fine = replace(onto, size=(GRID * SIZE[0], GRID * SIZE[1]))
         channels = ("color", "range", "position")
         frame = nf.render(leaf.scene, fine, clip=nf.Clip(box=leaf.box), channels=channels)
@@ -200,11 +200,11 @@ class Truth:
 
     @property
     def picture(self) -> NDArray[np.uint8]:
-        """Of mean samples, sRGB."""
+        """Picture of averaged samples, sRGB."""
         return reduced(self.frame.require("color"))
 
     def compared(self, color: NDArray[np.uint8], depth: Floats) -> Findings:
-        """Differences in a picture of the same samples."""
+        """Compare a picture of the same samples."""
         is_there = np.isfinite(depth)
         linear = to_linear(color / 255.0)
         picture = reduced(np.where(is_there[..., None], linear, self.sky))
@@ -235,7 +235,7 @@ def shown(points: NDArray[Any], leaf: Leaf, views: _core.OrthoViews, layout: Lay
 
 
 def of_kernel(leaf: Leaf, views: _core.OrthoViews, number: int, fine: nf.Camera) -> tuple[NDArray[np.uint8], Floats]:
-    """The picture of `tree.render`'s kernel, of one view."""
+    """Picture of one view by the kernel of `tree.render`."""
     splats = _core.OrthoSplats(views, number, views.connected(CONNECTED), (leaf.corner, leaf.side))
     settings = Shot(cameras=(fine,), channels=("color", "range")).settings
     images = _core.splat_orthoviews([splats], fine._core, settings, origin=(0.0, 0.0, 0.0), grid=1)
@@ -246,13 +246,13 @@ def of_kernel(leaf: Leaf, views: _core.OrthoViews, number: int, fine: nf.Camera)
 
 
 def blocks(samples: NDArray[Any]) -> NDArray[Any]:
-    """The samples (H, GRID, W, GRID, …) of pixels."""
+    """Group samples (H, GRID, W, GRID, …) by pixel."""
     height, width = samples.shape[:2]
     return samples.reshape(height // GRID, GRID, width // GRID, GRID, *samples.shape[2:])
 
 
 def reduced(linear: NDArray[Any]) -> NDArray[np.uint8]:
-    """The picture of mean samples, sRGB."""
+    """Average samples to a picture, sRGB."""
     mean = np.ascontiguousarray(blocks(linear).mean(axis=(1, 3)), np.float32)
     return _core.encode_srgb(mean.ravel()).reshape(mean.shape)
 

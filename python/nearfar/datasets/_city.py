@@ -42,8 +42,8 @@ def city(blocks: int = 12, seed: int = 0, detail: int = 2, *, instanced: bool = 
         25 thousand, 1.5, 7 and 50 million triangles, of which 25 thousand, 0.25, 0.6 and 1 million are stored: the
         others are instances.
     instanced
-        Whether repeated objects share a mesh. With False each copy is a mesh of its own, so that what instances save
-        can be measured: the same triangles, all of them stored.
+        Whether repeated objects share a mesh. With False each copy is a separate mesh, to measure what instancing
+        saves: the same triangles, all of them stored.
 
     Returns
     -------

@@ -80,8 +80,7 @@ def spheres(count: int = 1000, seed: int = 0, detail: int = 3) -> Scene:
     """Make spheres at all distances around a viewer at the origin, over a floor.
 
     Their centres are 1.5 to 60 m away, with uniform density over distance; radii are 0.08 to 1 m, smaller near the
-    viewer.
-    The same arguments give the same bytes on every run and every platform.
+    viewer. The same arguments give the same bytes on every run and every platform.
 
     Parameters
     ----------

@@ -20,7 +20,7 @@ AT_ONCE = 16
 
 
 class Planner(Protocol):
-    """Plans what a client needs at the viewer's position, after what has arrived until a time."""
+    """Plans the parts that a client needs at the viewer's position, given the parts received until a time."""
 
     def __call__(
         self, camera: Camera, time: float, received: Received, busy: bool, held: Callable[[Part], bool]

@@ -1,7 +1,7 @@
 """Measures how much of a world its views hide from viewers (disocclusion); chooses a set of directions by that.
 
-A client draws a far cell from the 3 directions of the set that are nearest to its viewing direction. What the viewer
-sees of the cell and none of the 3 views shows is a hole in its picture.
+A client draws a far cell from the 3 directions of the set that are nearest to its viewing direction. Surfaces of
+the cell that the viewer sees but none of the 3 views shows are holes in its picture.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Flights through a tree: pictures of what has arrived, while threads read the rest in the background."""
+"""Flights through a tree: pictures of the data read so far, while threads read the rest in the background."""
 
 from __future__ import annotations
 
@@ -43,8 +43,8 @@ Listener = Callable[[Exception], None]
 class Flight(Pictured):
     """A viewer that moves through a tree and never waits.
 
-    A picture is drawn from what has arrived. Where views of the cut are missing, it keeps what the previous picture
-    showed there, else it shows parts of coarser views. Threads read missing parts, the nearest first, then those that
+    A picture is drawn from the data read so far. Where views of the cut are missing, it keeps the content of the
+    previous picture, or shows parts of coarser views. Threads read missing parts, the nearest first, then those that
     the viewer needs soon. `OrthoTree.fly` begins a flight; `close` or its `with` block ends it.
     """
 
@@ -89,7 +89,7 @@ class Flight(Pictured):
         self.close()
 
     def close(self) -> None:
-        """Stop reading. What has arrived can still be drawn."""
+        """Stop reading. Data read so far can still be drawn."""
         self._loader.close()
 
     @property
@@ -150,7 +150,7 @@ class Flight(Pictured):
         channels: Iterable[str] | None = None,
         backend: str | None = None,
     ) -> Frame:
-        """Draw what has arrived, without waiting for more.
+        """Draw the data read so far, without waiting for more.
 
         Parameters
         ----------

@@ -63,8 +63,7 @@ class Steady:
         -------
         Frame
             The picture with faded colours; its other images are unchanged. `stats` has the share of pixels that
-            `agreed`
-            with the previous picture; 0 for the first one.
+            `agreed` with the previous picture; 0 for the first one.
 
         Raises
         ------

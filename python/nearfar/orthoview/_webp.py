@@ -19,9 +19,10 @@ def encode(picture: NDArray[np.uint8], quality: int | None = None, seen: NDArray
         sRGB (size, size, 3).
     quality
         0 to 100, or None for a lossless file, which decodes to the same picture.
-    Mask (size, size) of non-empty pixels; by default all. In a lossy file empty pixels take colours from their
-    surroundings: black ones would darken neighbouring pixels, and edges take bytes. Readers recognise empty
-    pixels by their depth, 0.
+    seen
+        Mask (size, size) of non-empty pixels; by default all. In a lossy file empty pixels take colours from their
+        surroundings: black ones would darken neighbouring pixels, and edges take bytes. Readers recognise empty
+        pixels by their depth, 0.
     """
     from PIL import Image
 

@@ -34,7 +34,8 @@ class TemporalAntialiasing:
 
     Parameters
     ----------
-    Weight of a new picture, above 0 to 1, after 1/`share` pictures; before that, all pictures have equal weights.
+    share
+        Weight of a new picture, above 0 to 1, after 1/`share` pictures; before that, all pictures have equal weights.
     offsets
         Number of different shifts, 1 to 1024.
 

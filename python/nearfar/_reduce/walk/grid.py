@@ -52,7 +52,7 @@ class Grid:
     def nearest(self, points: Floats) -> Cells:
         """Cells (N, 2) whose centres are nearest to points (N, 2)."""
         first, second, _ = self._normals
-        # Of three coordinates that add up to 0, the one with the largest rounding error is computed from the others.
+        # Three coordinates add up to 0: the one with the largest rounding error is computed from the others.
         basis = np.linalg.inv(np.column_stack([first, second]) * self.spacing)
         exact = (points - self.origin) @ basis.T
         exact = np.column_stack([exact, -exact.sum(axis=1)])

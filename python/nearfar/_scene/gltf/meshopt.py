@@ -22,7 +22,7 @@ def stream(view: dict[str, Any]) -> dict[str, Any] | None:
 
 
 def is_placeholder(buffer: dict[str, Any], number: int, *, has_binary: bool) -> bool:
-    """Whether a buffer has no bytes of its own, but stands for decoded ones."""
+    """Whether a buffer is only a placeholder for decoded bytes."""
     is_fallback = any(buffer.get("extensions", {}).get(name, {}).get("fallback") for name in MESHOPT)
     return "uri" not in buffer and (is_fallback or number > 0 or not has_binary)
 

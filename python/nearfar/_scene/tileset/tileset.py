@@ -122,8 +122,8 @@ class Tileset:
 
         Raises
         ------
-        A tileset that leads outside its folder or to itself, is too large, or whose tiles unpack to too much; fewer
-        `triangles` than the coarsest tiles have.
+        SceneError
+            A tileset that leads outside its folder or to itself, is too large, or whose tiles unpack to too much; fewer
             `triangles` than the coarsest tiles have.
         OSError
             A URL that does not respond.

@@ -48,8 +48,9 @@ def factory(seed: int = 0, detail: int = 2, *, instanced: bool = True) -> Scene:
 
     Parameters
     ----------
-    0 to 2⁶³ − 1; it decides the kinds of machines in the slots, the loads of the racks and the cartons on the
-    conveyors. The hall and its plan are the same for all seeds.
+    seed
+        0 to 2⁶³ − 1; it decides the kinds of machines in the slots, the loads of the racks and the cartons on the
+        conveyors. The hall and its plan are the same for all seeds.
     detail
         0: boxes, and pipes with few sides. 1: branches of the pipes, ducts, fences, loads piece by piece. 2: bolts,
         grilles, rollers, hoses, bevelled edges. 3: more sides, rounder edges. These are 0.15, 0.8, 2.2 and 3.7 million
@@ -58,8 +59,7 @@ def factory(seed: int = 0, detail: int = 2, *, instanced: bool = True) -> Scene:
         and texture coordinates, instances expanded; CloVR (2024) states 113 MB.
     instanced
         Whether repeated objects share a mesh. With False each copy is a separate mesh, to measure what instancing
-        saves:
-        the same triangles, all of them stored.
+        saves: the same triangles, all of them stored.
 
     Returns
     -------

@@ -49,9 +49,8 @@ class World:
             Least and greatest corner (2, 3), world metres; sides belong to the box and may be infinite.
         detail
             Greatest geometric error in metres that the result may have; 0 gives full detail. Half of it is for the
-            ground: a
-            grid of 3.9 m times a power of two. The other half is for objects on the ground: simpler shapes, and none of
-            objects whose parts are no farther than that from their feet.
+            ground: a grid of 3.9 m times a power of two. The other half is for objects on the ground: simpler shapes,
+            and none of objects whose parts are no farther than that from their feet.
 
         Returns
         -------

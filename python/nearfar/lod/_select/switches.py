@@ -38,11 +38,11 @@ class Switches:
     solid_angle: NDArray[np.float64]
     """Steradians up to which each level is good enough; 0 for a level that never is."""
     distance: NDArray[np.float64]
-    """That size as the least distance to the sphere's centre, divided by its radius; ∞ for a level that never is."""
+    """Size as the least distance to the sphere's centre, divided by its radius; ∞ for a level that never is."""
     screen_coverage: NDArray[np.float64]
-    """That size as the share of the picture's area covered by the sphere, 0..1: π r²/z² over the picture's area."""
+    """Size as the share of the picture's area covered by the sphere, 0..1: π r²/z² over the picture's area."""
     screen_height: NDArray[np.float64]
-    """That size as the sphere's diameter over the picture's height, 0..1."""
+    """Size as the sphere's diameter over the picture's height, 0..1."""
     is_limit: NDArray[np.bool_]
     """Whether a level is good enough at all measured sizes, so that its true limit is unknown (K,)."""
 

@@ -1,5 +1,5 @@
-//! Reads points from a file of raw float64 triples; for each line that comes it prints the radius of their smallest
-//! sphere, as the crate finds it.
+//! Reads points from a file of raw float64 triples; for each input line it prints the radius of their smallest sphere,
+//! as computed by the crate.
 
 use std::collections::VecDeque;
 use std::io::{self, BufRead, Write};
@@ -14,7 +14,7 @@ fn main() -> io::Result<()> {
     let points: VecDeque<_> = numbers.chunks_exact(3).map(|p| Point3::new(p[0], p[1], p[2])).collect();
     for line in io::stdin().lock().lines() {
         line?;
-        // It moves points on the surface to the front: a fresh copy each time, as a first caller has it.
+        // The crate moves points on the surface to the front, hence a fresh copy each time, as in a first call.
         let ball = Ball::enclosing_points(&mut points.clone());
         println!("{:e}", ball.radius_squared.sqrt());
         io::stdout().flush()?;
