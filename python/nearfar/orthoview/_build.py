@@ -114,7 +114,7 @@ def build(
 
     Notes
     -----
-    Chaudhuri et al., A System for View-Dependent Rendering of Very Large Scenes Using Orthoviews, section 4.
+    Chaudhuri et al. (2009), Image-Based Exploration of Massive Online Environments, section 4.
     """
     world, target = source_of("source", source), check.path("path", path)
     grid = Grid.over(_bounds(world, None if aabb is None else check.box("aabb", aabb)), check.positive("cell", cell))

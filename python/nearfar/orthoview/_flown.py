@@ -70,7 +70,7 @@ class FlownTree(ShownTree):
 
         References
         ----------
-        Chaudhuri et al., A System for View-Dependent Rendering of Very Large Scenes Using Orthoviews, section 4.
+        Chaudhuri et al. (2009), Image-Based Exploration of Massive Online Environments, section 4.
         """
         settings = settings_of(views, error_px, geometry, lift_deg=lift_deg)
         margin = None if margin_deg is None else math.radians(check.within("margin_deg", margin_deg, 0.0, 180.0))
@@ -117,7 +117,7 @@ class FlownTree(ShownTree):
 
         References
         ----------
-        Chaudhuri et al., A System for View-Dependent Rendering of Very Large Scenes Using Orthoviews, section 4.3.
+        Chaudhuri et al. (2009), Image-Based Exploration of Massive Online Environments, section 4.
         """
         settings = settings_of(views, error_px, geometry, lift_deg=lift_deg)
         eye = check.vector("position", position)

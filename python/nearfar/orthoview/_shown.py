@@ -148,7 +148,7 @@ class ShownTree(StoredTree, Pictured):
 
         References
         ----------
-        Chaudhuri et al., A System for View-Dependent Rendering of Very Large Scenes Using Orthoviews, section 4.2.
+        Chaudhuri et al. (2009), Image-Based Exploration of Massive Online Environments, section 4.2.
         """
         settings = settings_of(views, error_px, geometry, continuous, gaze, lift_deg)
         own = check.instance("camera", camera, Camera)
@@ -217,7 +217,7 @@ class ShownTree(StoredTree, Pictured):
 
         References
         ----------
-        Chaudhuri et al., A System for View-Dependent Rendering of Very Large Scenes Using Orthoviews, section 4.
+        Chaudhuri et al. (2009), Image-Based Exploration of Massive Online Environments, section 4.
         """
         shown = copy.copy(self)
         shown.__dict__["_viewer"] = self._viewer  # the views that it reads stay cached for the next picture

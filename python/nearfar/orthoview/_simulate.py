@@ -138,7 +138,7 @@ def simulate(
 
     References
     ----------
-    Chaudhuri et al., A System for View-Dependent Rendering of Very Large Scenes Using Orthoviews, section 4.3.
+    Chaudhuri et al. (2009), Image-Based Exploration of Massive Online Environments, section 4.
     """
     own = check.instance("tree", tree, OrthoTree)
     several = check.items("cameras", cameras, Camera, "a sequence of Cameras")

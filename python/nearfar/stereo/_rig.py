@@ -102,7 +102,7 @@ class HybridRig(RigGeometry):
         channels, samples, lod, backend
             As in `render`. Samples of an eye without a surface of its own show the shared picture, so that edges before
             the plane are as smooth as in `render`; channels other than colour and coverage are taken from its nearest
-            pixel. Levels of detail are chosen once, for the point between the eyes.
+            pixel. Levels of detail are chosen once for both eyes, by the larger of two sizes.
         cull
             Drawn pixels of the shared picture: "frustum" draws all, "discard" those that an eye looks up, "occlusion"
             the same without geometry that is completely occluded. The pictures of the eyes are the same for all. The

@@ -42,7 +42,7 @@ def reference_solid_angle(view: Hmd | Camera | Fov) -> float:
 
     References
     ----------
-    Liebisch (2021), Sec. 4.3.
+    Liebisch (2021), Sec. 3.3.1, Eq. 3.2.
     """
     sine = half_tangent(view) / 4
     if sine >= 1:
