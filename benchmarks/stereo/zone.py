@@ -20,7 +20,7 @@ PLANE = 3.0
 ENDS = (4.0, 6.0, 12.0, 24.0)
 HEAD = (0.0, 1.7, 0.0)
 BEAM = ((-0.16, 1.5, -1.4), (0.9, 1.25, -30.0))
-"""Ends of a beam visible beside the left eye's axis, metres."""
+"""Beam ends visible beside the left eye's axis, metres."""
 
 
 def beam() -> nf.Scene:
