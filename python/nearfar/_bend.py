@@ -86,11 +86,10 @@ def fold_margin(
     -------
     float
         Horizontal distance in metres at the user's present height, exact to 1e-4 (r2 − r1). Negative if the picture
-        folds already; −inf if at this height it folds even on the axis. For "blend" about 0.95 (r2 − r1) at the
-        centre's height and less above and below it, but at most (r1 + r2) / 3, where points next to the user fold. For
-        "cylinder" r1 − |(U−O)ₕ|, where ₕ denotes the horizontal part. With a smaller strength s the margin of "blend"
-        grows to about 0.95 (r2 − r1)/s, and "cylinder" keeps its own as long as s > (r2 − r1)/r1; with 0 nothing folds,
-        and it is infinite.
+        folds already; −inf if at this height it folds even on the axis; infinite for strength s = 0. For "blend" about
+        0.95 (r2 − r1)/s at the centre's height and less above and below it, but for s > ½ at most the greater of r1 and
+        (2 r2 − (r2 − r1)/s)/3, where points next to the user fold. For "cylinder" r1 − |(U−O)ₕ|, where ₕ denotes the
+        horizontal part, as long as s > (r2 − r1)/r1.
 
     Raises
     ------

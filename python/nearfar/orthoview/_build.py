@@ -79,8 +79,8 @@ def build(
         Also write the triangles of leaves, static and moving, as 3D Tiles into the store's folder "geometry": clients
         draw near leaves as triangles.
     layers
-        2 also keeps the next surface behind the first one, more than 2 pixels farther away, for views in which it shows
-        in more than 1 % of the pixels what no view of the cell shows.
+        2 also keeps the next surface behind the first one, more than 2 pixels farther away, for views in which more
+        than 1 % of the non-empty pixels show by it what no view of the cell shows.
     cluster
         "local" distributes subtrees over one process for each core of this machine, a `distributed.Client` over its
         workers, which must see `path` as it is here. The source is pickled into the store for them, so a folder of
