@@ -34,7 +34,7 @@ LANGUAGES = {".py": "Python", ".ts": "TypeScript", ".rs": "Rust"}
 """Languages by suffix of files that may have faults, besides shaders."""
 BROKEN = re.compile(r"\b(ImportError|ModuleNotFoundError|SyntaxError|IndentationError|NameError|UnboundLocalError)\b")
 """Failures that reveal a fault independently of the tests."""
-MOST_LEFT_OUT = 3
+MAX_LEFT_OUT = 3
 """Maximum number of tests of a suite that may fail without a fault."""
 
 
@@ -141,7 +141,7 @@ def without_fault(copy: Copy, suite: Suite) -> list[str]:
     failed = [name for name, _ in failures(copy, suite)]
     if failed:
         print(f"fails without a fault: {', '.join(failed)}"[:400], flush=True)
-    if len(failed) > MOST_LEFT_OUT or (failed and suite[0] not in {"pytest", "slow"}):
+    if len(failed) > MAX_LEFT_OUT or (failed and suite[0] not in {"pytest", "slow"}):
         raise Refused(f"its tests fail without it: {', '.join(failed)}"[:400])
     return failed
 

@@ -18,7 +18,7 @@ from PIL import Image
 import nearfar as nf
 from nearfar.cli._report_page import caption
 from nearfar.serve._server import Server
-from tests.support.browser import opened, started, wait_for_ring
+from tests.support.browser import open_page, started, wait_for_ring
 
 TARGET = Path(__file__).resolve().parents[1] / "docs" / "view_load.gif"
 SIZE = (400, 250)
@@ -47,7 +47,7 @@ def main() -> None:
     scene = nf.datasets.city(blocks=3, detail=1)
     with tempfile.TemporaryDirectory() as folder, started() as chromium:
         bundle = nf.stream.export(scene, Path(folder) / "city", center=CENTER, radii=RADII, speed=SPEED)
-        with Server.of_bundle(bundle._reader.place) as server, opened(chromium, *SIZE) as page:
+        with Server.of_bundle(bundle._reader.place) as server, open_page(chromium, *SIZE) as page:
             page.goto(server.url)
             assert wait_for_ring(page, 0) == ""
             frames = shown_while_it_loads(page, bundle)

@@ -45,7 +45,7 @@ class Network:
             yield f"http://{address}:{int(server.stdout.readline())}/"
 
     @contextmanager
-    def shown(self, bundle: Path) -> Iterator[str]:
+    def serve_bundle(self, bundle: Path) -> Iterator[str]:
         """Serve a bundle with its page by `nearfar serve`, at the server's side; yield the address."""
         address = LOCAL if self.real is None else SERVER
         command = [sys.executable, "-m", "nearfar.cli", "serve", str(bundle), "--host", address, "--port", "0"]

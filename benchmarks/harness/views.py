@@ -32,7 +32,7 @@ def center_for(scene: nf.Scene, radius: float, *, grid: int = 38, reach: float =
     down = nf.cast_rays(scene, above, np.tile([0.0, -1.0, 0.0], (len(x), 1))).t_hit
     ground = np.where(np.isfinite(down), high[1] + 1.0 - down, low[1])
     eyes = np.column_stack([x, ground + 1.7, z])[ground <= np.percentile(ground, 10.0) + 2.0]
-    distances = _around(scene, eyes)
+    distances = _distances_around(scene, eyes)
     ends = ((distances > 0.9 * radius) & (distances < 1.1 * radius)).sum(axis=1)
     best = eyes[np.argmax(ends * (distances.min(axis=1) >= _FARTHEST + 1.0))]
     return float(best[0]), float(best[1]), float(best[2])
@@ -79,7 +79,7 @@ def _is_free(
     return room > 2.0 and way > float(np.linalg.norm(user - center))
 
 
-def _around(scene: nf.Scene, eyes: NDArray[np.float64]) -> NDArray[np.float32]:
+def _distances_around(scene: nf.Scene, eyes: NDArray[np.float64]) -> NDArray[np.float32]:
     """Distances in metres from each eye to surfaces in directions all around."""
     angle = np.arange(_RING) * (2.0 * np.pi / _RING)
     ring = np.column_stack([np.cos(angle), np.zeros(_RING), np.sin(angle)])

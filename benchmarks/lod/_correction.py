@@ -13,7 +13,7 @@ from benchmarks.lod._material import NEUTRAL, Material
 
 Array = NDArray[np.float64]
 
-LEAST, MOST = 0.005, 0.4
+MIN, MAX = 0.005, 0.4
 """Least and greatest 1 − SSIM in the neutral material of a counted sample. Smaller values are invisible, and their
 logarithms are noise. Greater values choose the level under no reading of the published threshold, and factors saturate
 because the pictures have nothing in common."""
@@ -40,7 +40,7 @@ KINDS: dict[str, Callable[[Material], bool]] = {
 
 @dataclass(frozen=True, eq=False)
 class Samples:
-    """Samples by object, level, size and material, with a 1 − SSIM from `LEAST` to `MOST` in the neutral material."""
+    """Samples by object, level, size and material, with a 1 − SSIM from `MIN` to `MAX` in the neutral material."""
 
     object: NDArray[np.int64]
     material: NDArray[np.int64]
@@ -56,7 +56,7 @@ class Samples:
         """Logarithm of the factor."""
         return np.log(self.far / self.neutral)
 
-    def of(self, kind: str) -> NDArray[np.bool_]:
+    def is_kind(self, kind: str) -> NDArray[np.bool_]:
         """Whether each sample is of a kind of `KINDS`."""
         return np.array([KINDS[kind](one) for one in self.materials])[self.material]
 
@@ -78,10 +78,10 @@ def collect(scores: Mapping[str, Array], materials: Sequence[Material]) -> Sampl
     rows = []
     for number, of_object in enumerate(scores.values()):
         far = 1 - of_object.reshape(-1, len(materials))
-        for one in far[(far[:, neutral] >= LEAST) & (far[:, neutral] <= MOST) & (far[:, others] > 0).all(axis=1)]:
+        for one in far[(far[:, neutral] >= MIN) & (far[:, neutral] <= MAX) & (far[:, others] > 0).all(axis=1)]:
             rows += [(number, n, one[neutral], one[n]) for n in others]
     if not rows:
-        raise ValueError(f"scores: expected some from {1 - MOST} to {1 - LEAST} in the neutral material, got none")
+        raise ValueError(f"scores: expected some from {1 - MAX} to {1 - MIN} in the neutral material, got none")
     table = np.array(rows)
     numbers = table[:, :2].astype(np.int64)
     return Samples(numbers[:, 0], numbers[:, 1], table[:, 2], table[:, 3], tuple(scores), tuple(materials))
@@ -101,7 +101,7 @@ def features(materials: Sequence[Material]) -> Array:
 
 def fit(samples: Samples) -> Array:
     """Fit coefficients by least squares to samples that are not mixed, with equal weights for all objects."""
-    fitted = samples.where(~samples.of(MIXED))
+    fitted = samples.where(~samples.is_kind(MIXED))
     weight = np.sqrt(1 / np.bincount(fitted.object)[fitted.object])
     rows = features(fitted.materials)[fitted.material]
     return np.asarray(np.linalg.lstsq(rows * weight[:, None], fitted.logarithm * weight, rcond=None)[0])

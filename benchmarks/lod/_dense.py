@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar.lod._simplify.surface import Base, Surface
 
-LEAST = 500_000
+MIN = 500_000
 """Least number of triangles of an object; since each round quadruples them, most have less than 1.6 million."""
 ROUGHNESS = 0.05
 """Maximum displacement of a midpoint along each axis, as a share of its edge's length."""
@@ -17,7 +17,7 @@ _MIX = np.array([0x9E3779B1, 0x85EBCA77, 0xC2B2AE3D], np.uint32)
 """Odd multipliers, so that no bit of a coordinate is lost."""
 
 
-def densified(scene: nf.Scene, least: int = LEAST) -> nf.Scene:
+def densified(scene: nf.Scene, least: int = MIN) -> nf.Scene:
     """Split every triangle into four at the displaced midpoints of its edges, until there are enough; flat normals."""
     base = Base(scene)
     base.with_normals("flat")

@@ -99,8 +99,8 @@ def draw_factors(samples: Samples, path: Path) -> None:
     axes["means"].plot(fitted, range(len(materials)), "kx", ms=9, zorder=3, label="coefficients")
     predicted = np.exp(_correction.cross_validated(samples, "coefficients"))
     measured = np.exp(samples.logarithm)
-    finish = samples.of("finish")
-    pattern = samples.of("solid pattern") | samples.of("mapped pattern")
+    finish = samples.is_kind("finish")
+    pattern = samples.is_kind("solid pattern") | samples.is_kind("mapped pattern")
     for number, name in enumerate(samples.objects):
         color, inside = COLORS[number % len(COLORS)], samples.object == number
         if not inside.any():

@@ -78,7 +78,7 @@ def computed(study: Study) -> dict[tuple[str, str], float]:
     found: dict[tuple[str, str], float] = {}
     for column in ("d", "k"):
         for hmd in study.hmds:
-            values = getattr(study.of(hmd=hmd), column)
+            values = getattr(study.select(hmd=hmd), column)
             of, its = f"{column}, {hmd}", moments(values)
             found |= {("D", of): lilliefors(values)[0], ("W", of): shapiro(values)[0], ("df", of): float(its.n)}
             found |= {("mean", of): its.mean, ("deviation", of): its.deviation}

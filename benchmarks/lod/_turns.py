@@ -42,7 +42,7 @@ class Spread:
     error: float
 
     @staticmethod
-    def of(values: Sequence[float]) -> Spread:
+    def from_values(values: Sequence[float]) -> Spread:
         """Compute the spread of one value for each draw."""
         return Spread(float(np.mean(values)), float(np.std(values, ddof=1) / np.sqrt(len(values))))
 
@@ -61,7 +61,7 @@ class Turns:
     def saved(self, way: str, over: str | None = None) -> Spread:
         """Percentage of triangles that a method saves relative to another one, or to full detail."""
         before = self.off if over is None else self.drawn[over]
-        return Spread.of((100 * (1 - self.drawn[way] / before)).tolist())
+        return Spread.from_values((100 * (1 - self.drawn[way] / before)).tolist())
 
 
 def turns(

@@ -15,7 +15,7 @@ from nearfar import _core
 
 LUMA = np.array([0.2126, 0.7152, 0.0722])
 """Rec. 709 weights of red, green and blue."""
-LEAST_PIXELS = 16
+MIN_PIXELS = 16
 """Least number of pixels of a scored object: a mean over fewer pixels than two rows of a window is noise."""
 FINER = 2
 """Supersampling factor along each side of a displayed pixel, so that warping does not blur."""
@@ -35,7 +35,9 @@ class Case:
     cameras: list[nf.Camera]
 
     @classmethod
-    def of(cls, models: list[nf.lod.LodModel], headset: Headset, size: int, count: int, *, turns: int = TURNS) -> Case:
+    def in_ball(
+        cls, models: list[nf.lod.LodModel], headset: Headset, size: int, count: int, *, turns: int = TURNS
+    ) -> Case:
         """Make a case as in the thesis, seen from the middle."""
         cameras = [headset.camera(2 * np.pi * n / turns) for n in range(turns)]
         return cls(models, crowd(models, size=size, count=count, seed=size * count), headset, cameras)
@@ -48,7 +50,7 @@ class Case:
     @functools.cached_property
     def truths(self) -> list[View]:
         """Pictures at full detail, one for each view."""
-        return [View.of(self, camera, self.in_full(camera)) for camera in self.cameras]
+        return [View.render(self, camera, self.in_full(camera)) for camera in self.cameras]
 
     @property
     def fine_size(self) -> tuple[int, int]:
@@ -72,7 +74,7 @@ class Case:
 
     def scores(self, number: int, levels: Levels) -> NDArray[np.float64]:
         """Score of each object (N,) in a view with given levels; NaN for objects with too few visible pixels."""
-        return scores(self.truths[number], View.of(self, self.cameras[number], levels), len(levels))
+        return scores(self.truths[number], View.render(self, self.cameras[number], levels), len(levels))
 
     @property
     def spheres(self) -> tuple[list[nf.lod.LodModel], NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
@@ -113,7 +115,7 @@ class View:
     objects: NDArray[np.int32]
 
     @staticmethod
-    def of(case: Case, camera: nf.Camera, levels: Levels) -> View:
+    def render(case: Case, camera: nf.Camera, levels: Levels) -> View:
         """Draw a view in fine pixels, warp it to cancel the lens's distortion, and average to the panel's pixels."""
         width, height = case.headset.panel_size
         fine = replace(camera, size=case.fine_size)
@@ -136,5 +138,5 @@ def scores(truth: View, test: View, count: int) -> NDArray[np.float64]:
     for objects, chosen in either:
         sums += np.bincount(objects[chosen], local[chosen], minlength=count)
         pixels += np.bincount(objects[chosen], minlength=count)
-    means: NDArray[np.float64] = np.divide(sums, pixels, out=np.full(count, np.nan), where=pixels >= LEAST_PIXELS)
+    means: NDArray[np.float64] = np.divide(sums, pixels, out=np.full(count, np.nan), where=pixels >= MIN_PIXELS)
     return means

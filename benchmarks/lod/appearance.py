@@ -66,7 +66,7 @@ def validities(samples: Samples) -> dict[tuple[str, str], Validity]:
     predictions = {name: _correction.cross_validated(samples, name) for name in _correction.MODELS}
     results = {}
     for kind in _correction.KINDS:
-        inside = samples.of(kind)
+        inside = samples.is_kind(kind)
         for name, predicted in predictions.items() if inside.any() else ():
             results[kind, name] = _correction.validity(samples.where(inside), predicted[inside])
     return results

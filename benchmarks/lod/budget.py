@@ -101,7 +101,7 @@ class View:
 Rule = Callable[[View, int], Outcome]
 
 
-def joined(parts: Sequence[Outcome]) -> Outcome:
+def merge(parts: Sequence[Outcome]) -> Outcome:
     """Merge the outcomes of several views."""
     counts = [len(part.scores) for part in parts]
     foreseen = float(np.average([part.foreseen for part in parts], weights=counts))
@@ -110,7 +110,7 @@ def joined(parts: Sequence[Outcome]) -> Outcome:
 
 def ours(views: Sequence[View], budgets: Sequence[int]) -> Outcome:
     """Score our choice with a budget for each view."""
-    return joined([view.under_budget(budget) for view, budget in zip(views, budgets, strict=True)])
+    return merge([view.under_budget(budget) for view, budget in zip(views, budgets, strict=True)])
 
 
 def at_equal_mean(views: Sequence[View], budgets: Sequence[int], mean: float) -> Outcome:
@@ -137,13 +137,13 @@ def coarsest(view: View) -> Levels:
 def report(headset: Headset, *, quick: bool) -> str:
     """Table of each rule: its mean, ours with as many triangles, and our triangles for its mean."""
     models = measured(RIFT_S, step=None, wider=2)
-    cases = [Case.of(models, headset, *scene) for scene in (SCENES[:1] if quick else SCENES)]
+    cases = [Case.in_ball(models, headset, *scene) for scene in (SCENES[:1] if quick else SCENES)]
     views = [View(case, number) for case in cases for number in range(len(case.cameras))]
     rows = []
     for pixels in PIXELS:
         parts = [view.outcome(view.by_screen_error(pixels)) for view in views]
-        rule, budgets = joined(parts), [part.triangles for part in parts]
-        greedy = joined(
+        rule, budgets = merge(parts), [part.triangles for part in parts]
+        greedy = merge(
             [view.outcome(view.by_greedy_error(budget)) for view, budget in zip(views, budgets, strict=True)]
         )
         own, equal = ours(views, budgets), at_equal_mean(views, budgets, rule.mean)

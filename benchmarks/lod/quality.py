@@ -51,7 +51,7 @@ class Promises:
     """Number of triangles of all views."""
 
     @property
-    def kept(self) -> float:
+    def percent_good(self) -> float:
         """Percentage of all appearances that are good enough."""
         return 100 * float(self.is_kept.mean())
 
@@ -107,7 +107,7 @@ def row(label: str, found: Promises, percentile: int) -> list[str]:
     return [
         label,
         f"{percentile}",
-        f"{found.kept:.1f}",
+        f"{found.percent_good:.1f}",
         *(f"{x:.1f}" for x in shares),
         spread,
         f"{found.triangles:,}",
@@ -118,12 +118,12 @@ def report(headset: Headset, *, quick: bool) -> str:
     """Table of each mode with curves of the published percentile, and of the greatest one that keeps enough."""
     models = measured(headset, views=VIEWS if quick else ALL_VIEWS)
     scenes, turns = (SCENES[:1], 4) if quick else (SCENES, TURNS)
-    cases = [Case.of(models, headset, *scene, turns=turns) for scene in scenes]
+    cases = [Case.in_ball(models, headset, *scene, turns=turns) for scene in scenes]
     rows = []
     for mode in MODES:
         trial = functools.cache(lambda each, mode=mode: promises(cases, [one.refit(each) for one in models], mode))
         rows.append(row(mode, trial(PUBLISHED), PUBLISHED))
-        fails = bisect.bisect_left(range(PUBLISHED), True, key=lambda each: trial(each).kept < KEPT)
+        fails = bisect.bisect_left(range(PUBLISHED), True, key=lambda each: trial(each).percent_good < KEPT)
         enough = max(fails - 1, 0)
         rows.append(row(f"{mode}, {KEPT:g} % kept" if fails else f"{mode}, least", trial(enough), enough))
     first = trial(PUBLISHED)

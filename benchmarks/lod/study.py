@@ -61,8 +61,8 @@ def table_of_moments(study: Study) -> str:
     header = ["", "n", "mean", "deviation", "skewness", "kurtosis", "G₁", "G₂"]
     rows = []
     for column in COLUMNS:
-        parts = {"both": study} | {hmd: study.of(hmd=hmd) for hmd in study.hmds}
-        parts |= {f"{name}, {hmd}": study.of(hmd=hmd, object=name) for name in study.objects for hmd in study.hmds}
+        parts = {"both": study} | {hmd: study.select(hmd=hmd) for hmd in study.hmds}
+        parts |= {f"{name}, {hmd}": study.select(hmd=hmd, object=name) for name in study.objects for hmd in study.hmds}
         for label, part in parts.items():
             part_moments = moments(getattr(part, column))
             numbers = (part_moments.mean, part_moments.deviation, part_moments.skewness, part_moments.kurtosis)
@@ -77,7 +77,7 @@ def table_of_normality(study: Study) -> str:
     rows = []
     for column in COLUMNS:
         for hmd in study.hmds:
-            part = study.of(hmd=hmd)
+            part = study.select(hmd=hmd)
             rows.append([f"{column}, {hmd}, rows", *_normal(getattr(part, column))])
             rows.append([f"{column}, {hmd}, means of participants", *_normal(by_participant(part, column))])
         one, other = paired(study, column, "hmd", *study.hmds)
@@ -93,10 +93,10 @@ def table_of_headsets(study: Study) -> str:
     for column in COLUMNS:
         test = wilcoxon(*paired(study, column, "hmd", one, other))
         rows.append([f"{column}, {one} and {other}, rows", *_signed(test)])
-        means = (by_participant(study.of(hmd=hmd), column) for hmd in study.hmds)
+        means = (by_participant(study.select(hmd=hmd), column) for hmd in study.hmds)
         rows.append([f"{column}, {one} and {other}, means of participants", *_signed(wilcoxon(*means))])
         for name in study.objects:
-            test = wilcoxon(*paired(study.of(object=name), column, "hmd", one, other))
+            test = wilcoxon(*paired(study.select(object=name), column, "hmd", one, other))
             rows.append([f"{column}, {one} and {other}, {name}", *_signed(test)])
         for plain in study.objects:
             textured = plain.removesuffix("_plain")
@@ -110,7 +110,7 @@ def table_of_headsets(study: Study) -> str:
 def table_of_correlations(study: Study) -> str:
     """Table 5.8."""
     rows = []
-    pairs = {f"d and k, {hmd}": (study.of(hmd=hmd).d, study.of(hmd=hmd).k) for hmd in study.hmds}
+    pairs = {f"d and k, {hmd}": (study.select(hmd=hmd).d, study.select(hmd=hmd).k) for hmd in study.hmds}
     pairs["d and k, both headsets"] = (study.d, study.k)
     pairs["d and k, means of participants"] = (by_participant(study, "d"), by_participant(study, "k"))
     for column in COLUMNS:

@@ -44,7 +44,7 @@ class Study:
         """Select rows by a mask."""
         return Study(*(getattr(self, field.name)[mask] for field in fields(self)))
 
-    def of(self, *, hmd: str | None = None, object: str | None = None) -> Study:  # noqa: A002
+    def select(self, *, hmd: str | None = None, object: str | None = None) -> Study:  # noqa: A002
         """Select the rows of a headset, of an object, or of both."""
         every = np.ones(len(self), bool)
         return self.where(
@@ -235,7 +235,7 @@ def texture(study: Study) -> dict[tuple[str, int], float]:
         name = plain.removesuffix("_plain")
         if name == plain or name not in study.objects:
             continue
-        with_it, without = (study.of(object=which) for which in (name, plain))
+        with_it, without = (study.select(object=which) for which in (name, plain))
         for level in sorted({*with_it.level.tolist()} & {*without.level.tolist()} - {0}):
             far = [1 - np.median(part.d[part.level == level]) for part in (with_it, without)]
             factors[name, int(level)] = float(far[0] / far[1])
@@ -281,7 +281,7 @@ def readings(study: Study) -> dict[str, tuple[float, float, int]]:
         return float(of(first.d)), float(of(first.k)), len(first)
 
     means = {f"the first {len(people)} participants": mean(first), "all participants": mean(study)}
-    means |= {f"{hmd} only": mean(first.of(hmd=hmd)) for hmd in first.hmds}
+    means |= {f"{hmd} only": mean(first.select(hmd=hmd)) for hmd in first.hmds}
     means["odd rows mended"] = mean(mended(first))
     means["without the one whose d matters most"] = max(map(mean, without), key=lambda it: abs(it[0] - first.d.mean()))
     means["without the one whose k matters most"] = max(map(mean, without), key=lambda it: abs(it[1] - first.k.mean()))

@@ -76,7 +76,7 @@ def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--views", type=int, default=VIEWS)
     views = parser.parse_args().views
-    every, screen = sources(), Screen.of(nf.hmd.RIFT_S, None, None)
+    every, screen = sources(), Screen.from_arguments(nf.hmd.RIFT_S, None, None)
     listed, parts = [], []
     for name in (name for name in OBJECTS if name in every):
         method = "meshopt" if name in BY_MESHOPT else "fast"

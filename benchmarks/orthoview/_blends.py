@@ -15,7 +15,7 @@ from nearfar.orthoview._view import OrthoView
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-LEAST_COSINE, BORDER, SQUARED_RADIUS = 0.25, 1.27, 0.5
+MIN_COSINE, BORDER, SQUARED_RADIUS = 0.25, 1.27, 0.5
 SHARPNESS = 4.0
 """Opacity at q within a splat is e^(−`SHARPNESS` |q|²); its edge is at |q|² = 1/2."""
 LAYER = 0.01
@@ -49,7 +49,9 @@ class _Splats:
     """Weights of their directions (N,)."""
 
 
-def drawn(tree: nf.orthoview.OrthoTree, camera: nf.Camera, blend: Blend, sky: nf.Frame, views: int = 3) -> nf.Frame:
+def render_blended(
+    tree: nf.orthoview.OrthoTree, camera: nf.Camera, blend: Blend, sky: nf.Frame, views: int = 3
+) -> nf.Frame:
     """Render a tree's views without geometry; `sky` is a picture of the background with the same size."""
     width, height = camera.size
     fine = replace(camera, size=(width * GRID, height * GRID))
@@ -121,7 +123,7 @@ def _of_view(view: OrthoView, weight: float) -> _Splats:
     shown = np.isfinite(view.depth)
     normal, surfel = view.normal[shown].astype(float), view.surfel[shown][:, None]
     x, y = view.extents[:2] / len(view.depth)
-    facing = np.maximum(normal @ view.toward, LEAST_COSINE)[:, None]
+    facing = np.maximum(normal @ view.toward, MIN_COSINE)[:, None]
     u = x * (view.right - (normal @ view.right)[:, None] / facing * view.toward)
     v = y * (view.up - (normal @ view.up)[:, None] / facing * view.toward)
     half = np.hypot(x, y) / 2 / np.sqrt(SQUARED_RADIUS)

@@ -131,10 +131,10 @@ class Way:
                 key = above
         order = sorted(distances, key=lambda each: (-each[0], distances[each]))
 
-        def described(key: tuple[int, Place]) -> dict[str, Any]:
-            return {"name": name_of(*key), "below": [described(child) for child in sorted(below[key])]}
+        def subtree_of(key: tuple[int, Place]) -> dict[str, Any]:
+            return {"name": name_of(*key), "below": [subtree_of(child) for child in sorted(below[key])]}
 
-        return {"wanted": [name_of(*key) for key in order], "root": described((top, (0, 0, 0)))}
+        return {"wanted": [name_of(*key) for key in order], "root": subtree_of((top, (0, 0, 0)))}
 
 
 def name_of(level: int, place: Place) -> str:
@@ -204,7 +204,7 @@ class Client:
 
 
 @contextmanager
-def opened(chromium: Any, url: str, name: str, way: Way, gate: Gate) -> Iterator[Client]:
+def open_client(chromium: Any, url: str, name: str, way: Way, gate: Gate) -> Iterator[Client]:
     """Open a viewer without a cache, at the beginning of the way."""
     context = chromium.new_context(viewport={"width": SIZE[0], "height": SIZE[1]})
     page = context.new_page()

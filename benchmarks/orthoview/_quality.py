@@ -114,7 +114,7 @@ def compared(truth: Truth, tree: nf.orthoview.OrthoTree, setting: Setting) -> Qu
         holes.sum() / surface,
         (holes & np.isfinite(farthest(truth.range))).sum() / surface,
         through.sum() / surface,
-        (through & (frame.require("range") > beyond(farthest(truth.range)))).sum() / surface,
+        (through & (frame.require("range") > next_surface_range(farthest(truth.range)))).sum() / surface,
         nearer.sum() / surface,
         float(false.mean()),
         views + geometry,
@@ -128,7 +128,12 @@ def differences(truth: NDArray[np.float32], ranges: NDArray[np.float32]) -> tupl
     """Masks of pixels that are holes, that show surfaces behind, surfaces in front, and surfaces instead of the sky."""
     should, is_there = np.isfinite(truth), np.isfinite(ranges)
     both = should & is_there
-    return should & ~is_there, both & (ranges > beyond(truth)), both & (truth > beyond(ranges)), is_there & ~should
+    return (
+        should & ~is_there,
+        both & (ranges > next_surface_range(truth)),
+        both & (truth > next_surface_range(ranges)),
+        is_there & ~should,
+    )
 
 
 def shown_by(points: NDArray[Any], axes: Floats, extents: Floats, center: Floats, depth: NDArray[Any]) -> Bools:
@@ -153,7 +158,7 @@ def shown_by(points: NDArray[Any], axes: Floats, extents: Floats, center: Floats
     return shown
 
 
-def beyond(ranges: NDArray[np.float32]) -> NDArray[np.float32]:
+def next_surface_range(ranges: NDArray[np.float32]) -> NDArray[np.float32]:
     """Distance from which a surface counts as another one."""
     farther: NDArray[np.float32] = ranges * np.float32(1 + SHARE) + np.float32(METRES)
     return farther

@@ -16,7 +16,7 @@ REACH = 4.0
 Tree = nf.orthoview.OrthoTree
 
 
-def moved(tree: Tree, camera: nf.Camera, error_px: float = 1.0) -> NDArray[np.float64]:
+def swap_distances(tree: Tree, camera: nf.Camera, error_px: float = 1.0) -> NDArray[np.float64]:
     """Distances in pixels between the middles of children's and their parents' splats, where the level changes.
 
     Parents are those in a cut, from the directions in which they are drawn. Children farther behind their parent's

@@ -105,7 +105,7 @@ class World:
         return path
 
 
-def opened(path: Path, directions: int, layers: int = 1) -> nf.orthoview.OrthoTree:
+def open_tree(path: Path, directions: int, layers: int = 1) -> nf.orthoview.OrthoTree:
     """Open a tree as if built with fewer directions or layers: views do not depend on others."""
     tree = nf.orthoview.open(path)
     whole = tree._layout

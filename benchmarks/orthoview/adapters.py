@@ -29,7 +29,7 @@ from nearfar._render import backend as backends
 SIZES = {"640x480": ((640, 480),), "2x1832x1920": ((1832, 1920), (1832, 1920))}
 DIFFERENCE = 2e-3
 """Least difference of linear colours at which pixels count as different."""
-LEAST = 0.05
+MIN = 0.05
 """Least error of a cut, pixels."""
 
 
@@ -51,12 +51,14 @@ def main() -> None:
     if given.picture is not None:
         save_pictures(given.picture, tree)
     for name in given.sizes:
-        cameras = [nf.Camera(camera.position, camera.orientation, fov=of(shape), size=shape) for shape in SIZES[name]]
+        cameras = [
+            nf.Camera(camera.position, camera.orientation, fov=fov_of_size(shape), size=shape) for shape in SIZES[name]
+        ]
         for grid in (1, 4):
             print(frames(f"{name}, {grid} × {grid} samples", splats, cameras, grid, given.repeat))
 
 
-def of(shape: tuple[int, int]) -> nf.Fov:
+def fov_of_size(shape: tuple[int, int]) -> nf.Fov:
     return nf.Fov.symmetric(60, shape[0] / shape[1])
 
 
@@ -68,7 +70,7 @@ def gathered(
     while True:
         cut = tree.cut(camera, geometry=False, error_px=error)
         splats = tree._viewer.views.get(cut.keys())
-        if sum(view.count for view in splats) >= wanted or error <= LEAST:
+        if sum(view.count for view in splats) >= wanted or error <= MIN:
             return cut, splats
         error *= 0.93
 
@@ -107,7 +109,7 @@ def frames(
     for adapter in nf.gpu.adapters():
         if not adapter.usable:
             continue
-        device = backends.opened(adapter.backend)
+        device = backends.open_device(adapter.backend)
         for allowed in (True, False):
             before = device.allow_long_atomics(allowed)
             if allowed and not device.uses_long_atomics:

@@ -23,7 +23,7 @@ from PIL import Image
 
 import nearfar as nf
 from benchmarks.harness.timing import machine, table
-from benchmarks.orthoview._clients import CLIENTS, Way, opened, prepare
+from benchmarks.orthoview._clients import CLIENTS, Way, open_client, prepare
 from benchmarks.orthoview._gate import Gate, served
 from tests.support.browser import started
 
@@ -96,7 +96,7 @@ def standing(chromium: Any, url: str, way: Way, gate: Gate, given: argparse.Name
         begin, asked = gate.sent, gate.requests
         gate.mbps, gate.rtt_ms = math.inf, 0.0
         gate.allow(begin + 1e6 * stops[0][1])
-        with opened(chromium, url, name, way, gate) as client:
+        with open_client(chromium, url, name, way, gate) as client:
             for place, megabytes in stops:
                 gate.allow(begin + 1e6 * megabytes)
                 facts = client.settled(place, PATIENCE)
@@ -138,7 +138,7 @@ def flying(chromium: Any, url: str, way: Way, gate: Gate, given: argparse.Namesp
         start, asked = gate.sent, gate.requests
         gate.mbps, gate.rtt_ms = given.mbps, RTT
         gate.allow(math.inf)
-        with opened(chromium, url, name, way, gate) as client:
+        with open_client(chromium, url, name, way, gate) as client:
             begin = time.monotonic()
             facts = client.settled(0, PATIENCE)
             waited, before = time.monotonic() - begin, gate.sent

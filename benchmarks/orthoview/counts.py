@@ -218,7 +218,7 @@ def swaps(tree: Tree, out: Path | None) -> str:
     del out
     rows = []
     for height in HEIGHTS:
-        moved = _swaps.moved(tree, eye(tree, height))
+        moved = _swaps.swap_distances(tree, eye(tree, height))
         rows.append(
             [f"{height:g}", f"{len(moved):,}", *(f"{np.quantile(moved, q):.2f}" for q in (0.5, 0.9, 0.99, 0.999, 1))]
         )

@@ -19,7 +19,7 @@ from benchmarks.harness.compare import FOLDER
 from benchmarks.harness.timing import machine, table
 from nearfar._base import data
 from nearfar.orthoview._directions import COUNTS
-from nearfar.orthoview._disocclusion import BOUND, Choice, chosen
+from nearfar.orthoview._disocclusion import BOUND, Choice, choose_directions
 from nearfar.orthoview._grid import Grid
 
 MANHATTAN = "city/manhattan_deckgl/manhattan_core.glb"
@@ -68,7 +68,7 @@ def worlds() -> Iterator[World]:
     city = nf.datasets.city(blocks=12, detail=1)
     yield World("city, streets along the axes", city, 40.0)
     yield World("city, streets along the axes", city, 80.0)
-    yield World("city, turned by 45°", turned(city, 45.0), 80.0)
+    yield World("city, turned by 45°", rotated_about_y(city, 45.0), 80.0)
     for name, file, cells in (("Manhattan", MANHATTAN, (125.0, 500.0)), ("Tokyo", TOKYO, (125.0, 250.0, 500.0))):
         path = data.find(file)
         if path is not None:
@@ -89,10 +89,10 @@ def of_angles() -> Iterator[World]:
     if path is not None:
         scene = nf.Scene.load(path)
         for angle in ANGLES:
-            yield World(f"Manhattan, {angle:g}°", turned(scene, GRID + angle), 250.0)
+            yield World(f"Manhattan, {angle:g}°", rotated_about_y(scene, GRID + angle), 250.0)
 
 
-def turned(scene: nf.Scene, degrees: float) -> nf.Scene:
+def rotated_about_y(scene: nf.Scene, degrees: float) -> nf.Scene:
     """Rotate the triangles of a scene about the y axis."""
     corners, (sine, cosine) = scene.triangles().reshape(-1, 3), np.sin(np.radians([degrees, degrees + 90]))
     matrix = np.array([[cosine, 0, -sine], [0, 1, 0], [sine, 0, cosine]], np.float32)
@@ -101,10 +101,10 @@ def turned(scene: nf.Scene, degrees: float) -> nf.Scene:
 
 def measured(world: World, rows: list[list[str]]) -> Choice:
     """Choose directions for a world, and add a row to the table."""
-    grid = Grid.over(world.source.bounds, world.cell)
+    grid = Grid.from_bounds(world.source.bounds, world.cell)
     world.source.query(grid.box(0, (0, 0, 0)))  # makes the search tree of a scene in memory
     wall, cpu = time.perf_counter(), time.process_time()
-    choice = chosen(world.source, grid, below=world.below)
+    choice = choose_directions(world.source, grid, below=world.below)
     seconds = [f"{time.perf_counter() - wall:.1f}", f"{time.process_time() - cpu:.1f}"]
     shares = [f"{100 * choice.shares[count]:.1f}" for count in COUNTS]
     rows.append([world.label, *shares, str(choice.count), str(choice.cells), *seconds])

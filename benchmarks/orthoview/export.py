@@ -74,7 +74,7 @@ def sizes(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
 def sigma(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
     """Compare one cell by Spark and by `tree.render`, for several widths of Gaussians."""
     cells = cells_of(tree)
-    key = max(cells.at(given.level), key=lambda cell: cells.read(*cell).pixels)
+    key = max(cells.cells_of_level(given.level), key=lambda cell: cells.read(*cell).pixels)
     box = tree.box(*key)
     x, y, z = box.mean(axis=0).tolist()
     side = box[1, 0] - box[0, 0]

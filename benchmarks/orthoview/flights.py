@@ -86,7 +86,7 @@ class Tiles:
 
 
 def tiles(tree: nf.orthoview.OrthoTree, cameras: list[nf.Camera], link: nf.stream.Link) -> nf.orthoview.FlightLog:
-    opened = tree._opened()
+    opened = tree._open_store()
     return flown(Client(Tiles(opened.viewer.cutter), opened.sizes, link, 1 << 40, 0), cameras, RATE)
 
 
@@ -134,7 +134,7 @@ def growth(given: argparse.Namespace) -> None:
     """
     tree, rows = nf.orthoview.open(given.tree), []
     whole = float((tree.bounds[1] - tree.bounds[0]).max())
-    asked = {name: _asked(tree, WAYS[name][1]) for name in ("walk", "helicopter")}
+    asked = {name: _parts_per_metre(tree, WAYS[name][1]) for name in ("walk", "helicopter")}
     for side in (1000.0, 2000.0, 4000.0, 8000.0, 16000.0, whole):
         row = [f"{side / 1e3:g}"]
         for metres in asked.values():
@@ -152,9 +152,9 @@ def growth(given: argparse.Namespace) -> None:
         _plot(rows, given.out)
 
 
-def _asked(tree: nf.orthoview.OrthoTree, height: float) -> list[dict[Part, tuple[int, float]]]:
+def _parts_per_metre(tree: nf.orthoview.OrthoTree, height: float) -> list[dict[Part, tuple[int, float]]]:
     """Parts of the picture on each of 400 metres, with bytes and the distance of their cells from the way's middle."""
-    opened = tree._opened()
+    opened = tree._open_store()
     cutter, grid, metres = opened.viewer.cutter, opened.grid, 400
     facts: dict[Part, tuple[int, float]] = {}
     found = []

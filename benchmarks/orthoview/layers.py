@@ -121,9 +121,9 @@ def cells() -> Iterator[Cell]:
         yield Cell("Tokyo, 1000 m of leaves of 500 m", tokyo, np.array([x - 500, y, z - 500]), 1000.0, 1)
 
 
-def drawn(cell: Cell, *, behind: bool, count: int = len(DIRECTIONS)) -> _core.OrthoViews:
+def render_cell(cell: Cell, *, behind: bool, count: int = len(DIRECTIONS)) -> _core.OrthoViews:
     if cell.levels:
-        children = [(octant, drawn(child, behind=behind, count=count)) for octant, child in cell.children()]
+        children = [(octant, render_cell(child, behind=behind, count=count)) for octant, child in cell.children()]
         return composed(children, behind=behind, count=count)
     return leaf(cell.part()._core, cell, behind=behind, count=count)
 
@@ -149,7 +149,7 @@ def time_ratio(cell: Cell) -> float:
 
 def fresh_parent(cell: Cell, *, behind: bool) -> Callable[[], object]:
     """Compose a cell of its children, which are drawn."""
-    children = [(octant, drawn(child, behind=behind)) for octant, child in cell.children()]
+    children = [(octant, render_cell(child, behind=behind)) for octant, child in cell.children()]
     return lambda: composed(children, behind=behind)
 
 
@@ -161,9 +161,9 @@ def fresh_leaf(cell: Cell, *, behind: bool) -> Callable[[], object]:
 
 
 def gain(cell: Cell) -> Gain:
-    views = drawn(cell, behind=True)
-    second = views.behind()
-    firsts = drawn(cell, behind=False, count=len(MORE)).depths()[..., 0]
+    views = render_cell(cell, behind=True)
+    second = views.second_layer()
+    firsts = render_cell(cell, behind=False, count=len(MORE)).depths()[..., 0]
     seconds = np.zeros_like(firsts) if second is None else second.depths()[..., 0]
     rng, part, filled = np.random.default_rng(1), cell.part(), np.zeros(len(DIRECTIONS))
     total, hidden, left, with_more = 0, 0, 0, 0
@@ -171,7 +171,7 @@ def gain(cell: Cell) -> Gain:
         toward = rng.normal(size=3)
         toward[1] = abs(toward[1])
         toward /= np.linalg.norm(toward)
-        points = seen(part, cell, toward)
+        points = visible_points(part, cell, toward)
         lost = lost_of(points, firsts, nearest(toward, len(DIRECTIONS)), cell)
         found = {n: shows(seconds[n], n, lost, cell) for n in nearest(toward, len(DIRECTIONS))}
         for n, shown in found.items():
@@ -209,7 +209,7 @@ def bytes_of(views: _core.OrthoViews | None) -> Floats:
     return np.array(sizes, np.float64)
 
 
-def seen(scene: nf.Scene, cell: Cell, toward: Floats) -> Floats:
+def visible_points(scene: nf.Scene, cell: Cell, toward: Floats) -> Floats:
     """Return the points, one per pixel, of a cell's surfaces that face a viewer of this cell only."""
     right = np.cross([0, 1, 0], toward)
     right /= np.linalg.norm(right)

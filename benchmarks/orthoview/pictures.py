@@ -23,7 +23,7 @@ import nearfar as nf
 from benchmarks.harness.timing import machine, table
 from benchmarks.orthoview import _sheets
 from benchmarks.orthoview._quality import Quality, Setting, Truth, compared, mean
-from benchmarks.orthoview._worlds import ALL, PICTURE, SIZE, World, forest, landscape, opened, tokyo
+from benchmarks.orthoview._worlds import ALL, PICTURE, SIZE, World, forest, landscape, open_tree, tokyo
 from nearfar.orthoview._directions import directions_of, widest
 
 SETS = (5, 9, 13, 26)
@@ -76,7 +76,7 @@ def by_sets(worlds: list[World], trees: Path, out: Path | None) -> None:
     rows = []
     for world in worlds:
         path = world.build(trees)
-        found = {count: opened(path, count) for count in SETS}
+        found = {count: open_tree(path, count) for count in SETS}
         for place, cameras in places(world):
             shown = truths(world, cameras, found[ALL])
             for count, views in ((count, views) for count in SETS for views in VIEWS):
@@ -94,7 +94,7 @@ def by_cuts(worlds: list[World], trees: Path, out: Path | None) -> None:
         path = world.build(trees)
         for place, cameras in places(world):
             for count in SETS:
-                tree = opened(path, count)
+                tree = open_tree(path, count)
                 setting = Setting(error_px=widest(tree.directions) / widest(directions_of(DIRECTIONS)), geometry=False)
                 quality = mean([compared(truth, tree, setting) for truth in truths(world, cameras, tree)])
                 rows.append([place, str(count), *amounts(quality), *cells(quality)])
@@ -108,7 +108,7 @@ def by_errors(worlds: list[World], trees: Path, out: Path | None) -> None:
     rows: list[list[str]] = []
     lines: dict[str, list[Quality]] = {}
     for world in worlds:
-        tree = opened(world.build(trees), DIRECTIONS)
+        tree = open_tree(world.build(trees), DIRECTIONS)
         for place, cameras in places(world):
             shown = truths(world, cameras, tree)
             for error in ERRORS:
@@ -127,7 +127,7 @@ def by_geometry(worlds: list[World], trees: Path, out: Path | None) -> None:
     del out
     rows = []
     for world in worlds:
-        tree = opened(world.build(trees), DIRECTIONS)
+        tree = open_tree(world.build(trees), DIRECTIONS)
         for place, cameras in places(world):
             for geometry in (True, False):
                 setting = Setting(geometry=geometry)
@@ -147,7 +147,7 @@ def by_layers(worlds: list[World], trees: Path, out: Path | None) -> None:
         path = part.build(trees, DIRECTIONS, layers=2)
         for place, cameras in places(part):
             for layers, views in ((layers, views) for views in VIEWS for layers in (1, 2)):
-                tree = opened(path, DIRECTIONS, layers)
+                tree = open_tree(path, DIRECTIONS, layers)
                 setting = Setting(views, geometry=False)
                 quality = mean([compared(truth, tree, setting) for truth in truths(part, cameras, tree)])
                 rows.append([place, str(views), str(layers), *amounts(quality), *cells(quality)])
@@ -162,7 +162,7 @@ def sheet(worlds: list[World], trees: Path, out: Path | None) -> None:
         return
     rows: list[list[Any]] = []
     for world in worlds:
-        tree = opened(world.build(trees), DIRECTIONS)
+        tree = open_tree(world.build(trees), DIRECTIONS)
         for name, cameras in places(world):
             camera = replace(cameras[0], size=_sheets.SMALL)
             truth = Truth(world, camera, tree.bounds)
@@ -176,7 +176,7 @@ def wide(worlds: list[World], trees: Path, out: Path | None) -> None:
     if out is None:
         return
     world = worlds[0]
-    tree = opened(world.build(trees), DIRECTIONS)
+    tree = open_tree(world.build(trees), DIRECTIONS)
     at = world.box[0] + world.side * np.array([(0.5, 0.28, -0.22), (0.5, 0.0, 0.5)])
     camera = nf.Camera.look_at(
         at[0], at[1], fov=nf.Fov.symmetric(60, _sheets.WIDE[0] / _sheets.WIDE[1]), size=_sheets.WIDE

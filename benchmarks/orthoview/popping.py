@@ -19,7 +19,7 @@ import numpy as np
 
 import nearfar as nf
 from benchmarks.harness.timing import best, machine, table
-from benchmarks.orthoview._blends import Blend, drawn
+from benchmarks.orthoview._blends import Blend, render_blended
 from benchmarks.orthoview._flight import METHODS, PARTS, RATE, SAMPLES, camera_at, flown, plot, truth_at
 from benchmarks.orthoview._worlds import World, tokyo
 
@@ -147,7 +147,7 @@ def blends(world: World, tree: Tree, out: Path, parts: int) -> None:
             sky = nf.render(world.scene, truth.camera, clip=nowhere, channels=("color",))
             now = {"truth": truth}
             for name, blend in blends.items():
-                now[name] = replace(truth, color=drawn(tree, truth.camera, blend, sky).color)
+                now[name] = replace(truth, color=render_blended(tree, truth.camera, blend, sky).color)
                 errors[name].append((nf.psnr(truth, now[name]), float(nf.ssim(truth, now[name]))))
             for name, frame in last.items():
                 alike[name].append(float(nf.motion_ssim(frame, now[name])))

@@ -92,7 +92,7 @@ def in_process(job: Row) -> Row:
 
 def built(job: Row) -> Row:
     """Build a tree and measure it."""
-    source, aabb = opened(job)
+    source, aabb = open_world(job)
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     with tempfile.TemporaryDirectory(dir=job.get("folder")) as folder:
         wall, cpu = time.perf_counter(), time.process_time()
@@ -120,7 +120,7 @@ def built(job: Row) -> Row:
     }
 
 
-def opened(job: Row) -> tuple[nf.SceneSource, np.ndarray]:
+def open_world(job: Row) -> tuple[nf.SceneSource, np.ndarray]:
     """Open a world, and return it with the part to build."""
     if job["world"] == "asteroids":
         rocks = nf.datasets.asteroids()

@@ -68,7 +68,7 @@ def at_distance(path: Array, metres: float) -> tuple[Array, Array]:
     return path[piece] + (metres - before[piece]) / lengths[piece] * steps[piece], steps[piece] / lengths[piece]
 
 
-def around(position: Array) -> list[nf.Camera]:
+def cameras_around(position: Array) -> list[nf.Camera]:
     """Four views all around from a place."""
     turns = np.radians([0.0, 90.0, 180.0, 270.0])
     ways = np.column_stack([np.cos(turns), np.zeros(4), np.sin(turns)])
@@ -85,7 +85,7 @@ def measure(old: nf.ReducedScene, new: nf.ReducedScene, position: Array, stride:
 
     step = np.subtract(new.center, old.center)
     rows: list[Array] = []
-    for camera in around(position):
+    for camera in cameras_around(position):
         frames = [reduced.render(camera, channels=("position",), method="exact") for reduced in (old, new)]
         first, second = (frame.require("position").astype(np.float64) + frame.origin for frame in frames)
         rays = camera.rays()[1].reshape(-1, 3)

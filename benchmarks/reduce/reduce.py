@@ -65,7 +65,7 @@ def frames(name: str, scene: nf.Scene, center: NDArray[np.float64], size: tuple[
     for method, morph, how in jobs:
         reduced = nf.reduce(scene, center=center, r1=R1, r2=R2, face_size=512, samples=1, morph=morph)
         # Each frame is for a user who has just moved, so that data cached for a static user does not count.
-        job = partial(_moved, reduced, camera, itertools.count(), channels=("color",), **how)
+        job = partial(_render_moving_user, reduced, camera, itertools.count(), channels=("color",), **how)
         timing: Timing = best(job, repeat=3)
         frame = job()
         error = np.sqrt(np.mean((frame.require("color") - exact) ** 2))
@@ -77,7 +77,7 @@ def frames(name: str, scene: nf.Scene, center: NDArray[np.float64], size: tuple[
     return table(title, ["method", "triangles traced", "ms", "× truth", "rms to truth (linear)"], rows)
 
 
-def _moved(reduced: nf.ReducedScene, camera: nf.Camera, steps: Iterator[int], **settings: Any) -> nf.Frame:
+def _render_moving_user(reduced: nf.ReducedScene, camera: nf.Camera, steps: Iterator[int], **settings: Any) -> nf.Frame:
     """Render a frame for a user who is a millimetre ahead of the last one."""
     x, y, z = camera.position
     return reduced.render(replace(camera, position=(x + 1e-3 * next(steps), y, z)), **settings)
@@ -99,11 +99,11 @@ def poses(size: tuple[int, int]) -> str:
         still = best(frame, repeat=3)
         number = iter(range(1000))
 
-        def moved(frame: Callable[..., nf.Frame] = frame, number: Any = number) -> nf.Frame:
+        def render_moving_car(frame: Callable[..., nf.Frame] = frame, number: Any = number) -> nf.Frame:
             pose[0, 3] += 0.1 * next(number)
             return frame(at={car: pose})
 
-        timing = best(moved, repeat=3)
+        timing = best(render_moving_car, repeat=3)
         posing = best(lambda: scene.at({car: pose}), repeat=3)
         rows.append([method, f"{posing.wall * 1e3:.2f}", f"{timing.wall * 1e3:.0f}", f"{still.wall * 1e3:.0f}"])
     title = f"One of the city's cars moves, {size[0]} × {size[1]}"

@@ -31,10 +31,10 @@ REACH = 8.0
 DENSITY = 20.0
 """Density in pixels per degree where the camera looks, as in headsets."""
 
-LEAST_EDGE = 200
+MIN_EDGE = 200
 """Least number of boundary pixels with both sides in view for a view to count."""
 
-MOST_TRIES = 60
+MAX_TRIES = 60
 
 
 def cases(quick: bool) -> Iterator[tuple[str, nf.Scene, Point]]:
@@ -55,7 +55,7 @@ def views(center: Point, seed: int) -> Iterator[nf.Camera]:
     draw = np.random.default_rng(seed)
     fov = nf.Fov.symmetric(60, 16 / 9)
     width = round(DENSITY * float(np.degrees(fov.right - fov.left)))
-    for _ in range(MOST_TRIES):
+    for _ in range(MAX_TRIES):
         around, ahead = draw.uniform(0.0, 2.0 * np.pi, 2)
         away = REACH * np.sqrt(draw.uniform())
         user = np.add(center, (away * np.cos(around), 0.0, away * np.sin(around)))
@@ -77,7 +77,7 @@ def places_of(frame: nf.Frame) -> Positions:
     return np.asarray(frame.require("position").astype(np.float64) + frame.origin)
 
 
-def seen(frame: nf.Frame, truth: nf.Frame) -> Mask:
+def visible_mask(frame: nf.Frame, truth: nf.Frame) -> Mask:
     """Pixels (H, W) whose points are visible in the truth, to 1 % of their distance and a pixel to each side."""
     camera, points = frame.camera, places_of(frame)
     known = np.isfinite(points).all(axis=-1)
@@ -108,7 +108,7 @@ def parts(scene: nf.Scene, frame: nf.Frame, truth: nf.Frame, end: Mask) -> dict[
     found = {
         "whole boundary": [(frame, False)],
         "surfaces across r₂": [(frame, True)],
-        "the same, as far as the user sees them": [(only(frame, seen(frame, truth)), True)],
+        "the same, as far as the user sees them": [(only(frame, visible_mask(frame, truth)), True)],
         "each object by itself": [(only(frame, numbers == n), True) for n in crossing],
     }
     if ground:
@@ -127,7 +127,7 @@ def tears(name: str, scene: nf.Scene, center: Point, count: int, seed: int) -> s
         taken = 0
         for camera in views(center, seed):
             frames = pictures(reduced, camera)
-            if not all(_count(nf.boundary_tear(frame, **where)) >= LEAST_EDGE for frame in frames):
+            if not all(_count(nf.boundary_tear(frame, **where)) >= MIN_EDGE for frame in frames):
                 continue
             taken += 1
             truth = nf.render(scene, camera, channels=("position",), backend="cpu")

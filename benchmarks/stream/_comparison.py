@@ -49,11 +49,11 @@ def quality(
     found: dict[str, list[list[float]]] = {"ovc": [], "ofc": []}
     for eye, look in users(bundle.center):
         own = replace(parts, cameras=(camera_of(eye, look, size),), most=ALL_STATES)
-        path = HeadPath.of(eye, bundle.center)
+        path = HeadPath.parse(eye, bundle.center)
         rows = []
         for name in STRATEGIES:
             line = nf.stream.simulate(bundle, link=link, strategy=name, head_path=eye, duration=end)
-            rows.append(filled(line, seen(thinned(line), own, path, every=end)))
+            rows.append(filled(line, measure_pictures(thinned(line), own, path, every=end)))
         for kind, values in found.items():
             values.append([mean_over_time(row["time"], row[kind], end) for row in rows])
     return {kind: np.array(values) for kind, values in found.items()}
@@ -77,7 +77,7 @@ def filled(line: nf.stream.Timeline, found: dict[str, Any]) -> dict[str, Any]:
     return {name: np.interp(numbers, known, values) for name, values in found.items()} | {"time": line.frames["time"]}
 
 
-def seen(line: nf.stream.Timeline, parts: SceneParts, path: HeadPath, *, every: float) -> dict[str, Any]:
+def measure_pictures(line: nf.stream.Timeline, parts: SceneParts, path: HeadPath, *, every: float) -> dict[str, Any]:
     """Measure the pictures of a timeline."""
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "the picture folds")

@@ -46,9 +46,9 @@ def loadings(place: Place, bundle: nf.stream.Bundle) -> tuple[list[Loading], flo
     for instanced in (True, False):
         rings = nf.stream.assign(place.make(instanced=instanced), center=place.center, radii=PUBLISHED)
         for compressed in (True, False):
-            near = min((Near.of(rings, compressed=compressed) for _ in range(2)), key=lambda near: near.seconds)
+            near = min((Near.encode(rings, compressed=compressed) for _ in range(2)), key=lambda near: near.seconds)
             name = f"{'instances' if instanced else 'copies'}, {'meshopt' if compressed else 'plain'}"
-            sent = sum(near.sent(images=False)) + sum(near.sent(images=True))
+            sent = sum(near.bytes_by_ring(images=False)) + sum(near.bytes_by_ring(images=True))
             seconds = least(partial(loaded, near))
             found.append(Loading(name, near.seconds, sent, maps, seconds, decode_maps))
     return found, expanded(near)

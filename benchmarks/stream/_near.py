@@ -15,7 +15,7 @@ from scipy.spatial import cKDTree
 
 import nearfar as nf
 from nearfar import _core
-from nearfar.stream._decode import joined, ring_scene
+from nearfar.stream._decode import join_rings, ring_scene
 from nearfar.stream._encode import Files, Geometry, TextureFiles, Textures
 from nearfar.stream._radii import PUBLISHED
 
@@ -74,7 +74,7 @@ class Near:
     """Seconds of encoding."""
 
     @classmethod
-    def of(cls, rings: nf.stream.Rings, *, compressed: bool, quality: int | None = 90) -> Near:
+    def encode(cls, rings: nf.stream.Rings, *, compressed: bool, quality: int | None = 90) -> Near:
         start = time.perf_counter()
         files, textures = Files(), whole_textures(rings.scene, quality)
         entries = list(Geometry(rings, files, textures, step=STEP, compressed=compressed).groups("ring"))
@@ -86,7 +86,7 @@ class Near:
         named = [] if entry["geometry"] is None else [entry["geometry"], *entry["parts"]]
         return {name for name in named if name.endswith(".webp") == images}
 
-    def sent(self, *, images: bool) -> list[int]:
+    def bytes_by_ring(self, *, images: bool) -> list[int]:
         """Bytes of each ring from 1 on; each file counts once."""
         seen: set[str] = set()
         counts = []
@@ -108,10 +108,10 @@ class Near:
 
 def one_scene(scenes: Sequence[nf.Scene | None], moving: nf.Scene | None = None) -> nf.Scene:
     """Join dynamic objects and all rings, as a client does."""
-    return joined(moving, [(f"ring {ring}", scene) for ring, scene in enumerate(scenes, 1) if scene is not None])
+    return join_rings(moving, [(f"ring {ring}", scene) for ring, scene in enumerate(scenes, 1) if scene is not None])
 
 
-def shown(scenes: Sequence[nf.Scene | None], env: nf.EnvMap, moving: nf.Scene | None) -> nf.ReducedScene:
+def client_scene(scenes: Sequence[nf.Scene | None], env: nf.EnvMap, moving: nf.Scene | None) -> nf.ReducedScene:
     """Dynamic objects and all rings in front of the last map, as a client shows them."""
     near = one_scene(scenes, moving)
     zones = nf.partition(near, center=env.center, r1=0.7 * PUBLISHED[-1], r2=PUBLISHED[-1])

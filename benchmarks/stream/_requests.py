@@ -71,7 +71,7 @@ def round_trip(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle) 
 def requests(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, strategy: str) -> dict[str, float]:
     """Seconds from the request of the manifest until the files of each stage had arrived."""
     steps = plan(bundle, strategy)
-    given = [{"asked": step.asked, "files": step.files, "isAhead": step.is_ahead} for step in steps.steps]
+    given = [{"asked": step.requests, "files": step.files, "isAhead": step.is_ahead} for step in steps.steps]
     with way.page(chromium, SIZE) as page:
         # An address of the server without scripts; the connection stays open.
         page.goto(f"{url}NOTHING")

@@ -16,7 +16,7 @@ from typing import Any
 import nearfar as nf
 from benchmarks.harness.timing import machine, table
 from benchmarks.stream import _encoder, _instances, _quality, _stages
-from benchmarks.stream._near import Near, Packed, Place, error, in_one_file, places, shown
+from benchmarks.stream._near import Near, Packed, Place, client_scene, error, in_one_file, places
 from benchmarks.stream.maps import whole_range
 from nearfar.stream import _map_files as codec
 from nearfar.stream._radii import PUBLISHED
@@ -51,11 +51,11 @@ def sizes(bundle: nf.stream.Bundle, near: Near, plain: Near, packed: dict[str, l
     """Bytes of each ring by column."""
     rows = bundle.summary()
     return {
-        "geometry": [0, *near.sent(images=False)],
-        "textures": [0, *near.sent(images=True)],
+        "geometry": [0, *near.bytes_by_ring(images=False)],
+        "textures": [0, *near.bytes_by_ring(images=True)],
         "colour": [row["color"] for row in rows],
         "range": [row["range"] for row in rows],
-        "plain GLB": [0, *plain.sent(images=False)],
+        "plain GLB": [0, *plain.bytes_by_ring(images=False)],
         **{name: [0, *found] for name, found in packed.items()},
         "whole map": whole_maps(bundle),
     }
@@ -100,12 +100,12 @@ def sizes_and_quality(place: Place, folder: Path) -> tuple[Measured, list[Any]]:
     scene = place.make()
     bundle, seconds = export(scene, folder / "bundle", place)
     rings = nf.stream.assign(scene, center=place.center, radii=PUBLISHED)
-    near, plain = (Near.of(rings, compressed=compressed, quality=None) for compressed in (True, False))
+    near, plain = (Near.encode(rings, compressed=compressed, quality=None) for compressed in (True, False))
     (folder / "plain").mkdir()
     peers = Packed(plain, folder / "plain")
     found = {f"gltfpack {' '.join(options)}": peers.rings(*options) for options in PEERS}
     packed = {name: both for name, both in found.items() if both is not None}
-    published = Near.of(rings, compressed=True)
+    published = Near.encode(rings, compressed=True)
     measured = sizes(bundle, published, plain, {name: both[0] for name, both in packed.items()})
     print(sizes_table(place, near, measured))
     squeezed = sum(len(zlib.compress(data)) for name, data in near.files.content.items() if not name.endswith("webp"))
@@ -117,7 +117,9 @@ def sizes_and_quality(place: Place, folder: Path) -> tuple[Measured, list[Any]]:
     reference, _ = export(scene, folder / "lossless", place, **lossless)
     base, last = reference.at(reference.count), reference.map(reference.count)
     compared = {"bundle": bundle.at(bundle.count)}
-    compared |= {f"{name}: geometry alone": shown(scenes, last, bundle._moving) for name, scenes in decoded.items()}
+    compared |= {
+        f"{name}: geometry alone": client_scene(scenes, last, bundle._moving) for name, scenes in decoded.items()
+    }
     header = ["", "PSNR", "SSIM", "least PSNR", "least SSIM", "PSNR to the truth", "SSIM"]
     print(table(f"{place.name}: pictures", header, _quality.rows(place, scene, base, compared)))
     del base, compared, decoded, packed, found

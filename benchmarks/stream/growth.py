@@ -73,7 +73,7 @@ class City:
         eye = (self.user[0], self.user[1], self.user[2] - ahead)
         return nf.Camera.look_at(eye, (eye[0], self.target[1], eye[2] + self.target[2]), fov=FOV, size=SIZE)
 
-    def shown(self, ring: int, radius: float | None = None, strength: float = 1.0) -> nf.Frame:
+    def client_picture(self, ring: int, radius: float | None = None, strength: float = 1.0) -> nf.Frame:
         """Return the client's picture, by bent rays, of a ring at a stage of its morph's growth."""
         grown = self.rings[ring].with_growth(radius if ring else 0.0, strength)
         return grown.render(self.view(), method="exact", channels=("color",))
@@ -85,17 +85,17 @@ class City:
 
 def growing(city: City, growth: nf.stream.Growth) -> Callable[[float], nf.Frame]:
     """Return pictures of ring 5 while its radius grows."""
-    return lambda time: city.shown(5, growth.radius(5, time))
+    return lambda time: city.client_picture(5, growth.radius(5, time))
 
 
 def first_by_radius(city: City, seconds: float) -> Callable[[float], nf.Frame]:
     """Return pictures of ring 1 while its radius grows from 0, as in CloVR (2024)."""
-    return lambda time: city.shown(1, city.bundle.radii[0] * min(time / seconds, 1.0))
+    return lambda time: city.client_picture(1, city.bundle.radii[0] * min(time / seconds, 1.0))
 
 
 def first_by_strength(city: City, seconds: float) -> Callable[[float], nf.Frame]:
     """Return pictures of ring 1 at its own radius while its strength grows."""
-    return lambda time: city.shown(1, city.bundle.radii[0], min(time / seconds, 1.0))
+    return lambda time: city.client_picture(1, city.bundle.radii[0], min(time / seconds, 1.0))
 
 
 def cases(city: City, quick: bool) -> Iterator[Case]:
@@ -111,14 +111,14 @@ def cases(city: City, quick: bool) -> Iterator[Case]:
         yield Case(f"ring 1 by strength, in {seconds:.1f} s", seconds, first_by_strength(city, seconds))
     first = radii[0]
     fade = nf.stream.Growth(radii).fade
-    old, new = city.shown(4, radii[3]), city.shown(5, radii[3])
-    zero, one = city.shown(0), city.shown(1, first, 0.0)
+    old, new = city.client_picture(4, radii[3]), city.client_picture(5, radii[3])
+    zero, one = city.client_picture(0), city.client_picture(1, first, 0.0)
     yield Case("ring 1 arrives, cross-fade", fade, lambda time: nf.stream.blend(zero, one, min(time / fade, 1.0)))
     yield Case("ring 5 arrives, cross-fade", fade, lambda time: nf.stream.blend(old, new, min(time / fade, 1.0)))
     yield Case("ring 1 arrives, without", 0.0, lambda time: one if time else zero)
     yield Case("ring 5 arrives, without", 0.0, lambda time: new if time else old)
-    yield Case("ring 1 at once, as CloVRd", 0.0, lambda time: city.shown(1, first) if time else zero)
-    yield Case("ring 5 at once, as CloVRd", 0.0, lambda time: city.shown(5, radii[4]) if time else old)
+    yield Case("ring 1 at once, as CloVRd", 0.0, lambda time: city.client_picture(1, first) if time else zero)
+    yield Case("ring 5 at once, as CloVRd", 0.0, lambda time: city.client_picture(5, radii[4]) if time else old)
     yield Case(f"truth, user walks {WALK:g} m/s", 4.0, lambda time: city.truth(WALK * time))
 
 

@@ -105,23 +105,27 @@ def median_of_seeds(job: Callable[[int], dict[str, float]], loss: float) -> dict
 
 def measured_decoding(bundle: nf.stream.Bundle, repeat: int) -> float:
     """Megabytes per second of decoding, uploads and frames, from loads over the fast link."""
-    with opened(FAST, bundle) as (way, chromium, url):
+    with open_connection(FAST, bundle) as (way, chromium, url):
         # The first load of a browser also compiles its shaders.
         loads = [load(way, chromium, url, bundle, "clovrd") for _ in range(repeat + 1)][1:]
     return decoding(bundle, loads)
 
 
 @contextmanager
-def opened(link: nf.stream.Link, bundle: nf.stream.Bundle) -> Iterator[tuple[Network, Any, str]]:
+def open_connection(link: nf.stream.Link, bundle: nf.stream.Bundle) -> Iterator[tuple[Network, Any, str]]:
     """Open a link, a browser at its end, and serve a bundle behind it; yield them with the address."""
-    with network(link, real=True) as way, way.shown(Path(bundle._reader.place)) as url, way.browser(url) as chromium:
+    with (
+        network(link, real=True) as way,
+        way.serve_bundle(Path(bundle._reader.place)) as url,
+        way.browser(url) as chromium,
+    ):
         yield way, chromium, url
 
 
 def requests_alone(place: str, bundle: nf.stream.Bundle, loss: float, repeat: int) -> Iterator[Outcome]:
     """Measure the requests of all strategies over a link with losses."""
     link = replace(LINK, loss=loss)
-    with ahead_of_others(), opened(link, bundle) as (way, chromium, url):
+    with ahead_of_others(), open_connection(link, bundle) as (way, chromium, url):
         trip = round_trip(way, chromium, url, bundle)
         print(f"{place}: {way.name}; a round trip of a request takes {trip:.1f} ms")
         ours = replace(content(link), rtt_ms=trip)
@@ -144,7 +148,7 @@ def requests_alone(place: str, bundle: nf.stream.Bundle, loss: float, repeat: in
 def loads(place: str, bundle: nf.stream.Bundle, loss: float, repeat: int, mbs: float) -> Iterator[Outcome]:
     """Measure loads of the page by all strategies over a link with losses."""
     link = replace(LINK, loss=loss)
-    with opened(link, bundle) as (way, chromium, url):
+    with open_connection(link, bundle) as (way, chromium, url):
         print(f"{place}: {way.name}; decoding, uploads and frames like {mbs:.2f} MB/s")
         load(way, chromium, url, bundle, "clovrd")
         for strategy in STRATEGIES:

@@ -42,7 +42,7 @@ def faces_of(source: Any, eye: Point, size: int) -> Any:
     return np.concatenate([nf.render(source, view, channels=("object_id",)).require("object_id") for view in views])
 
 
-def before(near: nf.Scene, env: nf.EnvMap, center: Point, morph: str) -> nf.ReducedScene:
+def in_front_of_map(near: nf.Scene, env: nf.EnvMap, center: Point, morph: str) -> nf.ReducedScene:
     """Return whole objects in front of a map."""
     zones = nf.partition(near, center=center, r1=0.7 * PUBLISHED[-1], r2=PUBLISHED[-1])
     counts = {**zones.summary(), "rays": 0}
@@ -54,7 +54,7 @@ def clovr(scene: nf.Scene, maps: nf.stream.RingMaps, sent: list[int], size: int,
     center = maps.rings.center
     truth = faces_of(scene, user, size)
     moving = scene.subset(objects=maps.rings.objects(0))
-    still = before(moving, maps.map(0), center, "cylinder").with_growth(0.0)
+    still = in_front_of_map(moving, maps.map(0), center, "cylinder").with_growth(0.0)
     yield "ring 0", sent[0], *nf.object_completion(truth, faces_of(still, user, size))
     for ring, radius in enumerate(maps.rings.radii, 1):
         reduced = nf.reduce(scene, center=center, r1=0.7 * radius, r2=radius, unit="object", morph="cylinder",
@@ -85,7 +85,7 @@ def vis1(scene: nf.Scene, maps: nf.stream.RingMaps, map_bytes: int, size: int, u
         sent += sum(len(data) for (data, _, _), group in zip(shared, first, strict=True) if group == number)
         shown = scene.subset(objects=[scene.object_names[place] for place in order[part < number]])
         yield f"vis1, {number}/{PARTS} of geometry", sent, *nf.object_completion(truth, faces_of(shown, user, size))
-    whole = before(shown, maps.map(last), center, "none")
+    whole = in_front_of_map(shown, maps.map(last), center, "none")
     picture = faces_of(whole, user, size)
     yield "vis1 with its map", sent + map_bytes, *nf.object_completion(truth, picture)
 

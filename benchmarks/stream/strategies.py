@@ -119,9 +119,11 @@ def print_seen(cases: list[Case], lines: dict[str, plots.Lines], size: int, ever
     for case in cases:
         x, y, z = case.bundle.center
         eye = (x - 1.0, y, z)
-        parts = SceneParts.of(case.scene, case.bundle, None, size)
+        parts = SceneParts.bake(case.scene, case.bundle, None, size)
         own = found[case.place.name] = {
-            name: replace(line, pictures=_comparison.seen(line, parts, HeadPath.of(eye, (x, y, z)), every=every))
+            name: replace(
+                line, pictures=_comparison.measure_pictures(line, parts, HeadPath.parse(eye, (x, y, z)), every=every)
+            )
             for name, line in lines[case.place.name].items()
         }
         pictures = Pictures(parts, by_footprint=False)
@@ -145,7 +147,7 @@ def print_comparison(cases: list[Case], link: nf.stream.Link, size: tuple[int, i
     """Print experiment 1."""
     rows, tests = [], []
     for case in cases:
-        parts = SceneParts.of(case.scene, case.bundle, _comparison.camera_of(case.bundle.center, 0.0, size), 16)
+        parts = SceneParts.bake(case.scene, case.bundle, _comparison.camera_of(case.bundle.center, 0.0, size), 16)
         for kind, values in _comparison.quality(case.bundle, parts, link, size).items():
             means = [
                 f"{mean:.3f} ± {spread:.3f}" for mean, spread in zip(values.mean(0), values.std(0, ddof=1), strict=True)

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.support.browser import opened, wait_until
+from tests.support.browser import open_page, wait_until
 
 SECTORS = 12
 """Number of sectors of a turn; each has a separate rate."""
@@ -115,7 +115,7 @@ def rates(frames: Sequence[tuple[float, float]]) -> NDArray[np.float64]:
     return np.asarray(counts[counts > 0] / seconds[counts > 0])
 
 
-def turned(page: Any, seconds: float) -> Turn:
+def measure_turn(page: Any, seconds: float) -> Turn:
     """Turn the head twice: frames are displayed, then, in half the time, waited for."""
     shown, waited = page.evaluate(TURN, [seconds, False]), page.evaluate(TURN, [seconds / 2.0, True])
     return Turn(
@@ -139,7 +139,7 @@ def photo(page: Any, path: Path, yaw: float = 0.0) -> None:
 @contextmanager
 def of_page(chromium: Any, url: str, size: tuple[int, int], eye: Sequence[float]) -> Iterator[Any]:
     """Open a bundle's page, completely loaded, for a user at a place."""
-    with opened(chromium, *size) as page:
+    with open_page(chromium, *size) as page:
         # Growth would take a while.
         page.goto(f"{url}?strategy=clovrd")
         wait_until(page, lambda: page.evaluate(COMPLETE))
@@ -150,7 +150,7 @@ def of_page(chromium: Any, url: str, size: tuple[int, int], eye: Sequence[float]
 @contextmanager
 def of_whole(chromium: Any, url: str, size: tuple[int, int]) -> Iterator[Any]:
     """Open the page of a whole scene."""
-    with opened(chromium, *size) as page:
+    with open_page(chromium, *size) as page:
         page.goto(url)
         wait_until(page, lambda: page.evaluate("() => Boolean(window.rates)"))
         yield page

@@ -21,11 +21,11 @@ from numpy.typing import NDArray
 import nearfar as nf
 from benchmarks.harness.loads import network
 from benchmarks.harness.timing import machine, table
-from tests.support.browser import opened, started, wait_for_ring, wait_until
+from tests.support.browser import open_page, started, wait_for_ring, wait_until
 
 LINK = nf.stream.Link(50, rtt_ms=20)
 CENTER = (0.0, 1.3, 0.0)
-MOST = 4.0
+MAX = 4.0
 """Maximum milliseconds per frame for decoding and uploads."""
 
 MARKS = """(() => {
@@ -57,7 +57,7 @@ TRACED = {"recordMode": "recordContinuously", "includedCategories": ["blink.user
 
 def trace(url: str, last: int) -> list[dict[str, Any]]:
     """Marks of a load until the last ring is loaded, in order."""
-    with started() as program, opened(program, 640, 400) as page:
+    with started() as program, open_page(program, 640, 400) as page:
         session = program.new_browser_cdp_session()
         events: list[dict[str, Any]] = []
         ended: list[Any] = []
@@ -93,8 +93,8 @@ def frames(marks: list[dict[str, Any]]) -> NDArray[np.float64]:
 
 
 def row(name: str, values: NDArray[np.float64]) -> list[str]:
-    """Count, median, 99th percentile, maximum, and number above `MOST`."""
-    over = int((values > MOST).sum())
+    """Count, median, 99th percentile, maximum, and number above `MAX`."""
+    over = int((values > MAX).sum())
     return [name, f"{len(values)}", *(f"{np.percentile(values, p):.2f}" for p in (50, 99, 100)), f"{over}"]
 
 
@@ -117,7 +117,7 @@ def main() -> None:
         last = len(json.loads((Path(folder) / "bundle" / "manifest.json").read_text())["regions"][0]["rings"]) - 1
         with way.served(Path(folder)) as url:
             loads = [frames(trace(f"{url}bundle/", last)) for _ in range(arguments.repeat)]
-    header = ["", "frames", "median", "99 %", "most", f"above {MOST:g} ms"]
+    header = ["", "frames", "median", "99 %", "most", f"above {MAX:g} ms"]
     all_ = np.concatenate(loads)
     rows = [row("wall", all_[:, 0]), row("CPU of the main thread", all_[:, 1])]
     print(table(f"ms a frame for decoding and uploads, {arguments.repeat} loads", header, rows))

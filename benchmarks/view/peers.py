@@ -50,7 +50,7 @@ class Loads:
     """The longest of these times."""
 
 
-def sent(url: str) -> int:
+def bytes_sent(url: str) -> int:
     """Bytes sent by a server, by its own count."""
     with urlopen(f"{url}metrics") as answer:
         found = re.search(r"^nearfar_sent_bytes_total (\d+)", answer.read().decode(), re.MULTILINE)
@@ -73,7 +73,7 @@ def loads(chromium: Any, folder: Path, count: int, way: str) -> Loads:
         told = [page.wait_for_files() for page in pages]
         firsts = [float(page.page.evaluate("() => window.shownRings[0]")) / 1e3 for page in pages]
         exchanged = sum(each["others"]["bytes"] for each in told)
-        return Loads(bytes_of(folder, pages), sent(server.url), exchanged, float(np.median(firsts)), max(firsts))
+        return Loads(bytes_of(folder, pages), bytes_sent(server.url), exchanged, float(np.median(firsts)), max(firsts))
 
 
 def main() -> None:

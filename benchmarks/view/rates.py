@@ -32,7 +32,7 @@ from benchmarks.harness.timing import machine, table
 from benchmarks.stream._near import Place
 from benchmarks.stream.real import LINK, STRATEGIES, all_places
 from benchmarks.view._loading import Loading, loading
-from benchmarks.view._turns import Turn, of_page, of_whole, photo, renderer, turned
+from benchmarks.view._turns import Turn, measure_turn, of_page, of_whole, photo, renderer
 from benchmarks.view.load import ANGLE, one_glb, write_script
 from tests.support.browser import started
 
@@ -122,7 +122,7 @@ class Run:
         if not self.renderer:
             self.renderer = renderer(page)
             print(self.renderer, flush=True)
-        self.seen.append(Seen(place, drawn, f"{width} × {height}", turned(page, self._seconds)))
+        self.seen.append(Seen(place, drawn, f"{width} × {height}", measure_turn(page, self._seconds)))
         if self._pictures:
             photo(page, self._pictures / f"{_name(f'{place} {drawn} {width}')}.jpg")
         print(place, drawn, width, rate(self.seen[-1].turn.shown), flush=True)
@@ -130,7 +130,7 @@ class Run:
     def reduced(self, place: Place) -> None:
         """Turn in the page of a bundle."""
         bundle = self.files.bundle(place)
-        with LOCAL.shown(Path(bundle._reader.place)) as url:
+        with LOCAL.serve_bundle(Path(bundle._reader.place)) as url:
             for size in self._sizes:
                 with started() as chromium, of_page(chromium, url, size, eye(place)) as page:
                     self.turn(place.name, "nearfar", page)
@@ -147,7 +147,7 @@ class Run:
         """Load a bundle by each strategy."""
         bundle = self.files.bundle(place)
         folder = Path(bundle._reader.place)
-        with network(LINK) as way, way.shown(folder) as url, way.browser(url) as chromium:
+        with network(LINK) as way, way.serve_bundle(folder) as url, way.browser(url) as chromium:
             print(place.name, way.name)
             once = partial(loading, way, chromium, url, bundle, size=self._sizes[0])
             # The first load of a browser also compiles its shaders.

@@ -13,8 +13,8 @@
 //   direction      a unit vector, in which the map is looked up
 //   range          what the map holds there: the distance from the centre, same unit
 
-// The morph: Popescu, Lee, Choi, Fahmy (2022), Eq. 1-3, and CloVR (2024), Alg. 1. The renderer and the kernel of arrays
-// share these functions, so that what the kernel is tested with tests the renderer too.
+// The morph: Popescu, Lee, Choi, Fahmy (2022), Eq. 1-3, and CloVR (2024), Alg. 1. Renderer and array kernel share these
+// functions, so that tests of the kernel cover the renderer.
 
 // A blend of unit vectors below this has no digits left.
 static const float OPPOSED = 1e-6;
@@ -24,7 +24,7 @@ float user_weight(float rho, float r2, float slope) {
     return clamp((r2 - rho) * slope, 0.0, 1.0);
 }
 
-// Eq. 1-3 as written: the direction in which the user is shown a point, and in w its distance.
+// Eq. 1-3 as written: displayed direction, and in w the distance.
 float4 blended(float3 from_user, float3 from_center, float w) {
     float by_user = length(from_user);
     float by_center = length(from_center);
@@ -38,7 +38,7 @@ float4 blended(float3 from_user, float3 from_center, float w) {
     return float4(direction, w * by_user + (1.0 - w) * by_center);
 }
 
-// The user's place on the ground relative to the axis, and its distance from it.
+// User's position on the ground relative to the axis, and its distance from the axis.
 struct Place {
     float2 at;
     float rho;
@@ -51,13 +51,13 @@ Place make_Place(float2 at, float rho) {
     return made;
 }
 
-// Of a user relative to the centre.
+// Returns the ground position of a user at an offset from the centre.
 Place ground_place(float3 offset) {
     return make_Place(offset.xz, length(offset.xz));
 }
 
-// Distance from the user along a unit direction to where it leaves the cylinder of radius rho about the axis; negative
-// where the user stands outside or the direction never leaves. The larger root in the form that does not cancel.
+// Returns the distance from the user along a unit direction to the exit from the cylinder of radius rho about the axis;
+// negative if the user stands outside or the direction never leaves. Larger root, computed without cancellation.
 float leave_cylinder(Place user, float3 direction, float rho) {
     float a = dot(direction.xz, direction.xz);
     if (rho <= user.rho || a == 0.0) {
@@ -73,15 +73,15 @@ float leave_cylinder(Place user, float3 direction, float rho) {
     return (q - b) / a;
 }
 
-// The blended direction, and in w the distance at which it leaves the point's own cylinder, if it does.
+// Returns the blended direction, and in w the distance at which it leaves the point's own cylinder, if it does.
 float4 on_cylinder(Place user, float3 from_user, float3 from_center, float w, float rho) {
     float4 to = blended(from_user, from_center, w);
     float exit = leave_cylinder(user, to.xyz, rho);
     return float4(to.xyz, ((exit >= 0.0) ? exit : to.w));
 }
 
-// How far away the user is shown along a unit direction what the centre sees there at a distance beyond r2, if points
-// are shown on their cylinders. (Blended points keep that distance.) Infinite distances stay.
+// Returns the displayed distance, on cylinders, of a point that the centre sees beyond r2 in a unit direction. (Blended
+// points keep their distance.) Infinite distances stay infinite.
 float range_on_cylinder(Place user, float3 direction, float from_center) {
     if (from_center > 1e30) {
         return from_center;
@@ -92,10 +92,10 @@ float range_on_cylinder(Place user, float3 direction, float from_center) {
 
 // The morph of a point of the world, for the kernel of arrays and for engines. Lengths in one unit, y up, either hand.
 
-// Squares beyond this come near to float32's end.
+// Squares beyond this approach float32's maximum.
 static const float FAR_SQUARED = 1e28;
 
-// Radius within which points stay (negative: none does), r2, 1 / (r2 - r1), and the strength of the morph.
+// Radius within which points do not move (negative: all move), r2, 1 / (r2 - r1), and the strength of the morph.
 struct Zones {
     float stays;
     float r2;
@@ -112,7 +112,7 @@ Zones make_Zones(float stays, float r2, float slope, float strength) {
     return made;
 }
 
-// At strengths below 1 no point stays where it is. Where r2 is 0 nothing is near.
+// At strengths below 1 all points move. If r2 is 0, nothing is near.
 Zones zones_of(float r1, float r2, float strength) {
     Zones zones = make_Zones(-1.0, r2, 0.0, strength);
     if (r2 > r1) {
@@ -160,9 +160,9 @@ float3 shift_on_cylinder(float3 from_center, float3 offset, float w, float rho) 
     return offset + to.w * to.xyz - from_center;
 }
 
-// Where the user is shown a point p of the world: on its own cylinder, or by the blend. The point and the user are given
-// relative to the centre, too: where coordinates are large, subtract in more digits than float32 has.
-float3 shown_in_world(float3 p, float3 from_center, float3 offset, Zones zones, bool keeps_rho) {
+// Returns the displayed position of a point p of the world: on its own cylinder, or by the blend. Pass the point and the
+// user relative to the centre, too: subtract large coordinates in more digits than float32 has.
+float3 displayed_in_world(float3 p, float3 from_center, float3 offset, Zones zones, bool keeps_rho) {
     float rho = length(from_center.xz);
     if (rho <= zones.stays) {
         return p;
@@ -174,17 +174,17 @@ float3 shown_in_world(float3 p, float3 from_center, float3 offset, Zones zones, 
     return p + shift_of_blend(from_center, offset, w);
 }
 
-// Where the user is shown the point p of the world, by the blend (2022).
+// Returns the displayed position of the point p of the world, by the blend (2022).
 float3 nearfar_morph(float3 p, float3 user, float3 center, float r1, float r2, float strength) {
-    return shown_in_world(p, p - center, user - center, zones_of(r1, r2, strength), false);
+    return displayed_in_world(p, p - center, user - center, zones_of(r1, r2, strength), false);
 }
 
-// The same by the cylinder (CloVR, 2024), which keeps each point's distance from the centre's axis.
+// Returns the same for the cylinder (CloVR, 2024), which keeps each point's distance from the centre's axis.
 float3 nearfar_morph_cylinder(float3 p, float3 user, float3 center, float r1, float r2, float strength) {
-    return shown_in_world(p, p - center, user - center, zones_of(r1, r2, strength), true);
+    return displayed_in_world(p, p - center, user - center, zones_of(r1, r2, strength), true);
 }
 
-// How far away the user is shown what the far map holds in a unit direction at a range, with the cylinder.
+// Returns the displayed distance of the far map's surface at a range in a unit direction, with the cylinder.
 float nearfar_range_cylinder(float3 direction, float range, float3 user, float3 center) {
     return range_on_cylinder(ground_place(user - center), direction, range);
 }

@@ -11,8 +11,8 @@
 //   direction      a unit vector, in which the map is looked up
 //   range          what the map holds there: the distance from the centre, same unit
 
-// The morph: Popescu, Lee, Choi, Fahmy (2022), Eq. 1-3, and CloVR (2024), Alg. 1. The renderer and the kernel of arrays
-// share these functions, so that what the kernel is tested with tests the renderer too.
+// The morph: Popescu, Lee, Choi, Fahmy (2022), Eq. 1-3, and CloVR (2024), Alg. 1. Renderer and array kernel share these
+// functions, so that tests of the kernel cover the renderer.
 
 // A blend of unit vectors below this has no digits left.
 const OPPOSED: f32 = 1e-6;
@@ -22,7 +22,7 @@ fn user_weight(rho: f32, r2: f32, slope: f32) -> f32 {
     return clamp((r2 - rho) * slope, 0.0, 1.0);
 }
 
-// Eq. 1-3 as written: the direction in which the user is shown a point, and in w its distance.
+// Eq. 1-3 as written: displayed direction, and in w the distance.
 fn blended(from_user: vec3<f32>, from_center: vec3<f32>, w: f32) -> vec4<f32> {
     let by_user = length(from_user);
     let by_center = length(from_center);
@@ -36,19 +36,19 @@ fn blended(from_user: vec3<f32>, from_center: vec3<f32>, w: f32) -> vec4<f32> {
     return vec4<f32>(direction, w * by_user + (1.0 - w) * by_center);
 }
 
-// The user's place on the ground relative to the axis, and its distance from it.
+// User's position on the ground relative to the axis, and its distance from the axis.
 struct Place {
     at: vec2<f32>,
     rho: f32,
 }
 
-// Of a user relative to the centre.
+// Returns the ground position of a user at an offset from the centre.
 fn ground_place(offset: vec3<f32>) -> Place {
     return Place(offset.xz, length(offset.xz));
 }
 
-// Distance from the user along a unit direction to where it leaves the cylinder of radius rho about the axis; negative
-// where the user stands outside or the direction never leaves. The larger root in the form that does not cancel.
+// Returns the distance from the user along a unit direction to the exit from the cylinder of radius rho about the axis;
+// negative if the user stands outside or the direction never leaves. Larger root, computed without cancellation.
 fn leave_cylinder(user: Place, direction: vec3<f32>, rho: f32) -> f32 {
     let a = dot(direction.xz, direction.xz);
     if rho <= user.rho || a == 0.0 {
@@ -64,15 +64,15 @@ fn leave_cylinder(user: Place, direction: vec3<f32>, rho: f32) -> f32 {
     return (q - b) / a;
 }
 
-// The blended direction, and in w the distance at which it leaves the point's own cylinder, if it does.
+// Returns the blended direction, and in w the distance at which it leaves the point's own cylinder, if it does.
 fn on_cylinder(user: Place, from_user: vec3<f32>, from_center: vec3<f32>, w: f32, rho: f32) -> vec4<f32> {
     let to = blended(from_user, from_center, w);
     let exit = leave_cylinder(user, to.xyz, rho);
     return vec4<f32>(to.xyz, select(to.w, exit, exit >= 0.0));
 }
 
-// How far away the user is shown along a unit direction what the centre sees there at a distance beyond r2, if points
-// are shown on their cylinders. (Blended points keep that distance.) Infinite distances stay.
+// Returns the displayed distance, on cylinders, of a point that the centre sees beyond r2 in a unit direction. (Blended
+// points keep their distance.) Infinite distances stay infinite.
 fn range_on_cylinder(user: Place, direction: vec3<f32>, from_center: f32) -> f32 {
     if from_center > 1e30 {
         return from_center;
@@ -83,10 +83,10 @@ fn range_on_cylinder(user: Place, direction: vec3<f32>, from_center: f32) -> f32
 
 // The morph of a point of the world, for the kernel of arrays and for engines. Lengths in one unit, y up, either hand.
 
-// Squares beyond this come near to float32's end.
+// Squares beyond this approach float32's maximum.
 const FAR_SQUARED: f32 = 1e28;
 
-// Radius within which points stay (negative: none does), r2, 1 / (r2 - r1), and the strength of the morph.
+// Radius within which points do not move (negative: all move), r2, 1 / (r2 - r1), and the strength of the morph.
 struct Zones {
     stays: f32,
     r2: f32,
@@ -94,7 +94,7 @@ struct Zones {
     strength: f32,
 }
 
-// At strengths below 1 no point stays where it is. Where r2 is 0 nothing is near.
+// At strengths below 1 all points move. If r2 is 0, nothing is near.
 fn zones_of(r1: f32, r2: f32, strength: f32) -> Zones {
     var zones = Zones(-1.0, r2, 0.0, strength);
     if r2 > r1 {
@@ -142,9 +142,9 @@ fn shift_on_cylinder(from_center: vec3<f32>, offset: vec3<f32>, w: f32, rho: f32
     return offset + to.w * to.xyz - from_center;
 }
 
-// Where the user is shown a point p of the world: on its own cylinder, or by the blend. The point and the user are given
-// relative to the centre, too: where coordinates are large, subtract in more digits than float32 has.
-fn shown_in_world(
+// Returns the displayed position of a point p of the world: on its own cylinder, or by the blend. Pass the point and the
+// user relative to the centre, too: subtract large coordinates in more digits than float32 has.
+fn displayed_in_world(
     p: vec3<f32>,
     from_center: vec3<f32>,
     offset: vec3<f32>,
@@ -162,12 +162,12 @@ fn shown_in_world(
     return p + shift_of_blend(from_center, offset, w);
 }
 
-// Where the user is shown the point p of the world, by the blend (2022).
+// Returns the displayed position of the point p of the world, by the blend (2022).
 fn nearfar_morph(p: vec3<f32>, user: vec3<f32>, center: vec3<f32>, r1: f32, r2: f32, strength: f32) -> vec3<f32> {
-    return shown_in_world(p, p - center, user - center, zones_of(r1, r2, strength), false);
+    return displayed_in_world(p, p - center, user - center, zones_of(r1, r2, strength), false);
 }
 
-// The same by the cylinder (CloVR, 2024), which keeps each point's distance from the centre's axis.
+// Returns the same for the cylinder (CloVR, 2024), which keeps each point's distance from the centre's axis.
 fn nearfar_morph_cylinder(
     p: vec3<f32>,
     user: vec3<f32>,
@@ -176,10 +176,10 @@ fn nearfar_morph_cylinder(
     r2: f32,
     strength: f32,
 ) -> vec3<f32> {
-    return shown_in_world(p, p - center, user - center, zones_of(r1, r2, strength), true);
+    return displayed_in_world(p, p - center, user - center, zones_of(r1, r2, strength), true);
 }
 
-// How far away the user is shown what the far map holds in a unit direction at a range, with the cylinder.
+// Returns the displayed distance of the far map's surface at a range in a unit direction, with the cylinder.
 fn nearfar_range_cylinder(direction: vec3<f32>, range: f32, user: vec3<f32>, center: vec3<f32>) -> f32 {
     return range_on_cylinder(ground_place(user - center), direction, range);
 }

@@ -69,7 +69,7 @@ fuzz_target!(|input: Input| {
     let boxes = stored.face_bounds(&progress).unwrap();
     let parts: Vec<StoredPart> =
         fit.iter().map(|&mesh| StoredPart { mesh, to_scene: DAffine3::IDENTITY, object: 0 }).collect();
-    let joined = stored.joined(&parts, &progress).unwrap();
+    let joined = stored.join(&parts, &progress).unwrap();
     let counts = |of: &dyn Fn(usize) -> usize| fit.iter().map(|&mesh| of(mesh)).sum::<usize>();
     assert_eq!(joined.faces.len(), counts(&|mesh| stored.face_count(mesh)));
     assert_eq!(joined.positions.len(), counts(&|mesh| stored.vertex_count(mesh)));
@@ -78,5 +78,5 @@ fuzz_target!(|input: Input| {
         let alone = stored.mesh(mesh, &progress).unwrap().bounds();
         assert_eq!([alone.min, alone.max].map(|corner| corner.as_dvec3().to_array()), boxes[mesh]);
     }
-    let _ = stored.scaled(input.factor).joined(&parts, &progress);
+    let _ = stored.scaled(input.factor).join(&parts, &progress);
 });

@@ -22,7 +22,7 @@ pub const NAME: &str = "localhost";
 const FARTHEST: f64 = 1e6;
 const CLIENT: IpAddr = IpAddr::V4(Ipv4Addr::LOCALHOST);
 /// Answers are shorter.
-const MOST: usize = 1 << 20;
+const MAX: usize = 1 << 20;
 
 /// An answer whose body has come.
 pub struct Answered {
@@ -90,7 +90,7 @@ impl Served {
         request.headers_mut().entry(HOST).or_insert(HeaderValue::from_static(NAME));
         let (head, body) = self.runtime.block_on(async {
             let (head, body) = Arc::clone(&self.router).answer(CLIENT, request).await.into_parts();
-            (head, to_bytes(body, MOST).await.expect("a body comes to its end"))
+            (head, to_bytes(body, MAX).await.expect("a body comes to its end"))
         });
         assert!(!body.windows(SECRET.len()).any(|part| part == SECRET), "a secret is told");
         Answered { status: head.status, headers: head.headers, body }
@@ -128,16 +128,16 @@ type Listed = Vec<(&'static str, Document, Vec<u8>)>;
 /// Names that are decoded once, or not at all.
 fn in_memory() -> Listed {
     let whole = |text: &str| text.as_bytes().to_vec();
-    let changing = |text: &'static str| Document::changing(Bytes::from_static(text.as_bytes()), "text/plain");
+    let changing = |text: &'static str| Document::mutable(Bytes::from_static(text.as_bytes()), "text/plain");
     let long = "long enough to be worth a compressed copy\n".repeat(100);
     let read = || Ok(Bytes::from_static(b"read elsewhere"));
-    let elsewhere = Document::named("files/elsewhere", Content::Elsewhere(Arc::new(read)), "text/plain");
+    let elsewhere = Document::immutable("files/elsewhere", Content::Elsewhere(Arc::new(read)), "text/plain");
     vec![
         ("", changing("the page"), whole("the page")),
         ("page.js", changing("its script"), whole("its script")),
         ("files/%2e%2e", changing("percent signs"), whole("percent signs")),
         ("files/ü €", changing("other letters"), whole("other letters")),
-        ("long.js", Document::changing(long.clone().into(), "text/javascript"), long.into()),
+        ("long.js", Document::mutable(long.clone().into(), "text/javascript"), long.into()),
         ("empty", changing(""), Vec::new()),
         ("files/elsewhere", elsewhere, whole("read elsewhere")),
     ]
@@ -149,7 +149,7 @@ fn on_disk(folder: &Path) -> Listed {
     fs::write(folder.join("files/a.bin"), &content).expect("a file is written");
     let file = |name: &'static str, bytes: u64| {
         let content = Content::File(folder.join(name), bytes);
-        (name, Document::named(name, content, "application/octet-stream"))
+        (name, Document::immutable(name, content, "application/octet-stream"))
     };
     let [(name, document), (longer, wrong)] = [file("files/a.bin", 200), file("files/longer.bin", 3)];
     vec![(name, document, content), (longer, wrong, Vec::new())]

@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import check, progress
-from nearfar._morph import KINDS, placed
+from nearfar._morph import KINDS, kernel_arguments
 
 
 def bend_rays(
@@ -60,7 +60,7 @@ def bend_rays(
     ----------
     The inverse of Eq. 1 of Popescu, Lee, Choi, Fahmy (2022), and of Alg. 1 of CloVR (2024).
     """
-    place, least = placed(user, center, r1, r2, kind, strength), check.positive("tolerance", tolerance)
+    place, least = kernel_arguments(user, center, r1, r2, kind, strength), check.positive("tolerance", tolerance)
     rays = np.ascontiguousarray(check.array("directions", directions), np.float64)
     with progress.bar("bending rays") as report:
         points, longest = _core.bend_rays(rays, **place, tolerance=least, report=report)
@@ -108,5 +108,5 @@ def fold_margin(
         r1=near,
         r2=far,
         kind=kind,
-        strength=check.within("strength", strength, 0.0, 1.0),
+        strength=check.in_range("strength", strength, 0.0, 1.0),
     )

@@ -74,14 +74,14 @@ def morph(
     Popescu, Lee, Choi, Fahmy (2022), Eq. 1–3, for "blend". CloVR (2024), Alg. 1, for "cylinder", with the brackets
     that are missing in its formula of the weight w.
     """
-    place = placed(user, center, r1, r2, kind, strength)
+    place = kernel_arguments(user, center, r1, r2, kind, strength)
     source = check.array("points", points)
     shown = np.empty_like(source) if out is None else check.output("out", out, source)
     _core.morph(source, shown, **place)
     return shown
 
 
-def placed(
+def kernel_arguments(
     user: ArrayLike, center: ArrayLike, r1: float, r2: float, kind: str, strength: float = 1.0
 ) -> dict[str, Any]:
     """Check user, centre, radii, kind and strength of a morph, and return them as arguments of kernels.
@@ -92,5 +92,5 @@ def placed(
     empty = kind == "cylinder" and check.number("r1", r1) == 0.0 == check.number("r2", r2)
     near, far = (0.0, 0.0) if empty else check.radii(r1, r2)
     eye, middle = check.vector("user", user), check.vector("center", center)
-    share = check.within("strength", strength, 0.0, 1.0)
+    share = check.in_range("strength", strength, 0.0, 1.0)
     return {"user": eye, "center": middle, "r1": near, "r2": far, "kind": kind, "strength": share}

@@ -108,8 +108,8 @@ def tessellate(
 def _stages(kind: str, far: float, radius: float | None, strength: float) -> tuple[float, bool] | None:
     """Least radius of a growing morph and whether its strength is full; None for a blend, which does not grow."""
     check.choice("kind", kind, ("blend", "cylinder"))
-    share = check.within("strength", strength, 0.0, 1.0)
-    least = far if radius is None else check.within("radius", check.positive("radius", radius), 0.0, far)
+    share = check.in_range("strength", strength, 0.0, 1.0)
+    least = far if radius is None else check.in_range("radius", check.positive("radius", radius), 0.0, far)
     if kind == "cylinder":
         return least, share == 1.0
     if radius is not None or share < 1.0:

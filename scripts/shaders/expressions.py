@@ -140,7 +140,7 @@ class Expressions:
         if name in self.names.variables:
             return Value(self.reader.take(), self.names.variables[name])
         if name in self.names.structs or re.fullmatch(r"vec\d", name):
-            return self._made(self.type())
+            return self._constructor(self.type())
         return self._called(self.reader.take())
 
     def _arguments(self) -> list[Value]:
@@ -152,7 +152,7 @@ class Expressions:
                 self.reader.take(",")
         return found
 
-    def _made(self, kind: str) -> Value:
+    def _constructor(self, kind: str) -> Value:
         """Read the constructor of a vector or structure. HLSL needs functions for structures, from `declarations`."""
         arguments = self._arguments()
         kinds = [value.type for value in arguments]

@@ -13,7 +13,7 @@ from typing import Any
 Plan = dict[str, Any]
 """Choices of a case in values that JSON has."""
 
-MOST_LETTERS = 1000
+MAX_LETTERS = 1000
 """Length of a message, beyond the name of its file."""
 
 
@@ -65,7 +65,7 @@ def check_sentence(error: Exception, name: str | Path) -> None:
     text, kind = str(error), type(error).__name__
     if any("\ud800" <= letter <= "\udfff" for letter in text):
         raise Finding(f"the message of {kind} cannot be printed: {text!a:.200}") from error
-    if "\n" in text.strip("\n") or not 5 < len(text) < MOST_LETTERS + len(str(name)):
+    if "\n" in text.strip("\n") or not 5 < len(text) < MAX_LETTERS + len(str(name)):
         raise Finding(f"the message of {kind} is no short line: {text[:200]!r}") from error
     if str(name) not in text:
         raise Finding(f"the message of {kind} does not name the file: {text[:200]!r}") from error

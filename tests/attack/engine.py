@@ -23,9 +23,9 @@ from tests.attack.case import Case, Kind, make, to_json
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 
-MOST_SECONDS = 2.0
+MAX_SECONDS = 2.0
 """Time of a refusal."""
-MOST_MEMORY = 1 << 30
+MAX_MEMORY = 1 << 30
 """Memory of a refusal, bytes beyond the file."""
 HANG_SECONDS = 60.0
 """Time after which a case counts as hanging."""
@@ -60,7 +60,7 @@ class Engine:
     """Whether cases are made from files made here alone, which are the same on every machine."""
     patience: float = HANG_SECONDS
     """Seconds after which a case counts as hanging."""
-    most_seconds: float = MOST_SECONDS
+    most_seconds: float = MAX_SECONDS
     """Seconds that a refusal may take."""
 
     def run(self, cases: Sequence[Case]) -> Iterator[Result]:
@@ -89,7 +89,7 @@ class Engine:
         """Return how a refusal exceeds the limits."""
         if not (self.limits and self.kinds[result.case.kind].has_limits and result.outcome.startswith("refused")):
             return ""
-        if result.memory > MOST_MEMORY + result.case.size:
+        if result.memory > MAX_MEMORY + result.case.size:
             return f"the refusal took {result.memory >> 20} MB"
         return f"the refusal took {result.seconds:.1f} s" if result.seconds > self.most_seconds else ""
 

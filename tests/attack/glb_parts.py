@@ -18,6 +18,6 @@ def split(data: bytes) -> tuple[Any, bytes]:
         return None, b""
 
 
-def joined(document: bytes, binary: bytes) -> bytes:
+def glb_of_chunks(document: bytes, binary: bytes) -> bytes:
     """Return a GLB of these chunks."""
     return glb(document, binary)

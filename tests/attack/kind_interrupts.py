@@ -109,7 +109,7 @@ class _Signal:
         assert self._sender.stdout is not None
         return self._sender.stdout.fileno()
 
-    def sent(self) -> float:
+    def time_sent(self) -> float:
         """Return the time when it was sent; not to be interrupted."""
         begin = f"{self._number} ".encode()
         while True:
@@ -135,7 +135,7 @@ def _interrupted(name: str, folder: Path, delay: float) -> float:
                 time.sleep(0.001)
         except KeyboardInterrupt:
             arrived = time.monotonic()
-        sent = interrupt.sent()
+        sent = interrupt.time_sent()
     finally:
         sys.unraisablehook = hook
     if arrived is None:

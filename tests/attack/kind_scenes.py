@@ -14,9 +14,9 @@ import numpy as np
 import nearfar as nf
 from tests.attack import mutate, mutate_json, seeds
 from tests.attack.case import ACCEPTED, Case, Finding, Kind, Plan, check_sentence, refused
-from tests.attack.glb_parts import joined, split
+from tests.attack.glb_parts import glb_of_chunks, split
 
-MOST_TRIANGLES = 10_000
+MAX_TRIANGLES = 10_000
 """Triangles up to which a loaded scene goes through all stages; larger ones are only drawn."""
 
 FARTHEST = 1e29
@@ -91,8 +91,8 @@ def _damaged(name: str, data: bytes, dice: random.Random, others: list[bytes]) -
 def damaged_glb(document: Any, binary: bytes, dice: random.Random) -> bytes:
     """Damage the document or the arrays of a GLB, whose chunks stay in order."""
     if dice.random() < 0.7:
-        return joined(mutate_json.text(mutate_json.damaged(document, dice), dice), binary)
-    return joined(json.dumps(document).encode(), mutate.damaged(binary, dice))
+        return glb_of_chunks(mutate_json.text(mutate_json.damaged(document, dice), dice), binary)
+    return glb_of_chunks(json.dumps(document).encode(), mutate.damaged(binary, dice))
 
 
 def run(case: Case, folder: Path) -> str:
@@ -103,7 +103,7 @@ def run(case: Case, folder: Path) -> str:
     except nf.SceneError as error:
         check_sentence(error, path)
         return refused(error)
-    use(scene, folder, everything=case.plan["all"] and scene.triangle_count <= MOST_TRIANGLES)
+    use(scene, folder, everything=case.plan["all"] and scene.triangle_count <= MAX_TRIANGLES)
     return ACCEPTED
 
 

@@ -25,7 +25,7 @@ from tests.support.reduce_cases import CENTER, street
 Files = dict[str, bytes]
 """Files by name; the first one is loaded, and the others lie beside it."""
 
-MOST_BYTES = 1 << 16
+MAX_BYTES = 1 << 16
 """Files of the data folder that are larger are left out."""
 
 SUFFIXES = ("glb", "gltf", "obj", "ply", "stl", "off", "3mf", "city.json", "geojson", "parquet")
@@ -231,11 +231,11 @@ def all_scene_files() -> dict[str, list[Files]]:
     root = data_files.root()
     for path in sorted(root.rglob("*")) if root else []:
         suffix = path.suffix.lower().lstrip(".")
-        if suffix in found and path.is_file() and path.stat().st_size <= MOST_BYTES:
+        if suffix in found and path.is_file() and path.stat().st_size <= MAX_BYTES:
             beside = {}
             if suffix in ("gltf", "obj"):
                 near = [item for item in sorted(path.parent.iterdir()) if item.is_file() and item != path]
-                beside = {item.name: item.read_bytes() for item in near[:8] if item.stat().st_size <= MOST_BYTES}
+                beside = {item.name: item.read_bytes() for item in near[:8] if item.stat().st_size <= MAX_BYTES}
             found[suffix].append({f"a.{suffix}": path.read_bytes(), **beside})
     return found
 

@@ -20,10 +20,10 @@ from typing import Any
 
 from tests.attack.case import Case, Finding, Kind, from_json
 
-MOST_ADDRESSES = 12 << 30
+MAX_ADDRESSES = 12 << 30
 """Bytes of address space, so that a defect does not take the machine's memory."""
 
-MOST_DESCRIPTORS_MORE = 16
+MAX_EXTRA_DESCRIPTORS = 16
 """Open files that a batch may leave: caches and pools open some once."""
 
 _SET_DEATH_SIGNAL = 1
@@ -125,7 +125,7 @@ def main(report: int, listed: Path, *, probe: bool) -> str:
     """Run the cases of a file; returns what is wrong at the end."""
     faulthandler.enable(all_threads=True)
     faulthandler.register(signal.SIGUSR1, all_threads=True)
-    resource.setrlimit(resource.RLIMIT_AS, (MOST_ADDRESSES, resource.getrlimit(resource.RLIMIT_AS)[1]))
+    resource.setrlimit(resource.RLIMIT_AS, (MAX_ADDRESSES, resource.getrlimit(resource.RLIMIT_AS)[1]))
     # The system kills this process when the one that started it dies, so that no hanging case stays behind.
     ctypes.CDLL(None).prctl(_SET_DEATH_SIGNAL, signal.SIGKILL)
     if probe:  # without the package
@@ -138,7 +138,7 @@ def main(report: int, listed: Path, *, probe: bool) -> str:
     for text in json.loads(listed.read_text(encoding="utf-8")):
         worker.run(from_json(text))
     more = len(os.listdir("/proc/self/fd")) - before
-    return f"{more} files are left open" if more > MOST_DESCRIPTORS_MORE else ""
+    return f"{more} files are left open" if more > MAX_EXTRA_DESCRIPTORS else ""
 
 
 if __name__ == "__main__":

@@ -58,8 +58,8 @@ def test_an_object_whose_repr_fails_shows_its_class() -> None:
 @pytest.mark.parametrize("shape", [(1, 1, 3), (3, 5000, 3), (5000, 3, 4), (100, 100, 3), (2000, 2000, 3)])
 def test_pictures_have_a_size_that_pages_show_well(shape: tuple[int, int, int]) -> None:
     picture = decoded(card.png(np.full(shape, 200, np.uint8)))
-    assert max(picture.shape[:2]) <= card.MOST_PIXELS
-    assert max(picture.shape[:2]) >= card.LEAST_PIXELS // 2
+    assert max(picture.shape[:2]) <= card.MAX_PIXELS
+    assert max(picture.shape[:2]) >= card.MIN_PIXELS // 2
     assert (picture == 200).all()
 
 
@@ -84,7 +84,7 @@ def test_ticks_are_round_and_within_the_axis() -> None:
     for low, high in zip(rng, rng[::-1], strict=True):
         if low < high:
             for is_log in (False, True):
-                axis = card._Axis.over(np.array([low, high]), is_log, 0.0, 100.0)
+                axis = card._Axis.spanning(np.array([low, high]), is_log, 0.0, 100.0)
                 ticks = axis.ticks()
                 assert 2 <= len(ticks) <= 8
                 assert all(-1e-6 <= axis(value) <= 100.0 + 1e-6 for value, _ in ticks)

@@ -26,14 +26,14 @@ def test_a_bar_is_one_output_that_ends_empty(monkeypatch: pytest.MonkeyPatch) ->
 
     cells = []
 
-    def shown(content: Any, *, display_id: bool) -> Cell:
+    def record_display(content: Any, *, display_id: bool) -> Cell:
         assert display_id
         cells.append(Cell())
         cells[-1].update(content)
         return cells[-1]
 
     monkeypatch.delenv("NEARFAR_PROGRESS", raising=False)
-    monkeypatch.setattr(display, "display", shown)
+    monkeypatch.setattr(display, "display", record_display)
     monkeypatch.setattr(progress, "_in_notebook", lambda: True)
     monkeypatch.setattr(progress, "DELAY", 0.0)
     monkeypatch.setattr(progress, "UPDATE", 0.0)

@@ -15,7 +15,9 @@ TOLERANCE = 1e-6
 """Tolerance in radians of the polylines; the vectors' bounds are for this value."""
 
 
-def at(line: NDArray[np.float64], user: Any, direction: NDArray[np.float64], s: float) -> NDArray[np.float64]:
+def point_on_polyline(
+    line: NDArray[np.float64], user: Any, direction: NDArray[np.float64], s: float
+) -> NDArray[np.float64]:
     """Point of the polyline at a distance along the direction; its last segment continues without end."""
     along = (line - user) @ direction
     if s >= along[-1]:
@@ -31,7 +33,7 @@ def test_rays_bend_as_the_equation_says(case: dict[str, Any], kind: str) -> None
     place = {name: case[name] for name in ("user", "center", "r1", "r2", "strength")}
     line = nf.bend_rays([case["direction"]], tolerance=TOLERANCE, kind=kind, **place)[0]
     unit = np.array(case["direction"]) / np.linalg.norm(case["direction"])
-    found = [at(line, case["user"], unit, s) for s in case["s"]]
+    found = [point_on_polyline(line, case["user"], unit, s) for s in case["s"]]
     check(found, case["points"], case["tolerance"]["polyline"])
     if case["end"] is not None:
         check(line[-1], case["end"], case["tolerance"]["float64"])

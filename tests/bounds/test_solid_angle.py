@@ -29,7 +29,7 @@ def exact_angle(center: Array, radius: float, eye: Array) -> Any:
         return 4 * mpmath.pi * mpmath.sin(mpmath.asin(mpf(radius) / distance) / 2) ** 2
 
 
-def placed(alpha: float, around: float, mu: float, distance: float = 10.0) -> tuple[Array, float]:
+def sphere_at_angle(alpha: float, around: float, mu: float, distance: float = 10.0) -> tuple[Array, float]:
     """A sphere of angular radius μ whose centre is at the angle α from VIEW's axis."""
     direction = np.array([math.sin(alpha) * math.cos(around), math.sin(alpha) * math.sin(around), -math.cos(alpha)])
     return np.array(VIEW.position) + distance * direction, distance * math.sin(mu)
@@ -39,7 +39,7 @@ def published(alpha: float, mu: float, lens: nf.RadialLens, omega: float) -> Any
     """Exact σ′/σ of Eq. 4.12, by 60 digits and bisection."""
     with mpmath.workdps(60):
 
-        def shown(angle: Any) -> Any:
+        def displayed_tangent(angle: Any) -> Any:
             x = mpmath.tan(angle) / omega
             size, low, high = abs(x), mpf(0), abs(x) + 1
             for _ in range(200):
@@ -48,7 +48,7 @@ def published(alpha: float, mu: float, lens: nf.RadialLens, omega: float) -> Any
                 low, high = (middle, high) if value < size else (low, middle)
             return mpmath.atan(omega * low * mpmath.sign(x))
 
-        return (shown(mpf(alpha) + mpf(mu)) - shown(mpf(alpha) - mpf(mu))) / (2 * mpf(mu))
+        return (displayed_tangent(mpf(alpha) + mpf(mu)) - displayed_tangent(mpf(alpha) - mpf(mu))) / (2 * mpf(mu))
 
 
 def area(alpha: float, mu: float, lens: nf.RadialLens, omega: float) -> float:
@@ -98,7 +98,7 @@ def test_solid_angles_of_what_is_small_far_or_around_the_eye() -> None:
 @given(st.floats(0, 1.2), st.floats(0, 6.28), st.floats(-7, 0))
 def test_the_published_size(alpha: float, around: float, power: float) -> None:
     mu = 10.0**power * 0.3
-    center, radius = placed(alpha, around, mu)
+    center, radius = sphere_at_angle(alpha, around, mu)
     own = nf.solid_angle(center[None], radius, eye=VIEW.position)[0]
     found = nf.corrected_solid_angle(center[None], radius, camera=VIEW, lens=RIFT_S)[0]
     # The centre's position is rounded by 1e-15 of 10 m, which changes α and with it the size.
@@ -109,7 +109,7 @@ def test_the_published_size(alpha: float, around: float, power: float) -> None:
 @pytest.mark.parametrize("mu", [1e-5, 1.9e-3, 2.1e-3, 0.03, 0.3])
 def test_the_area_that_is_shown(alpha: float, mu: float) -> None:
     for lens in (RIFT_S, nf.RadialLens((-0.003,)), nf.RadialLens(())):
-        center, radius = placed(alpha, 1.0, mu)
+        center, radius = sphere_at_angle(alpha, 1.0, mu)
         found = nf.corrected_solid_angle(center[None], radius, camera=VIEW, lens=lens, exact=True)[0]
         assert found == pytest.approx(area(alpha, mu, lens, 1.03553), rel=1e-11)
 
@@ -117,7 +117,7 @@ def test_the_area_that_is_shown(alpha: float, mu: float) -> None:
 @pytest.mark.parametrize("alpha", [1.5, 1.55, 1.568])
 @pytest.mark.parametrize("mu", [1.94e-3, 1e-4])
 def test_small_spheres_before_ninety_degrees(alpha: float, mu: float) -> None:
-    center, radius = placed(alpha, 0.3, mu)
+    center, radius = sphere_at_angle(alpha, 0.3, mu)
     found = nf.corrected_solid_angle(center[None], radius, camera=VIEW, lens=RIFT_S, exact=True)[0]
     # The centre's position is rounded by 1e-15 of 10 m, compared with 0.003 to 90°. The sum cancels as documented.
     assert found == pytest.approx(
@@ -126,7 +126,7 @@ def test_small_spheres_before_ninety_degrees(alpha: float, mu: float) -> None:
 
 
 def test_the_lens_radius_may_be_given() -> None:
-    center, radius = placed(0.6, 0.0, 0.05)
+    center, radius = sphere_at_angle(0.6, 0.0, 0.05)
     wide = nf.Camera(VIEW.position, fov=nf.Fov(-2, 2, -1, 1), size=(8, 8))
     expected = nf.corrected_solid_angle(center[None], radius, camera=VIEW, lens=RIFT_S)
     for camera in (VIEW, wide):
@@ -156,7 +156,7 @@ def test_sizes_that_no_lens_changes() -> None:
         same = nf.corrected_solid_angle(centers, radii, camera=VIEW, lens=nf.RadialLens(()), exact=exact)
         assert same == pytest.approx(own, rel=1e-12)
     # Beyond the fold of a lens its picture is undefined.
-    center, radius = placed(1.3, 0.0, 0.05)
+    center, radius = sphere_at_angle(1.3, 0.0, 0.05)
     folded = nf.RadialLens((-0.2,))
     own = nf.solid_angle(center[None], radius, eye=VIEW.position)
     assert np.array_equal(nf.corrected_solid_angle(center[None], radius, camera=VIEW, lens=folded), own)
@@ -168,7 +168,7 @@ def test_the_lens_turns_with_the_camera() -> None:
     side = np.cross(forward, [0.0, 1.0, 0.0])
     side /= np.linalg.norm(side)
     ahead = np.array(turned.position) + 10 * (math.cos(0.6) * forward + math.sin(0.6) * side)
-    expected = nf.corrected_solid_angle(placed(0.6, 0.0, 0.1)[0][None], 1.0, camera=VIEW, lens=RIFT_S)
+    expected = nf.corrected_solid_angle(sphere_at_angle(0.6, 0.0, 0.1)[0][None], 1.0, camera=VIEW, lens=RIFT_S)
     assert nf.corrected_solid_angle(ahead[None], 1.0, camera=turned, lens=RIFT_S) == pytest.approx(expected, rel=1e-12)
 
 

@@ -169,7 +169,7 @@ def test_the_chosen_place_is_open_ground(city: Path) -> None:
     place = viewpoint.find(scene)
     # Rays start 25 m up, with float32 distances; a centimetre is irrelevant for a viewpoint.
     assert place.eye[1] == pytest.approx(viewpoint.EYE_HEIGHT, abs=0.01)
-    around = viewpoint.around(scene, place.eye)
+    around = viewpoint.horizontal_distances(scene, place.eye)
     assert around.min() >= viewpoint.CLEARANCE
     # The chosen quarter turn sees farther than the other three.
     turned = np.roll(np.minimum(around, 500.0), 9 - int(np.argmax(viewpoint._ring() @ place.forward)))

@@ -15,7 +15,7 @@ from tests.support.cli_cases import command, document
 SMALL = ("--size", "64x40", "--samples", "1", "--backend", "cpu")
 
 
-def shown(path: Path) -> float:
+def share_of_changes(path: Path) -> float:
     """Share of a picture's pixels that differ from the left one of their row, as the sky's hardly do."""
     with Image.open(path) as picture:
         codes = np.asarray(picture.convert("RGB")).astype(int)
@@ -33,7 +33,7 @@ def test_an_object_of_any_size_is_seen(size: float, tmp_path: Path, capsys: pyte
     assert command(capsys, "reduce", "-i", path, "-o", tmp_path / "light", *SMALL, "--face-size", "32")[0] == 0
     assert command(capsys, "render", "-i", tmp_path / "light", "-o", tmp_path / "light.png", *SMALL)[0] == 0
     for name in ("scene.png", "preview.png", "light/truth.png", "light/continuous.png", "light.png"):
-        assert 0.02 < shown(tmp_path / name) < 0.5, name
+        assert 0.02 < share_of_changes(tmp_path / name) < 0.5, name
 
 
 def test_a_folder_is_seen_as_its_report_shows_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -50,7 +50,7 @@ def test_a_folder_is_seen_as_its_report_shows_it(tmp_path: Path, capsys: pytest.
         assert command(capsys, "render", "-i", light, "-o", tmp_path / "seen.png", *SMALL)[0] == 0
     (light / "report.json").unlink()
     assert command(capsys, "render", "-i", light, "-o", tmp_path / "seen.png", *SMALL)[0] == 0
-    assert shown(tmp_path / "seen.png") > 0.02
+    assert share_of_changes(tmp_path / "seen.png") > 0.02
 
 
 def test_a_folder_without_near_geometry_is_described(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

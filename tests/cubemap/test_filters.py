@@ -324,7 +324,7 @@ def with_nan(size: int, channels: int, share: float, seed: int) -> Array:
     return faces
 
 
-def known(values: Array, name: str) -> Array:
+def extremum(values: Array, name: str) -> Array:
     """Least or greatest of rows (N, C), NaN if all are NaN, without NumPy's warning."""
     choose, nothing = (np.min, np.inf) if name == "min" else (np.max, -np.inf)
     found = choose(np.where(np.isnan(values), nothing, values), axis=0, initial=nothing)
@@ -344,14 +344,14 @@ def test_extremes_skip_nan(size: int, channels: int, share: float, seed: int, na
     d = everywhere(size, 8)
     # A face with a single texel keeps that texel's weight.
     weights = nf.cube_lookup(np.eye(len(texels)).reshape(6, size, size, -1), d, filter="linear")
-    expected = np.array([known(texels[row > 0], name) for row in weights])
+    expected = np.array([extremum(texels[row > 0], name) for row in weights])
     np.testing.assert_array_equal(nf.cube_lookup(faces, d, filter=name), expected)
     for channel in range(channels):
         alone = nf.cube_lookup(faces[..., channel], d, filter=name)
         np.testing.assert_array_equal(alone, expected[:, channel])
     for radius in (0.01, 0.3, 1.2):
         inside = [angles_to_texels(way, size).ravel() <= radius for way in d]
-        expected = np.array([known(texels[touched], name) for touched in inside])
+        expected = np.array([extremum(texels[touched], name) for touched in inside])
         for kind in (np.float32, np.float64):
             found = nf.cube_lookup(faces.astype(kind), d, filter=name, radius=radius)
             np.testing.assert_array_equal(found, expected.astype(kind))
@@ -361,7 +361,7 @@ def test_extremes_skip_nan(size: int, channels: int, share: float, seed: int, na
         level = nf.cube_mips(faces, filter=name)[1]
         for j, i in np.ndindex(after, after):
             covered = faces[:, wide[j]][:, :, wide[i]].reshape(6, -1, channels).swapaxes(0, 1)
-            np.testing.assert_array_equal(level[:, j, i], known(covered, name))
+            np.testing.assert_array_equal(level[:, j, i], extremum(covered, name))
         for channel in range(channels):
             alone = nf.cube_mips(faces[..., channel], filter=name)[1]
             np.testing.assert_array_equal(alone, level[..., channel])

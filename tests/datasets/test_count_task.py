@@ -13,7 +13,7 @@ from tests.support.study_cases import ASIDE, HOW, USERS, Ids, light, pieces
 FOV, SIZE = nf.Fov.symmetric(100, 4.0), (1200, 300)
 
 
-def counted(reduced: nf.ReducedScene, user: tuple[float, float, float], **how: object) -> list[int]:
+def pieces_of_spheres(reduced: nf.ReducedScene, user: tuple[float, float, float], **how: object) -> list[int]:
     """Number of pieces in which a user who looks ahead sees each sphere, in order."""
     eye = np.add(reduced.center, user)
     view = nf.Camera.look_at(eye, np.add(eye, (0.0, 3.0, -50.0)), fov=FOV, size=SIZE)
@@ -31,9 +31,9 @@ def test_only_the_conventional_method_adds_spheres() -> None:
     conventional = reduced.with_morph("none")
     for user in USERS:
         for how in HOW:
-            assert counted(reduced, user, **how) == [1] * task.answer, (user, how)
+            assert pieces_of_spheres(reduced, user, **how) == [1] * task.answer, (user, how)
     for user in ASIDE:
-        assert sum(counted(conventional, user)) == task.answer + len(task.across), user
+        assert sum(pieces_of_spheres(conventional, user)) == task.answer + len(task.across), user
 
 
 def test_counts_and_places() -> None:

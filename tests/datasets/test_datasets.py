@@ -128,7 +128,7 @@ def test_facade_rows_meet_at_corners() -> None:
 
 
 def test_ground_has_no_cracks() -> None:
-    sheet = _ground.ground(Grid.of(3), 0, 2)
+    sheet = _ground.ground(Grid.generate(3), 0, 2)
     ends = lone_edges(sheet)
     corners = sheet.corners.astype(np.float32)
     at_rim = (ends == corners.min(axis=(0, 1))) | (ends == corners.max(axis=(0, 1)))
@@ -139,7 +139,7 @@ def test_ground_has_no_cracks() -> None:
 
 def test_plots_do_not_overlap() -> None:
     for seed in range(3):
-        found = plots(Grid.of(6), seed)
+        found = plots(Grid.generate(6), seed)
         assert len({plot.name for plot in found}) == len(found)
         wide = np.array([[p.kind.width, p.kind.depth] for p in found]) * 0.05
         low = np.array([[p.x, p.z] for p in found]) - wide
@@ -189,7 +189,7 @@ def golden_digests() -> dict[str, str]:
         "building": building(Kind(199, 170, 1, 1, 0), 7, 2),
         "tree": _vegetation.broadleaf(7, 3, 3),
         "car": _vehicles.car(_vehicles.ESTATE, 1, 2),
-        "ground": _ground.ground(Grid.of(4), 7, 2),
+        "ground": _ground.ground(Grid.generate(4), 7, 2),
         "spruce": _vegetation.conifer(7, 1, 2),
         "books": _furnishings.shelf(7, 2),
     }
@@ -300,7 +300,7 @@ def test_forest_has_the_trees_asked_for(trees: int) -> None:
 
 
 def test_trees_stand_on_the_land() -> None:
-    land = _forest.Land.of(400, 3)
+    land = _forest.Land.generate(400, 3)
     assert float(land.height(0.0, 0.0)) == 0.0
     corners = datasets.forest(400, seed=3, detail=0).triangles().reshape(-1, 3)
     near = corners[np.abs(corners[:, [0, 2]]).max(axis=1) < 0.5 * land.side]

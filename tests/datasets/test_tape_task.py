@@ -56,7 +56,9 @@ def leads_to(ids: Ids, names: tuple[str, ...], rows: Array, middles: Array) -> s
     return None
 
 
-def seen(reduced: nf.ReducedScene, task: TapeTask, user: tuple[float, float, float], **how: Any) -> tuple[Any, Ids]:
+def render_row(
+    reduced: nf.ReducedScene, task: TapeTask, user: tuple[float, float, float], **how: Any
+) -> tuple[Any, Ids]:
     """Render the view of a user who looks in the direction from the centre to the row."""
     eye = np.add(task.center, user)
     view = nf.Camera.look_at(eye, eye + np.subtract(task.target, task.center), fov=FOV, size=SIZE)
@@ -77,7 +79,7 @@ def test_the_published_tape_leads_to_the_right_rectangle_if_it_is_morphed(tape: 
     reduced, task = tape
     names = reduced.scene.object_names
     for user in USERS:
-        view, ids = seen(reduced, task, user, **how)
+        view, ids = render_row(reduced, task, user, **how)
         ((rows, middles),) = middles_of(ids, names.index("tape"))
         shown = middle_picture(view, task, morphed=True)
         # The first and the last row of a slanted tape show a corner of it, and the picture's edge cuts its near part.
@@ -93,7 +95,7 @@ def test_the_published_tape_stays_whole_and_misleads_conventionally(tape: Reduce
     others = set()
     for user in ASIDE:
         for method in ("vertex", "exact"):
-            view, ids = seen(conventional, task, user, method=method)
+            view, ids = render_row(conventional, task, user, method=method)
             ((rows, middles),) = middles_of(ids, names.index("tape"))
             # It is where the user sees it, up to its end.
             shown = middle_picture(view, task, morphed=False)
@@ -113,7 +115,7 @@ def test_the_continuous_tape_leads_across_both_radii(torn_tape: Reduced, how: di
     reduced, task = torn_tape
     names = reduced.scene.object_names
     for user in USERS:
-        view, ids = seen(reduced, task, user, **how)
+        view, ids = render_row(reduced, task, user, **how)
         # A single piece: every row shows the tape, and the runs of neighbouring rows touch.
         ((rows, middles),) = middles_of(ids, names.index("tape"))
         morphing: dict[str, Any] = {"center": task.center, "r1": task.r1, "r2": task.r2}
@@ -134,7 +136,7 @@ def test_the_conventional_tape_breaks_and_misleads(torn_tape: Reduced) -> None:
     # Users who moved sideways; users who moved forwards or backwards see a tape of the wrong length instead.
     for user in ASIDE:
         for method in ("vertex", "exact"):
-            view, ids = seen(conventional, task, user, method=method)
+            view, ids = render_row(conventional, task, user, method=method)
             far, near = middles_of(ids, names.index("tape"))
             # The tape's point at r₂ is shown where the user sees it, and just beyond where the centre sees it.
             ends = view.project(np.stack([crossing, crossing + user]))[:, :2]

@@ -22,7 +22,7 @@ def test_a_device_lost_between_frames_is_opened_again(name: str) -> None:
     scene = crowd()
     with adapter(name):
         before = nf.render(scene, CAMERA, backend="gpu")
-        device = backends.opened()
+        device = backends.open_device()
         device.lose()
         after = nf.render(scene, CAMERA, backend="gpu")
         np.testing.assert_array_equal(after.require("color"), before.require("color"))
@@ -39,7 +39,7 @@ def test_a_device_lost_during_a_frame_says_what_to_try(name: str) -> None:
         label = nf.gpu.selected().label
         frames = nf.render_path(scene, [CAMERA] * 4, backend="gpu")
         first = next(frames)
-        backends.opened().lose()
+        backends.open_device().lose()
         with pytest.raises(nf.DeviceError) as caught:
             next(frames)
         assert str(caught.value).startswith(label)
@@ -59,7 +59,7 @@ def test_a_device_lost_in_another_thread_while_frames_are_drawn(name: str) -> No
 
         def lose() -> None:
             while not stop.wait(0.03):
-                backends.opened().lose()
+                backends.open_device().lose()
 
         thread = threading.Thread(target=lose)
         thread.start()

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from tests.support import data
 from tests.support.gpu_cases import ADAPTERS, adapter, check_color, check_ids, check_range, edges
-from tests.support.normal_cases import around
+from tests.support.normal_cases import scene_around
 from tests.support.reduce_cases import street
 
 CENTER = (0.0, 1.7, 0.0)
@@ -44,10 +44,10 @@ def reduced(city: nf.Scene, request: pytest.FixtureRequest) -> nf.ReducedScene:
 def poses() -> dict[str, NDArray[np.float64]]:
     """Cars within r1, across both radii, between them and beyond, some behind houses."""
     places = [(-3, -8, 0.3), (2, -29, 1.0), (-4, -49.5, 0.2), (3, -70, 2.0), (-40, -60, 0.1)]
-    return {f"car_{i}": placed(x, 0.15, z, turn) for i, (x, z, turn) in enumerate(places)}
+    return {f"car_{i}": pose_at(x, 0.15, z, turn) for i, (x, z, turn) in enumerate(places)}
 
 
-def placed(x: float, y: float, z: float, turn: float = 0.0) -> NDArray[np.float64]:
+def pose_at(x: float, y: float, z: float, turn: float = 0.0) -> NDArray[np.float64]:
     matrix = trimesh.transformations.rotation_matrix(turn, (0, 1, 0))
     matrix[:3, 3] = x, y, z
     return np.asarray(matrix)
@@ -80,7 +80,7 @@ def test_frames_are_those_of_the_tracer(
 @pytest.mark.parametrize("tolerance_px", [np.inf, 0.5])
 def test_normals_of_vertices_are_the_same(tolerance_px: float) -> None:
     center = np.array([3.0, 1.7, -2.0])
-    reduced = nf.reduce(around(center), center=center, r1=15, r2=25, face_size=128, samples=1, channels=CHANNELS)
+    reduced = nf.reduce(scene_around(center), center=center, r1=15, r2=25, face_size=128, samples=1, channels=CHANNELS)
     eye = center + np.array([2.0, 0.3, -1.0])
     camera = nf.Camera.look_at(eye, eye + np.array([1, 0.02, 0.4]), fov=nf.Fov.symmetric(60), size=(192, 192))
     cpu, gpu = both(reduced, camera, channels=("color", "object_id", "face_id"), tolerance_px=tolerance_px)
@@ -111,7 +111,7 @@ def test_a_large_mover_is_split_where_it_stands() -> None:
     assembled.add_geometry(train, node_name="train", geom_name="train")
     scene = nf.Scene.from_trimesh(assembled).with_dynamic(["train"])
     reduced = nf.reduce(scene, center=CENTER, r1=10, r2=25, face_size=64, channels=CHANNELS)
-    pose = {"train": placed(5, 1.7, -12, 0.2)}
+    pose = {"train": pose_at(5, 1.7, -12, 0.2)}
     cpu, gpu = both(reduced, view((1.5, 2.4, 1.0)), at=pose, channels=ALL)
     check_ids(cpu.require("face_id"), gpu.require("face_id"), 0.995)
     bent = reduced.render(view((1.5, 2.4, 1.0)), at=pose, channels=ALL, tolerance_px=np.inf, backend="gpu")
@@ -217,7 +217,7 @@ def test_only_near_geometry_is_touched_and_little_is_sent(
     # Split triangles near the user, and cars twice: within the near part and beyond it.
     assert 0 < still["triangles"] - before["triangles"] <= frame.stats["frame_triangles"] + 20_000
     reduced.render(cameras[3], at=poses, backend="gpu")
-    reduced.render(cameras[3], at=poses | {"car_0": placed(-2.5, 0.15, -9, 0.4)}, backend="gpu")
+    reduced.render(cameras[3], at=poses | {"car_0": pose_at(-2.5, 0.15, -9, 0.4)}, backend="gpu")
     after = nf.gpu.stats()
     assert after["allocations"] == still["allocations"] == before["allocations"]
     # A pass, and one car's transform in two passes.
@@ -279,7 +279,7 @@ def street_with_a_drone() -> tuple[nf.Scene, dict[str, NDArray[np.float64]]]:
     for name, mesh in parts.items():
         assembled.add_geometry(mesh, node_name=name, geom_name=name)
     scene = nf.Scene.from_trimesh(assembled).with_dynamic(["drone"])
-    return scene, {"drone": placed(60, 25, 0)}
+    return scene, {"drone": pose_at(60, 25, 0)}
 
 
 @pytest.mark.parametrize(

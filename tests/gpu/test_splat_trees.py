@@ -74,7 +74,7 @@ def test_objects_that_move(tree: Tree) -> None:
 def test_auto_is_the_processor_where_adapters_are_software(tree: Tree) -> None:
     camera = camera_at(tree, 90)
     chosen, right = tree.render(camera), tree.render(camera, backend="cpu")
-    assert backends.opened().kind == "software"
+    assert backends.open_device().kind == "software"
     assert chosen.require("color").tobytes() == right.require("color").tobytes()
 
 
@@ -128,7 +128,7 @@ def test_two_eyes(tree: Tree) -> None:
 def test_pages_of_a_tree_are_freed_with_it(tree: Tree, tmp_path: Path) -> None:
     own = nf.orthoview.build(world_of(range(4)), tmp_path / "own.zarr", cell=20, size=32, directions=5)
     own.render(camera_at(own, 120), backend="gpu")
-    device = backends.opened()
+    device = backends.open_device()
     held = _core.gpu_orthoview_bytes(device)
     assert held > 0
     del own

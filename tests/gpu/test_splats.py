@@ -22,7 +22,7 @@ from tests.support.splat_cases import (
     MIDDLE,
     STRAIGHT,
     THREE,
-    drawn,
+    draw_splats,
     flat,
     limits_of,
     splats_of,
@@ -39,7 +39,7 @@ ALL = ("color", "coverage", *CHANNELS, "position", "shading_normal")
 def device(request: pytest.FixtureRequest) -> Iterator[_core.GpuDevice]:
     name, *short = str(request.param).split(", ")
     with adapter(name):
-        opened = backends.opened()
+        opened = backends.open_device()
         before = opened.allow_long_atomics(not short)
         try:
             yield opened
@@ -62,17 +62,17 @@ def check(got: dict[str, Any], right: dict[str, Any], least: float = 0.997) -> N
 @pytest.mark.parametrize("name", CAMERAS)
 def test_pictures_are_those_of_the_processor(device: _core.GpuDevice, name: str) -> None:
     splats = splats_of([(1, 0, 0), (0, 1, 0), (0, 0, 1), (0, 1, 1), (-1, -1, 1)])
-    right = drawn(splats, CAMERAS[name], ALL)
+    right = draw_splats(splats, CAMERAS[name], ALL)
     assert np.isfinite(right["range"]).mean() > 0.02
-    check(drawn(splats, CAMERAS[name], ALL, device=device), right)
+    check(draw_splats(splats, CAMERAS[name], ALL, device=device), right)
 
 
 @pytest.mark.parametrize("grid", [2, 3, 4, 8])
 def test_colour_is_the_mean_of_samples(device: _core.GpuDevice, grid: int) -> None:
     splats = splats_of(THREE, size=32)
     for name in ("perspective", "parallel"):
-        right = drawn(splats, CAMERAS[name], ("color", "coverage"), grid)
-        got = drawn(splats, CAMERAS[name], ("color", "coverage"), grid, device=device)
+        right = draw_splats(splats, CAMERAS[name], ("color", "coverage"), grid)
+        got = draw_splats(splats, CAMERAS[name], ("color", "coverage"), grid, device=device)
         # A sample more or less moves a pixel by its share.
         assert (np.abs(got["color"] - right["color"]) <= 1e-4).mean() >= 0.99
         assert np.abs(got["color"] - right["color"]).max() <= 4 / grid**2
@@ -81,42 +81,42 @@ def test_colour_is_the_mean_of_samples(device: _core.GpuDevice, grid: int) -> No
 
 def test_large_pictures_and_large_views(device: _core.GpuDevice) -> None:
     splats = splats_of(THREE, size=128)
-    check(drawn(splats, LARGE, ALL, device=device), drawn(splats, LARGE, ALL))
+    check(draw_splats(splats, LARGE, ALL, device=device), draw_splats(splats, LARGE, ALL))
 
 
 @pytest.mark.parametrize(("depth_bits", "normal_bits"), [(8, 16), (12, 24), (16, 24)])
 def test_formats(device: _core.GpuDevice, depth_bits: int, normal_bits: int) -> None:
     splats = splats_of(THREE, depth_bits, normal_bits, size=20)
     camera = CAMERAS["perspective"]
-    check(drawn(splats, camera, ALL, device=device), drawn(splats, camera, ALL))
+    check(draw_splats(splats, camera, ALL, device=device), draw_splats(splats, camera, ALL))
 
 
 @pytest.mark.parametrize("camera", ["perspective", "parallel"])
 @pytest.mark.parametrize("name", ["t_min", "t_max", "both", "box", "planes"])
 def test_limits(device: _core.GpuDevice, name: str, camera: str) -> None:
     splats, limits = splats_of(THREE), limits_of(name)
-    right = drawn(splats, CAMERAS[camera], ALL, **limits)
-    assert not np.array_equal(right["range"], drawn(splats, CAMERAS[camera], ALL)["range"])
-    check(drawn(splats, CAMERAS[camera], ALL, device=device, **limits), right)
+    right = draw_splats(splats, CAMERAS[camera], ALL, **limits)
+    assert not np.array_equal(right["range"], draw_splats(splats, CAMERAS[camera], ALL)["range"])
+    check(draw_splats(splats, CAMERAS[camera], ALL, device=device, **limits), right)
 
 
 @pytest.mark.parametrize("grid", [1, 3])
 def test_what_was_there_before(device: _core.GpuDevice, grid: int) -> None:
     camera, splats = CAMERAS["perspective"], splats_of(THREE)
     width, height = camera.size
-    ranges = drawn(splats, camera)["range"]
+    ranges = draw_splats(splats, camera)["range"]
     finer = replace(camera, size=(width * grid, height * grid))
     random = np.random.default_rng(2).random(finer.size[::-1])
     before = wall(finer, np.where(random < 0.3, np.inf, np.median(ranges[np.isfinite(ranges)])))
     channels = (*ALL[:5], "object_id", "face_id")
-    right = drawn(splats, camera, channels, grid, before=before)
+    right = draw_splats(splats, camera, channels, grid, before=before)
     assert 0.02 < (right["object_id"] == 7).mean() < 0.98
-    check(drawn(splats, camera, channels, grid, before=before, device=device), right)
+    check(draw_splats(splats, camera, channels, grid, before=before, device=device), right)
 
 
 def test_walls_hide_whole_pieces(device: _core.GpuDevice) -> None:
     camera, splats = CAMERAS["perspective"], splats_of(THREE)
-    images = drawn(splats, camera, ("color", "range"), before=wall(camera, 1.0), device=device)
+    images = draw_splats(splats, camera, ("color", "range"), before=wall(camera, 1.0), device=device)
     assert (images["color"] == [1, 0, 0]).all()
     assert (images["range"] == 1).all()
     assert images["stats"]["splats_seen"] == 0 < images["stats"]["splats_in_picture"]
@@ -126,8 +126,8 @@ def test_masks_and_bare_pictures(device: _core.GpuDevice) -> None:
     camera, splats = CAMERAS["perspective"], splats_of(THREE)
     mask = np.random.default_rng(0).random(camera.size[::-1]) < 0.6
     for limits in ({"mask": mask}, {"bare": True}):
-        right = drawn(splats, camera, ALL, **limits)
-        check(drawn(splats, camera, ALL, device=device, **limits), right)
+        right = draw_splats(splats, camera, ALL, **limits)
+        check(draw_splats(splats, camera, ALL, device=device, **limits), right)
         assert (right["color"] == 0).all(axis=-1).any()
 
 
@@ -136,7 +136,7 @@ def test_nothing_is_sky(device: _core.GpuDevice) -> None:
     eye = MIDDLE + np.array([0, 0, 60])
     away = nf.Camera.look_at(eye, eye + np.array([0, 0, 30]), fov=camera.fov, size=camera.size)
     for views, lens in (([], camera), (splats, away)):
-        got, right = drawn(views, lens, ALL, device=device), drawn(views, lens, ALL)
+        got, right = draw_splats(views, lens, ALL, device=device), draw_splats(views, lens, ALL)
         check(got, right, least=1.0)
         assert (got["coverage"] == 0).all()
         assert got["stats"] == right["stats"]
@@ -145,24 +145,24 @@ def test_nothing_is_sky(device: _core.GpuDevice) -> None:
 def test_of_one_depth_the_first_splat_counts(device: _core.GpuDevice) -> None:
     dark, light = flat(50), flat(200)
     for order in ([dark, light], [light, dark]):
-        both = drawn(order, STRAIGHT, device=device)
-        np.testing.assert_array_equal(both["albedo"], drawn(order[:1], STRAIGHT)["albedo"])
+        both = draw_splats(order, STRAIGHT, device=device)
+        np.testing.assert_array_equal(both["albedo"], draw_splats(order[:1], STRAIGHT)["albedo"])
     nearer = flat(120, 99)
-    got = drawn([dark, nearer], STRAIGHT, device=device)
-    np.testing.assert_array_equal(got["albedo"], drawn([nearer], STRAIGHT)["albedo"])
+    got = draw_splats([dark, nearer], STRAIGHT, device=device)
+    np.testing.assert_array_equal(got["albedo"], draw_splats([nearer], STRAIGHT)["albedo"])
 
 
 def test_both_kinds_of_atomic_integers_make_the_same_picture() -> None:
     splats = splats_of(THREE, size=64)
     with adapter("vulkan"):
-        device = backends.opened()
+        device = backends.open_device()
         assert device.uses_long_atomics
         pictures = []
         for allowed in (True, False):
             before = device.allow_long_atomics(allowed)
             try:
                 assert device.uses_long_atomics == allowed
-                pictures.append(drawn(splats, LARGE, ALL, device=device))
+                pictures.append(draw_splats(splats, LARGE, ALL, device=device))
             finally:
                 device.allow_long_atomics(before)
         for name in ALL:
@@ -178,7 +178,7 @@ def test_views_are_sent_once_and_leave_with_their_last_reference(device: _core.G
     assert kept >= own
     _core.gpu_keep_orthoviews(device, splats)
     assert device.counters()[2] == sent
-    drawn(splats, CAMERAS["perspective"], device=device)
+    draw_splats(splats, CAMERAS["perspective"], device=device)
     # Views before the camera and pieces, but no splats.
     assert 0 < device.counters()[2] - sent < own
     del splats
@@ -191,8 +191,8 @@ def test_pictures_in_several_bands(device: _core.GpuDevice) -> None:
     """The keys of 4 × 4 samples of so many pixels are more than are used at once."""
     splats = splats_of(THREE, size=64)
     camera = replace(CAMERAS["perspective"], size=(1500, 1150))
-    got = drawn(splats, camera, ("color", "coverage"), 4, device=device)
-    right = drawn(splats, camera, ("color", "coverage"), 4)
+    got = draw_splats(splats, camera, ("color", "coverage"), 4, device=device)
+    right = draw_splats(splats, camera, ("color", "coverage"), 4)
     # A sample that shows another splat moves a pixel by a sixteenth.
     assert (np.abs(got["color"] - right["color"]) < 0.1).mean() > 0.9995
     assert (got["coverage"] == right["coverage"]).mean() > 0.9995
@@ -204,18 +204,19 @@ def test_a_lost_device_is_told(device: _core.GpuDevice) -> None:
     splats = splats_of(THREE)
     device.lose()
     with pytest.raises(nf.DeviceError, match="lost"):
-        drawn(splats, CAMERAS["perspective"], device=device)
-    right = drawn(splats, CAMERAS["perspective"])
-    check(drawn(splats, CAMERAS["perspective"], device=backends.opened()), right)
+        draw_splats(splats, CAMERAS["perspective"], device=device)
+    right = draw_splats(splats, CAMERAS["perspective"])
+    check(draw_splats(splats, CAMERAS["perspective"], device=backends.open_device()), right)
 
 
 def test_threads_share_a_device(device: _core.GpuDevice) -> None:
     camera, splats = CAMERAS["perspective"], splats_of(THREE, size=32)
     before = wall(camera, 47.0)
-    alone = [drawn(splats[:count], camera, ALL[:5], before=before, device=device) for count in (1, 2, 3)]
+    alone = [draw_splats(splats[:count], camera, ALL[:5], before=before, device=device) for count in (1, 2, 3)]
     with ThreadPoolExecutor(6) as threads:
         jobs = [
-            threads.submit(drawn, splats[: 1 + n % 3], camera, ALL[:5], before=before, device=device) for n in range(24)
+            threads.submit(draw_splats, splats[: 1 + n % 3], camera, ALL[:5], before=before, device=device)
+            for n in range(24)
         ]
         for n, job in enumerate(jobs):
             for name in ALL[:5]:
@@ -225,8 +226,8 @@ def test_threads_share_a_device(device: _core.GpuDevice) -> None:
 def test_what_lies_behind_is_left_out(device: _core.GpuDevice) -> None:
     """Along the axis a wall hides a hundred others behind it, but for those of the first batch."""
     views = [flat(n, z=-20.0 * n) for n in range(1, 101)]
-    got = drawn(views[::-1], STRAIGHT, device=device)
-    np.testing.assert_array_equal(got["albedo"], drawn(views[:1], STRAIGHT)["albedo"])
+    got = draw_splats(views[::-1], STRAIGHT, device=device)
+    np.testing.assert_array_equal(got["albedo"], draw_splats(views[:1], STRAIGHT)["albedo"])
     counts = got["stats"]
     assert 0 < counts["splats_seen"] < 0.1 * counts["splats_in_picture"]
 
@@ -235,15 +236,15 @@ def test_an_eye_among_large_splats(device: _core.GpuDevice) -> None:
     """Blocks reach behind the eye, and splats across the picture: they are drawn tile by tile."""
     splats = splats_of(THREE, size=64)
     camera = replace(CAMERAS["inside"], size=(250, 200))
-    check(drawn(splats, camera, ALL, device=device), drawn(splats, camera, ALL), least=0.995)
-    got, right = (drawn(splats, camera, ("color",), 4, device=own)["color"] for own in (device, None))
+    check(draw_splats(splats, camera, ALL, device=device), draw_splats(splats, camera, ALL), least=0.995)
+    got, right = (draw_splats(splats, camera, ("color",), 4, device=own)["color"] for own in (device, None))
     assert (np.abs(got - right) < 0.1).mean() > 0.999
 
 
 def test_pictures_pass_while_others_bring_views(device: _core.GpuDevice) -> None:
     camera, splats = replace(CAMERAS["perspective"], size=(320, 240)), splats_of(THREE, size=32)
     before = wall(replace(camera, size=(960, 720)), 47.0)
-    right = drawn(splats, camera, ("color",), 3, before=before)["color"]
+    right = draw_splats(splats, camera, ("color",), 3, before=before)["color"]
     over = threading.Event()
 
     def bring() -> None:
@@ -254,7 +255,7 @@ def test_pictures_pass_while_others_bring_views(device: _core.GpuDevice) -> None
         jobs = [threads.submit(bring) for _ in range(2)]
         try:
             for _ in range(3):
-                got = drawn(splats, camera, ("color",), 3, before=before, device=device)["color"]
+                got = draw_splats(splats, camera, ("color",), 3, before=before, device=device)["color"]
                 assert (np.abs(got - right) < 1e-3).mean() > 0.99
         finally:
             over.set()

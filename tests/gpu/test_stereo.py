@@ -115,21 +115,21 @@ def test_instances_that_are_known_to_be_unseen_are_left_out(name: str) -> None:
     with adapter(name):
         device = _core.GpuDevice(name)
 
-        def drawn(instances: NDArray[np.bool_] | None) -> tuple[NDArray[np.int64], int]:
+        def draw_instances(instances: NDArray[np.bool_] | None) -> tuple[NDArray[np.int64], int]:
             shot = nf.Shot(cameras=(camera,), channels=("face_id",), instances=instances)
             before = device.counters()[3]
             (job,) = device.truth(scene._core, [camera._core], shot.settings)
             return job.finish()["face_id"], device.counters()[3] - before
 
-        whole, triangles = drawn(None)
-        faces, fewer = drawn(np.zeros(instance_count(scene), bool))
+        whole, triangles = draw_instances(None)
+        faces, fewer = draw_instances(np.zeros(instance_count(scene), bool))
         assert (faces == -1).all()
         assert fewer == 0
-        same, as_many = drawn(np.ones(instance_count(scene), bool))
+        same, as_many = draw_instances(np.ones(instance_count(scene), bool))
         np.testing.assert_array_equal(same, whole)
         assert as_many >= triangles
         with pytest.raises(ValueError, match="instances: expected"):
-            drawn(np.ones(instance_count(scene) + 1, bool))
+            draw_instances(np.ones(instance_count(scene) + 1, bool))
 
 
 @contextmanager

@@ -25,22 +25,22 @@ def check_morph(case: dict[str, Any], kind: str) -> None:
     check(found, case["shown"], case["tolerance"]["wgsl"])
 
 
-def held(file: str, section: str = "cases") -> list[Any]:
+def exact_cases(file: str, section: str = "cases") -> list[Any]:
     """Cases whose inputs are exact in float32."""
     return [parameters for parameters in cases(file, section) if "wgsl" in parameters.values[0]["tolerance"]]
 
 
-@pytest.mark.parametrize("case", held("blend"))
+@pytest.mark.parametrize("case", exact_cases("blend"))
 def test_the_blend_shows_points_where_the_formula_says(case: dict[str, Any]) -> None:
     check_morph(case, "blend")
 
 
-@pytest.mark.parametrize("case", held("cylinder"))
+@pytest.mark.parametrize("case", exact_cases("cylinder"))
 def test_the_cylinder_shows_points_where_the_formula_says(case: dict[str, Any]) -> None:
     check_morph(case, "cylinder")
 
 
-@pytest.mark.parametrize("case", held("cubemap", "directions"))
+@pytest.mark.parametrize("case", exact_cases("cubemap", "directions"))
 def test_directions_pass_through_their_texels(case: dict[str, Any]) -> None:
     directions = np.array(case["directions"], np.float32)
     for name, expected in case["texels"].items():
@@ -49,7 +49,7 @@ def test_directions_pass_through_their_texels(case: dict[str, Any]) -> None:
         np.testing.assert_array_equal(gpu.cube_lookup(numbers, directions), expected)
 
 
-@pytest.mark.parametrize("case", held("cubemap", "lookups"))
+@pytest.mark.parametrize("case", exact_cases("cubemap", "lookups"))
 def test_filters_give_the_values_of_the_map(case: dict[str, Any]) -> None:
     faces = np.array(case["map"], np.float32).reshape(6, case["size"], case["size"])
     directions = np.array(case["directions"], np.float32)

@@ -220,7 +220,7 @@ def test_a_planted_factor_comes_back() -> None:
     np.testing.assert_allclose(_correction.fit(samples), KNOWN, atol=1e-9)
     _, low, high = _correction.intervals(samples)
     np.testing.assert_allclose(high - low, 0, atol=1e-9)
-    assert all(samples.of(kind).any() for kind in _correction.KINDS)
+    assert all(samples.is_kind(kind).any() for kind in _correction.KINDS)
     for name in ("coefficients", "a number for each material"):
         found = _correction.validity(samples, _correction.cross_validated(samples, name))
         assert (found.log, found.ssim, found.explained) == pytest.approx((0, 0, 1), abs=1e-9)
@@ -261,12 +261,12 @@ def test_everything_is_printed_and_drawn(
     monkeypatch.setattr("sys.argv", ["lod_appearance.py", "--quick"])
     monkeypatch.setenv(compare.FOLDER, str(tmp_path))
 
-    def before(plan: object, shapes: Any) -> dict[str, Array]:
+    def fail_after_quick(plan: object, shapes: Any) -> dict[str, Array]:
         assert plan is QUICK
         assert [*shapes] == [*quick]
         return quick
 
-    monkeypatch.setattr(appearance, "run", before)
+    monkeypatch.setattr(appearance, "run", fail_after_quick)
     appearance.main()
     printed = capsys.readouterr().out
     assert printed.count("### ") == 3

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from tests.support.lod_oracle import around, usual
+from tests.support.lod_oracle import random_spheres, usual
 
 LENS = nf.RadialLens((0.22, 0.24))
 FOV = nf.Fov(-1.0, 0.9, -1.1, 1.05)
@@ -22,7 +22,7 @@ def test_the_finer_of_two_eyes_answers_counts(name: str) -> None:
     head = (0.3, 1.6, 0.2)
     pose = nf.Camera.look_at(head, (1, 1, -5), fov=FOV, size=(9, 9)).orientation
     eyes = [hmd.camera(side, head, pose) for side in ("left", "right")]
-    centers, radii = around(4000, 8, nf.Camera(head, pose, fov=FOV, size=(9, 9)), 3)
+    centers, radii = random_spheres(4000, 8, nf.Camera(head, pose, fov=FOV, size=(9, 9)), 3)
     options: dict[str, Any] = {"lens": LENS, "lens_radius": hmd.tan_half_angle, "full": True}
     options["reference"] = nf.lod.reference_solid_angle(hmd)
     index = np.arange(4000) % 2

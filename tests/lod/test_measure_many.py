@@ -108,11 +108,11 @@ def test_ctrl_c_ends_processes_and_keeps_what_they_did(tmp_path: Path) -> None:
             time.sleep(0.05)
         return bool(reached())
 
-    def kept() -> list[Path]:
+    def cached_files() -> list[Path]:
         return list((tmp_path / "cache").glob("??/*.npy"))
 
     try:
-        assert until(lambda: len(kept()) >= 2 or program.poll() is not None)
+        assert until(lambda: len(cached_files()) >= 2 or program.poll() is not None)
         assert program.poll() is None, program.communicate()[1]
         workers = children(program.pid)
         assert len(workers) >= 2
@@ -121,7 +121,7 @@ def test_ctrl_c_ends_processes_and_keeps_what_they_did(tmp_path: Path) -> None:
         last, note = message.splitlines()[-2:]
         assert last == "KeyboardInterrupt"
         assert until(lambda: not any(Path(f"/proc/{worker}").exists() for worker in workers))
-        scores = np.concatenate([np.load(path).ravel() for path in kept()])
+        scores = np.concatenate([np.load(path).ravel() for path in cached_files()])
         assert 0 < np.isfinite(scores).sum() < scores.size
         assert note.startswith(f"measure: {np.isfinite(scores).sum():,} of at most ")
     finally:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from tests.support import printed_by_threads
-from tests.support.lod_oracle import around, chosen, curves, model, usual
+from tests.support.lod_oracle import choose_level, curves, model, random_spheres, usual
 
 Array = NDArray[np.float64]
 
@@ -38,7 +38,7 @@ def test_levels_are_those_of_the_formulas(
     seed: int, threshold: str, mode: str, k: tuple[float, ...], slope: float, start: float, inverse: str
 ) -> None:
     models = [usual(), usual(5, seed), usual(1), model([])]
-    centers, radii = around(8, seed, TURNED)
+    centers, radii = random_spheres(8, seed, TURNED)
     index = np.arange(8) % 4
     gaze = None if seed % 2 else np.random.default_rng(seed).normal(size=3)
     lens = nf.RadialLens(k)
@@ -58,7 +58,7 @@ def test_levels_are_those_of_the_formulas(
         inverse=inverse,
     )
     for n in range(8):
-        level, near = chosen(
+        level, near = choose_level(
             models[index[n]],
             centers[n],
             radii[n],
@@ -113,7 +113,7 @@ def test_tables_decide_like_curves_for_a_million_objects() -> None:
     count = 1_000_000
     random = np.random.default_rng(0)
     index = random.integers(0, len(models), count)
-    centers, radii = around(count, 1, VIEW, 0.85)
+    centers, radii = random_spheres(count, 1, VIEW, 0.85)
     reference = nf.lod.reference_solid_angle(VIEW)
     sigma = nf.solid_angle(centers, radii, eye=VIEW.position)
     seen = nf.corrected_solid_angle(centers, radii, camera=VIEW, lens=LENS)
@@ -157,7 +157,7 @@ def test_tables_decide_what_is_smaller_than_it_was_measured(k: float) -> None:
     ]
     count = 60_000
     index = np.random.default_rng(9).integers(0, len(models), count)
-    centers, radii = around(count, 9, VIEW, 0.85)
+    centers, radii = random_spheres(count, 9, VIEW, 0.85)
     radii *= 0.3
     options: dict[str, Any] = {"camera": VIEW, "lens": LENS, "k": k, "full": True}
     found = nf.lod.select(models, index, centers, radii, **options)
@@ -183,7 +183,7 @@ def test_tables_decide_what_is_smaller_than_it_was_measured(k: float) -> None:
 
 def test_scores_are_those_of_the_level() -> None:
     models = odd_models()
-    centers, radii = around(3000, 2, VIEW)
+    centers, radii = random_spheres(3000, 2, VIEW)
     index = np.arange(3000) % len(models)
     found = nf.lod.select(models, index, centers, radii, camera=VIEW, lens=LENS, full=True)
     for n in np.flatnonzero(found.level > 0):
@@ -200,7 +200,7 @@ def test_scores_are_those_of_the_level() -> None:
 
 # no work -------------------------------------------------------------------------------------------------------------
 def test_no_work_is_done_for_what_has_one_level() -> None:
-    centers, radii = around(3000, 6, VIEW)
+    centers, radii = random_spheres(3000, 6, VIEW)
     nothing = {"settled": 0, "large": 0, "asked": 0, "lens": 0, "table": 0, "formula": 0}
     found = nf.lod.select([model([])], np.zeros(3000, int), centers, radii, camera=VIEW, lens=LENS, full=True)
     culled = int((found.level < 0).sum())
@@ -230,7 +230,7 @@ def test_nothing_is_chosen_of_nothing() -> None:
 
 
 def test_curves_that_no_level_reaches() -> None:
-    centers, radii = around(2000, 7, VIEW, 0.8)
+    centers, radii = random_spheres(2000, 7, VIEW, 0.8)
     for k, d in ((0.27, 1.5), (1e6, 0.9), (0.0, 1.0 + 1e-9)):
         strict = nf.lod.select(
             [usual()], np.zeros(2000, int), centers, radii, camera=VIEW, threshold="literal", k=k, d=d

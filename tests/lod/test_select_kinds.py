@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from tests.support.lod_oracle import around, chosen, model, rotation, size, usual
+from tests.support.lod_oracle import choose_level, model, random_spheres, rotation, size, usual
 
 LENSES = {
     "rift": nf.RadialLens((0.22, 0.24)),
@@ -35,9 +35,11 @@ CLOSE = 1e-7
 def test_levels_are_those_of_the_formulas(kind: str, lens: str | None, pixel: float | None, limit: str) -> None:
     glass = None if lens is None else LENSES[lens]
     own = replace(usual(5, seed=3), pixel=pixel)
-    centers, radii = around(30, 17, VIEW)
+    centers, radii = random_spheres(30, 17, VIEW)
     options = KINDS[kind] | {"camera": VIEW, "lens": glass, "limit": limit, "cull": False}
-    expected = [chosen(own, *one, VIEW, lens=glass, kind=kind, limit=limit) for one in zip(centers, radii, strict=True)]
+    expected = [
+        choose_level(own, *one, VIEW, lens=glass, kind=kind, limit=limit) for one in zip(centers, radii, strict=True)
+    ]
     for inverse in ("lut", "newton"):
         found = nf.lod.select([own], np.zeros(30, int), centers, radii, inverse=inverse, **options)
         sure = np.array([near > CLOSE for _, near in expected])
@@ -49,7 +51,7 @@ def test_levels_are_those_of_the_formulas(kind: str, lens: str | None, pixel: fl
 @pytest.mark.parametrize("kind", ["area", "panel"])
 def test_sizes_are_those_of_the_formulas(kind: str, lens: str | None) -> None:
     glass = None if lens is None else LENSES[lens]
-    centers, radii = around(60, 5, VIEW)
+    centers, radii = random_spheres(60, 5, VIEW)
     with mpmath.workdps(40):
         spheres = zip(centers, radii, strict=True)
         exact = [float(size(center, radius, VIEW, glass, 1.0, kind)[1]) for center, radius in spheres]
@@ -94,7 +96,7 @@ def test_near_objects_lose_detail_where_they_look_small_alone() -> None:
 
 
 def test_finer_pixels_show_more() -> None:
-    centers, radii = around(500, 2, VIEW)
+    centers, radii = random_spheres(500, 2, VIEW)
     own = replace(usual(), pixel=2 / 1440)
     levels = []
     for factor in (0.5, 1, 2, 4):
@@ -106,7 +108,7 @@ def test_finer_pixels_show_more() -> None:
 
 
 def test_curves_of_pixels_that_are_not_known_hold_for_all() -> None:
-    centers, radii = around(500, 2, VIEW)
+    centers, radii = random_spheres(500, 2, VIEW)
     small, large = (
         nf.lod.select([usual()], np.zeros(500, int), centers, radii, camera=replace(VIEW, size=size)).level
         for size in ((720, 800), (2880, 3200))

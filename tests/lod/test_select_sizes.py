@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from tests.support.lod_oracle import around, chosen, distance_to_view, model, rotation, usual
+from tests.support.lod_oracle import choose_level, distance_to_view, model, random_spheres, rotation, usual
 
 Array = NDArray[np.float64]
 
@@ -63,13 +63,13 @@ def test_around_across_and_behind() -> None:
     assert one((0, 0, 5), 1.0).level[0] == -1
     assert one((0, 0, 5), 4.999).level[0] == -1
     assert one((3.0, 0.0, 0.5), 2.9).level[0] == 0
-    assert one((0, 0, 5), 1.0, cull=False).level[0] == chosen(usual(), np.array([0.5, 1.5, 3.0]), 1.0, VIEW)[0]
+    assert one((0, 0, 5), 1.0, cull=False).level[0] == choose_level(usual(), np.array([0.5, 1.5, 3.0]), 1.0, VIEW)[0]
 
 
 @pytest.mark.parametrize("scale", [1e-300, 1e-150, 1e-30, 1e30, 1e150, 1e300])
 def test_levels_do_not_hang_on_the_unit(scale: float) -> None:
     camera = nf.Camera((0, 0, 0), fov=FOV, size=(100, 100))
-    centers, radii = around(400, 4, nf.Camera((0, 0, 0), fov=FOV, size=(100, 100)))
+    centers, radii = random_spheres(400, 4, nf.Camera((0, 0, 0), fov=FOV, size=(100, 100)))
     expected = nf.lod.select([usual()], np.zeros(400, int), centers, radii, camera=camera, lens=LENS, full=True)
     found = nf.lod.select(
         [usual()], np.zeros(400, int), centers * scale, radii * scale, camera=camera, lens=LENS, full=True
@@ -81,7 +81,7 @@ def test_levels_do_not_hang_on_the_unit(scale: float) -> None:
 def test_points_and_specks_have_the_coarsest_level_that_is_enough_at_the_least_size() -> None:
     for radius in (0.0, 1e-200, 1e-9):
         found = one((0, 0, -3), radius, lens=LENS)
-        assert found.level[0] == chosen(usual(), np.array([0.5, 1.5, -5.0]), radius, VIEW, lens=LENS)[0] > 0
+        assert found.level[0] == choose_level(usual(), np.array([0.5, 1.5, -5.0]), radius, VIEW, lens=LENS)[0] > 0
     hard = one((0, 0, -3), 0.0, d=2.0)
     assert (hard.level[0], hard.score[0]) == (0, 1)
 
@@ -126,7 +126,7 @@ def test_a_lens_may_make_things_larger_than_they_were_measured() -> None:
 
 def test_beyond_the_fold_of_a_lens_sizes_are_their_own() -> None:
     folded = nf.RadialLens((-0.5,))
-    centers, radii = around(500, 5, VIEW)
+    centers, radii = random_spheres(500, 5, VIEW)
     found = nf.lod.select([usual()], np.zeros(500, int), centers, radii, camera=VIEW, lens=folded, full=True)
     seen = nf.corrected_solid_angle(centers, radii, camera=VIEW, lens=folded)
     asked = ~np.isnan(found.sigma_seen)

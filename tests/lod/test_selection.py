@@ -13,14 +13,14 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from tests.support.lod_oracle import around, usual
+from tests.support.lod_oracle import random_spheres, usual
 
 CAMERA = nf.Camera((0.5, 1.5, -2.0), fov=nf.Fov(-1.0, 0.9, -1.1, 1.05), size=(1440, 1600))
 COLUMNS = ("sigma", "sigma_seen", "threshold", "score", "shown")
 
 
 def selected(*, full: bool = False, count: int = 300) -> nf.lod.Selection:
-    centers, radii = around(count, 3, CAMERA)
+    centers, radii = random_spheres(count, 3, CAMERA)
     return nf.lod.select([usual()], np.zeros(count, int), centers, radii, camera=CAMERA, fade=0.5, full=full)
 
 
@@ -94,7 +94,7 @@ def test_numpy_tests_and_the_package_take_it_as_its_levels(selection: nf.lod.Sel
         np.testing.assert_array_equal(selection, selection.level + 1)
     assert np.asarray(selection) is selection.level
     assert not np.shares_memory(np.array(selection), selection.level)
-    centers, radii = around(300, 3, CAMERA)
+    centers, radii = random_spheres(300, 3, CAMERA)
     options: dict[str, Any] = {"camera": CAMERA, "hysteresis": 0.1}
     index = np.zeros(300, int)
     after = nf.lod.select([usual()], index, centers, radii, previous=selection, **options)

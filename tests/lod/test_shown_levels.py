@@ -39,20 +39,20 @@ def scan() -> nf.lod.LodModel:
 def test_levels_that_end_where_a_coarser_one_does_are_never_shown(scan: nf.lod.LodModel) -> None:
     found = nf.lod.switches(scan, view=FOV)
     assert found.solid_angle[1] == found.solid_angle[2] == found.solid_angle[3] == pytest.approx(0.15)
-    assert found.shown.tolist() == [True, False, False, True, False]
+    assert found.is_ever_shown.tolist() == [True, False, False, True, False]
     assert found.is_limit.tolist() == [False, True, True, True, False]
     rows = str(found).splitlines()[1:]
     assert ["beyond what was measured" in row for row in rows] == found.is_limit.tolist()
-    assert ["never shown" in row for row in rows] == (~found.shown).tolist()
+    assert ["never shown" in row for row in rows] == (~found.is_ever_shown).tolist()
     part = found.of_levels(np.array([0, 3]))
     assert part.coverages() == [found.screen_coverage[3], 0.0]
-    assert part.shown.tolist() == [True, True]
+    assert part.is_ever_shown.tolist() == [True, True]
 
 
 def test_a_switch_that_was_measured_is_no_limit() -> None:
     found = nf.lod.switches(model_of((3, 2, 1)), view=FOV)
     assert not found.is_limit.any()
-    assert found.shown.all()
+    assert found.is_ever_shown.all()
     assert "measured" not in str(found)
 
 

@@ -114,7 +114,7 @@ def farthest(values: Array) -> float:
 @pytest.mark.parametrize("column", ["d", "k"])
 @pytest.mark.parametrize("hmd", ["rift", "vive"])
 def test_moments_are_those_of_the_formulas(either: Study, column: str, hmd: str) -> None:
-    values = getattr(either.of(hmd=hmd), column)
+    values = getattr(either.select(hmd=hmd), column)
     n, found = len(values), user_study.moments(values)
     assert found.n == n == 240
     assert found.mean == pytest.approx(sum(values.tolist()) / n, rel=1e-12)
@@ -130,8 +130,8 @@ def test_moments_are_those_of_the_formulas(either: Study, column: str, hmd: str)
 
 @pytest.mark.parametrize("column", ["d", "k"])
 def test_normality_is_that_of_royston(either: Study, column: str) -> None:
-    rows = getattr(either.of(hmd="rift"), column)
-    for values in (rows, user_study.by_participant(either.of(hmd="vive"), column)):
+    rows = getattr(either.select(hmd="rift"), column)
+    for values in (rows, user_study.by_participant(either.select(hmd="vive"), column)):
         w, p = royston(values)
         # His polynomials have six or seven digits, and W's distance from 1 a few fewer.
         found = user_study.shapiro(values)
@@ -142,7 +142,7 @@ def test_normality_is_that_of_royston(either: Study, column: str) -> None:
 @pytest.mark.parametrize("column", ["d", "k"])
 @pytest.mark.parametrize("hmd", ["rift", "vive"])
 def test_distance_from_the_normal_is_the_greatest_over_all_steps(either: Study, column: str, hmd: str) -> None:
-    part = either.of(hmd=hmd)
+    part = either.select(hmd=hmd)
     for values in (getattr(part, column), user_study.by_participant(part, column)):
         assert user_study.lilliefors(values)[0] == pytest.approx(farthest(values), rel=1e-12)
 
@@ -165,7 +165,7 @@ def test_normal_values_have_a_small_p_as_rarely_as_it_says(n: int) -> None:
 @pytest.mark.parametrize("column", ["d", "k"])
 def test_signed_ranks_are_those_of_the_formula(either: Study, column: str) -> None:
     sides = user_study.paired(either, column, "hmd", "rift", "vive")
-    means = [user_study.by_participant(either.of(hmd=hmd), column) for hmd in ("rift", "vive")]
+    means = [user_study.by_participant(either.select(hmd=hmd), column) for hmd in ("rift", "vive")]
     for one, other in (sides, means):
         statistic, p, ranked = signed_ranks(one, other)
         found = user_study.wilcoxon(one, other)
@@ -179,7 +179,7 @@ def test_signed_ranks_are_those_of_the_formula(either: Study, column: str) -> No
 
 @pytest.mark.parametrize("hmd", ["rift", "vive"])
 def test_correlations_are_those_of_all_pairs(either: Study, hmd: str) -> None:
-    part = either.of(hmd=hmd)
+    part = either.select(hmd=hmd)
     found = user_study.correlation(part.d, part.k)
     tau, p = kendall(part.d, part.k)
     assert found.tau == pytest.approx(tau, rel=1e-9)
@@ -208,7 +208,7 @@ def test_the_recommended_d_and_k_are_the_means(study: Study) -> None:
     assert nf.lod.LodThreshold(k, d) == nf.lod.LodThreshold()
     assert (study.d.mean(), study.k.mean()) == (pytest.approx(0.901099, abs=1e-6), pytest.approx(0.2734375))
     for hmd, means in {"rift": (0.905087, 0.267708), "vive": (0.897112, 0.279167)}.items():
-        part = study.of(hmd=hmd)
+        part = study.select(hmd=hmd)
         assert (part.d.mean(), part.k.mean()) == (
             pytest.approx(means[0], abs=1e-6),
             pytest.approx(means[1], abs=1e-6),
@@ -227,7 +227,7 @@ def test_the_table_is_whole_and_nearly_consistent(study: Study) -> None:
     assert user_study.odd_rows(repaired) == []
     # A coarser level of an object is never nearer to it.
     for name in study.objects:
-        part = repaired.of(object=name)
+        part = repaired.select(object=name)
         order = np.argsort(part.level, kind="stable")
         assert (np.diff(part.d[order]) <= 0).all()
 

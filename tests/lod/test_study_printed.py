@@ -85,10 +85,10 @@ def test_other_conventions_are_farther_off(study: Study, other: str) -> None:
     elif other == "all participants":
         found = _printed.computed(user_study.load(data(user_study.FILE)))
     elif other == "means of participants":
-        test = user_study.wilcoxon(*(user_study.by_participant(study.of(hmd=hmd), "k") for hmd in study.hmds))
+        test = user_study.wilcoxon(*(user_study.by_participant(study.select(hmd=hmd), "k") for hmd in study.hmds))
         found = {("Z", "k, rift and vive"): test.z}
     else:
-        found = {("G₂", "k, rift"): user_study.moments(study.of(hmd="rift").k).kurtosis}
+        found = {("G₂", "k, rift"): user_study.moments(study.select(hmd="rift").k).kurtosis}
     assert any(by_key[key].beside(float(value)) != "same" for key, value in found.items() if key[1].startswith("k"))
 
 

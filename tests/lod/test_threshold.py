@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from tests.support.lod_oracle import around, usual
+from tests.support.lod_oracle import random_spheres, usual
 
 CAMERA = nf.Camera((0.5, 1.5, -2.0), fov=nf.Fov(-1.0, 0.9, -1.1, 1.05), size=(1440, 1600))
 REFERENCE = nf.lod.reference_solid_angle(CAMERA)
@@ -45,7 +45,7 @@ def test_the_defaults_stand_in_one_place() -> None:
 
 def test_keywords_and_thresholds_mean_the_same(tmp_path: Path) -> None:
     keywords: dict[str, Any] = {"k": LITERAL.k, "d": LITERAL.d, "threshold": LITERAL.kind}
-    centers, radii = around(500, 5, CAMERA)
+    centers, radii = random_spheres(500, 5, CAMERA)
     where = ([usual()], np.zeros(500, int), centers, radii)
     plain = nf.lod.select(*where, camera=CAMERA)
     chosen = nf.lod.select(*where, camera=CAMERA, threshold=LITERAL)

@@ -15,7 +15,7 @@ from tests.support.lod_cases import FOV, SMALL, Array, ball, fibonacci, levels, 
 
 
 def stand() -> level_views.Stand:
-    return level_views.Stand(level_views.Screen.of(None, FOV, (128, 128)), (3.0, -2.0, 1.0), 1.2, 1.2)
+    return level_views.Stand(level_views.Screen.from_arguments(None, FOV, (128, 128)), (3.0, -2.0, 1.0), 1.2, 1.2)
 
 
 def cameras(views: int, directions: str) -> list[nf.Camera]:

@@ -58,7 +58,7 @@ def test_windows_weigh_as_their_definition(name: str) -> None:
 def test_our_window_is_that_of_measure() -> None:
     own = levels(12, 8, 5)
     model = nf.lod.measure(own, **SMALL, step=None, saturated=None, cache=False)
-    found = window.scores(own, Screen.of(None, FOV, (128, 128)), (1, 2, 4), 8, 1)
+    found = window.scores(own, Screen.from_arguments(None, FOV, (128, 128)), (1, 2, 4), 8, 1)
     assert model.samples is not None
     assert model.samples.views is not None
     np.testing.assert_allclose(found[0], model.samples.views[1:, [0, 1, 3]], rtol=0, atol=1e-7)

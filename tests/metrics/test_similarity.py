@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from tests.support import data, need
-from tests.support.similarity_oracle import inside, pictures, shrunk, slow_maps, slow_masked, unlimited, weights
+from tests.support.similarity_oracle import inner_values, pictures, shrunk, slow_maps, slow_masked, unlimited, weights
 
 TYPES: dict[Any, float] = {np.uint8: 255.0, np.uint16: 65535.0, np.float32: 1.0, np.float64: 1.0}
 
@@ -37,7 +37,7 @@ def test_similarity_is_its_definition(kind: type, window: str, size: int) -> Non
     # Float32 holds every difference of 8 and 16 bits, and c2 = 9e-4 of the range keeps some roundings below 1e-6.
     assert found.dtype == (np.float64 if kind == np.float64 else np.float32)
     np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12 if kind == np.float64 else 2e-6)
-    assert mean == pytest.approx(inside(expected, size).mean(), abs=1e-13 if kind == np.float64 else 2e-7)
+    assert mean == pytest.approx(inner_values(expected, size).mean(), abs=1e-13 if kind == np.float64 else 2e-7)
 
 
 def test_every_convention_has_its_definition() -> None:
@@ -49,7 +49,7 @@ def test_every_convention_has_its_definition() -> None:
     assert nf.ssim(a, b, convention="full", **options) == pytest.approx(whole.mean(), abs=1e-13)
     mean, found = nf.ssim(a, b, convention="skimage", full=True, **options)
     np.testing.assert_allclose(found, sample, rtol=0, atol=1e-12)
-    assert mean == pytest.approx(inside(sample, 5).mean(), abs=1e-13)
+    assert mean == pytest.approx(inner_values(sample, 5).mean(), abs=1e-13)
     # Pictures of less than 384 pixels are not downsampled; 900 pixels are, by 4, with boxes that begin a pixel earlier.
     assert nf.ssim(a, b, convention="wang-downsampled", **options) == nf.ssim(a, b, **options)
     large = pictures(900, 1001)
@@ -131,7 +131,7 @@ def test_any_pictures_have_their_definition(seed: int, shape: tuple[int, int], s
     # 2e-14 of the squares that are averaged, over c2 = 3.6e-3 where the variance is less.
     tolerance = 2e-11 * max(1.0, float(np.abs([a, b]).max()) ** 2 / 1e3)
     np.testing.assert_allclose(found, expected, rtol=0, atol=tolerance)
-    assert mean == pytest.approx(inside(expected, size).mean(), abs=tolerance)
+    assert mean == pytest.approx(inner_values(expected, size).mean(), abs=tolerance)
 
 
 def test_masks_choose_what_counts() -> None:
@@ -267,7 +267,7 @@ def test_several_scales_are_their_definition() -> None:
     line, exponents = weights("gaussian", 11), np.array([0.0448, 0.2856, 0.3001, 0.2363, 0.1333])
     first, second, factors = a, b, []
     for scale in range(5):
-        similar, contrast = (inside(values, 11).mean() for values in slow_maps(first, second, line, 1.0))
+        similar, contrast = (inner_values(values, 11).mean() for values in slow_maps(first, second, line, 1.0))
         factors.append(similar if scale == 4 else contrast)
         first, second = shrunk(first, 2), shrunk(second, 2)
     assert nf.ms_ssim(a, b, data_range=1) == pytest.approx((np.array(factors) ** exponents).prod(), abs=1e-12)

@@ -37,7 +37,7 @@ def oracle(point: Any, user: Any, center: Any, r1: float = R1, r2: float = R2) -
         return [float(a + b + t * d / length) for a, b, d in zip(o, v, blend, strict=True)]
 
 
-def around(center: Any, rho: Any, height: Any, count: int = 64) -> NDArray[np.float64]:
+def ring(center: Any, rho: Any, height: Any, count: int = 64) -> NDArray[np.float64]:
     angle = np.linspace(0.0, 2 * math.pi, count, endpoint=False)
     ring = np.stack([rho * np.cos(angle), np.broadcast_to(height, count), rho * np.sin(angle)], axis=1)
     shifted: NDArray[np.float64] = np.asarray(center, np.float64) + ring
@@ -72,7 +72,7 @@ def test_streams_against_fifty_digits(points: list[Any], user: Any, shift: float
 def test_inside_r1_keeps_bits_and_beyond_r2_shifts(dtype: Any, far_away: float) -> None:
     center = np.array([far_away, 1.7, -far_away])
     user = center + np.array([4.0, 0.3, -5.0])
-    rings = [around(center, rho, 400.0 * (rho < 20) + rho) for rho in (0.0, 1e-3, 10.0, 29.9, 40.0, 50.5, 3e4)]
+    rings = [ring(center, rho, 400.0 * (rho < 20) + rho) for rho in (0.0, 1e-3, 10.0, 29.9, 40.0, 50.5, 3e4)]
     # Points exactly on both radii.
     rings.append(center + np.array([[30, 0, 0], [18, 5, -24], [0, 9, -30], [50, 0, 0], [-30, 4, 40]]))
     points = np.concatenate(rings).astype(dtype)
@@ -94,7 +94,7 @@ def test_continuous_at_both_radii(kind: str, radius: float) -> None:
     user, center = (6.0, 2.0, -5.0), (1.0, 1.7, 2.0)
     for height in (-5.0, 1.7, 400.0):
         below, above = (
-            nf.morph(around(center, rho, height), user=user, center=center, r1=R1, r2=R2, kind=kind)
+            nf.morph(ring(center, rho, height), user=user, center=center, r1=R1, r2=R2, kind=kind)
             for rho in (radius - 1e-9, radius + 1e-9)
         )
         # The points are 2e-9 apart; directions differ by at most |U−O| / 30 per unit of w, at 400 m: a factor of 20.
@@ -103,7 +103,7 @@ def test_continuous_at_both_radii(kind: str, radius: float) -> None:
 
 def test_towers_keep_their_place() -> None:
     """A tower 400 m high at a distance of 10 m is inside r1 up to its top."""
-    tower = around((0.0, 0.0, 0.0), 10.0, np.linspace(0.0, 400.0, 64)).astype(np.float32)
+    tower = ring((0.0, 0.0, 0.0), 10.0, np.linspace(0.0, 400.0, 64)).astype(np.float32)
     np.testing.assert_array_equal(nf.morph(tower, user=(8, 2, 0), center=(0, 1.7, 0), r1=R1, r2=R2), tower)
 
 
@@ -111,7 +111,7 @@ def test_towers_keep_their_place() -> None:
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
 def test_from_the_centre_nothing_moves(kind: str, dtype: Any) -> None:
     center = (1e6, 1.7, 3.0)
-    points = np.concatenate([around(center, rho, 2.0 + rho) for rho in (0.0, 10.0, 40.0, 1e4)]).astype(dtype)
+    points = np.concatenate([ring(center, rho, 2.0 + rho) for rho in (0.0, 10.0, 40.0, 1e4)]).astype(dtype)
     np.testing.assert_array_equal(nf.morph(points, user=center, center=center, r1=R1, r2=R2, kind=kind), points)
 
 
@@ -179,7 +179,7 @@ def cylinder_oracle(p: NDArray[Any], user: Any, center: Any, r1: float, r2: floa
 def test_cylinder_kind_against_the_textbook(dtype: Any) -> None:
     center, user = (3.0, 1.7, 4.0), (9.0, 2.5, -2.0)
     points = np.concatenate(
-        [around(center, rho, h) for rho in (12.0, 36.0, 44.0, 49.9, 50.1, 900.0) for h in (0.0, 80.0)]
+        [ring(center, rho, h) for rho in (12.0, 36.0, 44.0, 49.9, 50.1, 900.0) for h in (0.0, 80.0)]
     )
     points = points.astype(dtype)
     shown = nf.morph(points, user=user, center=center, r1=0.7 * R2, r2=R2, kind="cylinder")
@@ -194,12 +194,12 @@ def test_cylinder_kind_against_the_textbook(dtype: Any) -> None:
 
 def test_cylinder_kind_without_a_cylinder_or_outside_it() -> None:
     center, user = (0.0, 0.0, 0.0), (10.0, 0.0, 0.0)
-    points = around(center, 40.0, 3.0)
+    points = ring(center, 40.0, 3.0)
     none = nf.morph(points, user=user, center=center, r1=0, r2=0, kind="cylinder")
     # Some twenty roundings of float64, most of which cancel.
     np.testing.assert_allclose(np.hypot(none[:, 0], none[:, 2]), 40.0, rtol=1e-14)
     # The user is outside the point's cylinder, so the blend's distance is taken.
-    inner = around(center, 36.0, 3.0)
+    inner = ring(center, 36.0, 3.0)
     far_user = (39.0, 0.0, 0.0)
     shown, blended = (
         nf.morph(inner, user=far_user, center=center, r1=35, r2=50, kind=kind) for kind in ("cylinder", "blend")

@@ -11,7 +11,7 @@ import nearfar as nf
 from tests.support.vectors import cases, check
 
 
-def shown(case: dict[str, Any], kind: str, dtype: Any) -> Any:
+def morph_case(case: dict[str, Any], kind: str, dtype: Any) -> Any:
     place = {name: case[name] for name in ("user", "center", "r1", "r2", "strength")}
     found = nf.morph(np.array(case["points"], dtype), kind=kind, **place)
     assert found.dtype == dtype
@@ -21,10 +21,10 @@ def shown(case: dict[str, Any], kind: str, dtype: Any) -> Any:
 @pytest.mark.parametrize(("dtype", "consumer"), [(np.float64, "float64"), (np.float32, "float32")])
 @pytest.mark.parametrize("case", cases("blend"))
 def test_the_blend_shows_points_where_the_formula_says(case: dict[str, Any], dtype: Any, consumer: str) -> None:
-    check(shown(case, "blend", dtype), case["shown"], case["tolerance"][consumer])
+    check(morph_case(case, "blend", dtype), case["shown"], case["tolerance"][consumer])
 
 
 @pytest.mark.parametrize(("dtype", "consumer"), [(np.float64, "float64"), (np.float32, "float32")])
 @pytest.mark.parametrize("case", cases("cylinder"))
 def test_the_cylinder_shows_points_where_the_formula_says(case: dict[str, Any], dtype: Any, consumer: str) -> None:
-    check(shown(case, "cylinder", dtype), case["shown"], case["tolerance"][consumer])
+    check(morph_case(case, "cylinder", dtype), case["shown"], case["tolerance"][consumer])

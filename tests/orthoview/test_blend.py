@@ -18,7 +18,7 @@ from nearfar.orthoview._grid import Grid, Place
 from tests.support.blend_oracle import Blend, Key
 from tests.support.orthoview_cases import CORNER, SIDE, boxes
 from tests.support.orthoview_oracle import OCTANTS, Triple, steps_of
-from tests.support.splat_cases import MIDDLE, drawn
+from tests.support.splat_cases import MIDDLE, draw_splats
 
 DIRECTIONS: list[Triple] = [(0, 1, 0), (1, 0, 0), (1, 1, 0), (-1, 1, 1)]
 SIZE, BITS = 12, 12
@@ -38,7 +38,7 @@ class Pyramid:
 
     def add(self, level: int, place: Place, views: _core.OrthoViews) -> None:
         cell = (GRID.corner(level, place), GRID.side(level))
-        behind = views.behind()
+        behind = views.second_layer()
         for number in range(len(DIRECTIONS)):
             if views.empty()[number]:
                 continue
@@ -123,7 +123,7 @@ def pixels_of(key: Key, splats: _core.OrthoSplats) -> NDArray[np.bool_]:
         size=(SIZE, SIZE),
         up=axes[1],
     )
-    return np.asarray(np.isfinite(drawn([splats], camera, ("range",))["range"]))
+    return np.asarray(np.isfinite(draw_splats([splats], camera, ("range",))["range"]))
 
 
 def above(place: Place, levels: int = 1) -> Place:
@@ -158,7 +158,7 @@ def test_splats_are_drawn_that_are_coarse_enough_and_not_covered(pyramid: Pyrami
     found = blended(pyramid, keys, partial, rule_of(camera, reach))
     shares = set()
     for key in keys:
-        right = own.drawn(key)
+        right = own.drawn_pixels(key)
         assert found[key][0].count == right.sum(), key
         np.testing.assert_array_equal(pixels_of(key, found[key][0]), right)
         shown = pyramid.depths[key] > 0
@@ -226,7 +226,7 @@ def test_a_gaze_makes_distances_greater_beside_it(pyramid: Pyramid) -> None:
     own = Blend(GRID, DIRECTIONS, pyramid.depths, partial, steps_of(BITS), apparent, reach, BAND)
     found = blended(pyramid, keys, partial, rule_of(camera, reach, (pixel, 0.0275, 1 / 48)))
     for key in keys:
-        assert found[key][0].count == own.drawn(key).sum()
+        assert found[key][0].count == own.drawn_pixels(key).sum()
     without = blended(pyramid, keys, partial, rule_of(camera, reach))
     assert sum(found[key][0].count for key in keys) > 1.2 * sum(without[key][0].count for key in keys) > 0
 

@@ -188,12 +188,14 @@ def test_worlds_without_anything_are_refused(world: nf.Scene, tmp_path: Path) ->
 
 def test_worlds_that_end_with_a_cell_have_no_cell_beyond() -> None:
     bounds = np.array([[0.0, 0.0, -30.0], [80.0, 20.0, 50.0]])
-    assert Grid.over(bounds, 10.0).counts == (8, 2, 8)
-    assert Grid.over(bounds + 1e-6, 10.0).counts == (9, 3, 9)
+    assert Grid.from_bounds(bounds, 10.0).counts == (8, 2, 8)
+    assert Grid.from_bounds(bounds + 1e-6, 10.0).counts == (9, 3, 9)
     rng = np.random.default_rng(0)
     for cell in (0.7, 1.1, 10.0):
         low = np.round(rng.uniform(-2000, 2000, (5000, 3)) * 4) / 4
-        assert all((np.array(Grid.over(np.array([place, place + 1]), cell).origin) <= place).all() for place in low)
+        assert all(
+            (np.array(Grid.from_bounds(np.array([place, place + 1]), cell).origin) <= place).all() for place in low
+        )
 
 
 def test_a_part_of_a_world_without_end_is_built(

@@ -64,7 +64,7 @@ def inner(mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
 def test_a_sphere_is_made_of_surfels_up_to_steep_pixels(direction: Triple) -> None:
     shown, surfel = of_mesh(trimesh.creation.icosphere(5, 0.45 * SIDE), direction)
     rows, columns = np.indices(shown.shape) + 0.5 - SIZE / 2
-    extents = oracle.Axes.of(direction).extents
+    extents = oracle.Axes.from_direction(direction).extents
     slope = np.hypot(rows * extents[1], columns * extents[0]) / SIZE / 0.45
     assert surfel[inner(shown) & (slope < np.sin(np.radians(60)))].all()
     assert not surfel[~shown].any()

@@ -11,7 +11,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.orthoview._swaps import moved
+from benchmarks.orthoview._swaps import swap_distances
 from tests.support import need
 from tests.support.orthoview_stores import built_once, world_of
 
@@ -26,7 +26,7 @@ def scene() -> nf.Scene:
 
 
 @pytest.fixture(scope="module")
-def shown(scene: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Tree:
+def tree(scene: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Tree:
     return built_once(tmp_path_factory, "continuous.zarr", scene, cell=10, size=32, directions=9)
 
 
@@ -79,7 +79,9 @@ def test_two_levels_leave_no_more_holes_than_one(shown: Tree, scene: nf.Scene, d
 
 def test_half_a_pixel_of_error_moves_splats_by_less_than_one_where_levels_change(shown: Tree) -> None:
     """Middles of four pixels lie √2/4 of their parent's from its own; those of steep surfaces lie farther away."""
-    found = [moved(shown, camera_at(shown, distance, angle), 0.5) for distance, angle in ((200, 0.3), (400, 2.1))]
+    found = [
+        swap_distances(shown, camera_at(shown, distance, angle), 0.5) for distance, angle in ((200, 0.3), (400, 2.1))
+    ]
     pixels = np.concatenate(found)
     assert len(pixels) > 10_000
     assert 0.25 < np.median(pixels) / (0.5 * np.sqrt(2) / 4) < 1.5

@@ -59,7 +59,7 @@ def cells(world: nf.Scene) -> oracle.World:
         cell: sum(1 << n for n, empty in enumerate(views.empty()) if not empty)
         for cell, views in of_cells(world).items()
     }
-    return oracle.World.of(Grid.over(world.bounds, CELL), shown)
+    return oracle.World.from_cells(Grid.from_bounds(world.bounds, CELL), shown)
 
 
 def rows(places: NDArray[np.int64]) -> list[tuple[int, int, int]]:

@@ -138,7 +138,7 @@ def flat(leaves: int) -> _core.OrthoCells:
     return cells
 
 
-def counted(leaves: int, pitch: float, height: float = 0.0) -> tuple[int, int]:
+def count_cells(leaves: int, pitch: float, height: float = 0.0) -> tuple[int, int]:
     """Cells and leaves of a cut for a viewer in the middle of a flat world."""
     camera = nf.Camera((leaves / 2, height, leaves / 2), fov=nf.Fov(-1, 1, -1, 1), size=(64, 64))
     rule = _core.OrthoRule(camera._core, pitch=pitch, error=1.0)
@@ -153,9 +153,9 @@ def test_a_cut_grows_by_as_many_cells_with_each_doubling_of_the_world() -> None:
     for leaves in (16, 32, 64, 128):
         # With a reach of a leaf's side, of the four cells of a level about the viewer each gives way to four children:
         # one touches the viewer, the others are one side away or √2 sides, which is just far enough.
-        assert counted(leaves, 1 / 32) == (4 * 3 * (leaves.bit_length() - 2), 4)
+        assert count_cells(leaves, 1 / 32) == (4 * 3 * (leaves.bit_length() - 2), 4)
     for pitch, height in ((0.1, 0.3), (0.2, 1.7)):
-        numbers = [sum(counted(leaves, pitch, height)) for leaves in (16, 32, 64, 128)]
+        numbers = [sum(count_cells(leaves, pitch, height)) for leaves in (16, 32, 64, 128)]
         added = np.diff(numbers)
         assert (added > 0).all()
         assert (np.diff(added) <= 0).all(), numbers

@@ -14,7 +14,7 @@ import nearfar as nf
 from nearfar._base import progress
 from nearfar.orthoview import _disocclusion as measure, _sampling as sampling
 from nearfar.orthoview._directions import COUNTS, directions_of
-from nearfar.orthoview._disocclusion import chosen, disocclusion, nearest, smallest, viewers
+from nearfar.orthoview._disocclusion import choose_directions, disocclusion, nearest, smallest, viewers
 from nearfar.orthoview._grid import Grid, Place
 from nearfar.orthoview._sampling import leaves
 from tests.support.orthoview_cases import boxes
@@ -79,7 +79,7 @@ def test_single_surfaces_hide_nothing() -> None:
     for name, mesh in alone.items():
         shares = disocclusion(scene_of(mesh), ONE, ALONE)
         assert max(shares.values()) < 0.003, name
-        seen, _ = measure._counted(scene_of(mesh), ONE, ALONE, (5,), 32, viewers())
+        seen, _ = measure._count_holes(scene_of(mesh), ONE, ALONE, (5,), 32, viewers())
         assert seen > 10_000, name
 
 
@@ -214,7 +214,7 @@ def far_apart() -> nf.Scene:
 
 def test_sparse_worlds_cost_looks_for_each_level_and_not_for_each_leaf() -> None:
     world = Touching(far_apart())
-    grid = Grid.over(world.bounds, SIDE)
+    grid = Grid.from_bounds(world.bounds, SIDE)
     assert grid.levels >= 14
     found = list(leaves(world, grid))
     assert len(found) == len(set(found)) >= 8
@@ -222,7 +222,7 @@ def test_sparse_worlds_cost_looks_for_each_level_and_not_for_each_leaf() -> None
     assert all(world.scene.touches(grid.box(0, place)) for place in found)
     assert world.looks <= 8 * sampling.KEPT * (grid.levels - 1)
     assert world.queries == []
-    choice = chosen(world, grid)
+    choice = choose_directions(world, grid)
     assert choice.cells >= 4
     assert len(world.queries) <= measure.LOOKED + measure.CELLS
 
@@ -232,18 +232,18 @@ def test_scenes_in_memory_are_looked_into_where_their_triangles_are() -> None:
     ground = sheet((-2000, 0, -2000), (2000, 0, -2000), (2000, 0, 2000), (-2000, 0, 2000))
     houses = [block((x, 0, z), (x + 9, 9, z + 9)) for x, z in itertools.product((105, 125, 145), (205, 225, 245))]
     scene = scene_of(ground, *houses)
-    grid = Grid.over(scene.bounds, SIDE)
+    grid = Grid.from_bounds(scene.bounds, SIDE)
     first = list(itertools.islice(leaves(scene, grid), 9))
     built = {(100 + 5 + x, 0, 100 + 10 + z) for x in range(3) for z in range(3)}
     assert len(built & set(first)) >= 6
     # A grid over a part of the scene has leaves of that part alone.
-    part = Grid.over(np.array([[100.0, 0, 200], [119, 9, 219]]), SIDE)
+    part = Grid.from_bounds(np.array([[100.0, 0, 200], [119, 9, 219]]), SIDE)
     assert list(leaves(scene, part)) == [(0, 0, 0)]
 
 
 def test_leaves_of_silent_sources_are_drawn_evenly() -> None:
     world = Counted(far_apart())
-    grid = Grid.over(world.bounds, SIDE)
+    grid = Grid.from_bounds(world.bounds, SIDE)
     drawn = np.array(list(leaves(world, grid)))
     assert 100 < len(drawn) <= sampling.BLIND
     assert (drawn < grid.counts).all()
@@ -258,9 +258,9 @@ def test_leaves_of_silent_sources_are_drawn_evenly() -> None:
 @pytest.mark.slow
 def test_choices_are_the_same_each_time() -> None:
     scene, _ = boxes(30, 80.0)
-    grid = Grid.over(scene.bounds, 60.0)
-    one = chosen(scene, grid)
-    assert one == chosen(scene.query(scene.bounds), grid)
+    grid = Grid.from_bounds(scene.bounds, 60.0)
+    one = choose_directions(scene, grid)
+    assert one == choose_directions(scene.query(scene.bounds), grid)
     assert one.count == smallest(one.shares)
     # The mean of its leaves, by pixels: it lies between the least and the greatest of theirs.
     each = [
@@ -272,28 +272,28 @@ def test_choices_are_the_same_each_time() -> None:
 
 def test_leaves_that_a_source_fails_to_give_are_passed_over() -> None:
     scene, _ = boxes(30, 80.0)
-    grid = Grid.over(scene.bounds, 30.0)
+    grid = Grid.from_bounds(scene.bounds, 30.0)
     near = [place for place in leaves(scene, grid) if place[0] == 2 and scene.query(grid.box(0, place)).triangle_count]
     middle = grid.box(0, (2, 0, 0))[:, 0]
-    part = chosen(Touching(scene, fails=lambda box: box[0, 0] != middle[0]), grid)
+    part = choose_directions(Touching(scene, fails=lambda box: box[0, 0] != middle[0]), grid)
     assert 0 < part.cells <= len(near) < measure.CELLS
-    none = chosen(Touching(scene, fails=lambda box: True), grid)
+    none = choose_directions(Touching(scene, fails=lambda box: True), grid)
     assert none == measure.Choice(9, {}, 0)
 
 
 def test_a_source_that_fails_the_second_time_is_passed_over() -> None:
     scene, _ = boxes(30, 80.0)
-    grid = Grid.over(scene.bounds, 30.0)
+    grid = Grid.from_bounds(scene.bounds, 30.0)
     world = Touching(scene)
     world.fails = lambda box: sum(bool((box == other).all()) for other in world.queries) == 2
-    assert chosen(world, grid) == measure.Choice(9, {}, 0)
+    assert choose_directions(world, grid) == measure.Choice(9, {}, 0)
     assert len(world.queries) > measure.CELLS
 
 
 def test_worlds_without_anything_get_the_default() -> None:
     scene, _ = boxes(3, 80.0)
     empty = scene.query([scene.bounds[0] - 9, scene.bounds[0] - 8])
-    assert chosen(empty, ONE) == measure.Choice(9, {}, 0)
+    assert choose_directions(empty, ONE) == measure.Choice(9, {}, 0)
     assert disocclusion(empty, ONE, ALONE) == dict.fromkeys(COUNTS, 0.0)
 
 
@@ -306,5 +306,5 @@ def test_choices_end_on_request() -> None:
             raise KeyboardInterrupt
 
     with progress.watched(stop), pytest.raises(KeyboardInterrupt):
-        chosen(world, Grid.over(scene.bounds, 30.0))
+        choose_directions(world, Grid.from_bounds(scene.bounds, 30.0))
     assert len(world.queries) == 3

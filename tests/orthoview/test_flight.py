@@ -206,7 +206,7 @@ def test_memory_keeps_what_is_needed_and_little_else(tree: Tree) -> None:
 
 
 def test_leaves_that_are_needed_stay(tree: Tree, gate: Gate, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("nearfar.orthoview._near.MOST_LEAVES", 3)
+    monkeypatch.setattr("nearfar.orthoview._near.MAX_LEAVES", 3)
     with tree.fly(adapt=False) as flight:
         for time, angle in enumerate([0.0, 3.0, 0.0]):
             camera = camera_at(tree, 25, angle)

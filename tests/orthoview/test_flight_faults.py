@@ -154,10 +154,10 @@ def test_a_slow_server_keeps_no_picture_waiting(tree: Tree, server: Server) -> N
 
 def damage(path: Path, tree: Tree, key: Any) -> None:
     """Overwrite the chunks of a view."""
-    opened = tree._opened()
+    opened = tree._open_store()
     level, place, direction = key
     array = opened.layout.array(level, direction, "color")
-    (chunk,) = opened.chunks._found([(level, place, array)])
+    (chunk,) = opened.chunks._locate([(level, place, array)])
     assert chunk is not None
     file = path / chunk.file
     content = bytearray(file.read_bytes())
@@ -198,7 +198,7 @@ def test_a_damaged_view_leaves_the_coarser_picture(tree: Tree, copied: Path) -> 
 
 
 @pytest.fixture(scope="module")
-def before(tmp_path_factory: pytest.TempPathFactory) -> Tree:
+def small_shards(tmp_path_factory: pytest.TempPathFactory) -> Tree:
     """A tree with small shards, of which an update writes some."""
 
     def make(path: Path) -> None:
@@ -262,7 +262,7 @@ def differs(one: Tree, other: Tree, key: Any) -> bool:
 
 def shard_of(tree: Tree, key: Any) -> str:
     """Path of the shard that has a view."""
-    layout = tree._opened().layout
+    layout = tree._open_store().layout
     level, place, direction = key
     shard = layout.shard_of(level, place)[0]
     return layout.shard_path(layout.array(level, direction, "color"), shard).as_posix()

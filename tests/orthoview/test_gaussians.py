@@ -36,7 +36,7 @@ def pictures_of(tree: nf.orthoview.OrthoTree, level: int, place: tuple[int, int,
 def fullest(tree: nf.orthoview.OrthoTree, level: int, count: int) -> list[tuple[int, tuple[int, int, int]]]:
     """The cells of a level that show the most."""
     cells = cells_of(tree)
-    return sorted(cells.at(level), key=lambda cell: -cells.read(*cell).pixels)[:count]
+    return sorted(cells.cells_of_level(level), key=lambda cell: -cells.read(*cell).pixels)[:count]
 
 
 def covariances(gaussians: Gaussians) -> NDArray[np.float64]:
@@ -182,6 +182,6 @@ def test_a_box_keeps_middles_within_it(tree: nf.orthoview.OrthoTree) -> None:
     middles = got.gaussians.middle + got.center
     assert 0 < len(got.gaussians) < len(whole.gaussians)
     assert ((box[0] - 1e-4 <= middles) & (middles <= box[1] + 1e-4)).all()
-    outside = next(cell for cell in cells_of(tree).at(level) if cell[1][0] > place[0] + 1)
-    assert cells_of(tree).shown(*outside) != 0
-    assert cells.shown(*outside) == 0
+    outside = next(cell for cell in cells_of(tree).cells_of_level(level) if cell[1][0] > place[0] + 1)
+    assert cells_of(tree).direction_mask(*outside) != 0
+    assert cells.direction_mask(*outside) == 0

@@ -51,7 +51,7 @@ def with_area(scene: nf.Scene) -> nf.Scene:
 )
 def test_each_triangle_belongs_to_one_of_the_leaves_that_it_touches(offset: Any, cell: float, part: Any) -> None:
     world = soup(offset)
-    grid = Grid.over(world.bounds if part is None else np.array(part) + offset, cell)
+    grid = Grid.from_bounds(world.bounds if part is None else np.array(part) + offset, cell)
     touched, belongs = Counter[bytes](), Counter[bytes]()
     for place, found in parts(world, grid):
         mine = owned(found, grid, place)
@@ -101,7 +101,7 @@ def test_a_triangle_across_a_tree_of_a_part_belongs_to_the_leaf_in_its_middle() 
 @pytest.mark.parametrize(("world", "cell"), [("boxes", 20.0), ("boxes", 8.0), ("far", 20.0), ("balls", 4.0)])
 def test_positions_are_within_the_stated_error(world: str, cell: float) -> None:
     scene = {"boxes": lambda: boxes(60, 80.0)[0], "far": lambda: with_area(soup(FAR)), "balls": balls}[world]()
-    grid = Grid.over(scene.bounds, cell)
+    grid = Grid.from_bounds(scene.bounds, cell)
     errors = []
     for place, part in parts(scene, grid):
         data = cell_glb(part, grid, place)
@@ -145,7 +145,7 @@ def test_corners_that_meet_are_rounded_alike_in_all_leaves(cell: float) -> None:
     first = (np.arange(39)[:, None] * 40 + np.arange(39)).ravel()
     faces = np.concatenate([first[:, None] + [0, 1, 40], first[:, None] + [1, 41, 40]])
     world = nf.Scene.from_arrays(corners, faces)
-    grid = Grid.over(world.bounds, cell)
+    grid = Grid.from_bounds(world.bounds, cell)
     step = step_of(grid)
     assert step == (STEP if cell == 16 else 2.0**-12)
     files = [cell_glb(part, grid, place) for place, part in parts(world, grid)]
@@ -156,11 +156,11 @@ def test_corners_that_meet_are_rounded_alike_in_all_leaves(cell: float) -> None:
 
 
 def test_the_step_follows_small_leaves() -> None:
-    def of(cell: float) -> float:
+    def step(cell: float) -> float:
         return step_of(Grid((0.0, 0.0, 0.0), cell, (1, 1, 1)))
 
-    assert [of(cell) for cell in (1e6, 16.0, 15.9, 8.0, 1.0)] == [2.0**-10, 2.0**-10, 2.0**-11, 2.0**-11, 2.0**-14]
-    assert of(1e-12) == 2.0**-40
+    assert [step(cell) for cell in (1e6, 16.0, 15.9, 8.0, 1.0)] == [2.0**-10, 2.0**-10, 2.0**-11, 2.0**-11, 2.0**-14]
+    assert step(1e-12) == 2.0**-40
 
 
 # content --------------------------------------------------------------------------------------------------------------
@@ -234,7 +234,7 @@ def test_what_moves_has_files_of_its_own(tmp_path: Path) -> None:
     turn = np.eye(4)
     turn[:3, 3] = 1.5, 0.25, 3.0
     world = balls().at({"ball 1": turn})
-    grid = Grid.over(world.bounds, 4.0)
+    grid = Grid.from_bounds(world.bounds, 4.0)
     moving, rows = [], Counter[str]()
     for place, part in parts(world, grid):
         data = moving_glb(part, grid, place)

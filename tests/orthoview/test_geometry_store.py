@@ -37,7 +37,7 @@ class Case:
     """A world and its geometry."""
 
     def __init__(self, world: nf.Scene, cell: float, folder: Path) -> None:
-        self.world, self.grid = world, Grid.over(world.bounds, cell)
+        self.world, self.grid = world, Grid.from_bounds(world.bounds, cell)
         self.counts = stored(world, self.grid, folder)
         self.folder = folder / "geometry"
 
@@ -180,11 +180,11 @@ def test_subtrees_say_what_is_there(levels: int, tmp_path: Path) -> None:
                 steps = [sum((part >> axis & 1) << bit for bit, part in enumerate(bits)) for axis in range(3)]
                 cell = (level + depth, *((n << depth) + step for n, step in zip((x, y, z), steps, strict=True)))
                 if depth == depths:
-                    assert read.children.at(number) == (cell in whole)
+                    assert read.children.bit(number) == (cell in whole)
                     continue
                 bit = subtrees.start_of(depth, 3) + number
-                assert read.tiles.at(bit) == (cell in whole)
-                assert read.contents[0].at(bit) == (cell in whole and cell[0] == levels - 1)
+                assert read.tiles.bit(bit) == (cell in whole)
+                assert read.contents[0].bit(bit) == (cell in whole and cell[0] == levels - 1)
                 if cell in whole:
                     # z up: (x, −z, y).
                     (x0, y0, z0), (x1, y1, z1) = whole[cell]
@@ -199,7 +199,7 @@ def test_subtrees_say_what_is_there(levels: int, tmp_path: Path) -> None:
 def damaged(folder: Path, change: Any) -> str:
     """The error's message after a change to the first file of the geometry."""
     world, cell = boxes(3, 2.0)[0], 0.7
-    grid = Grid.over(world.bounds, cell)
+    grid = Grid.from_bounds(world.bounds, cell)
     stored(world, grid, folder)
     path = min((folder / "geometry" / "content").rglob("*.glb"))
     change(path)

@@ -59,7 +59,7 @@ def build(world: nf.Scene, path: Path) -> nf.orthoview.OrthoTree:
 
 
 def test_owners_are_those_of_whom_a_triangle_is(world: nf.Scene) -> None:
-    grid = Grid.over(world.bounds, CELL)
+    grid = Grid.from_bounds(world.bounds, CELL)
     seen = 0
     for place, part in parts(world, grid):
         np.testing.assert_array_equal((owners(part, grid) == place).all(axis=1), owned(part, grid, place))
@@ -70,7 +70,7 @@ def test_owners_are_those_of_whom_a_triangle_is(world: nf.Scene) -> None:
 
 def test_records_have_the_guests_of_all_leaves(world: nf.Scene, tmp_path: Path) -> None:
     tree = build(world, tmp_path / "world.zarr")
-    right = by_hand(world, Grid.over(world.bounds, CELL))
+    right = by_hand(world, Grid.from_bounds(world.bounds, CELL))
     assert of_tree(tree) == right
     assert max(map(len, right.values())) > 2
 
@@ -93,10 +93,10 @@ LAYOUT = Layout(GRID, directions_of(5), 8, 12, 16, 3)
 
 def test_guests_come_back_from_text() -> None:
     known: _guests.Guests = {(8, 2, 9): [(0, 0, 0), (19, 3, 19)], (15, 0, 15): [(5, 1, 7)]}
-    text = _guests.described(known)
+    text = _guests.encode_guests(known)
     assert _guests.guests_of(text, LAYOUT, 0, (1, 0, 1)) == known
-    assert _guests.guests_of(_guests.described({}), LAYOUT, 1, (0, 0, 0)) == {}
-    for wrong in (text[:-4], "AAAA", "é", text + text, _guests.described({})[:8]):
+    assert _guests.guests_of(_guests.encode_guests({}), LAYOUT, 1, (0, 0, 0)) == {}
+    for wrong in (text[:-4], "AAAA", "é", text + text, _guests.encode_guests({})[:8]):
         with pytest.raises(UnusableError, match="guests"):
             _guests.guests_of(wrong, LAYOUT, 0, (1, 0, 1))
 
@@ -113,6 +113,6 @@ def test_guests_come_back_from_text() -> None:
 )
 def test_guests_that_cannot_be_are_refused(leaf: Place, guest: Place) -> None:
     with pytest.raises(UnusableError, match="expected leaves of the subtree, and others of the tree"):
-        _guests.guests_of(_guests.described({leaf: [guest]}), LAYOUT, 0, (1, 0, 1))
+        _guests.guests_of(_guests.encode_guests({leaf: [guest]}), LAYOUT, 0, (1, 0, 1))
     with pytest.raises(UnusableError, match="expected leaves of the subtree"):
-        _guests.guests_of(_guests.described({(8, 0, 8): [(0, 0, 0)]}), LAYOUT, 1, (1, 0, 1))
+        _guests.guests_of(_guests.encode_guests({(8, 0, 8): [(0, 0, 0)]}), LAYOUT, 1, (1, 0, 1))

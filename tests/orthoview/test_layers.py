@@ -21,7 +21,7 @@ DOWN = NINE.index((0, 1, 0))
 
 
 def second(views: _core.OrthoViews) -> _core.OrthoViews:
-    behind = views.behind()
+    behind = views.second_layer()
     assert behind is not None
     return behind
 
@@ -36,7 +36,7 @@ def same(one: _core.OrthoViews, other: _core.OrthoViews) -> bool:
 def behind_by_definition(direction: Triple) -> Picture:
     scene, colors = boxes()
     triangles = scene.triangles().astype(np.float64) + scene.origin
-    return slow.Leaf(triangles, colors, CORNER, SIDE, SIZE, STEPS).behind(direction, NINE)
+    return slow.Leaf(triangles, colors, CORNER, SIDE, SIZE, STEPS).second_layer(direction, NINE)
 
 
 @pytest.mark.parametrize("way", ["rays", "triangles"])
@@ -56,12 +56,12 @@ def test_the_first_layer_does_not_depend_on_the_second(way: str) -> None:
     for octant in OCTANTS:
         corner = CORNER + np.array(octant) * SIDE
         alone, both = (leaf(scene, corner, directions=NINE, way=way, behind=behind) for behind in (False, True))
-        assert alone.behind() is None
+        assert alone.second_layer() is None
         assert same(alone, both)
         for parent, views in zip(parents, (alone, both), strict=True):
             parent.add(octant, views)
     alone, both = (parent.finish() for parent in parents)
-    assert alone.behind() is None
+    assert alone.second_layer() is None
     assert same(alone, both)
     assert not all(second(both).empty())
 
@@ -85,7 +85,7 @@ def test_a_parents_second_layer_is_made_of_all_that_its_children_show(number: in
     # One child has no second layer, as where it was left out: its first one may be behind another child's.
     drawn[1] = (drawn[1][0], drawn[1][1].keep_behind([False] * len(NINE)))
     parent = parent_of(drawn)
-    layers = [(octant, [views, *filter(None, [views.behind()])]) for octant, views in drawn]
+    layers = [(octant, [views, *filter(None, [views.second_layer()])]) for octant, views in drawn]
     pictures = [(octant, [picture(views, number) for views in of_child]) for octant, of_child in layers]
     for views, right in zip((parent, second(parent)), slow.composed(pictures, NINE[number], SIZE, STEPS), strict=True):
         got = picture(views, number)
@@ -110,7 +110,7 @@ def test_no_surface_is_in_both_layers(make: Any) -> None:
     views = make()
     first, behind = (layer.depths().astype(float) for layer in (views, second(views)))
     for direction, near, far in zip(NINE, first, behind, strict=True):
-        extents = oracle.Axes.of(direction).extents
+        extents = oracle.Axes.from_direction(direction).extents
         reach = oracle.REACH_PIXELS * max(extents[:2]) / (2 * SIZE) / (extents[2] / STEPS)
         apart = (far - near)[far > 0]
         assert len(apart)
@@ -155,7 +155,7 @@ def test_neither_the_insides_of_a_house_nor_the_ground_below_it_are_behind_it() 
     number = NINE.index((0, 1, 1))
     depths = behind.depths()[number, ..., 0].astype(float)
     front = oracle.pixel_points(CORNER, SIDE, NINE[number], SIZE)
-    axes = oracle.Axes.of(NINE[number])
+    axes = oracle.Axes.from_direction(NINE[number])
     points = front - ((depths - 0.5) * axes.extents[2] * SIDE / STEPS)[..., None] * axes.toward
     shown = points[depths > 0] - CORNER
     # The house is 11 m high and ends at z = 5.
@@ -169,12 +169,12 @@ def test_cells_where_nothing_is_hidden_have_no_second_layer() -> None:
     ground = on_ground()
     views = leaf(ground, directions=NINE, behind=True)
     assert not all(views.empty())
-    assert views.behind() is None
+    assert views.second_layer() is None
     assert views.unseen() == [0.0] * 9
     parent = _core.OrthoParent(NINE, FORMAT, behind=True)
     for octant in ((0, 0, 0), (1, 0, 0)):
         parent.add(octant, views)
-    assert parent.finish().behind() is None
+    assert parent.finish().second_layer() is None
 
 
 def test_a_child_that_another_one_hides_is_behind_it() -> None:
@@ -213,14 +213,14 @@ def test_second_layers_come_back_from_their_arrays_and_are_left_out_by_direction
     again = _core.OrthoViews.with_behind(alone, _core.OrthoViews.from_arrays(NINE, FORMAT, *arrays))
     assert same(again, views)
     assert same(second(again), behind)
-    assert alone.behind() is None
+    assert alone.second_layer() is None
     keep = [number % 2 == 0 for number in range(9)]
     kept = second(views.keep_behind(keep))
     assert kept.empty() == [not is_kept for is_kept in keep]
     np.testing.assert_array_equal(kept.depths()[::2], behind.depths()[::2])
-    assert views.keep_behind([False] * 9).behind() is None
+    assert views.keep_behind([False] * 9).second_layer() is None
     nothing = _core.OrthoViews.from_arrays(NINE, FORMAT, *(np.zeros_like(array) for array in arrays))
-    assert _core.OrthoViews.with_behind(alone, nothing).behind() is None
+    assert _core.OrthoViews.with_behind(alone, nothing).second_layer() is None
     with pytest.raises(ValueError, match="keep: expected 9 values"):
         views.keep_behind([True] * 8)
     with pytest.raises(ValueError, match="directions and the format of the views before it"):

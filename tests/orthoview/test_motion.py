@@ -19,7 +19,7 @@ transforms = trimesh.transformations
 Turn = NDArray[np.float64]
 
 
-def turned(angle: float, axis: Any) -> Turn:
+def turn_about(angle: float, axis: Any) -> Turn:
     """A turn about a world axis (3, 3)."""
     return np.asarray(transforms.rotation_matrix(angle, axis)[:3, :3])
 
@@ -37,7 +37,7 @@ def rotation_of(camera: nf.Camera) -> Turn:
     return np.asarray(transforms.quaternion_matrix([w, x, y, z])[:3, :3])
 
 
-def moved(*seen: tuple[float, nf.Camera]) -> Motion:
+def motion_of(*seen: tuple[float, nf.Camera]) -> Motion:
     motion = Motion()
     for time, camera in seen:
         motion.add(camera, time)
@@ -45,10 +45,10 @@ def moved(*seen: tuple[float, nf.Camera]) -> Motion:
 
 
 def test_a_viewer_that_was_seen_once_rests() -> None:
-    camera = camera_at((1, 2, 3), turned(0.4, (0, 1, 0)))
-    motion = moved((5.0, camera))
+    camera = camera_at((1, 2, 3), turn_about(0.4, (0, 1, 0)))
+    motion = motion_of((5.0, camera))
     assert motion.velocity.tolist() == motion.turn.tolist() == [0, 0, 0]
-    after = motion.after(3.0, np.zeros(3))
+    after = motion.extrapolate(3.0, np.zeros(3))
     assert after.position == camera.position
     np.testing.assert_allclose(rotation_of(after), rotation_of(camera), atol=1e-15)
     assert (after.fov, after.size) == (camera.fov, camera.size)
@@ -68,17 +68,17 @@ def test_velocity_is_the_way_over_the_time_of_the_window() -> None:
 
 
 def test_two_moments_are_kept_however_far_apart() -> None:
-    motion = moved((0.0, camera_at((0, 0, 0))), (60.0, camera_at((30, 0, -60))))
+    motion = motion_of((0.0, camera_at((0, 0, 0))), (60.0, camera_at((30, 0, -60))))
     np.testing.assert_allclose(motion.velocity, [0.5, 0, -1])
 
 
 @pytest.mark.parametrize("time", [2.0, 1.0, -7.0])
 def test_times_that_do_not_rise_begin_anew(time: float) -> None:
-    motion = moved((1.9, camera_at((0, 0, 0))), (2.0, camera_at((1, 0, 0), turned(0.1, (0, 1, 0)))))
+    motion = motion_of((1.9, camera_at((0, 0, 0))), (2.0, camera_at((1, 0, 0), turn_about(0.1, (0, 1, 0)))))
     assert np.linalg.norm(motion.velocity) > 0 < np.linalg.norm(motion.turn)
     motion.add(camera_at((9, 9, 9)), time)
     assert motion.velocity.tolist() == motion.turn.tolist() == [0, 0, 0]
-    assert motion.after(0.0, np.zeros(3)).position == (9, 9, 9)
+    assert motion.extrapolate(0.0, np.zeros(3)).position == (9, 9, 9)
     motion.add(camera_at((9, 9, 10)), time + 0.5)
     np.testing.assert_allclose(motion.velocity, [0, 0, 2])
 
@@ -89,39 +89,39 @@ parts = st.tuples(*[st.floats(-1, 1)] * 3).filter(lambda axis: np.linalg.norm(ax
 
 @given(angles, parts, angles, parts, st.floats(0.01, 2.0))
 def test_turns_lead_from_one_view_to_the_other(angle: float, axis: Any, start: float, other: Any, time: float) -> None:
-    first = turned(start, other)
-    last = turned(angle, axis) @ first
-    motion = moved((0.0, camera_at((0, 0, 0), first)), (time, camera_at((0, 0, 0), last)))
+    first = turn_about(start, other)
+    last = turn_about(angle, axis) @ first
+    motion = motion_of((0.0, camera_at((0, 0, 0), first)), (time, camera_at((0, 0, 0), last)))
     expected = angle * np.array(axis) / np.linalg.norm(axis) / time
     np.testing.assert_allclose(motion.turn, expected, atol=1e-6 / time)
 
 
 def test_a_turn_and_its_opposite_quaternion_are_one() -> None:
     """Quaternions of both signs stand for one view."""
-    one = camera_at((0, 0, 0), turned(0.2, (0, 1, 0)))
+    one = camera_at((0, 0, 0), turn_about(0.2, (0, 1, 0)))
     x, y, z, w = one.orientation
     other = nf.Camera(one.position, (-x, -y, -z, -w), fov=one.fov, size=one.size)
     before = camera_at((0, 0, 0))
     for seen in (one, other):
-        np.testing.assert_allclose(moved((0.0, before), (0.5, seen)).turn, [0, 0.4, 0], atol=1e-12)
+        np.testing.assert_allclose(motion_of((0.0, before), (0.5, seen)).turn, [0, 0.4, 0], atol=1e-12)
 
 
 @given(st.floats(-2.0, 2.0), parts, angles, parts, st.floats(0.0, 2.0))
 def test_the_turn_goes_on_up_to_a_right_angle(rate: float, axis: Any, start: float, other: Any, seconds: float) -> None:
-    first = turned(start, other)
+    first = turn_about(start, other)
     unit = np.array(axis) / np.linalg.norm(axis)
-    seen = turned(rate * 0.25, unit) @ first
-    motion = moved((0.0, camera_at((1, 2, 3), first)), (0.25, camera_at((1, 2, 3), seen)))
+    seen = turn_about(rate * 0.25, unit) @ first
+    motion = motion_of((0.0, camera_at((1, 2, 3), first)), (0.25, camera_at((1, 2, 3), seen)))
     offset = np.array([4.0, -1.0, 0.5])
-    after = motion.after(seconds, offset)
+    after = motion.extrapolate(seconds, offset)
     assert after.position == (5.0, 1.0, 3.5)
     angle = np.clip(rate * seconds, -FARTHEST_TURN, FARTHEST_TURN)
-    np.testing.assert_allclose(rotation_of(after), turned(angle, unit) @ seen, atol=1e-6)
+    np.testing.assert_allclose(rotation_of(after), turn_about(angle, unit) @ seen, atol=1e-6)
     assert abs(math.hypot(*after.orientation) - 1) < 1e-12
 
 
 def test_axes_are_those_of_the_camera() -> None:
-    turn = turned(1.1, (1, 2, -3))
+    turn = turn_about(1.1, (1, 2, -3))
     camera = camera_at((0, 0, 0), turn)
     axes = rotation(camera.orientation).T
     np.testing.assert_allclose(axes, turn.T, atol=1e-12)

@@ -44,7 +44,7 @@ def camera_at(center: tuple[float, float, float], angle: float, distance: float 
     return nf.Camera.look_at(eye, center, fov=nf.Fov.symmetric(50), size=(64, 64))
 
 
-def moved(x: float, y: float, z: float) -> NDArray[np.float64]:
+def translation(x: float, y: float, z: float) -> NDArray[np.float64]:
     pose = np.eye(4)
     pose[:3, 3] = x, y, z
     return pose
@@ -57,7 +57,7 @@ def test_what_moves_is_seen_where_it_is_nearer(
     camera, channels = camera_at(center, 0.7), ("color", "range", "object_id", "position")
     dynamic = tree.with_dynamic(mover)
     (name,) = mover.object_names
-    poses = {name: dynamic.poses[name] + moved(*offset) - np.eye(4)}
+    poses = {name: dynamic.poses[name] + translation(*offset) - np.eye(4)}
     both = nf.render(dynamic, camera, at=poses, channels=channels)
     alone = nf.render(tree, camera, channels=channels)
     only = nf.render(mover.with_dynamic([name]), camera, at=poses, channels=channels)
@@ -81,7 +81,7 @@ def test_a_tree_in_which_nothing_moves_takes_no_poses(tree: Tree, mover: nf.Scen
 def test_flights_show_what_moves(tree: Tree, mover: nf.Scene, center: tuple[float, float, float]) -> None:
     camera, dynamic = camera_at(center, 0.7), tree.with_dynamic(mover)
     (name,) = mover.object_names
-    poses = {name: dynamic.poses[name] + moved(0.0, 35.0, 0.0) - np.eye(4)}
+    poses = {name: dynamic.poses[name] + translation(0.0, 35.0, 0.0) - np.eye(4)}
     with dynamic.fly() as flight:
         flight.look(camera)
         assert flight.wait(60)

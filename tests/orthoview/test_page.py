@@ -17,8 +17,20 @@ import pytest
 import nearfar as nf
 from nearfar.serve._server import Server
 from nearfar.view._tree import tree_page
-from tests.support.browser import opened, wait_until
-from tests.support.flown_page import SIZE, Pose, facts, flown, grabbed, holes, likeness, link, problems, rendered, seen
+from tests.support.browser import open_page, wait_until
+from tests.support.flown_page import (
+    SIZE,
+    Pose,
+    facts,
+    flown,
+    grabbed,
+    holes,
+    likeness,
+    link,
+    page_camera,
+    problems,
+    rendered,
+)
 from tests.support.range_server import RangeHandler
 
 pytestmark = pytest.mark.slow
@@ -32,7 +44,7 @@ FAR: Pose = {"position": [0.0, 300.0, 900.0], "yaw": 0.0, "pitch": -0.3}
 def test_pictures_are_those_of_render(
     chromium: Any, city: nf.orthoview.OrthoTree, pose: Pose, least: float, samples: int
 ) -> None:
-    with Server.of_bundle(city.path) as server, opened(chromium, *SIZE) as page:
+    with Server.of_bundle(city.path) as server, open_page(chromium, *SIZE) as page:
         told = flown(page, f"{server.url}?geometry=0&samples={samples}{link(pose)}")
         found = grabbed(page)
         assert page.printed == []
@@ -54,7 +66,7 @@ def test_colours_as_webp_are_drawn(chromium: Any, few: nf.Scene, tmp_path: Path)
     for tree in trees.values():
         low, high = tree.bounds
         pose = {"position": [*(low[:2] + high[:2]) / 2, high[2] + 50], "yaw": 0.0, "pitch": 0.0}
-        with Server.of_bundle(tree.path) as server, opened(chromium, *SIZE) as page:
+        with Server.of_bundle(tree.path) as server, open_page(chromium, *SIZE) as page:
             flown(page, f"{server.url}{link(pose)}")
             pictures.append(grabbed(page))
     np.testing.assert_array_equal(pictures[0], pictures[1])
@@ -95,7 +107,7 @@ def test_the_old_picture_stays_when_the_server_fails(
     chromium: Any, city: nf.orthoview.OrthoTree, copied_city: Path
 ) -> None:
     frame = rendered(city, AIR)
-    with hosted(copied_city) as host, opened(chromium, *SIZE) as page:
+    with hosted(copied_city) as host, open_page(chromium, *SIZE) as page:
         flown(page, f"{host.url}?geometry=0{link(FAR)}")
         host.status = 500
         page.evaluate("(pose) => window.orthoview.setPose(pose)", AIR)
@@ -117,15 +129,15 @@ def test_damage_is_told_once_and_a_coarser_picture_stays(
 ) -> None:
     own = nf.orthoview.open(copied_city)
     level, place, direction = next(
-        key for key in own.cut(seen(AIR), geometry=False).keys(in_picture=True) if key[0] == 0
+        key for key in own.cut(page_camera(AIR), geometry=False).keys(in_picture=True) if key[0] == 0
     )
     array = own._layout.array(level, direction, "depth")
-    (chunk,) = own._chunks._found([(level, place, array)])
+    (chunk,) = own._chunks._locate([(level, place, array)])
     assert chunk is not None
     content = bytearray((copied_city / chunk.file).read_bytes())
     content[chunk.first + chunk.length - 2] ^= 1  # in the frame's checksum
     (copied_city / chunk.file).write_bytes(content)
-    with hosted(copied_city) as host, opened(chromium, *SIZE) as page:
+    with hosted(copied_city) as host, open_page(chromium, *SIZE) as page:
         told = flown(page, f"{host.url}?geometry=0{link(AIR)}")
         (listed,) = problems(page)
         found = grabbed(page)
@@ -142,7 +154,7 @@ def test_what_cannot_be_shown_is_told(chromium: Any, tmp_path: Path) -> None:
     (tmp_path / "tree").mkdir()
     for name, content in tree_page().items():
         (tmp_path / "tree" / name).write_bytes(content)
-    with hosted(tmp_path / "tree") as host, opened(chromium, *SIZE) as page:
+    with hosted(tmp_path / "tree") as host, open_page(chromium, *SIZE) as page:
         for text, title in (("", "There is no tree"), ("{", "The tree is damaged")):
             if text:
                 (tmp_path / "tree" / "zarr.json").write_text(text)
@@ -164,7 +176,7 @@ def test_keys_fly_and_the_address_leads_back(chromium: Any, city: nf.orthoview.O
     def has_gone(page: Any, before: list[float], axis: int, sign: int) -> bool:
         return bool(sign * (pose_of(page)["position"][axis] - before[axis]) > 1)
 
-    with Server.of_bundle(city.path) as server, opened(chromium, 640, 400) as page:
+    with Server.of_bundle(city.path) as server, open_page(chromium, 640, 400) as page:
         flown(page, f"{server.url}?geometry=0&error=16{link(AIR)}")
         assert pose_of(page)["position"] == AIR["position"]
         for key, axis, sign in (("w", 2, -1), ("e", 1, 1), ("d", 0, 1)):
@@ -187,7 +199,7 @@ def test_keys_fly_and_the_address_leads_back(chromium: Any, city: nf.orthoview.O
 
 def test_nothing_reaches_beyond_the_screen(chromium: Any, city: nf.orthoview.OrthoTree) -> None:
     for size in ((1280, 800), (390, 844)):
-        with Server.of_bundle(city.path) as server, opened(chromium, *size) as page:
+        with Server.of_bundle(city.path) as server, open_page(chromium, *size) as page:
             flown(page, f"{server.url}?geometry=0&error=64")
             home = pose_of(page)
             if size[0] < 600:

@@ -10,8 +10,8 @@ import pytest
 
 import nearfar as nf
 from nearfar.serve._server import Server
-from tests.support.browser import opened
-from tests.support.flown_page import SIZE, Pose, flown, grabbed, holes, likeness, link, problems, rendered, seen
+from tests.support.browser import open_page
+from tests.support.flown_page import SIZE, Pose, flown, grabbed, holes, likeness, link, page_camera, problems, rendered
 from tests.support.range_server import served
 
 pytestmark = pytest.mark.slow
@@ -25,7 +25,7 @@ WALL: Pose = {"position": [0.0, 3.0, 9.0], "yaw": 0.2, "pitch": -0.1}
 def test_pictures_are_those_of_render_with_geometry(
     chromium: Any, city: nf.orthoview.OrthoTree, pose: Pose, least: float, samples: int
 ) -> None:
-    with Server.of_bundle(city.path) as server, opened(chromium, *SIZE) as page:
+    with Server.of_bundle(city.path) as server, open_page(chromium, *SIZE) as page:
         told = flown(page, f"{server.url}?samples={samples}{link(pose)}")
         found = grabbed(page)
         assert page.printed == []
@@ -41,7 +41,7 @@ def test_pictures_are_those_of_render_with_geometry(
 
 
 def test_textures_and_colours_are_drawn(chromium: Any, textured: nf.orthoview.OrthoTree) -> None:
-    with served(Path(textured.path)) as server, opened(chromium, *SIZE) as page:
+    with served(Path(textured.path)) as server, open_page(chromium, *SIZE) as page:
         told = flown(page, f"{server.url}index.html{link(WALL)}")
         found = grabbed(page)
         assert problems(page) == []
@@ -58,9 +58,9 @@ def test_textures_and_colours_are_drawn(chromium: Any, textured: nf.orthoview.Or
 def test_damaged_geometry_is_told_and_views_stand_in(
     chromium: Any, city: nf.orthoview.OrthoTree, copied_city: Path
 ) -> None:
-    place = city.cut(seen(NEAR)).leaf_places(in_picture=True)[0]
+    place = city.cut(page_camera(NEAR)).leaf_places(in_picture=True)[0]
     (file,) = copied_city.glob(f"geometry/content/*/{'/'.join(map(str, place))}.glb")
-    with Server.of_bundle(copied_city) as server, opened(chromium, *SIZE) as page:
+    with Server.of_bundle(copied_city) as server, open_page(chromium, *SIZE) as page:
         file.write_bytes(file.read_bytes()[:-3] + b"abc")
         told = flown(page, f"{server.url}{link(NEAR)}")
         (listed,) = problems(page)
@@ -68,6 +68,6 @@ def test_damaged_geometry_is_told_and_views_stand_in(
     assert file.name in listed
     assert "record" in listed
     assert told["leaves"] > 0
-    assert told["views"] > city.render(seen(NEAR)).stats["views"]
+    assert told["views"] > city.render(page_camera(NEAR)).stats["views"]
     assert told["holes"] == told["waiting"] == 0
     assert holes(found, rendered(city, NEAR)) < 0.02

@@ -195,7 +195,7 @@ def chunk_of(tree: nf.orthoview.OrthoTree, key: ViewKey) -> tuple[str, Any]:
     """The array of a view's depths, and its chunk."""
     level, place, direction = key
     array = tree._layout.array(level, direction, "depth")
-    (chunk,) = tree._chunks._found([(level, place, array)])
+    (chunk,) = tree._chunks._locate([(level, place, array)])
     assert chunk is not None
     return array, chunk
 

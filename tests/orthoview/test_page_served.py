@@ -15,7 +15,7 @@ from nearfar.view._tree import tree_page
 from tests.support.cli_cases import command
 
 
-def asked(url: str, **headers: str) -> tuple[int, bytes]:
+def get(url: str, **headers: str) -> tuple[int, bytes]:
     with urllib.request.urlopen(urllib.request.Request(url, headers=headers), timeout=60) as answer:
         content = answer.read()
         is_packed = answer.headers.get("content-encoding") == "gzip"
@@ -35,18 +35,18 @@ def test_all_files_that_the_page_reads_are_served(copied_few: Path) -> None:
         for path in (*documents, *shards):
             name = path.relative_to(copied_few).as_posix()
             # Packed copies are of the file itself, although all shards have the same last name.
-            assert asked(server.url + name, **{"Accept-Encoding": "gzip"}) == (200, path.read_bytes())
+            assert get(server.url + name, **{"Accept-Encoding": "gzip"}) == (200, path.read_bytes())
         for path in leaves:
             # As the page asks for them.
             part = f"bytes=0-{path.stat().st_size - 1}"
-            assert asked(server.url + path.relative_to(copied_few).as_posix(), Range=part) == (206, path.read_bytes())
+            assert get(server.url + path.relative_to(copied_few).as_posix(), Range=part) == (206, path.read_bytes())
         name = shards[0].relative_to(copied_few).as_posix()
-        assert asked(f"{server.url}{name}?v=1", Range="bytes=3-9") == (206, shards[0].read_bytes()[3:10])
+        assert get(f"{server.url}{name}?v=1", Range="bytes=3-9") == (206, shards[0].read_bytes()[3:10])
         for name, content in tree_page().items():
-            assert asked(server.url + name) == (200, content)
-        assert asked(server.url) == (200, tree_page()["index.html"])
+            assert get(server.url + name) == (200, content)
+        assert get(server.url) == (200, tree_page()["index.html"])
         with pytest.raises(urllib.error.HTTPError, match="404"):
-            asked(f"{server.url}geometry/tileset.json")
+            get(f"{server.url}geometry/tileset.json")
     assert any("generations" in path.parts for path in shards)
 
 

@@ -13,8 +13,20 @@ import trimesh
 import nearfar as nf
 from nearfar.serve._server import Server
 from tests.support import need
-from tests.support.browser import FRAMES, WEBGPU, opened, started, wait_until
-from tests.support.flown_page import SIZE, Pose, facts, flown, grabbed, holes, likeness, link, problems, rendered, seen
+from tests.support.browser import FRAMES, WEBGPU, open_page, started, wait_until
+from tests.support.flown_page import (
+    SIZE,
+    Pose,
+    facts,
+    flown,
+    grabbed,
+    holes,
+    likeness,
+    link,
+    page_camera,
+    problems,
+    rendered,
+)
 
 pytestmark = pytest.mark.slow
 
@@ -44,9 +56,9 @@ def with_webgpu() -> Iterator[Any]:
         yield program
 
 
-def drawn(program: Any, address: str, script: str = "") -> tuple[dict[str, Any], Any]:
+def draw(program: Any, address: str, script: str = "") -> tuple[dict[str, Any], Any]:
     """The page's figures, and its picture by WebGPU."""
-    with opened(program, *SIZE) as page:
+    with open_page(program, *SIZE) as page:
         page.add_init_script(f"{FRAMES}; {script}")
         flown(page, address)
         found = grabbed(page)
@@ -63,7 +75,7 @@ def test_pictures_are_those_of_render(
 ) -> None:
     with Server.of_bundle(city.path) as server:
         address = f"{server.url}?graphics=webgpu&geometry=0&samples={samples}{link(pose)}"
-        told, found = drawn(with_webgpu, address)
+        told, found = draw(with_webgpu, address)
     frame = rendered(city, pose, samples)
     assert told["views"] == frame.stats["views"]
     assert likeness(found, frame) > least
@@ -75,7 +87,7 @@ def test_geometry_is_drawn_before_and_behind_splats(with_webgpu: Any, city: nf.o
     """Whole, and band by band."""
     with Server.of_bundle(city.path) as server:
         address = f"{server.url}?graphics=webgpu&samples=4{link(NEAR)}"
-        (told, found), (banded, again) = (drawn(with_webgpu, address, script) for script in ("", SMALL))
+        (told, found), (banded, again) = (draw(with_webgpu, address, script) for script in ("", SMALL))
     frame = rendered(city, NEAR, 4, geometry=True)
     assert told["triangles"] > 0
     assert told["views"] == frame.stats["views"]
@@ -92,7 +104,7 @@ def test_pictures_are_those_of_webgl(with_webgpu: Any, city: nf.orthoview.OrthoT
     pictures = []
     with Server.of_bundle(city.path) as server:
         for query, script in (("", REFUSED), ("graphics=webgpu&", "")):
-            with opened(with_webgpu, *SIZE) as page:
+            with open_page(with_webgpu, *SIZE) as page:
                 page.add_init_script(f"{FRAMES}; {script}")
                 told = flown(page, f"{server.url}?{query}{link(NEAR)}")
                 pictures.append(grabbed(page).astype(int))
@@ -108,10 +120,10 @@ def test_pictures_are_those_of_webgl(with_webgpu: Any, city: nf.orthoview.OrthoT
 @pytest.mark.parametrize("pose", [FACADE, FAR_FACADE])
 def test_textures_and_their_levels_are_drawn(with_webgpu: Any, textured: nf.orthoview.OrthoTree, pose: Pose) -> None:
     with Server.of_bundle(textured.path) as server:
-        told, found = drawn(with_webgpu, f"{server.url}?graphics=webgpu&error=0.2{link(pose)}")
+        told, found = draw(with_webgpu, f"{server.url}?graphics=webgpu&error=0.2{link(pose)}")
     assert told["triangles"] > 0
     assert told["views"] == 0
-    frame = textured.render(seen(pose), error_px=0.2, channels=("color", "coverage"))
+    frame = textured.render(page_camera(pose), error_px=0.2, channels=("color", "coverage"))
     off = np.abs(frame.to_image().astype(int) - found).max(axis=-1)
     assert (off <= 3).mean() > 0.97
 
@@ -130,8 +142,8 @@ def test_hidden_parts_are_left_out(with_webgpu: Any, tmp_path: Path) -> None:
     )
     pose: Pose = {"position": [0.0, 0.0, 45.0], "yaw": 0.0, "pitch": 0.0}
     with Server.of_bundle(tree.path) as server:
-        told, found = drawn(with_webgpu, f"{server.url}?graphics=webgpu&error=2{link(pose)}")
-    frame = tree.render(seen(pose), geometry=False, error_px=2, channels=("color", "coverage"))
+        told, found = draw(with_webgpu, f"{server.url}?graphics=webgpu&error=2{link(pose)}")
+    frame = tree.render(page_camera(pose), geometry=False, error_px=2, channels=("color", "coverage"))
     assert likeness(found, frame) > 0.99
     assert told["splats"] == frame.stats["splats_in_picture"]
     assert told["unhidden"] < 0.85 * told["splats"]
@@ -146,7 +158,7 @@ def test_parts_of_thousands_of_splats_are_drawn_from_several_pages(with_webgpu: 
     pose: Pose = {"position": [0.0, 12.0, 45.0], "yaw": 0.0, "pitch": 0.0}
     with Server.of_bundle(tree.path) as server:
         address = f"{server.url}?graphics=webgpu{link(pose)}"
-        (told, found), (whole, _) = (drawn(with_webgpu, address, script) for script in (FEW, ""))
+        (told, found), (whole, _) = (draw(with_webgpu, address, script) for script in (FEW, ""))
     assert told["calls"] > whole["calls"]
     frame = rendered(tree, pose)
     assert told["views"] == frame.stats["views"]
@@ -155,7 +167,7 @@ def test_parts_of_thousands_of_splats_are_drawn_from_several_pages(with_webgpu: 
 
 
 def test_missing_graphics_that_were_asked_for_are_told(with_webgpu: Any, city: nf.orthoview.OrthoTree) -> None:
-    with Server.of_bundle(city.path) as server, opened(with_webgpu, *SIZE) as page:
+    with Server.of_bundle(city.path) as server, open_page(with_webgpu, *SIZE) as page:
         page.add_init_script(WITHOUT)
         page.goto(f"{server.url}?graphics=webgpu{link(STREET)}")
         wait_until(page, lambda: page.locator("#message h1").count())

@@ -42,7 +42,7 @@ def everything(_: Part) -> bool:
 
 def pilot_of(tree: Tree, settings: Settings | None = None, **ahead: Any) -> Pilot:
     """A pilot that knows all records."""
-    cutter = tree._opened().viewer.cutter
+    cutter = tree._open_store().viewer.cutter
     for height in (0.0, 500.0):
         cutter.whole(camera_at((0, height, 0)), Settings(error_px=1e-3), around=True)
     return Pilot(cutter, settings or Settings(), Ahead(**ahead))
@@ -62,7 +62,7 @@ def measured(pilot: Pilot, rate: float, view: int = 1000, leaf: int = 5000) -> N
     assert pilot.meter.rate == pytest.approx(count * (view + leaf))
 
 
-def around(tree: Tree, camera: nf.Camera, error_px: float = 1.0) -> set[Part]:
+def parts_around(tree: Tree, camera: nf.Camera, error_px: float = 1.0) -> set[Part]:
     cut = tree.cut(camera, error_px=error_px, around=True)
     leaves = tree._viewer.cutter.with_guests(cut.leaf_places())
     return {*cut.keys(), *((0, place, GEOMETRY) for place in leaves)}
@@ -93,7 +93,7 @@ def test_a_plan_wants_the_pictures_cut(tree: Tree) -> None:
 
 
 def test_unknown_records_come_first(tree: Tree) -> None:
-    pilot = Pilot(tree._opened().viewer.cutter, Settings(), Ahead())
+    pilot = Pilot(tree._open_store().viewer.cutter, Settings(), Ahead())
     pilot.look(camera_at((0, 0, 0)), 0.0)
     plan = pilot.plan(nothing)
     assert [part[2] for part in plan.order] == [RECORD]
@@ -139,7 +139,7 @@ def test_queues_are_renewed_where_the_viewer_has_moved_or_turned(tree: Tree, mon
     assert count((0.101 * ahead, 0, 0)) == 1
     assert count((0.101 * ahead, 0, 0), 0.99 * RENEWED_TURN) == 0
     assert count((0.101 * ahead, 0, 0), 1.01 * RENEWED_TURN) == 1
-    pilot.take(tree._opened().viewer.cutter)
+    pilot.take(tree._open_store().viewer.cutter)
     assert count((0.101 * ahead, 0, 0), 1.01 * RENEWED_TURN) == 1
 
 
@@ -153,7 +153,7 @@ def test_the_limit_is_what_the_link_brings(tree: Tree, height: float) -> None:
     pilot.plan(everything)
     camera = camera_at(offset)
     ahead = min(tree.prefetch_queue(camera.position, camera=camera).ahead, 30.0)
-    new = around(tree, camera_at(offset + np.array([ahead, 0, 0]))) - around(tree, camera)
+    new = parts_around(tree, camera_at(offset + np.array([ahead, 0, 0]))) - parts_around(tree, camera)
     assert new
     size = sum(5000 if part[2] == GEOMETRY else 1000 for part in new)
     assert pilot.limit == pytest.approx(SHARE * 60_000 * ahead / size)
@@ -199,7 +199,7 @@ def test_a_viewer_that_is_too_fast_wishes_for_a_coarser_picture(tree: Tree) -> N
     limits = []
     for step in range(11):
         error = 2.0 ** (step / 2)
-        new = around(tree, camera_at(offset + np.array([ahead, 0, 0])), error) - around(tree, camera, error)
+        new = parts_around(tree, camera_at(offset + np.array([ahead, 0, 0])), error) - parts_around(tree, camera, error)
         size = sum(5000 if part[2] == GEOMETRY else 1000 for part in new)
         limits.append(SHARE * 60_000 * ahead / size if size else math.inf)
     assert pilot.limit == pytest.approx(limits[0])

@@ -76,7 +76,7 @@ def bare(tree: Tree, path: Path) -> Path:
     return Path(shutil.copytree(tree.path, path, ignore=shutil.ignore_patterns("[pn][xyz]", "geometry")))
 
 
-def seen(tree: Tree) -> dict[tuple[int, Place], int]:
+def count_views(tree: Tree) -> dict[tuple[int, Place], int]:
     """The same, as its views say."""
     cells = [(level, place) for level in range(tree.levels) for place in places(tree.cells(level))]
     masks = {cell: sum(1 << n for n in range(5) if tree.view(*cell, n) is not None) for cell in cells}
@@ -85,7 +85,7 @@ def seen(tree: Tree) -> dict[tuple[int, Place], int]:
 
 def test_records_tell_which_views_show_something(wide: Tree) -> None:
     found = masks_of(wide)
-    assert found == seen(wide)
+    assert found == count_views(wide)
     assert {level for level, _ in found} == set(range(6))
     assert {place for level, place in found if level == 3} == INHABITED
     assert len(found) == wide.held["cells"]
@@ -94,7 +94,7 @@ def test_records_tell_which_views_show_something(wide: Tree) -> None:
 def test_records_of_two_layers_tell_it(tmp_path: Path) -> None:
     scene = flat({(0, 0, 0), (1, 0, 1)}, 90.0, [(4, 4)])
     tree = nf.orthoview.build(scene, tmp_path / "world.zarr", cell=CELL, size=SIZE, directions=5, layers=2)
-    assert masks_of(tree) == seen(tree)
+    assert masks_of(tree) == count_views(tree)
     assert {place for level, place in masks_of(tree) if level == 0} == {(0, 0, 0), (8, 0, 8)}
 
 
@@ -118,7 +118,7 @@ def test_records_tell_it_of_each_generation(changed: list[Tree]) -> None:
     """Trees that are open go on with what they were."""
     for tree, here in zip(changed, (FIRST, SECOND, THIRD), strict=True):
         found = masks_of(tree)
-        assert found == seen(tree)
+        assert found == count_views(tree)
         assert {place for level, place in found if level == 3} == here
         assert len(found) == tree.held["cells"]
 
@@ -126,7 +126,7 @@ def test_records_tell_it_of_each_generation(changed: list[Tree]) -> None:
 def test_records_of_copies_tell_it(changed: list[Tree], tmp_path: Path) -> None:
     compacted = changed[-1].compact(tmp_path / "compact.zarr")
     assert compacted.generation == 0
-    assert masks_of(compacted) == seen(compacted) == masks_of(changed[-1])
+    assert masks_of(compacted) == count_views(compacted) == masks_of(changed[-1])
 
 
 def test_a_change_of_directions_is_told(tmp_path: Path) -> None:
@@ -141,13 +141,13 @@ def test_a_change_of_directions_is_told(tmp_path: Path) -> None:
     turned = tree.update([[11, 0, 11], [19, 9, 19]], wall(0, 3))
     assert masks_of(tree)[0, (1, 0, 1)] == 0b00101  # from +z and −z
     assert masks_of(turned)[0, (1, 0, 1)] == 0b01010  # from +x and −x
-    assert masks_of(turned) == seen(turned)
+    assert masks_of(turned) == count_views(turned)
 
 
 def test_all_may_go(tmp_path: Path) -> None:
     tree = nf.orthoview.build(world_of(range(6)), tmp_path / "world.zarr", cell=20.0, size=SIZE, directions=5)
     emptied = tree.update(box_about(range(6)), world_of([]))
-    assert masks_of(emptied) == seen(emptied)
+    assert masks_of(emptied) == count_views(emptied)
     assert {place for level, place in masks_of(emptied) if level == 0} == {(0, 0, 0), (3, 3, 3)}
     assert len(masks_of(tree)) > len(masks_of(emptied))
 
@@ -237,7 +237,7 @@ def test_records_without_views_are_named(wide: Tree, tmp_path: Path) -> None:
         nf.orthoview.open(store).cut(CAMERA)
 
 
-NO_GUESTS = _guests.described({})
+NO_GUESTS = _guests.encode_guests({})
 WRONG: dict[str, Any] = {
     f"views {name}": {"0_0_0_0": {"views": views, "guests": NO_GUESTS}} for name, views in DAMAGED.items()
 }
@@ -281,7 +281,7 @@ def test_a_viewer_far_away_reads_fewer_subtrees(wide: Tree) -> None:
     for eye in ((5000.0, 3000.0, 5000.0), (120.0, 400.0, 120.0), (40.0, 10.0, 40.0)):
         opened = nf.orthoview.open(wide.path)
         opened.cut(looking(eye, (120.0, 0.0, 121.0)), around=True)
-        known.append(opened._viewer.cutter.known)
+        known.append(opened._viewer.cutter.subtree_count)
     # Pixels of 1/32 at 1 m, those of leaves are 10/16 m wide: level 3 is fine from 160 m on. Far away the top is fine,
     # from above level 3 is, and from the first subtree that and those 40 and 120 m away are not.
     assert known == [1, 1, 1 + 3]
@@ -293,7 +293,7 @@ def test_subtrees_are_read_once_and_empty_ones_never(wide: Tree) -> None:
     turning = [looking((120, 30, 120), (120 + x, 0, 120 + z), 1024) for x in (-9, 9) for z in (-9, 9)]
     for camera in turning:
         cutter.whole(camera, Settings(), around=True)
-    assert len(read.subtrees) == len(set(read.subtrees)) == cutter.known
+    assert len(read.subtrees) == len(set(read.subtrees)) == cutter.subtree_count
     assert set(read.subtrees) == {(1, (0, 0, 0))} | {(0, place) for place in INHABITED}
 
 
@@ -326,4 +326,4 @@ def test_cells_above_stand_for_those_that_are_not_known(wide: Tree) -> None:
     assert whole.unknown == []
     assert (whole.keys(), whole.leaf_places()) == (right.keys(), right.leaf_places())
     assert set(whole.level.tolist()) >= {0, 3}
-    assert cutter.known == 4
+    assert cutter.subtree_count == 4

@@ -33,7 +33,7 @@ def scene(thirty: nf.Scene) -> nf.Scene:
 
 
 @pytest.fixture(scope="module")
-def shown(layered: Tree) -> Tree:
+def tree(layered: Tree) -> Tree:
     return layered
 
 

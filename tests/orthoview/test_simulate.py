@@ -34,7 +34,7 @@ def still(count: int) -> list[nf.Camera]:
 
 
 def sizes(tree: Tree, parts: set[Part]) -> int:
-    return sum(tree._opened().sizes(sorted(parts)))
+    return sum(tree._open_store().sizes(sorted(parts)))
 
 
 def same(one: nf.orthoview.FlightLog, other: nf.orthoview.FlightLog) -> bool:
@@ -96,7 +96,7 @@ def test_a_link_brings_no_more_than_its_rate(tree: Tree, mbps: float) -> None:
     assert (log.received <= sent + 1e-6).all()
     busy = log.received < log.asked
     assert busy.any()
-    largest = max(tree._opened().sizes(tree.prefetch_queue(MIDDLE).needed))
+    largest = max(tree._open_store().sizes(tree.prefetch_queue(MIDDLE).needed))
     assert (log.received[busy] >= sent[busy] - 16 * max(largest, 20_000)).all()
     assert log.received[-1] > 0.5 * min(sent[-1], log.asked)
 

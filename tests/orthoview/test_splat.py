@@ -16,7 +16,7 @@ from nearfar.orthoview._directions import directions_of
 from tests.support import render_oracle, splat_oracle
 from tests.support.orthoview_cases import CORNER, SIDE, boxes
 from tests.support.orthoview_oracle import DIRECTIONS, Triple
-from tests.support.splat_cases import CAMERAS, CHANNELS, LARGE, MIDDLE, WIDE, cell_of, drawn, facing, splats_of
+from tests.support.splat_cases import CAMERAS, CHANNELS, LARGE, MIDDLE, WIDE, cell_of, draw_splats, facing, splats_of
 
 
 @pytest.mark.parametrize("name", CAMERAS)
@@ -24,13 +24,13 @@ def test_samples_show_the_nearest_splat(name: str) -> None:
     # Balls in one row of a view have one distance from a camera that looks across it: many of them overlap.
     doubt = 0.3 if name.startswith(("cube", "along")) else 0.02
     splats, known = cell_of([(1, 0, 0), (0, 1, 0), (0, 1, 1)])
-    share = splat_oracle.check(drawn(splats, CAMERAS[name]), known, CAMERAS[name], most_doubt=doubt)
+    share = splat_oracle.check(draw_splats(splats, CAMERAS[name]), known, CAMERAS[name], most_doubt=doubt)
     assert 0.03 < share < 1
 
 
 def test_tiles_of_the_screen_fit_together() -> None:
     splats, known = cell_of([(1, 0, 0), (0, 1, 0)])
-    images = drawn(splats, LARGE)
+    images = draw_splats(splats, LARGE)
     assert images["stats"]["splats_projected"] > images["stats"]["splats"]
     assert splat_oracle.check(images, known, LARGE, most_doubt=0.1) > 0.03
 
@@ -46,7 +46,7 @@ def test_a_floor_at_the_height_of_the_eye_is_a_line_of_its_own_length(fov: nf.Fo
     splats = [_core.OrthoSplats(views, 0, views.connected(CONNECTED), ((-4.0, -4.0, -4.0), 8.0))]
     height = 4 - (2046 - 0.5) * 8 / 4092
     camera = nf.Camera((0.0, height, 32.0), fov=fov, size=(65, 65))
-    shown = np.isfinite(drawn(splats, camera)["range"])
+    shown = np.isfinite(draw_splats(splats, camera)["range"])
     rows, columns = np.nonzero(shown)
     # The floor is 8 m wide before the eye, of pixels of 64/65 m at 32 m.
     middle, half = 32, 4.6 * 65 / 64 * (32 / 28 if isinstance(fov, nf.Fov) else 1)
@@ -60,7 +60,7 @@ def test_views_of_all_directions(direction: Triple) -> None:
     assert set(DIRECTIONS) == set(directions_of(26))
     splats, known = cell_of([direction])
     camera = facing(direction, WIDE)
-    assert splat_oracle.check(drawn(splats, camera), known, camera) > 0.1
+    assert splat_oracle.check(draw_splats(splats, camera), known, camera) > 0.1
 
 
 @pytest.mark.parametrize("normal_bits", [16, 24])
@@ -68,13 +68,13 @@ def test_views_of_all_directions(direction: Triple) -> None:
 def test_formats(depth_bits: int, normal_bits: int) -> None:
     splats, known = cell_of([(0, 0, 1), (1, 1, 1)], depth_bits, normal_bits, 24)
     camera = facing((1, 1, 2), WIDE)
-    assert splat_oracle.check(drawn(splats, camera), known, camera) > 0.1
+    assert splat_oracle.check(draw_splats(splats, camera), known, camera) > 0.1
 
 
 def test_sizes_that_blocks_do_not_fill() -> None:
     splats, known = cell_of([(0, 0, 1)], size=20)
     camera = facing((0, 0, 1), WIDE)
-    assert splat_oracle.check(drawn(splats, camera), known, camera) > 0.1
+    assert splat_oracle.check(draw_splats(splats, camera), known, camera) > 0.1
 
 
 def test_a_cell_far_from_the_origin() -> None:
@@ -85,12 +85,12 @@ def test_a_cell_far_from_the_origin() -> None:
     far = [_core.OrthoSplats(views, 0, views.connected(CONNECTED), (tuple(CORNER + shift), SIDE))]
     camera = facing((0, 0, 1), WIDE)
     x, y, z = np.array(camera.position) + shift
-    near, moved = drawn(splats, camera), drawn(far, replace(camera, position=(x, y, z)))
+    near, moved = draw_splats(splats, camera), draw_splats(far, replace(camera, position=(x, y, z)))
     both = np.isfinite(near["range"]) & np.isfinite(moved["range"])
     # Coordinates of 2²² m are rounded to 2⁻³⁰ m in float64.
     assert (np.isfinite(near["range"]) != np.isfinite(moved["range"])).sum() <= 2
     assert (np.abs(near["range"][both] - moved["range"][both]) < 1e-4).mean() > 0.99
-    np.testing.assert_array_equal(drawn(far, camera)["range"], np.inf)
+    np.testing.assert_array_equal(draw_splats(far, camera)["range"], np.inf)
 
 
 @pytest.mark.parametrize("name", ["perspective", "parallel", "cube face 4"])
@@ -101,7 +101,7 @@ def test_colour_is_the_mean_of_finer_samples(grid: int, name: str) -> None:
     width, height = camera.size
     finer = replace(camera, size=(width * grid, height * grid))
     channels = ("color", "coverage")
-    got, fine = drawn(splats, camera, channels, grid), drawn(splats, finer, (*channels, "range"))
+    got, fine = draw_splats(splats, camera, channels, grid), draw_splats(splats, finer, (*channels, "range"))
 
     def mean(image: NDArray[Any]) -> NDArray[Any]:
         split = image.astype(np.float64).reshape(height, grid, width, grid, -1)
@@ -117,7 +117,7 @@ def test_colour_is_the_mean_of_finer_samples(grid: int, name: str) -> None:
 def test_colour_is_albedo_in_the_light_and_the_sky_elsewhere() -> None:
     splats = splats_of([(1, 0, 0), (0, 1, 0), (0, 1, 1)])
     camera = CAMERAS["perspective"]
-    images = drawn(splats, camera, ("color", "coverage", *CHANNELS, "position", "shading_normal"))
+    images = draw_splats(splats, camera, ("color", "coverage", *CHANNELS, "position", "shading_normal"))
     shown = np.isfinite(images["range"])
     light = render_oracle.irradiance(images["normal"][shown].astype(np.float64))
     np.testing.assert_allclose(images["color"][shown], images["albedo"][shown] * light, atol=1e-6)

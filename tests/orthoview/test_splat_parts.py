@@ -17,7 +17,7 @@ from tests.support.splat_cases import (
     STRAIGHT,
     THREE,
     cell_of,
-    drawn,
+    draw_splats,
     flat,
     limits_of,
     splats_of,
@@ -30,12 +30,12 @@ from tests.support.splat_oracle import Lens
 def test_the_nearer_of_geometry_and_splats_is_seen(name: str) -> None:
     camera, splats = CAMERAS[name], splats_of(THREE)
     channels = ("color", "coverage", *CHANNELS, "object_id", "face_id")
-    alone = drawn(splats, camera, channels)
+    alone = draw_splats(splats, camera, channels)
     shown = np.isfinite(alone["range"])
     rng = np.random.default_rng(1)
     ranges = np.where(rng.random(shown.shape) < 0.3, np.inf, np.median(alone["range"][shown]))
     before = wall(camera, ranges)
-    got = drawn(splats, camera, channels, before=before)
+    got = draw_splats(splats, camera, channels, before=before)
     is_wall = before["range"] < alone["range"]
     assert 0.02 < is_wall[shown].mean() < 0.98
     for channel in channels:
@@ -47,12 +47,12 @@ def test_the_nearer_of_geometry_and_splats_is_seen(name: str) -> None:
 
 def test_walls_hide_all_or_nothing() -> None:
     camera, splats = CAMERAS["perspective"], splats_of(THREE)
-    alone = drawn(splats, camera, ("color", "range"))
-    near = drawn(splats, camera, ("color", "range"), before=wall(camera, 1))
+    alone = draw_splats(splats, camera, ("color", "range"))
+    near = draw_splats(splats, camera, ("color", "range"), before=wall(camera, 1))
     assert (near["range"] == 1).all()
     assert near["stats"]["splats_seen"] == near["stats"]["splats_projected"] == 0
     assert alone["stats"]["splats_seen"] > 0
-    far = drawn(splats, camera, ("color", "range"), before=wall(camera, 1e4))
+    far = draw_splats(splats, camera, ("color", "range"), before=wall(camera, 1e4))
     shown = np.isfinite(alone["range"])
     np.testing.assert_array_equal(far["color"][shown], alone["color"][shown])
     assert (far["range"][~shown] == 1e4).all()
@@ -65,42 +65,44 @@ def test_samples_of_geometry_are_samples() -> None:
     finer = replace(camera, size=(2 * width, 2 * height))
     ranges = np.full((2 * height, 2 * width), np.inf)
     ranges[::2, ::2] = 1.0
-    alone, before = drawn(splats, finer, ("color", "coverage", "range")), wall(finer, ranges)
-    got = drawn(splats, camera, ("color", "coverage"), 2, before)
+    alone, before = draw_splats(splats, finer, ("color", "coverage", "range")), wall(finer, ranges)
+    got = draw_splats(splats, camera, ("color", "coverage"), 2, before)
     fine = np.where(np.isfinite(ranges)[..., None], before["color"], alone["color"]).astype(np.float64)
     mean = fine.reshape(height, 2, width, 2, 3).mean(axis=(1, 3))
     np.testing.assert_allclose(got["color"], mean, atol=1e-6)
     assert got["coverage"].min() == 0.25
     with pytest.raises(ValueError, match="before"):
-        drawn(splats, camera, ("color",), 2, wall(camera, 1.0))
+        draw_splats(splats, camera, ("color",), 2, wall(camera, 1.0))
 
 
 def test_of_one_depth_the_first_splat_counts() -> None:
     dark, light = flat(50), flat(200)
     for order in ([dark, light], [light, dark]):
-        first, both = drawn(order[:1], STRAIGHT), drawn(order, STRAIGHT)
+        first, both = draw_splats(order[:1], STRAIGHT), draw_splats(order, STRAIGHT)
         assert np.isfinite(first["range"]).all()
         for channel in CHANNELS:
             np.testing.assert_array_equal(both[channel], first[channel])
     nearer = flat(120, 99)
-    np.testing.assert_array_equal(drawn([dark, nearer], STRAIGHT)["albedo"], drawn([nearer], STRAIGHT)["albedo"])
+    np.testing.assert_array_equal(
+        draw_splats([dark, nearer], STRAIGHT)["albedo"], draw_splats([nearer], STRAIGHT)["albedo"]
+    )
 
 
 def test_of_one_depth_splats_count_before_geometry() -> None:
     """Along −z a range is a distance, without rounding."""
     splats = [flat(50)]
-    alone = drawn(splats, STRAIGHT, ("color", "range"))
-    at_once = drawn(splats, STRAIGHT, ("color", "range"), before=wall(STRAIGHT, alone["range"]))
+    alone = draw_splats(splats, STRAIGHT, ("color", "range"))
+    at_once = draw_splats(splats, STRAIGHT, ("color", "range"), before=wall(STRAIGHT, alone["range"]))
     np.testing.assert_array_equal(at_once["color"], alone["color"])
     nearer = wall(STRAIGHT, np.nextafter(alone["range"], np.float32(0)))
-    assert (drawn(splats, STRAIGHT, ("color", "range"), before=nearer)["color"] == [1, 0, 0]).all()
+    assert (draw_splats(splats, STRAIGHT, ("color", "range"), before=nearer)["color"] == [1, 0, 0]).all()
 
 
 @pytest.mark.parametrize("camera", ["perspective", "parallel"])
 @pytest.mark.parametrize("name", ["t_min", "t_max", "both", "box", "planes"])
 def test_splats_are_drawn_whose_middles_are_within_limits(name: str, camera: str) -> None:
     limits, view, (splats, known) = limits_of(name), CAMERAS[camera], cell_of(THREE)
-    lens = Lens.of(view)
+    lens = Lens.from_camera(view)
     points = np.array([splat.point for splat in known])
     away = points - lens.eye
     ranges = away @ lens.rows[2] if lens.is_parallel else np.linalg.norm(away, axis=1)
@@ -110,7 +112,7 @@ def test_splats_are_drawn_whose_middles_are_within_limits(name: str, camera: str
         inside &= (points @ spaces[:, :3].T + spaces[:, 3] >= 0).all(axis=1)
     assert 0.05 < inside.mean() < 0.95
     within = [splat for splat, is_within in zip(known, inside, strict=True) if is_within]
-    splat_oracle.check(drawn(splats, view, **limits), within, view)
+    splat_oracle.check(draw_splats(splats, view, **limits), within, view)
 
 
 def test_masked_pixels_are_misses_and_bare_pictures_have_no_sky() -> None:
@@ -118,24 +120,24 @@ def test_masked_pixels_are_misses_and_bare_pictures_have_no_sky() -> None:
     channels = ("color", "coverage", "range")
     width, height = camera.size
     mask = np.random.default_rng(0).random((height, width)) < 0.6
-    whole, masked = drawn(splats, camera, channels), drawn(splats, camera, channels, mask=mask)
+    whole, masked = draw_splats(splats, camera, channels), draw_splats(splats, camera, channels, mask=mask)
     for channel in channels:
         np.testing.assert_array_equal(masked[channel][mask], whole[channel][mask])
     assert (masked["color"][~mask] == 0).all()
     assert np.isinf(masked["range"][~mask]).all()
-    bare, shown = drawn(splats, camera, channels, bare=True), np.isfinite(whole["range"])
+    bare, shown = draw_splats(splats, camera, channels, bare=True), np.isfinite(whole["range"])
     np.testing.assert_array_equal(bare["color"], np.where(shown[..., None], whole["color"], 0))
     np.testing.assert_array_equal(bare["range"], whole["range"])
 
 
 def test_nothing_is_sky() -> None:
     camera, splats = CAMERAS["perspective"], splats_of(THREE)
-    none = drawn([], camera, ("coverage", "range"))
+    none = draw_splats([], camera, ("coverage", "range"))
     assert np.isinf(none["range"]).all()
     away = nf.Camera.look_at(
         MIDDLE + np.array([0, 0, 60]), MIDDLE + np.array([0, 0, 90]), fov=camera.fov, size=camera.size
     )
-    behind = drawn(splats, away, ("coverage", "range"))
+    behind = draw_splats(splats, away, ("coverage", "range"))
     assert (behind["coverage"] == 0).all()
     assert behind["stats"]["splats_in_picture"] == 0 < behind["stats"]["splats"]
 
@@ -164,7 +166,7 @@ def test_pictures_are_the_same_for_all_instruction_sets(name: str) -> None:
     try:
         for instructions in _core.instruction_sets():
             _core.use_instruction_set(instructions)
-            images = drawn(splats, CAMERAS[name], ("color", *CHANNELS))
+            images = draw_splats(splats, CAMERAS[name], ("color", *CHANNELS))
             pictures.append([images[channel].tobytes() for channel in ("color", *CHANNELS)])
     finally:
         _core.use_instruction_set(_core.instruction_sets()[-1])
@@ -174,9 +176,9 @@ def test_pictures_are_the_same_for_all_instruction_sets(name: str) -> None:
 def test_bad_calls_are_named() -> None:
     camera, splats = CAMERAS["perspective"], splats_of([(0, 0, 1)])
     with pytest.raises(ValueError, match="grid: expected 1 to 8, got 9"):
-        drawn(splats, camera, ("color",), 9)
+        draw_splats(splats, camera, ("color",), 9)
     with pytest.raises(ValueError, match="grid: expected an odd number for images of the pixels' middles, got 2"):
-        drawn(splats, camera, ("color", "range"), 2)
+        draw_splats(splats, camera, ("color", "range"), 2)
     views = _core.OrthoViews.from_arrays(
         [(0, 0, 1)],
         (8, 12, 16),

@@ -221,7 +221,7 @@ def test_bad_arguments(few_tree: nf.orthoview.OrthoTree, tmp_path: Path, monkeyp
     (out / "other").mkdir(parents=True)
     with pytest.raises(FileExistsError):
         few_tree.export_splats(out)
-    monkeypatch.setattr(_spz, "MOST", 100)
+    monkeypatch.setattr(_spz, "MAX", 100)
     with pytest.raises(ValueError, match="level: expected one with at most 100 splats"):
         few_tree.export_splats(tmp_path / "out.spz")
     assert {path.name for path in tmp_path.iterdir()} == {"out"}
@@ -262,7 +262,7 @@ def test_spark_loads_and_draws_what_was_written(few_tree: nf.orthoview.OrthoTree
     reader = Cells(
         few_tree._files, few_tree._layout, few_tree.generation, np.array([[-np.inf] * 3, [np.inf] * 3]), sun_of("sun")
     )
-    key = max(reader.at(2), key=lambda cell: reader.read(*cell).pixels)
+    key = max(reader.cells_of_level(2), key=lambda cell: reader.read(*cell).pixels)
     cell, path = reader.read(*key), tmp_path / "cell.spz"
     path.write_bytes(_spz.encoded(cell.gaussians))
     (x, y, z), side = cell.center.tolist(), few_tree.cell * 4

@@ -38,8 +38,8 @@ class Memory:
     def drawable(self, cell: Cell) -> set[int]:
         return {direction for level, place, direction in self.parts if (level, place) == cell}
 
-    def shown(self, wanted: Wanted, before: Shown | None = None, eye: NDArray[np.float64] = EYE) -> Shown:
-        return self.stand_ins().shown(wanted, before or Shown(), eye)
+    def choose(self, wanted: Wanted, before: Shown | None = None, eye: NDArray[np.float64] = EYE) -> Shown:
+        return self.stand_ins().choose_pieces(wanted, before or Shown(), eye)
 
 
 def views(cell: Cell, *directions: int) -> list[Part]:
@@ -66,7 +66,7 @@ OTHER: Cell = (1, (1, 0, 0))
 def test_what_is_there_is_drawn() -> None:
     wanted = wish(MIDDLE, OTHER) | leaf((0, 3, 0), (1, 3, 0))
     memory = Memory(part for parts in wanted.values() for part in parts)
-    shown = memory.shown(wanted)
+    shown = memory.choose(wanted)
     assert shown.cells == {MIDDLE: pieces(MIDDLE, 0, 4), OTHER: pieces(OTHER, 0, 4)}
     assert shown.leaves == {(0, 3, 0): [(0, (0, 3, 0), GEOMETRY), (0, (1, 3, 0), GEOMETRY)]}
     assert (shown.missing, shown.empty) == (0, 0)
@@ -74,7 +74,7 @@ def test_what_is_there_is_drawn() -> None:
 
 
 def test_nothing_is_drawn_where_nothing_is() -> None:
-    shown = Memory().shown(wish(MIDDLE, OTHER) | leaf((0, 3, 0)))
+    shown = Memory().choose(wish(MIDDLE, OTHER) | leaf((0, 3, 0)))
     assert shown == Shown(missing=3, empty=3)
     assert shown.parts() == set()
 
@@ -83,25 +83,25 @@ def test_a_cell_stays_as_it_was() -> None:
     """From directions that are no longer the nearest ones, though cells above have those."""
     memory = Memory([*views(MIDDLE, 2, 3), *views(MIDDLE, 0), *views(TOP, 0, 4)])
     before = Shown({MIDDLE: pieces(MIDDLE, 2, 3)})
-    shown = memory.shown(wish(MIDDLE), before)
+    shown = memory.choose(wish(MIDDLE), before)
     assert shown == Shown({MIDDLE: pieces(MIDDLE, 2, 3)}, missing=1)
     memory.parts.remove(views(MIDDLE, 2)[0])
-    assert memory.shown(wish(MIDDLE), shown).cells == {MIDDLE: pieces(MIDDLE, 3)}
+    assert memory.choose(wish(MIDDLE), shown).cells == {MIDDLE: pieces(MIDDLE, 3)}
     memory.parts.remove(views(MIDDLE, 3)[0])
-    assert memory.shown(wish(MIDDLE), shown).cells == {MIDDLE: pieces(TOP, 0, 4, within=MIDDLE)}
+    assert memory.choose(wish(MIDDLE), shown).cells == {MIDDLE: pieces(TOP, 0, 4, within=MIDDLE)}
 
 
 def test_older_views_stay_until_the_newer_ones_are_there() -> None:
     wanted = wish(MIDDLE) | leaf((2, 0, 0))
     parts = [part for parts in wanted.values() for part in parts]
     memory = Memory(parts)
-    first = memory.shown(wanted)
+    first = memory.choose(wanted)
     memory.old = set(parts[1:])
-    shown = memory.shown(wanted, first)
+    shown = memory.choose(wanted, first)
     assert (shown.cells, shown.leaves) == (first.cells, first.leaves)
     assert (shown.missing, shown.empty) == (2, 0)
     memory.old = set()
-    assert memory.shown(wanted, shown) == first
+    assert memory.choose(wanted, shown) == first
 
 
 def test_finer_cells_stay_and_the_rest_comes_from_above() -> None:
@@ -109,23 +109,23 @@ def test_finer_cells_stay_and_the_rest_comes_from_above() -> None:
     near: Place = (1, 1, 1)
     memory = Memory([*views(LOW, 0, 4), (0, near, GEOMETRY), *views(TOP, 0, 4, 1)])
     before = Shown({LOW: pieces(LOW, 0, 4)}, {near: [(0, near, GEOMETRY)]})
-    shown = memory.shown(wish(MIDDLE), before)
+    shown = memory.choose(wish(MIDDLE), before)
     assert shown.leaves == before.leaves
     assert (shown.missing, shown.empty) == (1, 0)
     rest: list[Cell] = [(0, place) for place in OCTANTS if place not in (LOW[1], near)]
     assert shown.cells == before.cells | {cell: pieces(TOP, 0, 4, within=cell) for cell in rest}
     # Once more: what stood in is chosen anew, and is best from what is finer.
     memory.parts |= set(views(MIDDLE, 4))
-    again = memory.shown(wish(MIDDLE), shown)
+    again = memory.choose(wish(MIDDLE), shown)
     assert again.cells == before.cells | {cell: pieces(MIDDLE, 4, within=cell) for cell in rest}
     # Then the cell itself is there.
     memory.parts |= set(views(MIDDLE, 0))
-    assert memory.shown(wish(MIDDLE), again) == Shown({MIDDLE: pieces(MIDDLE, 0, 4)})
+    assert memory.choose(wish(MIDDLE), again) == Shown({MIDDLE: pieces(MIDDLE, 0, 4)})
 
 
 def test_the_rest_of_a_large_cell_is_of_the_largest_parts() -> None:
     memory = Memory([*views(LOW, 0), *views(TOP, 0)])
-    shown = memory.shown(wish(TOP), Shown({LOW: pieces(LOW, 0)}))
+    shown = memory.choose(wish(TOP), Shown({LOW: pieces(LOW, 0)}))
     beside: list[Cell] = [(level, place) for level in (0, 1) for place in OCTANTS if place != (0, 0, 0)]
     assert shown.cells == {LOW: pieces(LOW, 0)} | {cell: pieces(TOP, 0, within=cell) for cell in beside}
 
@@ -134,14 +134,14 @@ def test_geometry_stays_with_all_its_guests_only() -> None:
     parts: list[Part] = [(0, (0, 0, 0), GEOMETRY), (0, (1, 0, 0), GEOMETRY)]
     memory = Memory(parts)
     before = Shown({}, {(0, 0, 0): parts})
-    assert memory.shown(wish(LOW), before) == Shown({}, {(0, 0, 0): parts}, missing=1)
+    assert memory.choose(wish(LOW), before) == Shown({}, {(0, 0, 0): parts}, missing=1)
     memory.parts = {parts[0]}
-    assert memory.shown(wish(LOW), before) == Shown(missing=1, empty=1)
+    assert memory.choose(wish(LOW), before) == Shown(missing=1, empty=1)
 
 
 def test_the_finest_cell_above_stands_in() -> None:
     memory = Memory([*views(TOP, 0, 4), *views(MIDDLE, 3)])
-    shown = memory.shown(wish(LOW, (0, (3, 3, 3))))
+    shown = memory.choose(wish(LOW, (0, (3, 3, 3))))
     assert shown.cells == {
         LOW: pieces(MIDDLE, 3, within=LOW),
         (0, (3, 3, 3)): pieces(TOP, 0, 4, within=(0, (3, 3, 3))),
@@ -151,17 +151,17 @@ def test_the_finest_cell_above_stands_in() -> None:
 
 def test_parts_that_stood_in_do_not_stay() -> None:
     memory = Memory(views(TOP, 0, 4))
-    first = memory.shown(wish(LOW))
+    first = memory.choose(wish(LOW))
     assert first.cells == {LOW: pieces(TOP, 0, 4, within=LOW)}
     memory.parts |= set(views(MIDDLE, 1))
-    assert memory.shown(wish(LOW), first).cells == {LOW: pieces(MIDDLE, 1, within=LOW)}
+    assert memory.choose(wish(LOW), first).cells == {LOW: pieces(MIDDLE, 1, within=LOW)}
 
 
 def test_a_cell_that_has_nothing_above_is_drawn_from_some_of_its_views() -> None:
     memory = Memory(views(LOW, 4))
-    assert memory.shown(wish(LOW)) == Shown({LOW: pieces(LOW, 4)}, missing=1)
+    assert memory.choose(wish(LOW)) == Shown({LOW: pieces(LOW, 4)}, missing=1)
     memory.parts |= set(views(TOP, 1))
-    assert memory.shown(wish(LOW)).cells == {LOW: pieces(TOP, 1, within=LOW)}
+    assert memory.choose(wish(LOW)).cells == {LOW: pieces(TOP, 1, within=LOW)}
 
 
 def test_stand_ins_are_views_whose_directions_are_nearest() -> None:
@@ -170,14 +170,14 @@ def test_stand_ins_are_views_whose_directions_are_nearest() -> None:
         cosines = UNITS @ (eye - 2.0)
         order = sorted(DIRECTIONS, key=lambda direction, cosines=cosines: -cosines[direction])  # type: ignore[misc]
         for count in (1, 2, 3, 5):
-            shown = memory.stand_ins(count).shown(wish(LOW), Shown(), eye)
+            shown = memory.stand_ins(count).choose_pieces(wish(LOW), Shown(), eye)
             assert shown.cells == {LOW: pieces(TOP, *order[:count], within=LOW)}
-    assert memory.shown(wish(LOW)).cells == {LOW: pieces(TOP, 0, 4, within=LOW)}
+    assert memory.choose(wish(LOW)).cells == {LOW: pieces(TOP, 0, 4, within=LOW)}
 
 
 def test_geometry_does_not_stand_in_for_views() -> None:
     memory = Memory([(0, (0, 0, 0), GEOMETRY)])
-    assert memory.shown(wish(LOW)) == Shown(missing=1, empty=1)
+    assert memory.choose(wish(LOW)) == Shown(missing=1, empty=1)
 
 
 def leaves_of(cell: Cell) -> set[Place]:
@@ -240,7 +240,7 @@ def test_no_place_is_drawn_twice_and_none_is_left_out(
         memory = Memory(held | (set(views(TOP, 1)) if has_top else set()), old - set(views(TOP, 1)))
         if is_whole:
             memory.parts |= {part for parts in wanted.values() for part in parts}
-        shown = memory.shown(wanted, before)
+        shown = memory.choose(wanted, before)
         is_there = {cell: all(map(memory.holds, parts)) for cell, parts in wanted.items()}
         places, all_places = covered(shown_cells(shown)), covered(wanted)
         assert len(set(places)) == len(places)

@@ -23,8 +23,8 @@ from tests.support.orthoview_oracle import DIRECTIONS, OCTANTS, Axes, Picture, T
 def test_a_leaf_shows_what_rays_hit_within_its_cell(direction: Triple, way: str) -> None:
     scene, colors = boxes()
     got = picture(leaf(scene, directions=[direction], way=way), 0)
-    double = oracle.drawn(scene, colors, CORNER, SIDE, direction, 2 * SIZE, STEPS)
-    extents = Axes.of(direction).extents * SIDE
+    double = oracle.draw_view(scene, colors, CORNER, SIDE, direction, 2 * SIZE, STEPS)
+    extents = Axes.from_direction(direction).extents * SIDE
     reach = oracle.REACH_PIXELS * max(extents[:2]) / (2 * SIZE) / (extents[2] / STEPS)
     right = oracle.reduced(double, reach)
     assert np.isfinite(right.depth).mean() > 0.3
@@ -69,7 +69,7 @@ def test_both_ways_show_the_same_of_textures_instances_and_holes(name: str) -> N
     corner = scene.bounds.mean(axis=0) - side / 2
     corner[1] = scene.bounds[0, 1] - 0.1
     by_rays, by_triangles = (leaf(scene, corner, side, way=way, behind=True) for way in ("rays", "triangles"))
-    for one, other in ((by_rays, by_triangles), (by_rays.behind(), by_triangles.behind())):
+    for one, other in ((by_rays, by_triangles), (by_rays.second_layer(), by_triangles.second_layer())):
         assert one is not None
         assert other is not None
         there = one.depths() > 0
@@ -86,7 +86,7 @@ def test_both_ways_show_the_same_of_textures_instances_and_holes(name: str) -> N
 def test_a_parents_pixels_are_those_of_its_children(direction: Triple) -> None:
     """Each pixel of a child is one of the parent's picture at twice the size, at the same place in space."""
     scene, _ = boxes(side=2 * SIDE)
-    axes = Axes.of(direction)
+    axes = Axes.from_direction(direction)
     parent = _core.OrthoParent([direction], FORMAT)
     extents = axes.extents * 2 * SIDE
     front = oracle.pixel_points(CORNER, 2 * SIDE, direction, 2 * SIZE)
@@ -125,7 +125,7 @@ def test_a_parents_pixels_are_those_of_its_children(direction: Triple) -> None:
 def test_depths_three_levels_up_are_those_of_all_leaves_pixels(direction: Triple) -> None:
     """A depth's step holds the step of the first surface on each level, so no error adds up."""
     scene, _ = boxes(200, 8 * SIDE)
-    axes = Axes.of(direction)
+    axes = Axes.from_direction(direction)
     size, root = 8 * SIZE, 8 * SIDE
     extents = axes.extents * root
     front = oracle.pixel_points(CORNER, root, direction, size)[0, 0]

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from nearfar import _core
 from tests.support.orthoview_cases import CORNER, SIDE
 from tests.support.orthoview_oracle import DIRECTIONS
-from tests.support.splat_cases import CAMERAS, cell_of, drawn
+from tests.support.splat_cases import CAMERAS, cell_of, draw_splats
 from tests.support.splat_oracle import Splat
 
 Box = tuple[list[float], list[float]]
@@ -36,7 +36,7 @@ def divided(box: Box, at: NDArray[np.float64]) -> list[Box]:
     ]
 
 
-def inside(points: NDArray[np.float64], box: Box) -> NDArray[np.bool_]:
+def in_box(points: NDArray[np.float64], box: Box) -> NDArray[np.bool_]:
     low, high = np.array(box)
     found: NDArray[np.bool_] = np.all((points >= low) & (points < high), axis=1)
     return found
@@ -54,7 +54,7 @@ def test_parts_have_the_splats_whose_middles_are_in_the_box(cell: Any, at: NDArr
     for view, points in zip(views, points_of(known, views), strict=True):
         assert np.abs(points - at).min() > 1e-9  # roundings decide nothing
         counts = [view.within(*box).count for box in divided(CELL, at)]
-        assert counts == [inside(points, box).sum() for box in divided(CELL, at)]
+        assert counts == [in_box(points, box).sum() for box in divided(CELL, at)]
         assert np.count_nonzero(counts) > 3
         assert sum(view.within(*box).count for box in divided(ALL, at)) == view.count
         assert view.within(*ALL).count == view.count
@@ -66,7 +66,7 @@ def test_parts_of_parts_are_parts(cell: Any) -> None:
         for box in divided(CELL, CORNER + SIDE / 2):
             part = view.within(*box)
             smaller = divided(box, np.mean(box, axis=0))
-            assert [part.within(*one).count for one in smaller] == [inside(points, one).sum() for one in smaller]
+            assert [part.within(*one).count for one in smaller] == [in_box(points, one).sum() for one in smaller]
             assert [part.within(*one).count for one in smaller] == [view.within(*one).count for one in smaller]
 
 
@@ -76,7 +76,7 @@ def test_a_box_without_splats_has_nothing(cell: Any) -> None:
     for box in ((high, high), ((CORNER - 9).tolist(), (CORNER - 1).tolist()), (high, low)):
         parts = [view.within(*box) for view in views]
         assert [part.count for part in parts] == [0] * len(parts)
-        image = drawn(parts, CAMERAS["perspective"])
+        image = draw_splats(parts, CAMERAS["perspective"])
         assert np.isinf(image["range"]).all()
         assert image["stats"]["splats"] == 0
 
@@ -86,15 +86,15 @@ def test_all_parts_show_the_whole(cell: Any, name: str) -> None:
     """And each of them what the picture of its splats alone shows: it takes memory for these only."""
     views, _ = cell
     view = views[len(views) // 2]
-    whole = drawn([view], CAMERAS[name], CHANNELS)
+    whole = draw_splats([view], CAMERAS[name], CHANNELS)
     parts = [view.within(*box) for box in divided(ALL, CORNER + SIDE / 2)]
-    together = drawn(parts, CAMERAS[name], CHANNELS)
+    together = draw_splats(parts, CAMERAS[name], CHANNELS)
     assert np.isfinite(whole["range"]).any()
     for channel in CHANNELS:
         assert together[channel].tobytes() == whole[channel].tobytes(), channel
     assert together["stats"]["splats"] == whole["stats"]["splats"] == view.count
     assert all(part.bytes < view.bytes for part in parts)
-    nearest = np.min([drawn([part], CAMERAS[name], CHANNELS)["range"] for part in parts], axis=0)
+    nearest = np.min([draw_splats([part], CAMERAS[name], CHANNELS)["range"] for part in parts], axis=0)
     np.testing.assert_array_equal(nearest, whole["range"])
 
 
@@ -104,7 +104,7 @@ def test_a_part_lies_in_its_box(cell: Any) -> None:
     reach = 3 * SIDE / 16
     for view in views:
         for box in divided(CELL, CORNER + SIDE / 2):
-            image = drawn([view.within(*box)], CAMERAS["perspective"], ("range", "position"))
+            image = draw_splats([view.within(*box)], CAMERAS["perspective"], ("range", "position"))
             places = image["position"][np.isfinite(image["range"])] + CORNER + SIDE / 2
             assert (places >= np.array(box[0]) - reach).all()
             assert (places <= np.array(box[1]) + reach).all()

@@ -50,7 +50,7 @@ def test_partition_against_radii(seed: int, r1: float, width: float, x: float) -
     assert counts["measured"] <= counts["examined"] <= counts["triangles"]
 
 
-def turned(x: float, z: float, angle: float, scale: float = 1.0) -> NDArray[np.float64]:
+def similarity(x: float, z: float, angle: float, scale: float = 1.0) -> NDArray[np.float64]:
     matrix = np.eye(4)
     matrix[0, 0] = matrix[2, 2] = math.cos(angle) * scale
     matrix[0, 2], matrix[2, 0] = math.sin(angle) * scale, -math.sin(angle) * scale
@@ -62,12 +62,12 @@ def forest(origin: float) -> nf.Scene:
     """A ground, trees as instances of one mesh, and a car that may move."""
     random = np.random.default_rng(4)
     loaded = trimesh.Scene()
-    loaded.add_geometry(trimesh.creation.box((400, 1, 400)), "ground", transform=turned(origin, -origin, 0.1))
+    loaded.add_geometry(trimesh.creation.box((400, 1, 400)), "ground", transform=similarity(origin, -origin, 0.1))
     loaded.add_geometry(trimesh.creation.icosphere(subdivisions=1), "tree", geom_name="tree")
     for i, (x, z) in enumerate(random.uniform(-150, 150, (60, 2))):
-        placed = turned(origin + x, z - origin, random.uniform(0, 6), random.uniform(1, 6))
+        placed = similarity(origin + x, z - origin, random.uniform(0, 6), random.uniform(1, 6))
         loaded.graph.update(frame_to=f"tree_{i}", geometry="tree", matrix=placed)
-    loaded.add_geometry(trimesh.creation.box((4, 1, 2)), "car", transform=turned(origin + 100, -origin, 0.5))
+    loaded.add_geometry(trimesh.creation.box((4, 1, 2)), "car", transform=similarity(origin + 100, -origin, 0.5))
     return nf.Scene.from_trimesh(loaded).with_dynamic(["car"])
 
 

@@ -49,14 +49,14 @@ def test_counts_are_those_of_the_summary(scene: nf.Scene) -> None:
 
 def test_of_many_triangles_the_largest_are_drawn(scene: nf.Scene, monkeypatch: pytest.MonkeyPatch) -> None:
     parts = nf.partition(scene, center=CENTER, r1=R1, r2=R2)
-    monkeypatch.setattr(preview, "MOST_DRAWN", 2)
+    monkeypatch.setattr(preview, "MAX_DRAWN", 2)
     monkeypatch.setattr(preview, "LARGEST", 2)
     settings = (parts._core, parts.scene._core, "far", (R1, R2), np.array(parts.scene.origin) - CENTER, 2.0)
-    area, flat = preview._seen(*settings)
+    area, flat = preview._largest_triangles(*settings)
     assert 2 <= len(area) == len(flat) < parts.summary()["far"]
     assert area[0] == area.max()
-    monkeypatch.setattr(preview, "MOST_LISTED", 1)
-    for one, other in zip(preview._seen(*settings), (area, flat), strict=True):
+    monkeypatch.setattr(preview, "MAX_LISTED", 1)
+    for one, other in zip(preview._largest_triangles(*settings), (area, flat), strict=True):
         np.testing.assert_allclose(one, other, rtol=1e-6)
 
 

@@ -52,10 +52,10 @@ ROOMS = {
     "cli": "calls of the other stages",
 }
 
-MOST_ENTRIES = 30
+MAX_ENTRIES = 30
 """Greatest number of files and folders in python/nearfar."""
 
-MEDIAN_LINES, MOST_LINES = 150, 400
+MEDIAN_LINES, MAX_LINES = 150, 400
 """Greatest median and greatest number of lines of the package's Python files; the stub may be longer."""
 
 
@@ -86,10 +86,10 @@ def tracked(folder: Path) -> list[Path]:
 
 def test_the_package_is_small_rooms() -> None:
     files = tracked(PACKAGE)
-    assert len({path.relative_to(PACKAGE).parts[0] for path in files}) <= MOST_ENTRIES
+    assert len({path.relative_to(PACKAGE).parts[0] for path in files}) <= MAX_ENTRIES
     lines = {path: path.read_text(encoding="utf-8").count("\n") for path in files if path.suffix == ".py"}
     assert statistics.median(lines.values()) < MEDIAN_LINES
-    assert {path.name: count for path, count in lines.items() if count > MOST_LINES} == {}
+    assert {path.name: count for path, count in lines.items() if count > MAX_LINES} == {}
 
 
 def test_every_stage_has_its_tests_benchmarks_and_page() -> None:

@@ -74,7 +74,7 @@ def test_its_middle_jumps_with_the_conventional_method_only() -> None:
         assert jump[method][quiet].max() < 2.0 * jump["truth"].max(), method
 
 
-def around(radius: float) -> Array:
+def poses_near_radius(radius: float) -> Array:
     """Poses of pictures in which some of the car is within a metre of a radius."""
     poses = drive("left")
     # Half of the car's length is 2.25 m.
@@ -83,7 +83,7 @@ def around(radius: float) -> Array:
 
 @pytest.mark.parametrize("radius", [R1, R2])
 def test_its_pixels_move_with_its_middle_and_stay_together(scene: nf.Scene, radius: float) -> None:
-    poses = around(radius)
+    poses = poses_near_radius(radius)
     assert len(poses) >= 14
     masks = lone_car(scene, VIEW, poses, "continuous")
     offset = centroids(masks) - projected(VIEW, poses, "continuous")

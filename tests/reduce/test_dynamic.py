@@ -27,7 +27,7 @@ def reduced(scene: nf.Scene) -> nf.ReducedScene:
     return nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=1024, samples=1, channels=OBJECTS)
 
 
-def shown(reduced: nf.ReducedScene, view: nf.Camera, pose: Array, **how: Any) -> NDArray[np.bool_]:
+def car_pixels(reduced: nf.ReducedScene, view: nf.Camera, pose: Array, **how: Any) -> NDArray[np.bool_]:
     """Pixels in which the car is seen."""
     car = reduced.scene.object_names.index("car")
     frame = reduced.render(view, at={"car": pose}, channels=("object_id",), **how)
@@ -63,7 +63,7 @@ def test_a_car_that_leaves_moves_without_a_jump(scene: nf.Scene, kind: str) -> N
     path, expected = [], []
     for x in np.arange(20.0, 80.0, 1.0):
         at = CENTER + np.array([x, -0.9, 4.0])
-        mask = shown(reduced, view, place(*at), method="exact", env=False)
+        mask = car_pixels(reduced, view, place(*at), method="exact", env=False)
         path.append(centroid(mask))
         expected.append(view.project(nf.morph(at[None], user=USER, center=CENTER, r1=R1, r2=R2, kind=kind))[0, :2])
     # A car of 40 px or less is symmetric about its middle to a pixel.
@@ -74,7 +74,7 @@ def test_a_car_that_leaves_moves_without_a_jump(scene: nf.Scene, kind: str) -> N
     conventional = reduced.with_morph("none")
     broken = []
     for x in np.arange(35.0, 65.0, 1.0):
-        mask = shown(conventional, view, place(*(CENTER + np.array([x, -0.9, 4.0]))), method="exact", env=False)
+        mask = car_pixels(conventional, view, place(*(CENTER + np.array([x, -0.9, 4.0]))), method="exact", env=False)
         broken.append(centroid(mask))
     assert np.linalg.norm(np.diff(broken, axis=0), axis=1).max() > 10.0
 
@@ -86,9 +86,9 @@ def test_far_buildings_hide_the_car_in_the_same_pixels_as_in_the_exact_picture(r
     for x in np.arange(70.0, 180.0, 10.0):
         pose = np.diag([3.0, 3.0, 3.0, 1.0])
         pose[:3, 3] = x, 2.3, 0.7 * x
-        ideal = shown(reduced, view, pose, method="exact", env=False)
+        ideal = car_pixels(reduced, view, pose, method="exact", env=False)
         for method in ("vertex", "exact"):
-            mask = shown(reduced, view, pose, method=method)
+            mask = car_pixels(reduced, view, pose, method=method)
             # The map's silhouettes are as coarse as its texels: two pixels of the car's few dozen.
             edge = ideal ^ mask
             grown = np.zeros_like(ideal)

@@ -157,7 +157,7 @@ def test_a_map_from_r1_knows_the_conventional_method_only(scene: nf.Scene) -> No
 def test_r2_ends_where_frames_would_take_seconds(scene: nf.Scene, monkeypatch: pytest.MonkeyPatch) -> None:
     need("ipywidgets")
     assert small(scene).explore(size=SIZE, face_size=8).r2.max == 4 * R2
-    monkeypatch.setattr("nearfar._reduce.explore.MOST_TRIANGLES", 1)
+    monkeypatch.setattr("nearfar._reduce.explore.MAX_TRIANGLES", 1)
     reduced = small(scene)
     explorer = reduced.explore(size=SIZE, face_size=8)
     assert R2 <= explorer.r2.max < 4 * R2

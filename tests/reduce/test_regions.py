@@ -30,7 +30,7 @@ def regions(scene: nf.Scene) -> nf.Regions:
     return nf.regions(scene, PATH, r2=50.0, **SMALL)
 
 
-def along(path: Array, step: float = 0.25) -> Array:
+def places_along(path: Array, step: float = 0.25) -> Array:
     """Places along a path, a step apart."""
     pieces = [
         start + np.linspace(0.0, 1.0, 1 + math.ceil(np.linalg.norm(end - start) / step))[:, None] * (end - start)
@@ -73,7 +73,7 @@ def test_no_place_of_the_path_is_far_from_a_centre_nor_folded(
     radii = regions.radii
     assert (regions.reach, regions.hysteresis, radii.r2) == (reach, band, r2)
     assert regions.spacing == pytest.approx(math.sqrt(3) * (reach - band))
-    places = along(path, 2.0) if len(path) > 1 else path
+    places = places_along(path, 2.0) if len(path) > 1 else path
     offsets = []
     for place in places:
         away = distances(regions, place)
@@ -89,7 +89,7 @@ def test_no_place_of_the_path_is_far_from_a_centre_nor_folded(
         assert nf.fold_margin(farthest, center=(0, 0, 0), r1=radii.r1, r2=radii.r2) > (0.0 if band else -1e-3)
     if len(path) > 1:
         # Every centre has a part of the path in its cell, be it shorter than a step.
-        apart = [np.hypot(*(along(path, 0.2) - center)[:, [0, 2]].T).min() for center in regions.centers]
+        apart = [np.hypot(*(places_along(path, 0.2) - center)[:, [0, 2]].T).min() for center in regions.centers]
         assert max(apart) <= (reach - band) + 0.2
 
 
@@ -97,7 +97,7 @@ def test_an_area_is_covered_an_eye_above_the_ground(scene: nf.Scene) -> None:
     corners = np.array([(-40.0, -10.0), (30.0, -15.0), (20.0, 40.0), (0.0, 5.0)])
     regions = nf.regions(scene, area=corners, r2=50.0, eye_height=1.6, **SMALL)
     np.testing.assert_allclose(regions.centers[:, 1], 1.6, atol=1e-4)
-    for x, z in along(np.insert(np.concatenate([corners, corners[:1]]), 1, 0.0, axis=1), 1.0)[:, [0, 2]]:
+    for x, z in places_along(np.insert(np.concatenate([corners, corners[:1]]), 1, 0.0, axis=1), 1.0)[:, [0, 2]]:
         assert distances(regions, np.array([x, 0.0, z])).min() <= 7.0 + 1e-9
     # A rectangle is given by two corners; it needs about its area by that of a cell.
     square = nf.regions(scene, area=[(-50, -50), (50, 50)], r2=50.0, **SMALL)
@@ -108,7 +108,7 @@ def test_an_area_is_covered_an_eye_above_the_ground(scene: nf.Scene) -> None:
 
 
 def test_regions_are_numbered_as_the_path_visits_them(regions: nf.Regions) -> None:
-    first = [regions.index(place) for place in along(PATH, 0.01)]
+    first = [regions.index(place) for place in places_along(PATH, 0.01)]
     assert list(dict.fromkeys(first)) == list(range(len(regions)))
     np.testing.assert_allclose(
         np.linalg.norm(np.diff(regions.centers, axis=0), axis=1).min(), regions.spacing, rtol=0.01
@@ -132,7 +132,7 @@ def test_a_budget_is_kept_about_every_centre(scene: nf.Scene) -> None:
 @given(st.lists(st.tuples(st.floats(-35, 65), st.floats(0, 35)), min_size=2, max_size=40))
 def test_the_region_stays_within_reach_and_changes_are_metres_apart(listed: list[tuple[float, float]]) -> None:
     regions = whole_area()
-    steps = along(np.insert(np.array(listed), 1, 1.7, axis=1), 0.1)
+    steps = places_along(np.insert(np.array(listed), 1, 1.7, axis=1), 0.1)
     current: int | None = None
     since = math.inf
     for before, place in itertools.pairwise(steps):

@@ -42,7 +42,7 @@ def owners(points: Array, grid: Grid = GRID) -> Array:
     return np.column_stack([away.argmin(axis=1), two[:, 1] - two[:, 0], two[:, 0]])
 
 
-def within(points: Array, corners: Array) -> NDArray[np.bool_]:
+def in_polygon(points: Array, corners: Array) -> NDArray[np.bool_]:
     """Whether points are in a polygon: whether a ray along z crosses an odd number of its sides, one by one."""
     inside = []
     for x, z in points:
@@ -111,14 +111,14 @@ def test_cells_of_an_area_are_those_that_its_points_lie_in(corners: list[tuple[f
     cells = {tuple(cell) for cell in GRID.touched(outline).tolist()}
     axis = np.arange(-60.0, 60.5, 2.5)
     points = np.stack(np.meshgrid(axis, axis), axis=-1).reshape(-1, 2) + 0.01
-    inside = points[within(points, outline)]
+    inside = points[in_polygon(points, outline)]
     border = dense(np.insert(np.concatenate([outline, outline[:1]]), 1, 0.0, axis=1))[:, [0, 2]]
     found = owners(np.concatenate([inside, border]))
     expected = {tuple(ALL[int(n)]) for n in found[found[:, 1] > 1e-6, 0]}
     assert expected <= cells
     # None is farther away than its own radius.
     places = GRID.places(np.array(sorted(cells)))
-    reach = np.concatenate([inside, border, places[within(places, outline)]])
+    reach = np.concatenate([inside, border, places[in_polygon(places, outline)]])
     away = np.linalg.norm(places[:, None] - reach, axis=-1).min(axis=1)
     assert away.max() <= GRID.spacing / math.sqrt(3) + STEP
 

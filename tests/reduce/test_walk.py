@@ -34,7 +34,7 @@ def on_the_way(metres: float) -> Array:
     return np.asarray(START + (END - START) * (metres / np.linalg.norm(END - START)))
 
 
-def shown(regions: nf.Regions, number: int, camera: nf.Camera, **options: Any) -> nf.Frame:
+def render_region(regions: nf.Regions, number: int, camera: nf.Camera, **options: Any) -> nf.Frame:
     return regions.reduced(number).render(camera, **options)
 
 
@@ -57,7 +57,7 @@ def test_a_cut_shows_the_region_that_the_user_is_in(regions: nf.Regions) -> None
         position = on_the_way(seconds)
         before, current = current, regions.index(position, current)
         frame = walk.render(view(position), seconds)
-        np.testing.assert_array_equal(frame.color, shown(regions, current, view(position)).color)
+        np.testing.assert_array_equal(frame.color, render_region(regions, current, view(position)).color)
         assert [frame.stats["region"], frame.stats["fade"], walk.region] == [current, 1.0, current]
         if before is None or before == current:
             assert frame.stats["jump"] == 0.0
@@ -75,13 +75,13 @@ def test_a_fade_blends_both_regions_pictures(regions: nf.Regions) -> None:
     for later, share in ((0.0, 0.0), (0.5, 0.25), (1.5, 0.75), (2.0, 1.0), (2.5, 1.0)):
         camera = view(on_the_way(seconds + later))
         frame = walk.render(camera, seconds + later)
-        one, two = (shown(regions, number, camera).require("color") for number in (old, new))
+        one, two = (render_region(regions, number, camera).require("color") for number in (old, new))
         np.testing.assert_allclose(frame.require("color"), (1.0 - share) * one + share * two, atol=1e-6)
         assert (frame.stats["region"], frame.stats["fade"]) == (new, share)
         assert frame.stats["jump"] == (regions.jump(old, new, camera) if share < 1.0 else 0.0)
         # Statistics of the newer picture stay beside those of the walk.
-        assert frame.stats["tolerance_held"] == shown(regions, new, camera).stats["tolerance_held"]
-    np.testing.assert_array_equal(frame.color, shown(regions, new, camera).color)
+        assert frame.stats["tolerance_held"] == render_region(regions, new, camera).stats["tolerance_held"]
+    np.testing.assert_array_equal(frame.color, render_region(regions, new, camera).color)
 
 
 def test_other_channels_are_those_of_the_newer_region(scene: nf.Scene) -> None:
@@ -90,14 +90,14 @@ def test_other_channels_are_those_of_the_newer_region(scene: nf.Scene) -> None:
     seconds, frame = until_change(regions, walk)
     new, camera = frame.stats["region"], view(on_the_way(seconds + 1.0))
     frame = walk.render(camera, seconds + 1.0, channels=("range", "color"), samples=2, method="exact")
-    both = [shown(regions, n, camera, channels=("color", "range"), samples=2, method="exact") for n in (0, new)]
+    both = [render_region(regions, n, camera, channels=("color", "range"), samples=2, method="exact") for n in (0, new)]
     np.testing.assert_array_equal(frame.range, both[1].range)
     np.testing.assert_allclose(
         frame.require("color"), 0.9 * both[0].require("color") + 0.1 * both[1].require("color"), atol=1e-6
     )
     frame = walk.render(camera, seconds + 1.0, channels=("range",))
     assert frame.channels == ("range",)
-    np.testing.assert_array_equal(frame.range, shown(regions, new, camera, channels=("range",)).range)
+    np.testing.assert_array_equal(frame.range, render_region(regions, new, camera, channels=("range",)).range)
 
 
 def test_a_fade_of_no_time_is_a_cut(regions: nf.Regions) -> None:
@@ -163,7 +163,7 @@ def test_both_eyes_of_one_moment_are_in_one_region(regions: nf.Regions) -> None:
         left, right = (walk.render(view(eye), float(seconds), user=head) for eye in eyes)
         assert (left.stats["region"], left.stats["fade"]) == (right.stats["region"], right.stats["fade"])
         if left.stats["fade"] == 1.0:
-            afresh = shown(regions, left.stats["region"], view(eyes[0]), user=head)
+            afresh = render_region(regions, left.stats["region"], view(eyes[0]), user=head)
             np.testing.assert_array_equal(left.color, afresh.color)
 
 
@@ -176,7 +176,9 @@ def test_moving_objects_are_posed_in_all_regions() -> None:
         frame = walk.render(view(position), seconds, at=pose)
         without = walk.render(view(position), seconds)
         assert (frame.require("color") != without.require("color")).any(axis=-1).mean() > 0.01
-        np.testing.assert_array_equal(frame.color, shown(regions, frame.stats["region"], view(position), at=pose).color)
+        np.testing.assert_array_equal(
+            frame.color, render_region(regions, frame.stats["region"], view(position), at=pose).color
+        )
 
 
 def test_the_measured_jump_of_a_far_tower_is_the_predicted_one(scene: nf.Scene) -> None:
@@ -188,7 +190,7 @@ def test_the_measured_jump_of_a_far_tower_is_the_predicted_one(scene: nf.Scene) 
     camera = nf.Camera.look_at(position, target, fov=nf.Fov.symmetric(60, 16 / 9), size=(480, 270))
     middles = []
     for number in (0, 1):
-        seen = shown(regions, number, camera, channels=("object_id",)).require("object_id") == tower
+        seen = render_region(regions, number, camera, channels=("object_id",)).require("object_id") == tower
         rows = seen[:, :].any(axis=1)
         # Rows that the tower fills from side to side, without its top and its foot.
         middles.append(np.mean([np.flatnonzero(row).mean() for row in seen[rows][20:-20]]))

@@ -33,7 +33,7 @@ def pane(alphas: list[int], mode: str | None = "BLEND", **changes: Any) -> bytes
     )  # fmt: skip
 
 
-def seen(scene: nf.Scene) -> float:
+def coverage(scene: nf.Scene) -> float:
     """The part of the picture that shows something."""
     found = nf.render(scene, VIEW).range
     assert found is not None
@@ -46,9 +46,13 @@ def seen(scene: nf.Scene) -> float:
 def test_what_is_half_transparent_is_cut_out(tmp_path: Path, alphas: list[int], part: float) -> None:
     (tmp_path / "a.glb").write_bytes(pane(alphas))
     opaque, cut = (nf.Scene.load(tmp_path / "a.glb", blend=blend) for blend in ("opaque", "cutout"))
-    assert seen(opaque) > 0.5
+    assert coverage(opaque) > 0.5
     # The square has four columns of texels; filtering moves its edges by less than one.
-    assert abs(seen(cut) / seen(opaque) - part) < 0.26 if 0 < part < 1 else seen(cut) == part * seen(opaque)
+    assert (
+        abs(coverage(cut) / coverage(opaque) - part) < 0.26
+        if 0 < part < 1
+        else coverage(cut) == part * coverage(opaque)
+    )
     assert opaque.report.notes == nf.Scene.load(tmp_path / "a.glb").report.notes
     assert "1 material with blending drawn opaque" in opaque.report.notes
     assert "1 material with blending drawn where alpha is at least 1/2" in cut.report.notes
@@ -58,7 +62,7 @@ def test_what_is_half_transparent_is_cut_out(tmp_path: Path, alphas: list[int], 
 def test_other_materials_are_drawn_as_ever(tmp_path: Path, mode: str | None, changes: dict[str, Any]) -> None:
     (tmp_path / "a.glb").write_bytes(pane([90] * 4, mode, **changes))
     opaque, cut = (nf.Scene.load(tmp_path / "a.glb", blend=blend) for blend in ("opaque", "cutout"))
-    assert seen(opaque) == seen(cut) > 0.5
+    assert coverage(opaque) == coverage(cut) > 0.5
     assert opaque.report.notes == cut.report.notes
     assert not any("alpha" in note or "blending" in note for note in cut.report.notes)
 
@@ -76,7 +80,7 @@ def test_wavefront_materials_are_cut_out_as_a_whole(tmp_path: Path, opacity: flo
     (tmp_path / "a.mtl").write_text(f"newmtl m\nKd 0.5 0.4 0.3\nd {opacity}\n")
     (tmp_path / "a.obj").write_text("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n")
     scene = nf.Scene.load(tmp_path / "a.obj", blend="cutout")
-    assert (seen(scene) > 0) == is_drawn
+    assert (coverage(scene) > 0) == is_drawn
     assert scene.report.notes == ("1 material with transparency drawn where alpha is at least 1/2",)
 
 

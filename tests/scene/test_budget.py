@@ -51,7 +51,7 @@ def test_the_limit_follows_the_bytes_read() -> None:
     one = Budget()
     assert one.limit == budgets.FREE
     one.add_read(1 << 30)
-    assert one.limit == budgets.MOST
+    assert one.limit == budgets.MAX
     one = Budget(1000)
     one.take(600)
     with pytest.raises(UnusableError, match="it unpacks to more than 1,000 bytes from 0"):

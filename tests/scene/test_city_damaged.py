@@ -140,7 +140,7 @@ def test_damaged_cities_are_an_error_with_a_place(tmp_path: Path, document: Json
 POLYGON = {"type": "Polygon", "coordinates": [square(0, 0, 5)]}
 
 
-def of(**changes: Any) -> Json:
+def changed_polygon(**changes: Any) -> Json:
     return collection({"type": "Feature", "properties": {}, "geometry": {**POLYGON, **changes}})
 
 
@@ -154,22 +154,34 @@ FOOTPRINTS: list[tuple[Any, str]] = [
     (collection(3), "features[0]: expected an object, got int 3"),  # type: ignore[arg-type]
     (collection({"geometry": 3}), "features[0].geometry: expected an object, got int 3"),
     (collection({"geometry": POLYGON, "properties": 3}), "features[0].properties: expected an object, got int 3"),
-    (of(type="Sphere"), "features[0].geometry.type: expected a geometry of GeoJSON, got 'Sphere'"),
-    (of(type=["Polygon"]), "features[0].geometry.type: expected a geometry of GeoJSON, got ['Polygon']"),
-    (of(coordinates=None), "features[0].geometry.coordinates: expected a list, got nothing"),
-    (of(coordinates=5), "features[0].geometry.coordinates: expected a list, got int 5"),
-    (of(coordinates=[5]), "features[0].geometry.coordinates: expected nested lists, got int 5 among them"),
-    (of(coordinates=[[5]]), "features[0].geometry.coordinates: expected positions of two or three numbers, got 5"),
-    (of(coordinates=[[[0, 0], [1], [2, 2]]]), "expected positions of two or three numbers, got [1]"),
-    (of(coordinates=[[[0, 0], ["1", 0], [2, 2]]]), "expected positions of two or three numbers, got ['1', 0]"),
-    (of(coordinates=[[[0, 0], [True, 0], [2, 2]]]), "expected positions of two or three numbers, got [True, 0]"),
-    (of(coordinates=[[[0, 0], [1, 0]]]), "feature 0: a ring of 2 points"),
-    (of(coordinates=[[[0, 0], [1, 0], [0, 0]]]), "feature 0: a ring of 2 points"),
-    (of(coordinates=[[]]), "feature 0: a ring of 0 points"),
-    (of(coordinates=[[[0, 0], [1e31, 0], [2, 2]]]), "feature 0: expected numbers up to 1e+30, got (1e+31, 0)"),
-    (of(coordinates=[[[0, 0], [10**400, 0], [2, 2]]]), "a coordinate is beyond 1e+30"),
+    (changed_polygon(type="Sphere"), "features[0].geometry.type: expected a geometry of GeoJSON, got 'Sphere'"),
+    (changed_polygon(type=["Polygon"]), "features[0].geometry.type: expected a geometry of GeoJSON, got ['Polygon']"),
+    (changed_polygon(coordinates=None), "features[0].geometry.coordinates: expected a list, got nothing"),
+    (changed_polygon(coordinates=5), "features[0].geometry.coordinates: expected a list, got int 5"),
+    (changed_polygon(coordinates=[5]), "features[0].geometry.coordinates: expected nested lists, got int 5 among them"),
     (
-        of(coordinates=[[[0, 0], [1, 0], [2, 0]]], type="MultiPolygon"),
+        changed_polygon(coordinates=[[5]]),
+        "features[0].geometry.coordinates: expected positions of two or three numbers, got 5",
+    ),
+    (changed_polygon(coordinates=[[[0, 0], [1], [2, 2]]]), "expected positions of two or three numbers, got [1]"),
+    (
+        changed_polygon(coordinates=[[[0, 0], ["1", 0], [2, 2]]]),
+        "expected positions of two or three numbers, got ['1', 0]",
+    ),
+    (
+        changed_polygon(coordinates=[[[0, 0], [True, 0], [2, 2]]]),
+        "expected positions of two or three numbers, got [True, 0]",
+    ),
+    (changed_polygon(coordinates=[[[0, 0], [1, 0]]]), "feature 0: a ring of 2 points"),
+    (changed_polygon(coordinates=[[[0, 0], [1, 0], [0, 0]]]), "feature 0: a ring of 2 points"),
+    (changed_polygon(coordinates=[[]]), "feature 0: a ring of 0 points"),
+    (
+        changed_polygon(coordinates=[[[0, 0], [1e31, 0], [2, 2]]]),
+        "feature 0: expected numbers up to 1e+30, got (1e+31, 0)",
+    ),
+    (changed_polygon(coordinates=[[[0, 0], [10**400, 0], [2, 2]]]), "a coordinate is beyond 1e+30"),
+    (
+        changed_polygon(coordinates=[[[0, 0], [1, 0], [2, 0]]], type="MultiPolygon"),
         "expected positions of two or three numbers, got 0",
     ),
     (collection({"geometry": {**POLYGON, "coordinates": [square(8e4, 4e5, 1)]}}, epsg=None), "'crs' names a system"),

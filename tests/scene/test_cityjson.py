@@ -192,7 +192,7 @@ def surfaces_of(document: Any) -> Surfaces:
             shells = geometry["boundaries"] if geometry["type"] == "Solid" else [geometry["boundaries"]]
             for shell in shells:
                 collector.add(Part(name, name), shell, [OBJECTS["Road"]] * len(shell))
-    return collector._checked(False)[0]
+    return collector._usable_surfaces(False)[0]
 
 
 def test_areas_of_a_real_model_are_those_of_newell() -> None:

@@ -14,7 +14,7 @@ import trimesh
 from PIL import Image
 
 import nearfar as nf
-from nearfar._scene.emission import MOST_EMISSION
+from nearfar._scene.emission import MAX_EMISSION
 from nearfar._scene.serialize import parts_of
 from nearfar._scene.srgb import to_linear
 from tests.support import ktx2_cases
@@ -55,7 +55,7 @@ def glow(scene: nf.Scene, number: int = 0) -> np.ndarray | None:
         ({"emissiveFactor": [0.25, 0.5, 1]}, [0.25, 0.5, 1]),
         ({"emissiveFactor": [0.25, 0.5, 1]} | strength(6), [1.5, 3, 6]),
         ({"emissiveFactor": [0, 0.5, 0]} | strength("much"), [0, 0.5, 0]),
-        ({"emissiveFactor": [1, 0, 0.5]} | strength(1e300), [MOST_EMISSION, 0, MOST_EMISSION]),
+        ({"emissiveFactor": [1, 0, 0.5]} | strength(1e300), [MAX_EMISSION, 0, MAX_EMISSION]),
         (strength(6), [0, 0, 0]),
         # Khronos: an unlit material has no other properties than its base colour.
         ({"emissiveFactor": [1, 1, 1]} | UNLIT, [0, 0, 0]),

@@ -9,13 +9,13 @@ import pytest
 
 import nearfar as nf
 from tests.support import need
-from tests.support.exporters import FULL, SOURCES, cameras, drawn, pictures, scene, share, shared
+from tests.support.exporters import FULL, SOURCES, cameras, pictures, render_views, scene, share, shared
 from tests.support.exporters_cases import CASES, DEFAULTS
 from tests.support.exporters_run import EXPORTERS, transform
 
 pytestmark = pytest.mark.slow
 
-LEAST = 0.999
+MIN = 0.999
 """Least share of pixels within 1/255 of the plain file's."""
 
 NEEDS = {"gltfpack": "exporters", "glTF-Transform": "exporters", "Blender": "blender", "Assimp": "assimp"}
@@ -29,7 +29,7 @@ def test_exported_models_look_like_the_plain_files(exporter: str, tmp_path: Path
         need(NEEDS[exporter])
     EXPORTERS[exporter](CASES[exporter], tmp_path)
     shares = {f"{case.source}, {case.settings}": share(case, tmp_path / case.file) for case in CASES[exporter]}
-    assert {name: found for name, found in shares.items() if not found >= LEAST} == {}
+    assert {name: found for name, found in shares.items() if not found >= MIN} == {}
 
 
 def test_there_are_forty_models_by_five_exporters() -> None:
@@ -56,6 +56,6 @@ def test_what_is_rounded_coarsely_looks_as_another_reader_reads_it(tmp_path: Pat
     transform([(*paths, [["dequantize", {}], ["decode", {}]]) for paths in decoded], tmp_path)
     for case, (packed, plain) in zip(DEFAULTS, decoded, strict=True):
         assert not nf._base.glb.header(plain.read_bytes())[0].get("extensionsRequired")
-        ours, theirs = (drawn(nf.Scene.load(path), case.source, FULL) for path in (packed, plain))
-        assert shared(ours, theirs) >= LEAST, case
+        ours, theirs = (render_views(nf.Scene.load(path), case.source, FULL) for path in (packed, plain))
+        assert shared(ours, theirs) >= MIN, case
         assert np.any(np.asarray(ours) != np.asarray(pictures(case.source, FULL)))

@@ -36,7 +36,7 @@ def square(faces: Stream | None = None) -> list[Stream]:
     return [attributes(CORNERS), faces or triangles(FACES)]
 
 
-def counted(corners: NDArray[Any]) -> Counter[Any]:
+def count_triangles(corners: NDArray[Any]) -> Counter[Any]:
     """Triangles (N, 3, 3), rounded to whole numbers, in any order and with any corner first."""
     faces = np.rint(corners).astype(np.int64).tolist()
     return Counter(min((a, b, c), (b, c, a), (c, a, b)) for a, b, c in (map(tuple, face) for face in faces))
@@ -122,7 +122,7 @@ def test_real_ducks_have_the_triangles_of_the_plain_one(bits: int) -> None:
     # Two of 2¹⁵ steps of float32's 2²³ at coordinates near 1.
     np.testing.assert_allclose(found, np.rint(found), atol=2.0**-7)
     # Coordinates that lie halfway between two steps may be rounded to either.
-    assert (counted(found) & counted(whole(plain))).total() > 0.98 * 4212
+    assert (count_triangles(found) & count_triangles(whole(plain))).total() > 0.98 * 4212
     np.testing.assert_allclose(packed.bounds, plain.bounds, atol=step)
 
 
@@ -131,7 +131,7 @@ def test_real_boxes_have_the_triangles_of_the_plain_one(name: str) -> None:
     packed = nf.Scene.load(data(f"{BOXES}/extensions/test/in/{name}"))
     plain = nf.Scene.load(data(f"{BOXES}/core/test/in/Box_glTF-Binary/Box.glb"))
     # All corners are ±0.5; both files hold them to 2⁻¹⁴ at least.
-    assert counted(2 * packed.triangles()) == counted(2 * plain.triangles())
+    assert count_triangles(2 * packed.triangles()) == count_triangles(2 * plain.triangles())
     np.testing.assert_allclose(packed.bounds, [[-0.5] * 3, [0.5] * 3], atol=2.0**-13)
 
 

@@ -61,7 +61,7 @@ def expected(mode: int, corners: list[int]) -> list[tuple[int, int, int]]:
     return found
 
 
-def turned(faces: Any) -> list[tuple[int, ...]]:
+def least_corner_first(faces: Any) -> list[tuple[int, ...]]:
     """Triangles with their least corner first, whichever corner they begin at."""
     rows = [tuple(map(int, face)) for face in faces]
     return [min((a, b, c), (b, c, a), (c, a, b)) for a, b, c in rows]
@@ -72,7 +72,7 @@ def turned(faces: Any) -> list[tuple[int, ...]]:
 )
 def test_triangles_are_those_of_the_specification(mode: int, corners: list[int], kind: type[np.generic]) -> None:
     faces = of_corners.faces(mode, np.array(corners, kind), is_indexed=True)
-    assert turned(faces) == turned(expected(mode, corners))
+    assert least_corner_first(faces) == least_corner_first(expected(mode, corners))
 
 
 @pytest.mark.parametrize("mode", [STRIP, FAN])
@@ -82,7 +82,7 @@ def test_strips_and_fans_load(tmp_path: Path, mode: int, kind: type[np.generic] 
     scene = load(tmp_path, primitive(mode, corners))
     faces = expected(mode, list(range(len(POINTS))) if corners is None else corners.tolist())
     numbers = [[int(np.argmin(np.abs(POINTS - corner).sum(axis=1))) for corner in face] for face in scene.triangles()]
-    assert sorted(turned(numbers)) == sorted(turned(faces))
+    assert sorted(least_corner_first(numbers)) == sorted(least_corner_first(faces))
     assert scene.report.degenerate_faces == 0
     assert scene.report.notes == ()
 

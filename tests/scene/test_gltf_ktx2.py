@@ -30,7 +30,7 @@ def load(folder: Path, content: bytes, **options: Any) -> nf.Scene:
     return nf.Scene.load(folder / "a.glb", **options)
 
 
-def drawn(scene: nf.Scene) -> NDArray[Any]:
+def only_texture(scene: nf.Scene) -> NDArray[Any]:
     """The scene's only texture."""
     (texture,) = nf._core.scene_parts(scene._core)["textures"]
     return np.asarray(texture)
@@ -53,7 +53,7 @@ def test_plain_pixels_come_back(tmp_path: Path, kind: int, type_: str, channels:
     shape = (5, 7, len(channels))
     levels = DICE.random(shape)
     pixels = levels.astype(type_) if type_[0] == "f" else (levels * np.iinfo(type_).max).astype(type_)
-    texels = drawn(load(tmp_path, glb(ktx2(pixels, kind, packed=packed))))
+    texels = only_texture(load(tmp_path, glb(ktx2(pixels, kind, packed=packed))))
     expected = levels if type_[0] != "f" else np.where(np.array([c == "A" for c in channels]), levels, gamma(levels))
     for place, channel in enumerate(channels):
         np.testing.assert_allclose(texels[..., "RGBA".index(channel)], 255 * expected[..., place], atol=1.01)
@@ -63,14 +63,14 @@ def test_plain_pixels_come_back(tmp_path: Path, kind: int, type_: str, channels:
 
 def test_row_0_may_be_the_lowest(tmp_path: Path) -> None:
     pixels = DICE.integers(0, 256, (3, 4, 4), np.uint8)
-    found = drawn(load(tmp_path, glb(ktx2(pixels, 43, notes=b"\x12\0\0\0KTXorientation\0ru\0\0"))))
+    found = only_texture(load(tmp_path, glb(ktx2(pixels, 43, notes=b"\x12\0\0\0KTXorientation\0ru\0\0"))))
     np.testing.assert_array_equal(found, pixels[::-1])
 
 
 @pytest.mark.parametrize("name", ["kota-onelevel", "kota-mipmaps", "kota-automipmap"])
 def test_basis_pictures_look_like_their_source(tmp_path: Path, name: str) -> None:
     need("opengl_basisu")
-    texels = drawn(load(tmp_path, glb(data(f"{KOTA}/{name}.ktx2").read_bytes())))
+    texels = only_texture(load(tmp_path, glb(data(f"{KOTA}/{name}.ktx2").read_bytes())))
     with Image.open(data(f"{KOTA}/kota.jpg")) as image:
         source = np.asarray(image.convert("RGB"), np.float64)
     assert texels.shape == (*source.shape[:2], 4)
@@ -81,14 +81,14 @@ def test_basis_pictures_look_like_their_source(tmp_path: Path, name: str) -> Non
 @pytest.mark.parametrize(("name", "color"), [("etc1s", (186, 150, 0)), ("uastc", (186, 150, 0))])
 def test_both_codecs_are_read(tmp_path: Path, name: str, color: tuple[int, int, int]) -> None:
     need("opengl_basisu")
-    texels = drawn(load(tmp_path, glb(data(f"{FILES}/2d_{name}.ktx2").read_bytes())))
+    texels = only_texture(load(tmp_path, glb(data(f"{FILES}/2d_{name}.ktx2").read_bytes())))
     assert texels.shape == (40, 40, 4)
     np.testing.assert_allclose(np.median(texels, axis=(0, 1)), [*color, 255], atol=6)
 
 
 @pytest.mark.parametrize("name", ["rgb8", "rgba8", "rgba16_linear", "rgba32_linear"])
 def test_real_plain_pixels_are_green(tmp_path: Path, name: str) -> None:
-    texels = drawn(load(tmp_path, glb(data(f"{FILES}/2d_{name}.ktx2").read_bytes())))
+    texels = only_texture(load(tmp_path, glb(data(f"{FILES}/2d_{name}.ktx2").read_bytes())))
     # All were made from one green, which was linear light or sRGB.
     np.testing.assert_allclose(np.median(texels, axis=(0, 1)), [78, 178, 75, 255], atol=6)
 
@@ -106,7 +106,7 @@ def test_files_written_from_a_scene_hold_all_textures(tmp_path: Path) -> None:
     material = {"pbrMetallicRoughness": surface, "normalTexture": {"index": 1}}
     bumps = ktx2(other, 23)
     scene = load(tmp_path, glb(ktx2(pixels, 29), bumps, materials=[material]))
-    np.testing.assert_array_equal(drawn(scene)[..., :3], pixels)
+    np.testing.assert_array_equal(only_texture(scene)[..., :3], pixels)
     assert not any("texture" in note or "map saved" in note for note in scene.report.notes)
     nf.lod.export(scene, tmp_path / "written.glb", view=FOV)
     document, binary = decode(tmp_path / "written.glb")
@@ -114,7 +114,7 @@ def test_files_written_from_a_scene_hold_all_textures(tmp_path: Path) -> None:
     assert document["extensionsRequired"] == [EXTENSION]
     assert bumps in binary
     again = nf.Scene.load(tmp_path / "written.glb")
-    np.testing.assert_array_equal(drawn(again), drawn(scene))
+    np.testing.assert_array_equal(only_texture(again), only_texture(scene))
 
 
 def test_pictures_beside_it_need_no_decoder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -123,7 +123,7 @@ def test_pictures_beside_it_need_no_decoder(tmp_path: Path, monkeypatch: pytest.
     packed = data(f"{FILES}/2d_etc1s.ktx2").read_bytes()
     plain = [{"source": 1, "extensions": {EXTENSION: {"source": 0}}}]
     scene = load(tmp_path, glb(packed, picture(0, "png"), textures=plain))
-    assert drawn(scene).shape == (8, 6, 4)
+    assert only_texture(scene).shape == (8, 6, 4)
     bumps = [{"normalTexture": {"index": 0}, "pbrMetallicRoughness": {"metallicFactor": 0}}]
     assert load(tmp_path, glb(packed, materials=bumps)).triangle_count == 2
 
@@ -174,7 +174,7 @@ def test_files_that_are_cut_off_are_errors(tmp_path: Path, name: str) -> None:
     for length in range(12, len(content), max(1, len(content) // 100)):
         # Bytes are kept behind the largest level of some.
         try:
-            assert drawn(load(tmp_path, glb(content[:length]))).shape == (40, 40, 4)
+            assert only_texture(load(tmp_path, glb(content[:length]))).shape == (40, 40, 4)
         except nf.SceneError as error:
             assert "a.glb: its texture 0, a KTX 2 image, " in str(error)  # noqa: PT017
         else:
@@ -220,5 +220,5 @@ def test_lossy_and_lossless_webp_are_drawn(tmp_path: Path) -> None:
         Image.fromarray(source).save(file, "webp", lossless=lossless, quality=95)
         name = "EXT_texture_webp"
         content = glb(file.getvalue(), textures=[{"extensions": {name: {"source": 0}}}], extensionsRequired=[name])
-        found = drawn(load(tmp_path, content))[..., :3].astype(float)
+        found = only_texture(load(tmp_path, content))[..., :3].astype(float)
         assert np.abs(found - source).mean() <= most

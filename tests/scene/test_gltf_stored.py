@@ -207,11 +207,11 @@ def test_unfit_meshes_are_dropped_in_one_pass(tmp_path: Path, monkeypatch: pytes
     made: list[Any] = []
     original = _core.StoredMeshes
 
-    def counted(*given: Any) -> Any:
+    def record_result(*given: Any) -> Any:
         made.append(original(*given))
         return made[-1]
 
-    monkeypatch.setattr(_core, "StoredMeshes", counted)
+    monkeypatch.setattr(_core, "StoredMeshes", record_result)
     scene = nf.Scene.load(path, on_invalid="drop")
     assert (len(made), scene.triangle_count, scene.report.dropped_faces) == (1, 2 * count - 1, 1)
 

@@ -12,11 +12,11 @@ import nearfar as nf
 from nearfar import _core
 from nearfar._scene.builder import SceneBuilder
 from tests.support import render_oracle as oracle
-from tests.support.normal_cases import PLACES, Array, around, ball, camera, colors, scene_of
+from tests.support.normal_cases import PLACES, Array, ball, camera, colors, scene_around, scene_of
 from tests.support.render_oracle import Surface
 
 
-def placed(vertices: Array, faces: Array, normals: Array, place: Array, **attributes: Any) -> Surface:
+def to_world(vertices: Array, faces: Array, normals: Array, place: Array, **attributes: Any) -> Surface:
     """The mesh in world coordinates by textbook formulas, with outsides outside."""
     linear = place[:3, :3]
     rows = normals @ np.linalg.inv(linear)  # rows times the inverse are columns times the inverse transpose
@@ -47,7 +47,7 @@ def test_colours_agree_with_brute_force(place: Array, how: str) -> None:
     places = [place] if how == "merged" else [place, beside @ place]
     scene = scene_of(vertices, faces, vertices, *places, dynamic=how == "moving")
     assert scene.report.meshes == 1
-    check(scene, [placed(vertices, faces, vertices.astype(float), matrix) for matrix in places], camera())
+    check(scene, [to_world(vertices, faces, vertices.astype(float), matrix) for matrix in places], camera())
 
 
 @pytest.mark.parametrize("lean", [0.5, 2.0, 8.0])
@@ -102,7 +102,7 @@ def test_zeros_stand_for_the_faces_own_normal() -> None:
     for name in ("as it is", "mirrored"):
         one, other = (colors(scene_of(vertices, faces, normals, PLACES[name])) for normals in (some, None))
         assert (one != other).mean() > 0.1
-    check(scene_of(vertices, faces, some), [placed(vertices, faces, some.astype(float), np.eye(4))], camera())
+    check(scene_of(vertices, faces, some), [to_world(vertices, faces, some.astype(float), np.eye(4))], camera())
 
 
 def test_normals_may_point_inwards_as_those_of_files_do() -> None:
@@ -117,7 +117,7 @@ def test_poses_turn_stretch_and_mirror_normals() -> None:
     vertices, faces = ball()
     scene = scene_of(vertices, faces, vertices, np.eye(4), dynamic=True)
     for place in PLACES.values():
-        check(scene.at({"ball 0": place}), [placed(vertices, faces, vertices.astype(float), place)], camera())
+        check(scene.at({"ball 0": place}), [to_world(vertices, faces, vertices.astype(float), place)], camera())
 
 
 def test_whether_a_mesh_is_merged_changes_nothing() -> None:
@@ -195,7 +195,7 @@ def test_a_split_trimesh_keeps_the_normals_that_it_was_given() -> None:
 @pytest.mark.parametrize("method", ["vertex", "exact"])
 def test_a_user_in_the_centre_of_a_reduced_scene_sees_the_truth(morph: str, method: Any) -> None:
     center = np.array([3.0, 1.7, -2.0])
-    scene = around(center)
+    scene = scene_around(center)
     channels = ("color", "object_id")
     reduced = nf.reduce(
         scene, center=center, r1=15, r2=25, face_size=512, morph=morph, samples=1, channels=("range", *channels)

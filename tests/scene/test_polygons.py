@@ -61,7 +61,7 @@ def polygons(seed: int, count: int) -> list[list[Ring]]:
     return made
 
 
-def inside(polygon: Sequence[Ring], points: NDArray[np.float64]) -> NDArray[np.bool_]:
+def in_polygon(polygon: Sequence[Ring], points: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Whether points lie inside, by crossings of a ray."""
     odd = np.zeros(len(points), bool)
     for ring in polygon:
@@ -83,7 +83,7 @@ def test_areas_are_those_of_the_shoelace_formula_and_nothing_lies_outside() -> N
         expected = abs(shoelace(polygon[0])) - sum(abs(shoelace(hole)) for hole in polygon[1:])
         assert areas(points, own).sum() == pytest.approx(expected, rel=1e-9)
         big = own[areas(points, own) > 1e-6]
-        assert inside(polygon, points[big].mean(axis=1)).all()
+        assert in_polygon(polygon, points[big].mean(axis=1)).all()
 
 
 def test_triangles_are_as_many_as_those_of_mapbox() -> None:

@@ -66,7 +66,7 @@ def load(folder: Path, file: bytes) -> nf.Scene:
     return nf.Scene.load(folder / "a.glb")
 
 
-def shown(scene: nf.Scene) -> NDArray[Any]:
+def first_square(scene: nf.Scene) -> NDArray[Any]:
     """Texture coordinates (4, 2) of the first square's corners in their order in the file, v pointing down."""
     parts = nf._core.mesh_parts(scene._core.merged())
     corners = np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
@@ -81,7 +81,7 @@ def picture_of(scene: nf.Scene, view: nf.Camera) -> NDArray[np.float32]:
     return color
 
 
-def moved(uv: Any, transform: dict[str, Any]) -> tuple[float, float]:
+def transform_uv(uv: Any, transform: dict[str, Any]) -> tuple[float, float]:
     """One point, scaled, then turned counter-clockwise in an image whose v points down, then moved."""
     u, v = (float(x) * s for x, s in zip(uv, transform.get("scale", (1, 1)), strict=True))
     turn = complex(u, -v) * complex(math.cos(angle := transform.get("rotation", 0)), math.sin(angle))
@@ -91,15 +91,15 @@ def moved(uv: Any, transform: dict[str, Any]) -> tuple[float, float]:
 
 @given(TRANSFORMS, st.lists(NUMBERS, min_size=2, max_size=2))
 def test_points_move_as_the_extension_says(transform: dict[str, Any], uv: list[float]) -> None:
-    found = coordinates.of(info(**transform)).upwards(np.array([uv], np.float32))
-    u, v = moved(uv, transform)
+    found = coordinates.from_texture_info(info(**transform)).upwards(np.array([uv], np.float32))
+    u, v = transform_uv(uv, transform)
     # One rounding to float32 of numbers up to 4 · 4 · √2 + 4 + 1.
     np.testing.assert_allclose(found, np.array([[u, 1 - v]]), rtol=0, atol=2**-19)
 
 
 def test_the_example_of_the_extension_shows_the_lower_left_quarter() -> None:
     """Of the image, "rotated clockwise 90°": its lower left corner goes to the upper left one of the square."""
-    example = coordinates.of(info(offset=[0, 1], rotation=1.57079632679, scale=[0.5, 0.5]))
+    example = coordinates.from_texture_info(info(offset=[0, 1], rotation=1.57079632679, scale=[0.5, 0.5]))
     corners = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], np.float32)
     found = example.upwards(corners) * [1, -1] + [0, 1]
     np.testing.assert_allclose(found, np.array([[0, 1], [0, 0.5], [0.5, 0.5], [0.5, 1]]), atol=1e-7)
@@ -115,15 +115,15 @@ def test_the_base_colour_has_its_set_and_its_transform(
 ) -> None:
     scene = load(tmp_path, content([base(**stated, **transform)]))
     assert scene.report.textures == 1
-    expected = [moved(uv, transform) for uv in SETS[number]]
-    np.testing.assert_allclose(shown(scene), expected, atol=1e-6)
+    expected = [transform_uv(uv, transform) for uv in SETS[number]]
+    np.testing.assert_allclose(first_square(scene), expected, atol=1e-6)
     assert not any("ignored" in note or "coordinates" in note for note in scene.report.notes)
 
 
 def test_a_picture_is_that_of_coordinates_that_were_moved_before(tmp_path: Path) -> None:
     transform = {"offset": [0.1, 0.2], "rotation": 0.4, "scale": [3, 2]}
     scene = load(tmp_path, content([base(number=1, **transform)]))
-    baked = np.array([moved(uv, transform) for uv in SETS[1]], np.float32)
+    baked = np.array([transform_uv(uv, transform) for uv in SETS[1]], np.float32)
     document, binary = split(content([base()]))
     start = document["bufferViews"][-1]["byteOffset"]
     binary = binary[:start] + baked.tobytes() + binary[start + baked.nbytes :]
@@ -141,7 +141,7 @@ def test_squares_that_share_a_material_use_their_own_sets(tmp_path: Path) -> Non
         mesh["primitives"][0]["material"] = 0
     scene = load(tmp_path, encode(document, binary))
     for square, number in ((0, 1), (1, 2)):
-        np.testing.assert_allclose(shown(scene.subset(objects=[f"square{square}"])), SETS[number], atol=1e-6)
+        np.testing.assert_allclose(first_square(scene.subset(objects=[f"square{square}"])), SETS[number], atol=1e-6)
     assert scene.report.materials == 2  # with a texture and without
 
 
@@ -153,13 +153,13 @@ def test_coordinates_of_small_whole_numbers_are_moved_in_full(tmp_path: Path) ->
     binary = binary[:place] + rows.tobytes() + binary[place + rows.nbytes :]
     document["accessors"][3] |= {"componentType": 5123}
     scene = load(tmp_path, encode(document, binary))
-    np.testing.assert_allclose(shown(scene), rows / 4095, atol=1e-7)
+    np.testing.assert_allclose(first_square(scene), rows / 4095, atol=1e-7)
 
 
 @given(TRANSFORMS, TRANSFORMS, st.lists(NUMBERS, min_size=2, max_size=2))
 def test_maps_keep_their_place_on_the_shape(one: dict[str, Any], other: dict[str, Any], uv: list[float]) -> None:
     """The transform stated for a map leads from the base colour's coordinates to its own; or nothing is stated."""
-    shown_first, own = coordinates.of(info(**one)), coordinates.of(info(**other))
+    shown_first, own = coordinates.from_texture_info(info(**one)), coordinates.from_texture_info(info(**other))
     stated = coordinates.relative(info(**other), shown_first)
     linear = shown_first.matrix[:, :2]
     if stated is None:
@@ -170,8 +170,8 @@ def test_maps_keep_their_place_on_the_shape(one: dict[str, Any], other: dict[str
         return
     start = shown_first.matrix @ [*uv, 1]
     end = own.matrix @ [*uv, 1]
-    size = max(1, np.abs(coordinates.of(info(**stated)).matrix).max())
-    np.testing.assert_allclose(moved(start, stated), end, atol=1e-6 * size)
+    size = max(1, np.abs(coordinates.from_texture_info(info(**stated)).matrix).max())
+    np.testing.assert_allclose(transform_uv(start, stated), end, atol=1e-6 * size)
 
 
 @pytest.mark.parametrize(
@@ -183,16 +183,16 @@ def test_maps_keep_their_place_on_the_shape(one: dict[str, Any], other: dict[str
     ],
 )
 def test_turns_and_scales_can_be_stated(transform: dict[str, Any]) -> None:
-    assert coordinates.relative(info(), coordinates.of(info(**transform))) is not None
-    assert coordinates.relative(info(**transform), coordinates.of(info(**transform))) == {}
-    assert coordinates.relative(info(**transform), coordinates.of(info())) == transform
+    assert coordinates.relative(info(), coordinates.from_texture_info(info(**transform))) is not None
+    assert coordinates.relative(info(**transform), coordinates.from_texture_info(info(**transform))) == {}
+    assert coordinates.relative(info(**transform), coordinates.from_texture_info(info())) == transform
 
 
 def test_shears_and_lost_coordinates_cannot_be_stated() -> None:
-    turned = coordinates.of(info(rotation=0.5, scale=[1, 3]))
+    turned = coordinates.from_texture_info(info(rotation=0.5, scale=[1, 3]))
     assert coordinates.relative(info(rotation=0.1), turned) is None
-    assert coordinates.relative(info(), coordinates.of(info(scale=[0, 1]))) is None
-    assert coordinates.relative(info(number=1), coordinates.of(info())) is None
+    assert coordinates.relative(info(), coordinates.from_texture_info(info(scale=[0, 1]))) is None
+    assert coordinates.relative(info(number=1), coordinates.from_texture_info(info())) is None
 
 
 def test_files_written_from_a_scene_show_each_map_where_it_was(tmp_path: Path) -> None:
@@ -218,19 +218,19 @@ def test_files_written_from_a_scene_show_each_map_where_it_was(tmp_path: Path) -
     stated = written["normalTexture"]["extensions"][TRANSFORM]
     assert document["extensionsUsed"] == [TRANSFORM]
     for uv in SETS[1]:
-        np.testing.assert_allclose(moved(moved(uv, one), stated), moved(uv, other), atol=1e-6)
+        np.testing.assert_allclose(transform_uv(transform_uv(uv, one), stated), transform_uv(uv, other), atol=1e-6)
     again = nf.Scene.load(tmp_path / "written.glb")
-    np.testing.assert_allclose(shown(again), [moved(uv, one) for uv in SETS[1]], atol=1e-6)
+    np.testing.assert_allclose(first_square(again), [transform_uv(uv, one) for uv in SETS[1]], atol=1e-6)
 
 
 def test_without_a_base_colour_the_emission_or_the_first_map_has_its_coordinates(tmp_path: Path) -> None:
     moves: dict[str, Any] = {"scale": [2, 3], "offset": [1, 1]}
     glow = {"emissiveTexture": info(1, **moves), "normalTexture": info(1, 1, **moves), "emissiveFactor": [1.0] * 3}
     scene = load(tmp_path, content([glow]))
-    np.testing.assert_allclose(shown(scene), [moved(uv, moves) for uv in SETS[1]], atol=1e-6)
+    np.testing.assert_allclose(first_square(scene), [transform_uv(uv, moves) for uv in SETS[1]], atol=1e-6)
     bumps = {"normalTexture": info(2, 1, **moves)}
     scene = load(tmp_path, content([bumps]))
-    np.testing.assert_allclose(shown(scene), SETS[2], atol=1e-6)
+    np.testing.assert_allclose(first_square(scene), SETS[2], atol=1e-6)
     nf.lod.export(scene, tmp_path / "written.glb", view=FOV)
     (written,) = decode(tmp_path / "written.glb")[0]["materials"]
     assert written["normalTexture"]["extensions"] == {TRANSFORM: moves}
@@ -245,7 +245,7 @@ def test_without_a_base_colour_the_emission_or_the_first_map_has_its_coordinates
 )  # fmt: skip
 def test_entries_of_wrong_types_count_as_absent(tmp_path: Path, transform: dict[str, Any]) -> None:
     scene = load(tmp_path, content([base(**transform)]))
-    np.testing.assert_allclose(shown(scene), SETS[0], atol=1e-6)
+    np.testing.assert_allclose(first_square(scene), SETS[0], atol=1e-6)
 
 
 @pytest.mark.parametrize("scale", [1e30, 1e300])

@@ -20,7 +20,7 @@ from tests.support.tile_cases import Y_UP_TO_Z_UP, b3dm, cmpt, glb, instanced, t
 TO_SCENE = np.array([[1.0, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]])
 
 
-def placed(path: Path) -> NDArray[np.float64]:
+def model_transforms(path: Path) -> NDArray[np.float64]:
     """Transforms model→tile (N, 4, 4) of a tile that lies nowhere on the Earth, z up."""
     nodes = Tileset.open(path).read().nodes
     return np.asarray(np.linalg.inv(TO_SCENE) @ nodes.transforms)
@@ -54,7 +54,7 @@ def test_instances_turn_and_grow(tmp_path: Path) -> None:
     }
     path = write(tmp_path, {"a.i3dm": instanced(glb(), 3, **rows)})
     expected = [rigid(rotations[n], PLACES[n], sizes[n] * (n + 1)) for n in range(3)]
-    np.testing.assert_allclose(placed(path), expected, atol=2e-6)
+    np.testing.assert_allclose(model_transforms(path), expected, atol=2e-6)
 
 
 def encoded(vectors: NDArray[np.float64]) -> NDArray[np.uint16]:
@@ -81,7 +81,7 @@ def test_packed_instances(tmp_path: Path) -> None:
     }
     path = write(tmp_path, {"a.i3dm": instanced(glb(), 3, **rows)})
     expected = np.array([[-3, 13, 1009], [97, 23, 1010], [17, 17, 1009.8]])
-    for n, matrix in enumerate(placed(path)):
+    for n, matrix in enumerate(model_transforms(path)):
         # Axes of 16 bits are off by up to 4e-5.
         np.testing.assert_allclose(matrix, rigid(rotations[n], expected[n]), atol=1e-4)
 
@@ -182,7 +182,7 @@ def points() -> bytes:
 def test_tables_without_bytes_state_their_rows(tmp_path: Path) -> None:
     data = instanced(glb(), 2, POSITION=[0, 0, 0, 10, 0, 0], SCALE=[1, 2])
     np.testing.assert_allclose(
-        placed(write(tmp_path, {"a.i3dm": data})), [rigid(np.eye(3), 0), rigid(np.eye(3), [10, 0, 0], 2)]
+        model_transforms(write(tmp_path, {"a.i3dm": data})), [rigid(np.eye(3), 0), rigid(np.eye(3), [10, 0, 0], 2)]
     )
 
 

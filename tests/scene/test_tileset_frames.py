@@ -35,13 +35,13 @@ def test_a_local_frame_is_that_of_proj() -> None:
 
 
 def test_a_default_frame_is_the_stated_one() -> None:
-    frame = frames.around(earth_centred(np.array([0.123456789123, -0.7, 12.3456])))
+    frame = frames.local_frame_at(earth_centred(np.array([0.123456789123, -0.7, 12.3456])))
     assert frame is not None
     assert frame.origin is not None
     np.testing.assert_array_equal(frame.to_scene, frames.local(frame.origin).to_scene)
     assert f"longitude {frame.origin[0]:.9f}°" in frame.note
-    assert frames.around(np.zeros(3)) is None
-    assert frames.around(np.array([500_000.0, 5_300_000.0, 100.0])) is None  # a national grid
+    assert frames.local_frame_at(np.zeros(3)) is None
+    assert frames.local_frame_at(np.array([500_000.0, 5_300_000.0, 100.0])) is None  # a national grid
 
 
 def test_boxes_hold_their_regions() -> None:

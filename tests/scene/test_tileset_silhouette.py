@@ -39,20 +39,20 @@ def manhattan(folder: Path) -> Path:
     cells = np.minimum((places - places.min(axis=0)) / np.ptp(places, axis=0) * 4, 3).astype(int)
     files: dict[str, bytes] = {}
 
-    def within(level: int, x: int, z: int) -> NDArray[np.bool_]:
+    def in_tile(level: int, x: int, z: int) -> NDArray[np.bool_]:
         width = 4 >> level
         low, high = np.array([x, z]) * width, np.array([x + 1, z + 1]) * width
         return np.asarray(((cells >= low) & (cells < high)).all(axis=1))
 
     def branch(level: int, x: int, z: int) -> dict[str, object]:
-        inside = triangles[within(level, x, z)]
+        inside = triangles[in_tile(level, x, z)]
         name = f"{level}_{x}_{z}.b3dm"
         files[name] = b3dm(glb(*simplified(inside, SHARES[level])))
         # Tiles are z up.
         turned = inside.reshape(-1, 3)[:, [0, 2, 1]] * (1, -1, 1)
         volume = box(turned.min(axis=0), turned.max(axis=0))
         children = [(level + 1, 2 * x + a, 2 * z + b) for a in (0, 1) for b in (0, 1)] if level < 2 else []
-        below = [branch(*cell) for cell in children if within(*cell).any()]
+        below = [branch(*cell) for cell in children if in_tile(*cell).any()]
         return tile(ERRORS[level], name, volume, refine="REPLACE", children=below)
 
     return write(folder, {"tileset.json": tileset(branch(0, 0, 0)), **files})

@@ -28,7 +28,7 @@ MADE = json.loads((Path(__file__).parent / "tiles.json").read_text(encoding="utf
 MILLIMETRE = 1e-3
 
 
-def made(folder: Path, *names: str) -> Path:
+def write_samples(folder: Path, *names: str) -> Path:
     """Write files of 3d-tiles-tools; returns the path of the first one."""
     return write(folder, {name: base64.b64decode(MADE[name]) for name in names})
 
@@ -177,14 +177,14 @@ def test_a_tileset_without_a_usable_tile_is_refused(folder: str, words: str) -> 
 def test_tiles_of_3d_tiles_tools(tmp_path: Path, name: str) -> None:
     if name.startswith("draco"):
         need("DracoPy")
-    scene = nf.Scene.load(made(tmp_path, name))
+    scene = nf.Scene.load(write_samples(tmp_path, name))
     assert scene.triangle_count == 12
     # Draco rounds to 2^-11 of the size.
     np.testing.assert_allclose(scene.bounds, [[0.5, 1.5, 2.5], [1.5, 2.5, 3.5]], atol=1e-3 if "draco" in name else 1e-6)
 
 
 def test_a_tileset_that_3d_tiles_tools_places_on_the_earth(tmp_path: Path) -> None:
-    path = made(tmp_path, "tileset.json", "cube.i3dm")
+    path = write_samples(tmp_path, "tileset.json", "cube.i3dm")
     scene = nf.Scene.load(path, origin=(139.767, 35.681, 40))
     # Tilesets turn y to z, and the scene's frame turns it back.
     np.testing.assert_allclose(scene.bounds, [[0.5, 1.5, 2.5], [1.5, 2.5, 3.5]], rtol=0, atol=MILLIMETRE / 1000)

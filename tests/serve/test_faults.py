@@ -58,7 +58,7 @@ def connect(server: Server, receives: int | None = None) -> socket.socket:
     return line
 
 
-def sent(server: Server, text: bytes) -> bytes:
+def exchange(server: Server, text: bytes) -> bytes:
     """All that the server answers to a text, until it closes the connection."""
     with connect(server) as line:
         line.sendall(text)
@@ -93,7 +93,7 @@ def count(server: Server, name: str) -> float:
 )
 @pytest.mark.parametrize("method", [b"GET", b"HEAD"])
 def test_other_paths_give_nothing(server: Server, target: bytes, method: bytes) -> None:
-    answer = sent(server, b"%b %b HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n" % (method, target))
+    answer = exchange(server, b"%b %b HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n" % (method, target))
     assert SECRET not in answer
     assert b"root:" not in answer
     # It is refused, or the connection is closed.

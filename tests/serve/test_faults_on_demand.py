@@ -24,7 +24,7 @@ from tests.support.waiting import wait_until
 KILLS = 2
 
 
-def asked(stack: ExitStack, server: Server, place: str, source: str) -> http.client.HTTPResponse:
+def request_region(stack: ExitStack, server: Server, place: str, source: str) -> http.client.HTTPResponse:
     """The answer to a client that asks for a region, of which the head has come; the client goes with the stack."""
     line = http.client.HTTPConnection(urlsplit(server.url).netloc, timeout=300, source_address=(source, 0))
     stack.callback(line.close)
@@ -47,10 +47,10 @@ def last_event(answer: http.client.HTTPResponse) -> dict[str, Any]:
 def test_a_flood_is_bounded_and_others_come_next() -> None:
     kitchen = Kitchen()
     with Server({"": kitchen.site()}, limits=Limits(threads=1)) as server, ExitStack() as stack:
-        flood = [asked(stack, server, f"{10 * number},0,0", "127.0.0.1") for number in range(60)]
+        flood = [request_region(stack, server, f"{10 * number},0,0", "127.0.0.1") for number in range(60)]
         assert [answer.status for answer in flood] == [200] * 4 + [429] * 56
         wait_until(lambda: len(kitchen.begun) == 1)
-        other = asked(stack, server, "-50,0,0", "127.0.0.2")
+        other = request_region(stack, server, "-50,0,0", "127.0.0.2")
         assert get(server.url + "files/other").content == b"another file"
         # The one that was begun ends, and then the other client's turn comes before the flood's.
         kitchen.let(2)
@@ -65,7 +65,7 @@ def test_a_flood_from_many_addresses_is_bounded_and_leaves_nothing() -> None:
     limits = Limits(regions=16, regions_per_client=2)
     with Server({"": kitchen.site()}, limits=limits) as server, ExitStack() as stack:
         flood = [
-            asked(stack, server, f"{10 * (3 * client + number)},0,0", f"127.0.1.{client}")
+            request_region(stack, server, f"{10 * (3 * client + number)},0,0", f"127.0.1.{client}")
             for client in range(1, 21)
             for number in range(3)
         ]
@@ -78,7 +78,7 @@ def test_a_flood_from_many_addresses_is_bounded_and_leaves_nothing() -> None:
         stack.close()
         wait_until(lambda: waiting(server) == 0)
         kitchen.let(1)
-        assert last_event(asked(stack, server, "-50,0,0", "127.0.0.2"))["event"] == "end"
+        assert last_event(request_region(stack, server, "-50,0,0", "127.0.0.2"))["event"] == "end"
 
 
 def check(url: str, place: str = "0,0,0") -> None:

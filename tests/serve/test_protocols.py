@@ -168,7 +168,7 @@ def test_counts_tell_what_was_answered(place: Path) -> None:
         for path in ("/", "/nothing", "/nothing"):
             asking.get(path)
         size = len(asking.get("/page.js", headers={"Accept-Encoding": "identity"}).content)
-        counts = counted(asking)
+        counts = metrics(asking)
         assert counts['nearfar_answers_total{code="200"}'] == 2
         assert counts['nearfar_answers_total{code="404"}'] == 2
         assert counts["nearfar_answer_seconds_count"] == 4
@@ -177,7 +177,7 @@ def test_counts_tell_what_was_answered(place: Path) -> None:
         assert asking.get("/healthz").status_code == 200
 
 
-def counted(asking: httpx.Client) -> dict[str, float]:
+def metrics(asking: httpx.Client) -> dict[str, float]:
     answer = asking.get("/metrics")
     assert answer.headers["content-type"].startswith("application/openmetrics-text")
     # Each text is another one, of which no compressed copy is kept.

@@ -42,7 +42,7 @@ def document(server: Server, site: str = "") -> dict[str, Any]:
     return found
 
 
-def told(server: Server, path: str) -> dict[str, Any]:
+def last_line(server: Server, path: str) -> dict[str, Any]:
     """The last line that tells of a region."""
     status, _, content = ask(server, path)
     assert status == 200
@@ -81,13 +81,13 @@ def test_who_asks_before_the_scene_is_there_waits(room: nf.Scene) -> None:
     ) as server:
         asked = [
             threading.Thread(target=lambda: answers.append(document(server, "/late"))),
-            threading.Thread(target=lambda: answers.append(told(server, "/late/at/0,1.5,0/parts"))),
+            threading.Thread(target=lambda: answers.append(last_line(server, "/late/at/0,1.5,0/parts"))),
         ]
         for thread in asked:
             thread.start()
         # The page and other sites are there meanwhile.
         assert ask(server, "/late/")[0] == 200
-        assert told(server, "/there/at/0,1.5,0/parts")["event"] == "end"
+        assert last_line(server, "/there/at/0,1.5,0/parts")["event"] == "end"
         assert answers == []
         may_load.set()
         for thread in asked:
@@ -108,13 +108,13 @@ def test_a_scene_that_cannot_be_loaded_is_told_in_a_sentence(room: nf.Scene, tmp
         for name in ("broken", "gone"):
             reason = f"{name}.glb: the scene cannot be loaded: "
             assert document(server, f"/{name}")["failed"].startswith(reason)
-            last = told(server, f"/{name}/at/0,1.5,0/parts")
+            last = last_line(server, f"/{name}/at/0,1.5,0/parts")
             assert last["event"] == "failed"
             assert last["reason"].startswith(reason)
             status, _, content = ask(server, f"/{name}/at/0,1.5,0/manifest.json")
             assert status == 422
             assert reason in content.decode()
-        assert told(server, "/there/at/0,1.5,0/parts")["event"] == "end"
+        assert last_line(server, "/there/at/0,1.5,0/parts")["event"] == "end"
 
 
 def test_settings_are_checked_before_the_scene_is_there() -> None:
@@ -145,9 +145,9 @@ def test_a_file_is_served_and_kept_for_its_content(tmp_path: Path, monkeypatch: 
     assert folder.parent == tmp_path / "cache" / "regions"
     with Server({"": Site.of_scene(scene, folder)}) as server:
         assert json.loads(ask(server, "/manifest.json")[2])["title"] == "boxes.glb"
-        assert told(server, "/at/0,1.5,0/parts")["event"] == "end"
+        assert last_line(server, "/at/0,1.5,0/parts")["event"] == "end"
     with Server({"": Site.of_scene(LoadedScene.of_file(path, **SETTINGS), folder)}) as server:
-        assert told(server, "/at/0,1.5,0/parts")["event"] == "whole"
+        assert last_line(server, "/at/0,1.5,0/parts")["event"] == "whole"
     assert LoadedScene.of_file(path, **SETTINGS).cache_folder() == folder
     assert LoadedScene.of_file(path, **{**SETTINGS, "samples": 2}).cache_folder() != folder
     assert LoadedScene.of_file(path, up="z", **SETTINGS).cache_folder() != folder

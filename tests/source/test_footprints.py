@@ -47,7 +47,7 @@ def town(tmp_path: Path) -> Path:
     return path
 
 
-def opened(path: Path, **how: Any) -> FootprintFile:
+def open_footprints(path: Path, **how: Any) -> FootprintFile:
     source = nf.open_source(path, **how)
     assert isinstance(source, FootprintFile)
     return source
@@ -60,7 +60,7 @@ def rows_of(triangles: NDArray[Any]) -> NDArray[Any]:
 
 
 def test_queries_are_what_touches_of_the_whole(town: Path) -> None:
-    source, whole = opened(town), nf.Scene.load(town)
+    source, whole = open_footprints(town), nf.Scene.load(town)
     np.testing.assert_array_equal(source.bounds, whole.bounds)
     assert isinstance(source, nf.SceneSource)
     middle = source.bounds.mean(axis=0)
@@ -74,7 +74,7 @@ def test_queries_are_what_touches_of_the_whole(town: Path) -> None:
 
 
 def test_cells_together_are_the_whole_in_equal_bits(town: Path) -> None:
-    source, whole = opened(town), nf.Scene.load(town)
+    source, whole = open_footprints(town), nf.Scene.load(town)
     low, high = source.bounds
     parts = []
     for x in np.arange(low[0], high[0], 80):
@@ -87,12 +87,12 @@ def test_cells_together_are_the_whole_in_equal_bits(town: Path) -> None:
 
 
 def test_the_property_of_the_height_is_chosen(town: Path) -> None:
-    assert opened(town, height="ridge").bounds[1, 1] == 50
-    assert opened(town).bounds[1, 1] == 22
+    assert open_footprints(town, height="ridge").bounds[1, 1] == 50
+    assert open_footprints(town).bounds[1, 1] == 22
 
 
 def test_empty_places_give_empty_scenes_in_the_same_frame(town: Path) -> None:
-    source = opened(town)
+    source = open_footprints(town)
     empty = source.query([[0, 0, 0], [1, 1, 1]])
     assert empty.triangle_count == 0
     assert not source.touches([[0, 0, 0], [1, 1, 1]])
@@ -146,7 +146,7 @@ def test_the_whole_of_tokyo_takes_the_memory_of_a_cell(tmp_path: Path) -> None:
 
 
 def test_footprints_can_be_pickled_for_other_processes(town: Path) -> None:
-    source = opened(town)
+    source = open_footprints(town)
     again, box = pickle.loads(pickle.dumps(source)), [[-np.inf] * 3, [np.inf] * 3]
     found = source.query(box).triangles()
     assert len(found) > GRID * GRID

@@ -27,7 +27,7 @@ def written(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
     return scene, folder
 
 
-def opened(folder: Path, **given: Any) -> TileFolder:
+def open_tiles(folder: Path, **given: Any) -> TileFolder:
     source = nf.open_source(folder, **given)
     assert isinstance(source, TileFolder)
     return source
@@ -51,7 +51,7 @@ def rows(scene: nf.Scene) -> NDArray[Any]:
 
 def test_every_triangle_is_in_one_tile_with_all_its_bits(written: tuple[nf.Scene, Path]) -> None:
     scene, folder = written
-    source = opened(folder)
+    source = open_tiles(folder)
     assert len(source) > 10
     assert source.triangle_count == scene.triangle_count
     assert np.array_equal(source.bounds, scene.bounds)
@@ -64,18 +64,18 @@ def test_every_triangle_is_in_one_tile_with_all_its_bits(written: tuple[nf.Scene
 def test_queries_are_those_of_the_scene(written: tuple[nf.Scene, Path], box: ArrayLike) -> None:
     scene, folder = written
     aabb = np.asarray(box, np.float64) + np.rint(scene.bounds.mean(axis=0))
-    part, expected = opened(folder).query(aabb), scene.query(aabb)
+    part, expected = open_tiles(folder).query(aabb), scene.query(aabb)
     assert expected.triangle_count
     assert np.array_equal(rows(part), rows(expected))
-    assert opened(folder).touches(aabb)
-    assert not opened(folder).touches(aabb + 10**6) or np.isinf(aabb).any()
+    assert open_tiles(folder).touches(aabb)
+    assert not open_tiles(folder).touches(aabb + 10**6) or np.isinf(aabb).any()
 
 
 def test_materials_and_pictures_are_the_same(written: tuple[nf.Scene, Path]) -> None:
     scene, folder = written
     middle = scene.bounds.mean(axis=0)
     camera = nf.Camera.look_at(middle + np.array([0, 5, 30]), middle, fov=nf.Fov.symmetric(40), size=(96, 96))
-    shown = nf.render(opened(folder).query(EVERYWHERE), camera, channels=("color", "range"))
+    shown = nf.render(open_tiles(folder).query(EVERYWHERE), camera, channels=("color", "range"))
     truth = nf.render(scene, camera, channels=("color", "range"))
     assert shown.range is not None
     assert truth.range is not None
@@ -87,7 +87,7 @@ def test_materials_and_pictures_are_the_same(written: tuple[nf.Scene, Path]) -> 
 
 def test_moving_objects_stay_one_object_that_moves(written: tuple[nf.Scene, Path]) -> None:
     scene, folder = written
-    whole = opened(folder).query(EVERYWHERE)
+    whole = open_tiles(folder).query(EVERYWHERE)
     assert whole.poses.keys() == scene.poses.keys()
     pose = scene.poses["car 2"].copy()
     pose[:3, 3] += (1, 2, 3)
@@ -98,7 +98,7 @@ def test_moving_objects_stay_one_object_that_moves(written: tuple[nf.Scene, Path
 
 def test_only_tiles_that_touch_are_read(written: tuple[nf.Scene, Path]) -> None:
     scene, folder = written
-    source = opened(folder)
+    source = open_tiles(folder)
     aabb = np.asarray(BOXES[0], np.float64) + np.rint(scene.bounds.mean(axis=0))
     source.query(aabb)
     index = json.loads((folder / "tiles.json").read_text())
@@ -111,7 +111,7 @@ def test_only_tiles_that_touch_are_read(written: tuple[nf.Scene, Path]) -> None:
 @pytest.mark.parametrize("most", [0, 100_000])
 def test_the_cache_is_bounded_and_changes_nothing(written: tuple[nf.Scene, Path], most: int) -> None:
     scene, folder = written
-    source = opened(folder, cache_bytes=most)
+    source = open_tiles(folder, cache_bytes=most)
     middle = np.rint(scene.bounds.mean(axis=0))
     for box in BOXES:
         aabb = np.asarray(box, np.float64) + middle
@@ -134,7 +134,7 @@ def test_nameless_objects_keep_their_numbers(tmp_path: Path) -> None:
     corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]]) + 3.0 * np.arange(5)[:, None, None] * (1, 0, 0)
     scene = nf.Scene.from_arrays(corners.reshape(-1, 3), np.arange(15).reshape(-1, 3), [4, 3, 2, 1, 0])
     nf.write_tiles(scene, tmp_path / "tiles", cell=3)
-    part = opened(tmp_path / "tiles").query([[2, -1, -1], [7, 2, 1]])
+    part = open_tiles(tmp_path / "tiles").query([[2, -1, -1], [7, 2, 1]])
     assert sorted(contents(part)["objects"].tolist()) == [2, 3]
     assert part.object_names == scene.object_names
 
@@ -144,14 +144,14 @@ def test_a_box_chooses_by_centroids_so_that_parts_make_the_whole(tmp_path: Path)
     halves = []
     for name, box in (("low", [[-99, -99, -99], [0, 99, 99]]), ("high", [[0, -99, -99], [99, 99, 99]])):
         nf.write_tiles(scene, tmp_path / name, cell=5, aabb=box)
-        halves.append(opened(tmp_path / name).query(EVERYWHERE))
+        halves.append(open_tiles(tmp_path / name).query(EVERYWHERE))
     assert sum(half.triangle_count for half in halves) == scene.triangle_count
 
 
 def test_an_empty_world_makes_an_empty_folder(tmp_path: Path) -> None:
     empty = soup().query([[900, 900, 900], [901, 901, 901]])
     nf.write_tiles(empty, tmp_path / "tiles", cell=5)
-    assert opened(tmp_path / "tiles").query(EVERYWHERE).triangle_count == 0
+    assert open_tiles(tmp_path / "tiles").query(EVERYWHERE).triangle_count == 0
 
 
 class Breaking:
@@ -184,7 +184,7 @@ def test_interrupted_work_goes_on_where_it_was(tmp_path: Path) -> None:
             with pytest.raises(nf.FormatError, match=r"write_tiles with the same arguments"):
                 nf.open_source(folder)
     assert turns == -(-cells // 7) - 1
-    assert np.array_equal(rows(opened(folder).query(EVERYWHERE)), rows(scene))
+    assert np.array_equal(rows(open_tiles(folder).query(EVERYWHERE)), rows(scene))
     assert (folder / "tiles.json").read_bytes() == (tmp_path / "other" / "tiles.json").read_bytes()
 
 
@@ -230,7 +230,7 @@ def test_damaged_indexes_are_named(written: tuple[nf.Scene, Path], tmp_path: Pat
 
 def test_damaged_and_missing_tiles_are_named(tmp_path: Path) -> None:
     nf.write_tiles(soup(), tmp_path / "tiles", cell=9)
-    source = opened(tmp_path / "tiles")
+    source = open_tiles(tmp_path / "tiles")
     files = sorted((tmp_path / "tiles").glob("*.glb"))
     files[0].write_bytes(files[0].read_bytes()[:-100])
     with pytest.raises(nf.FormatError, match=files[0].name):

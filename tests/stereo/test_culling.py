@@ -53,7 +53,7 @@ def test_each_view_has_the_instances_that_it_can_show(
     ranges = {"left": (near, last), "right": (near, last), "center": (last - rig.overlap, far)}
     for name, camera in zip(BITS, rig.cameras(HEAD, way), strict=True):
         begin, end = ranges[name]
-        seen = inside(camera, points, depths(rig, way, points), begin, end)
+        seen = in_frustum(camera, points, depths(rig, way, points), begin, end)
         listed = (found & BITS[name]) > 0
         assert listed[seen].all()
         assert 20 < seen.sum() < 0.5 * COUNT
@@ -69,7 +69,7 @@ def depths(
     return np.asarray(points @ plane[:3] + plane[3])
 
 
-def inside(
+def in_frustum(
     camera: nf.Camera, points: NDArray[np.float64], depth: NDArray[np.float64], begin: float, end: float
 ) -> NDArray[np.bool_]:
     """Whether any point of each box lies in a camera's picture, between two depths."""

@@ -36,7 +36,7 @@ def headsets() -> list[nf.Hmd]:
     return [nf.hmd.get(name) for name in nf.hmd.names()]
 
 
-def turned(degrees: float) -> HybridRig:
+def rig_turned_outwards(degrees: float) -> HybridRig:
     """Eyes turned outwards by an angle, in other places than the origin."""
     half = math.radians(degrees) / 2.0
     fov = nf.Fov(-1.2, 0.9, -1.0, 1.1)
@@ -74,7 +74,11 @@ def test_every_pixel_of_both_eyes_has_one_of_the_third_camera(hmd: nf.Hmd, plane
         assert (at <= np.array(rig.center_size) + 1e-6).all()
 
 
-@pytest.mark.parametrize("rig", [vive(), turned(0.0), turned(5.0), turned(-8.0)], ids=["vive", "0", "5", "-8"])
+@pytest.mark.parametrize(
+    "rig",
+    [vive(), rig_turned_outwards(0.0), rig_turned_outwards(5.0), rig_turned_outwards(-8.0)],
+    ids=["vive", "0", "5", "-8"],
+)
 @pytest.mark.parametrize("depth", [7.0, 9.0, 300.0])
 def test_cameras_and_homographies_say_what_shown_says(rig: HybridRig, depth: float) -> None:
     """A point beyond the plane, projected by the third camera, then mapped to an eye."""
@@ -131,7 +135,7 @@ def test_errors_follow_the_closed_form(plane: float, depth: float, x: float, y: 
 
 
 def test_the_field_is_the_error_of_each_pixel() -> None:
-    rig = turned(5.0)
+    rig = rig_turned_outwards(5.0)
     for depth in (6.5, math.inf):
         field = rig.error_field("left", depth)
         assert field.shape == (160, 200, 2)
@@ -160,7 +164,7 @@ def test_arc_minutes_are_differences_of_angles() -> None:
 def test_kinks_are_what_projected_lines_show() -> None:
     """The angle between the images of two short pieces of a line, before and behind the plane."""
     rng = np.random.default_rng(2)
-    for rig in (vive(), turned(0.0), turned(7.0)):
+    for rig in (vive(), rig_turned_outwards(0.0), rig_turned_outwards(7.0)):
         m, places, ways = rig.planes[0], rng.uniform(-0.8, 0.8, (40, 2)), rng.uniform(-2.0, 2.0, (40, 2))
         angles = rig.kink_angle("right", places, ways)
         identity = np.array([0.0, 0.0, 0.0, 1.0])

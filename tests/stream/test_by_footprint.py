@@ -39,7 +39,7 @@ def triangles_of(bundle: nf.stream.Bundle, entry: dict[str, Any]) -> int:
 
 def test_portions_have_the_near_objects_that_the_centre_sees_the_largest_first(scene: nf.Scene) -> None:
     rings = nf.stream.assign(scene, center=CENTER, radii=RADII)
-    portions = _by_footprint.Portions.of(rings, scene=scene)
+    portions = _by_footprint.Portions.from_rings(rings, scene=scene)
     seen = nf.stream.footprints(scene, center=CENTER)
     is_near = (rings.ring > 0) & (rings.ring <= rings.count)
     assert (portions.portion[rings.ring == 0] == 0).all()
@@ -57,7 +57,7 @@ def test_portions_have_the_near_objects_that_the_centre_sees_the_largest_first(s
 def test_files_hold_their_objects_and_the_whole_last_map(scene: nf.Scene, bundle: nf.stream.Bundle) -> None:
     region = bundle._manifest["regions"][0]
     entry = region["by_footprint"]
-    rows = _by_footprint.Portions.of(nf.stream.assign(scene, center=CENTER, radii=RADII), scene=scene).summary()
+    rows = _by_footprint.Portions.from_rings(nf.stream.assign(scene, center=CENTER, radii=RADII), scene=scene).summary()
     assert [portion["objects"] for portion in entry["portions"]] == [row["objects"] for row in rows[:-1]]
     for portion in entry["portions"]:
         assert triangles_of(bundle, portion) == portion["triangles"]

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar.stream import _centers
-from nearfar.stream._encode import LEAST_SHARED
+from nearfar.stream._encode import MIN_SHARED_BYTES
 from tests.support import valid
 
 CENTERS = ((0.0, 1.7, 0.0), (5.0, 1.7, 0.0), (1.0, 1.7, -6.0), (11.0, 1.9, 1.0))
@@ -143,7 +143,7 @@ def test_large_meshes_of_one_ring_are_files_that_regions_share(tmp_path: Path) -
     parts = [region["rings"][1]["parts"] for region in bundle._regions]
     assert parts[0] == parts[1]
     assert len(parts[0]) == 1
-    assert len(bundle.read(parts[0][0])) > LEAST_SHARED
+    assert len(bundle.read(parts[0][0])) > MIN_SHARED_BYTES
 
 
 def test_a_bundle_opens_at_its_first_region(bundle: nf.stream.Bundle) -> None:

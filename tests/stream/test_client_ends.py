@@ -13,7 +13,7 @@ from nearfar.serve._server import Server
 from nearfar.stream import _room, _room_frames as frames
 from nearfar.stream._room_connection import Address, Connection
 from nearfar.stream._room_events import Event, Left, Placed, Pose, Posed, Said
-from nearfar.stream._room_inbox import MOST_BYTES, MOST_EVENTS, Inbox
+from nearfar.stream._room_inbox import MAX_BYTES, MAX_EVENTS, Inbox
 from nearfar.stream._room_round_trips import RoundTrips
 from nearfar.stream.client import Ended, Joined, RoomError, Settled, join
 from tests.support import need
@@ -111,7 +111,7 @@ def test_without_return_the_end_is_the_last_event(server: Server) -> None:
 def test_a_user_who_comes_back_elsewhere_is_replaced(server: Server) -> None:
     async def script() -> None:
         async with join(server.url, room="twice") as ada:
-            other = Connection(Address.of(server.url, "twice", None, None))
+            other = Connection(Address.build(server.url, "twice", None, None))
             await other.open()
             await other.send(frames.hello(0, "Ada again", ada._ticket))
             events = [event async for event in ada]
@@ -182,15 +182,15 @@ def test_a_pose_that_waits_is_overwritten_by_a_newer_one() -> None:
 
 def test_events_that_nobody_takes_make_place_for_others() -> None:
     inbox = Inbox()
-    for number in range(MOST_EVENTS + 3):
+    for number in range(MAX_EVENTS + 3):
         inbox.add(Left(number))
     assert inbox.dropped == 3
     assert run(inbox.take()) == Left(3)
-    count = MOST_BYTES // 4096 + 2
+    count = MAX_BYTES // 4096 + 2
     for _ in range(count):
         inbox.add(Said(1, bytes(4096), "room"))
     # All that came before makes place, and then two of these.
-    assert inbox.dropped == 3 + (MOST_EVENTS - 1) + 2
+    assert inbox.dropped == 3 + (MAX_EVENTS - 1) + 2
     assert run(inbox.take()) == Said(1, bytes(4096), "room")
 
 

@@ -29,7 +29,7 @@ from nearfar.stream.collect._messages import (
     write,
 )
 from nearfar.stream.collect._person import Pointing, Target
-from nearfar.stream.collect._player import rotated, turned
+from nearfar.stream.collect._player import rotated, rotation_of
 from nearfar.stream.collect._spheres import Ray
 from nearfar.stream.collect._task import Task
 from tests.support.vectors import cases
@@ -137,7 +137,7 @@ def test_a_play_goes_as_in_all_languages(case: dict[str, Any]) -> None:
 
     def join(user: int) -> None:
         for task in tasks.values():
-            task.joined(user)
+            task.add_user(user)
 
     def tell(speaker: int, messages: list[Message], now: float) -> None:
         for message in messages:
@@ -157,7 +157,7 @@ def test_a_play_goes_as_in_all_languages(case: dict[str, Any]) -> None:
         if step["goes"] is not None:
             del tasks[step["goes"]]
             for task in tasks.values():
-                task.left(step["goes"])
+                task.remove_user(step["goes"])
         if now == 0.0:
             tell(3, tasks[3].start(settings, now), now)
         for user in sorted(tasks, reverse=True):
@@ -187,7 +187,7 @@ def test_a_user_believes_as_in_all_languages(case: dict[str, Any]) -> None:
         if step["returns"]:
             task.alone()
             for other in case["others"]:
-                task.joined(other)
+                task.add_user(other)
         if "message" in step:
             taken = task.hear(message_of(step["message"]), step["now"], sender=step["sender"], group=case["group"])
             assert taken == step["taken"], step
@@ -199,7 +199,7 @@ def begun(users: int) -> Task:
     """The task of a conductor whose trial has begun, with a still sphere."""
     task = Task(0, 0)
     for user in range(1, users):
-        task.joined(user)
+        task.add_user(user)
     task.start(Settings(speeds=(0.0, 0.0, 0.0), duration=1000.0, hold=1000.0, users=users), 0.0)
     assert isinstance(task.conduct(0.0, {})[0], Sphere)
     return task
@@ -231,16 +231,16 @@ def test_the_conductor_judges_no_more_often_than_poses_of_a_user_come() -> None:
 
 def test_who_has_conducted_until_a_user_joins_is_heard_to_the_end() -> None:
     task = Task(9, 0)
-    task.joined(7)
+    task.add_user(7)
     trial = begun(1).trial
     assert trial is not None
     seats = tuple(Seat(user, (0.0, 1.7, 0.0)) for user in (3, 7, 9))
     assert task.hear(dataclasses.replace(trial, seats=seats), 0.0, sender=7)
     first = spheres.sphere(trial, trial.stage, 0, 0)
-    task.joined(3)
+    task.add_user(3)
     assert task.hear(first, 6.0, sender=7)
     assert task.hear(Collected(trial.stage, 0, 0, 0, 1.0), 6.0, sender=3)
-    task.left(7)
+    task.remove_user(7)
     assert not task.hear(spheres.sphere(trial, trial.stage, 0, 1), 6.0, sender=7)
 
 
@@ -275,7 +275,7 @@ def test_spheres_turn_back_where_their_box_ends() -> None:
 def test_seats_are_apart_and_within_their_rectangle() -> None:
     task = Task(0, 0)
     for user in range(1, 4):
-        task.joined(user)
+        task.add_user(user)
     for seed in range(40):
         trial = task.start(Settings(seed=seed), 0.0)[0]
         assert isinstance(trial, Trial)
@@ -306,7 +306,7 @@ QUICK = Settings(users=3, trials=1, duration=40.0, hold=1.0, pause=0.25)
 
 
 @pytest.fixture(scope="module")
-def found() -> list[Outcome]:
+def outcomes() -> list[Outcome]:
     return simulate(QUICK, groups=2, seed=4)
 
 
@@ -368,4 +368,4 @@ def test_tremor_has_its_deviation_and_its_time() -> None:
 def test_rotations_turn_ahead_along_their_angles() -> None:
     for yaw, pitch in ((0.0, 0.0), (0.7, 0.3), (-2.0, -1.0)):
         expected = (-math.sin(yaw) * math.cos(pitch), math.sin(pitch), -math.cos(yaw) * math.cos(pitch))
-        assert rotated(turned(yaw, pitch)) == pytest.approx(expected, abs=1e-12)
+        assert rotated(rotation_of(yaw, pitch)) == pytest.approx(expected, abs=1e-12)

@@ -13,7 +13,7 @@ from nearfar.stream._room_events import Ended, Event, Joined, Left, Placed, Poin
 from nearfar.stream.collect import Person, Settings
 from nearfar.stream.collect._messages import Score, Stage, write
 from nearfar.stream.collect._play import _User
-from nearfar.stream.collect._player import turned
+from nearfar.stream.collect._player import rotation_of
 
 
 class Told:
@@ -54,7 +54,7 @@ def heard(*events: Event | Callable[[Told], None]) -> Any:
 
 def posed(user: int, sequence: int, yaw: float, *, stops: bool = False) -> Posed:
     """A user points along a yaw."""
-    head = Placed(np.zeros(3, np.float32), np.array(turned(yaw, 0.0)))
+    head = Placed(np.zeros(3, np.float32), np.array(rotation_of(yaw, 0.0)))
     return Posed(user, Pose(sequence, 0, False, stops, head, pointer=Pointer("head", 1.0)))
 
 

@@ -265,7 +265,7 @@ class Fuzz:
         if data.draw(st.integers(0, 9)) == 0:
             found = bytearray((folder / data.draw(st.sampled_from(sorted(document["files"])))).read_bytes())
         (folder / name).write_bytes(found)
-        document["files"][name] = _store.described(bytes(found))
+        document["files"][name] = _store.file_entry(bytes(found))
         path.write_text(json.dumps(document))
 
 

@@ -60,7 +60,7 @@ def contents(glb: bytes) -> tuple[dict[str, Any], bytes]:
     return json.loads(glb[20 : 20 + size]), chunk
 
 
-def shown(glb: bytes) -> NDArray[np.float64]:
+def world_triangles(glb: bytes) -> NDArray[np.float64]:
     """(F, 3, 3) triangles in the world as trimesh reads them."""
     loaded = trimesh.load_scene(io.BytesIO(glb), file_type="glb", process=False)
     triangles = [np.empty((0, 3, 3))]
@@ -87,7 +87,7 @@ def city() -> nf.Scene:
 
 def test_trimesh_reads_the_scenes_triangles_from_plain_files(city: nf.Scene) -> None:
     pairs = files(exporter(city, compressed=False, kind=None))
-    found = np.concatenate([shown(glb) for glb, _ in pairs])
+    found = np.concatenate([world_triangles(glb) for glb, _ in pairs])
     statistics = [statistics for _, statistics in pairs]
     assert len(found) == sum(one["drawn"] for one in statistics)
     # The ground reaches 9.3 km, where the grid is coarser.

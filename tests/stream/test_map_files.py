@@ -156,7 +156,7 @@ def test_holes_are_filled_with_the_mean_of_the_least_block_with_any() -> None:
 def test_ranges_have_the_stated_error(low: float, high: float, error: float) -> None:
     ranges = np.geomspace(low, high, 100_000, dtype=np.float32)
     ranges[7] = np.inf
-    scale = RangeScale.of(ranges, error)
+    scale = RangeScale.fit(ranges, error)
     shown = scale.ranges(scale.codes(ranges))
     # The error, half a float32 step of the result, and the rounding of both ends of the scale.
     finite = np.isfinite(ranges)
@@ -168,10 +168,10 @@ def test_ranges_have_the_stated_error(low: float, high: float, error: float) -> 
 
 def test_ranges_next_to_zero_and_empty_maps_are_stored() -> None:
     ranges = np.array([0.0, 1e-6, 2.0], np.float32)
-    scale = RangeScale.of(ranges, 1e-3)
+    scale = RangeScale.fit(ranges, 1e-3)
     assert scale.ranges(scale.codes(ranges)) == pytest.approx([codec.NEAREST, codec.NEAREST, 2.0], rel=1e-3)
     nothing = np.full((1, 2, 2), np.inf, np.float32)
-    scale = RangeScale.of(nothing, 1e-3)
+    scale = RangeScale.fit(nothing, 1e-3)
     assert np.isinf(scale.ranges(scale.codes(nothing))).all()
 
 

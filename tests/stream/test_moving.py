@@ -19,7 +19,9 @@ SQUARE = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], np.float32)
 FACES = np.array([[0, 1, 2], [0, 2, 3]], np.uint32)
 
 
-def turned(angle: float, place: tuple[float, float, float], *, scale: tuple[float, float, float] = (1, 1, 1)) -> Any:
+def similarity(
+    angle: float, place: tuple[float, float, float], *, scale: tuple[float, float, float] = (1, 1, 1)
+) -> Any:
     matrix = np.eye(4)
     matrix[:3, :3] = np.array(
         [[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]]
@@ -39,19 +41,19 @@ def mixed(offset: tuple[float, float, float] = (0, 0, 0)) -> nf.Scene:
         builder.instance(mesh, moved @ matrix, name=name)
 
     square = builder.mesh(SQUARE, FACES, material=red)
-    place("wall", builder.mesh(SQUARE, FACES), turned(0.0, (-20, 0, -30), scale=(40, 20, 1)))
-    place("left", square, turned(0.3, (-2.1, 0.2, -4.7)))
-    place("tiny", builder.mesh(SQUARE * 1e-5, FACES), turned(0.1, (0, 0, -3)))
-    place("right", square, turned(1.1, (1.3, 0.1, -3.9), scale=(1, 1, -2)))
-    place("both", builder.mesh(SQUARE, FACES, material=[red, blue]), turned(-0.4, (0.1, 2.0, -5.3)))
-    place("both", builder.mesh(SQUARE, FACES, material=blue), turned(-0.4, (0.1, 3.1, -5.3)))
+    place("wall", builder.mesh(SQUARE, FACES), similarity(0.0, (-20, 0, -30), scale=(40, 20, 1)))
+    place("left", square, similarity(0.3, (-2.1, 0.2, -4.7)))
+    place("tiny", builder.mesh(SQUARE * 1e-5, FACES), similarity(0.1, (0, 0, -3)))
+    place("right", square, similarity(1.1, (1.3, 0.1, -3.9), scale=(1, 1, -2)))
+    place("both", builder.mesh(SQUARE, FACES, material=[red, blue]), similarity(-0.4, (0.1, 2.0, -5.3)))
+    place("both", builder.mesh(SQUARE, FACES, material=blue), similarity(-0.4, (0.1, 3.1, -5.3)))
     return builder.build(dynamic=["left", "right", "both", "tiny"])
 
 
 @pytest.mark.parametrize("compression", ["meshopt", None])
 @pytest.mark.parametrize("offset", [(0, 0, 0), (123_456.7, 10.3, -98_765.4)])
 def test_transforms_keep_their_bits(tmp_path: Path, offset: Any, compression: str | None) -> None:
-    posed = mixed(offset).at({"left": turned(0.7, tuple(np.add(offset, (1.7, 0.4, -6.1))))})
+    posed = mixed(offset).at({"left": similarity(0.7, tuple(np.add(offset, (1.7, 0.4, -6.1))))})
     given = {**SETTINGS, "center": np.add(offset, SETTINGS["center"]), "compression": compression}
     bundle = nf.stream.export(posed, tmp_path / "b", **given)
     found = bundle._moving
@@ -74,7 +76,7 @@ def test_they_are_drawn_where_they_are_posed(tmp_path: Path) -> None:
     scene = mixed()
     bundle = nf.stream.export(scene, tmp_path / "b", **SETTINGS, quality=None, step=2.0**-14)
     view = nf.Camera.look_at((0.2, 1.6, 0.1), (0, 1.5, -5), fov=nf.Fov.symmetric(70), size=(96, 64))
-    poses = {"left": turned(0.9, (-1.0, 1.2, -4.0)), "both": turned(0.2, (0.4, 0.5, -3.0))}
+    poses = {"left": similarity(0.9, (-1.0, 1.2, -4.0)), "both": similarity(0.2, (0.4, 0.5, -3.0))}
     for given in ({}, poses):
         reduced = nf.reduce(
             scene, center=(0, 1.7, 0), r1=3.5, r2=5.0, unit="object", morph="cylinder", face_size=64, samples=1,
@@ -104,7 +106,7 @@ def test_a_mesh_that_also_stands_is_stored_once(tmp_path: Path) -> None:
     noise = np.random.default_rng(3).normal(size=(3000, 3)).astype(np.float32)
     mesh = builder.mesh(noise, np.arange(3000).reshape(-1, 3))
     for name, place in (("first", (4, 0, -4)), ("second", (-4, 0, -4)), ("mover", (0, 0, -8))):
-        builder.instance(mesh, turned(0.0, place), name=name)
+        builder.instance(mesh, similarity(0.0, place), name=name)
     bundle = nf.stream.export(builder.build(dynamic=["mover"]), tmp_path / "b", **SETTINGS)
     manifest = json.loads((tmp_path / "b" / "manifest.json").read_text())
     assert manifest["dynamic"]["parts"] == [name for name in bundle.files if name.endswith(".bin")]
@@ -115,9 +117,9 @@ def test_a_mesh_that_also_stands_is_stored_once(tmp_path: Path) -> None:
 
 def test_faces_that_lose_their_area_leave_no_file(tmp_path: Path) -> None:
     builder = nf.SceneBuilder()
-    builder.instance(builder.mesh(SQUARE, FACES), turned(0.0, (-0.5, 1.0, -9)), name="wall")
+    builder.instance(builder.mesh(SQUARE, FACES), similarity(0.0, (-0.5, 1.0, -9)), name="wall")
     for name, place in (("speck", (0, 1.7, -3)), ("mover", (0, 1.7, -4))):
-        builder.instance(builder.mesh(SQUARE * 1e-5, FACES), turned(0.0, place), name=name)
+        builder.instance(builder.mesh(SQUARE * 1e-5, FACES), similarity(0.0, place), name=name)
     bundle = nf.stream.export(builder.build(dynamic=["mover"]), tmp_path / "b", **SETTINGS)
     manifest = json.loads((tmp_path / "b" / "manifest.json").read_text())
     assert manifest["dynamic"] is None

@@ -27,7 +27,7 @@ def _coarse() -> Iterator[None]:
         yield
 
 
-def made(maker: OnDemand, place: tuple[float, float, float] = PLACE) -> list[Part]:
+def make_parts(maker: OnDemand, place: tuple[float, float, float] = PLACE) -> list[Part]:
     parts, found = maker.parts(place), []
     while (part := next_part(parts, lambda: None)) is not None:
         found.append(part)
@@ -49,12 +49,12 @@ def city() -> nf.Scene:
 
 @pytest.fixture(scope="module")
 def parts(city: nf.Scene) -> list[Part]:
-    return made(OnDemand(city, **SETTINGS))
+    return make_parts(OnDemand(city, **SETTINGS))
 
 
 def test_the_whole_is_what_an_export_writes(city: nf.Scene, parts: list[Part], tmp_path: Path) -> None:
     still = city.subset(objects=[name for name in city.object_names if name not in city.poses])
-    found = written(tmp_path / "found", made(OnDemand(still, **SETTINGS)))
+    found = written(tmp_path / "found", make_parts(OnDemand(still, **SETTINGS)))
     nf.stream.export(still, tmp_path / "expected", center=PLACE, **SETTINGS)
     for name in (_store.MANIFEST, _store.TILESET):
         assert (tmp_path / "found" / name).read_bytes() == (tmp_path / "expected" / name).read_bytes()
@@ -79,7 +79,7 @@ def test_rings_come_in_order_with_their_files(parts: list[Part]) -> None:
     assert [part.next for part in parts] == [0] * 4 + [1] * 6 + [None]
     have: set[str] = set()
     for line, part in zip(told[:-1], parts, strict=False):
-        assert line["files"] == {name: _store.described(data) for name, data in part.files.items()}
+        assert line["files"] == {name: _store.file_entry(data) for name, data in part.files.items()}
         assert not have & part.files.keys()
         have |= part.files.keys()
         if line["event"] == "ring":
@@ -127,7 +127,7 @@ def test_work_ends_when_nobody_waits(city: nf.Scene) -> None:
 
 def test_places_with_nothing_around_them_are_refused(city: nf.Scene) -> None:
     with pytest.raises(ValueError, match="center: expected one with objects around it"):
-        made(OnDemand(city), (90_000.0, 1.7, 0.0))
+        make_parts(OnDemand(city), (90_000.0, 1.7, 0.0))
 
 
 @pytest.mark.parametrize(

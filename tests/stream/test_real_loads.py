@@ -11,7 +11,7 @@ import nearfar as nf
 from benchmarks.harness.loads import Network, network
 from benchmarks.stream._loaded import files_until, load, plan, stages
 from benchmarks.stream._requests import requests, simulated_requests
-from nearfar.stream._compressed import sent
+from nearfar.stream._compressed import transfer_size
 from tests.support import need
 from tests.support.bundled_scenes import bundled_scenes
 
@@ -39,7 +39,7 @@ def least_seconds(bundle: nf.stream.Bundle, strategy: str, ring: int) -> float:
 def bytes_of(bundle: nf.stream.Bundle, names: set[str]) -> int:
     """Bytes of files on their way; another packer packs a little better or worse."""
     listed, read = bundle._manifest["files"], bundle._reader.read
-    return int(0.97 * sum(sent(name, int(listed[name]["bytes"]), read) for name in names))
+    return int(0.97 * sum(transfer_size(name, int(listed[name]["bytes"]), read) for name in names))
 
 
 def check(way: Network, opened: tuple[Any, str], bundle: nf.stream.Bundle, strategy: str) -> None:
@@ -74,7 +74,7 @@ def test_the_page_marks_what_it_has_and_shows(bundle: nf.stream.Bundle, kind: st
         need("link")
     with (
         network(LINK, real=kind == "real") as way,
-        way.shown(Path(bundle._reader.place)) as url,
+        way.serve_bundle(Path(bundle._reader.place)) as url,
         way.browser(url) as chromium,
     ):
         for strategy in strategies:

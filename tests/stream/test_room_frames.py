@@ -14,14 +14,14 @@ from nearfar.stream.client import Joined, Left, Placed, Pointer, Pose, Posed, Ro
 from tests.support.vectors import cases
 
 
-def placed(fields: dict[str, Any] | None) -> Placed | None:
+def parse_placed(fields: dict[str, Any] | None) -> Placed | None:
     if fields is None:
         return None
     return Placed(np.array(fields["position"], np.float32), np.array(fields["rotation"]) / 32767)
 
 
 def pose(fields: dict[str, Any]) -> Pose:
-    head, left, right = (placed(fields[name]) for name in ("head", "left", "right"))
+    head, left, right = (parse_placed(fields[name]) for name in ("head", "left", "right"))
     assert head is not None
     pointer = None if fields["pointer"] is None else Pointer(**fields["pointer"])
     return Pose(

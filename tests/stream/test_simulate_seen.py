@@ -38,8 +38,8 @@ def test_pictures_of_rings_are_those_of_a_reduced_scene(
     bundle: nf.stream.Bundle, scene: nf.Scene, ring: int, radius: float
 ) -> None:
     camera = nf.Camera.look_at(EYE, (0.0, 1.0, -9.0), fov=nf.Fov.symmetric(90.0), size=(96, 64))
-    parts = SceneParts.of(scene, bundle, camera, SIZE)
-    found = Pictures(parts, by_footprint=False).shown(Shown(ring, radius, 1.0), EYE)
+    parts = SceneParts.bake(scene, bundle, camera, SIZE)
+    found = Pictures(parts, by_footprint=False).client_picture(Shown(ring, radius, 1.0), EYE)
     own = bundle.radii[ring - 1]
     reduced = nf.reduce(
         scene, center=bundle.center, r1=0.7 * own, r2=own, unit="object", morph="cylinder",

@@ -187,7 +187,7 @@ def test_what_has_no_bound_is_refused_before_the_work(
 def test_too_many_triangles_are_refused_before_they_are_made(
     street: nf.Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(_split, "MOST_ADDED", 500)
+    monkeypatch.setattr(_split, "MAX_ADDED_TRIANGLES", 500)
     with pytest.raises(ValueError, match=r"^split_px: too small for ring 1 .* more than 500 triangles to the rings"):
         nf.stream.export(street, tmp_path / "none", split_px=SPLIT_PX, **SETTINGS)
     assert not (tmp_path / "none").exists()

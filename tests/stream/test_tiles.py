@@ -23,7 +23,7 @@ SETTINGS: dict[str, Any] = {"grid": 2.0, "radii": (10.0, 22.0, 40.0), "face_size
 @pytest.fixture(autouse=True)
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(_on_demand, "COARSE", 64)
-    for name, value in {"LEAST_FACES": 500, "TILE_FACES": 50, "LEAST_SIDE": 20.0}.items():
+    for name, value in {"MIN_FACES": 500, "TILE_FACES": 50, "MIN_SIDE": 20.0}.items():
         monkeypatch.setattr(_tiles, name, value)
 
 
@@ -48,7 +48,7 @@ def scene() -> nf.Scene:
     return nf.Scene.from_arrays(vertices, faces, face_object=objects)
 
 
-def told(parts: list[Part]) -> list[dict[str, Any]]:
+def parse_lines(parts: list[Part]) -> list[dict[str, Any]]:
     return [json.loads(part.line) for part in parts]
 
 
@@ -58,7 +58,7 @@ def triangles_of(scene: nf.Scene, name: str) -> NDArray[np.float32]:
 
 
 def test_tiles_hold_whole_objects_with_all_their_triangles(scene: nf.Scene) -> None:
-    tiles = Tiles.of(scene)
+    tiles = Tiles.divide(scene)
     assert len(tiles.boxes) > 9
     assert tiles.scene.object_names == scene.object_names
     assert tiles.scene.triangle_count == scene.triangle_count
@@ -69,7 +69,7 @@ def test_tiles_hold_whole_objects_with_all_their_triangles(scene: nf.Scene) -> N
 
 
 def test_far_tiles_count_as_one_object_and_near_ones_keep_theirs(scene: nf.Scene) -> None:
-    tiles = Tiles.of(scene)
+    tiles = Tiles.divide(scene)
     about = tiles.about(PLACE, 22.0)
     for divided in (tiles.scene, about):
         rings = nf.stream.assign(divided, center=PLACE, radii=(10.0, 22.0))
@@ -127,7 +127,7 @@ def test_attributes_of_faces_and_vertices_stay_with_them() -> None:
     )
     builder.instance(mesh)
     scene = builder.build()
-    tiles = Tiles.of(scene)
+    tiles = Tiles.divide(scene)
     assert len(tiles.boxes) > 9
     view = nf.Camera.look_at((-5, 40, 60), (0, 0, 0), fov=nf.Fov.symmetric(60), size=(120, 120))
     found, expected = (nf.render(each, view, channels=("color", "object_id")) for each in (tiles.scene, scene))
@@ -144,7 +144,7 @@ def test_objects_of_several_meshes_and_faces_without_one_stay_together() -> None
     post = builder.mesh(np.diag([0.2, 3.0, 0.2]), [[0, 1, 2]])
     builder.place_many(post, np.tile(np.eye(4), (2, 1, 1)), ["shared", "post"])
     scene = builder.build()
-    tiles = Tiles.of(scene)
+    tiles = Tiles.divide(scene)
     assert len(tiles.boxes) > 9
     assert tiles.scene.triangle_count == scene.triangle_count
     meshes = [nf._core.mesh_parts(mesh) for mesh in tiles.parts["meshes"]]
@@ -158,7 +158,7 @@ def test_objects_of_several_meshes_and_faces_without_one_stay_together() -> None
 
 
 def test_small_meshes_stay_as_they_are(scene: nf.Scene, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(_tiles, "LEAST_FACES", scene.triangle_count + 1)
-    tiles = Tiles.of(scene)
+    monkeypatch.setattr(_tiles, "MIN_FACES", scene.triangle_count + 1)
+    tiles = Tiles.divide(scene)
     assert tiles.scene is scene
     assert tiles.about(PLACE, 22.0) is scene

@@ -41,7 +41,7 @@ class Blend:
     reach: float
     band: float
 
-    def drawn(self, key: Key) -> NDArray[np.bool_]:
+    def drawn_pixels(self, key: Key) -> NDArray[np.bool_]:
         """Pixels of a view that are drawn (q, q)."""
         depths = self.depths[key]
         found = np.zeros(depths.shape, bool)
@@ -59,7 +59,7 @@ class Blend:
         level, place, number = key
         direction, side, depths = self.directions[number], self.grid.side(level), self.depths[key]
         front = pixel_points(self.grid.corner(level, place), side, direction, len(depths))
-        axes = Axes.of(direction)
+        axes = Axes.from_direction(direction)
         behind = (depths[..., None] - 0.5) * axes.extents[2] * side / self.steps
         points: NDArray[np.float64] = front - behind * axes.toward
         return points
@@ -90,7 +90,7 @@ class Blend:
     def pixel_above(self, key: Key, pixel: tuple[int, int]) -> tuple[int, int]:
         """The parent's pixel in whose square the middle of a pixel lies."""
         level, (x, y, z), number = key
-        axes, size = Axes.of(self.directions[number]), len(self.depths[key])
+        axes, size = Axes.from_direction(self.directions[number]), len(self.depths[key])
         side = self.grid.side(level)
         front = pixel_points(self.grid.corner(level, (x, y, z)), side, self.directions[number], size)
         center = self.grid.corner(level + 1, (x // 2, y // 2, z // 2)) + np.full(3, side)

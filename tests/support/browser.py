@@ -88,7 +88,7 @@ def _show_loop() -> None:
 
 
 @contextmanager
-def opened(program: Any, width: int, height: int, **settings: Any) -> Iterator[Any]:
+def open_page(program: Any, width: int, height: int, **settings: Any) -> Iterator[Any]:
     """A new page, with Playwright's settings; what it prints is in its list `printed`, but for missing WebGPU."""
     page = program.new_page(viewport={"width": width, "height": height}, **settings)
     page.printed = []

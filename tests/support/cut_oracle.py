@@ -48,7 +48,7 @@ class Expected:
     """Whether roundings decide about a level."""
 
     @property
-    def all(self) -> set[Cell]:
+    def all_cells(self) -> set[Cell]:
         return self.cells | {(0, place) for place in self.leaves}
 
 
@@ -72,7 +72,7 @@ class World:
     """Corners of the cells, in their order."""
 
     @classmethod
-    def of(cls, grid: Grid, shown: Mapping[Cell, int]) -> World:
+    def from_cells(cls, grid: Grid, shown: Mapping[Cell, int]) -> World:
         boxes = np.array([grid.box(*cell) for cell in shown])
         return cls(grid, shown, boxes[:, 0], boxes[:, 1])
 

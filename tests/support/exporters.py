@@ -97,12 +97,12 @@ def _repeated(path: Path) -> bytes:
 
 def cameras(source: str) -> list[nf.Camera]:
     """The views that a source's models are compared in."""
-    views = EYES.get(source) or _around(scene(source).bounds)
+    views = EYES.get(source) or _eyes_around(scene(source).bounds)
     fov = nf.Fov.symmetric(60, SIZE[0] / SIZE[1])
     return [nf.Camera.look_at(eye, target, fov=fov, size=SIZE) for eye, target in views]
 
 
-def _around(bounds: NDArray[np.float64]) -> list[tuple[Any, Any]]:
+def _eyes_around(bounds: NDArray[np.float64]) -> list[tuple[Any, Any]]:
     middle, reach = bounds.mean(axis=0), np.linalg.norm(bounds[1] - bounds[0])
     sides = np.array([[0.55, 0.3, 0.75], [-0.75, 0.1, -0.6]])
     return [(tuple(middle + 1.1 * reach * side), tuple(middle)) for side in sides]
@@ -118,10 +118,10 @@ def scene(source: str) -> nf.Scene:
 @functools.cache
 def pictures(source: str, kind: str) -> list[NDArray[np.uint8]]:
     """The plain file's pictures of a kind."""
-    return drawn(scene(source), source, kind)
+    return render_views(scene(source), source, kind)
 
 
-def drawn(scene: nf.Scene, source: str, kind: str) -> list[NDArray[np.uint8]]:
+def render_views(scene: nf.Scene, source: str, kind: str) -> list[NDArray[np.uint8]]:
     """Pictures of a scene in the views of a source."""
     shown = scene if kind == FULL else _grey(scene, smooth=kind == GREY)
     frames = [nf.render(shown, camera, samples=SAMPLES, backend="cpu").to_image() for camera in cameras(source)]
@@ -144,7 +144,7 @@ def _albedo(scene: nf.Scene, source: str) -> list[NDArray[np.uint8]]:
 
 def share(case: Case, path: Path) -> float:
     """The least share over the views of pixels within 1/255 of the plain file's in all channels."""
-    found = drawn(nf.Scene.load(path, **case.load), case.source, case.compared)
+    found = render_views(nf.Scene.load(path, **case.load), case.source, case.compared)
     return shared(pictures(case.source, case.compared), found)
 
 

@@ -22,13 +22,13 @@ def main() -> None:
             EXPORTERS[name](CASES[name], Path(folder))
             exported = time.perf_counter()
             for source, cases in itertools.groupby(CASES[name], lambda case: case.source):
-                shown = "; ".join(_described(case, share(case, Path(folder) / case.file)) for case in cases)
+                shown = "; ".join(_row(case, share(case, Path(folder) / case.file)) for case in cases)
                 print(f"| {name} | {source} | {shown} |", flush=True)
         took = exported - started, time.perf_counter() - exported
         print(f"{name}: {took[0]:.1f} s to export, {took[1]:.1f} s to compare", file=sys.stderr)
 
 
-def _described(case: Case, found: float) -> str:
+def _row(case: Case, found: float) -> str:
     kept = "" if case.compared == FULL else f" ({case.compared})"
     return f"{case.settings}{kept}: {100 * found:.3f}"
 

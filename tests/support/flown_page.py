@@ -59,7 +59,7 @@ def grabbed(page: Any) -> NDArray[np.uint8]:
     return np.asarray(Image.open(io.BytesIO(content)).convert("RGB"))
 
 
-def seen(pose: Pose, size: tuple[int, int] = SIZE) -> nf.Camera:
+def page_camera(pose: Pose, size: tuple[int, int] = SIZE) -> nf.Camera:
     """The page's camera."""
     return camera(pose["position"], pose["yaw"], pose["pitch"], size, ANGLE)
 
@@ -73,7 +73,7 @@ def rendered(
     size: tuple[int, int] = SIZE,
 ) -> nf.Frame:
     """Python's picture."""
-    return tree.render(seen(pose, size), geometry=geometry, samples=samples, channels=("color", "coverage"))
+    return tree.render(page_camera(pose, size), geometry=geometry, samples=samples, channels=("color", "coverage"))
 
 
 def likeness(found: NDArray[np.uint8], frame: nf.Frame) -> float:

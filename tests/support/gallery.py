@@ -36,14 +36,14 @@ def gallery(places: int) -> nf.Scene:
         image = np.full((32, 32, 4), 255, np.uint8)
         image[..., :3] = draw.integers(0, 256, (32, 32, 3))
         picture = builder.mesh(corners, [[0, 1, 2], [0, 2, 3]], material=builder.material(texture=image), uvs=uvs)
-        builder.instance(picture, _at(x - 1, 0.8, -2.2), name=f"picture {place}")
+        builder.instance(picture, _translation(x - 1, 0.8, -2.2), name=f"picture {place}")
         stone = builder.mesh(vertices * draw.uniform(0.2, 0.35, vertices.shape), faces, material=gray)
-        builder.instance(stone, _at(x - 0.8, 0.4, 1.4), name=f"stone {place}")
-        builder.instance(stone, _at(x + 0.9, 0.4, 1.6), name=f"other stone {place}")
-        builder.instance(shared, _at(x, 0.5, 2.8), name=f"ball {place}")
+        builder.instance(stone, _translation(x - 0.8, 0.4, 1.4), name=f"stone {place}")
+        builder.instance(stone, _translation(x + 0.9, 0.4, 1.6), name=f"other stone {place}")
+        builder.instance(shared, _translation(x, 0.5, 2.8), name=f"ball {place}")
         tile = builder.mesh([[-1.5, 0, -3], [-1.5, 0, 3], [1.5, 0, 3], [1.5, 0, -3]], [[0, 1, 2], [0, 2, 3]])
-        builder.instance(tile, _at(x, 0, 0), name=f"floor {place}")
-    builder.instance(shared, _at(1.0, 2.5, -1.0), name="moving ball")
+        builder.instance(tile, _translation(x, 0, 0), name=f"floor {place}")
+    builder.instance(shared, _translation(1.0, 2.5, -1.0), name="moving ball")
     return builder.build(dynamic=["moving ball"])
 
 
@@ -53,7 +53,7 @@ def export(places: int, folder: Path) -> nf.stream.Bundle:
     return nf.stream.export(gallery(places), folder, center=centers, radii=RADII, face_size=64, samples=1)
 
 
-def _at(x: float, y: float, z: float) -> np.ndarray:
+def _translation(x: float, y: float, z: float) -> np.ndarray:
     place = np.eye(4)
     place[:3, 3] = x, y, z
     return place

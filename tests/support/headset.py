@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._scene.srgb import to_srgb
-from tests.support.browser import opened, wait_for_ring
+from tests.support.browser import open_page, wait_for_ring
 from tests.support.web_cases import bundled
 
 Vector = tuple[float, float, float]
@@ -75,7 +75,7 @@ def worn(
 
     Files whose names are `held` are held back until `page.let_go()`; then the morph grows in no time.
     """
-    with opened(program, 2 * size[0], size[1]) as page:
+    with open_page(program, 2 * size[0], size[1]) as page:
         wanted = {"headset": kind, "eyes": tangents(), "ipd": HEADSETS[kind], "layers": layers}
         page.add_init_script(f"window.wanted = {json.dumps(wanted)};\n{bundled('tests/xr/device.ts')}")
         gate = _Gate()

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from tests.support.lod_oracle import around, model, rotation, usual
+from tests.support.lod_oracle import model, random_spheres, rotation, usual
 
 Array = NDArray[np.float64]
 
@@ -38,5 +38,5 @@ def ahead(count: int, seed: int) -> tuple[Array, Array]:
 
 def crowd(count: int, seed: int = 0) -> tuple[list[nf.lod.LodModel], Any, Array, Array]:
     models = [usual(7, number) for number in range(6)]
-    centers, radii = around(count, seed, VIEW)
+    centers, radii = random_spheres(count, seed, VIEW)
     return models, np.random.default_rng(seed).integers(0, 6, count), centers, radii

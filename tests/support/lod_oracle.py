@@ -97,7 +97,7 @@ def size(
     def value(r: Any) -> Any:
         return r + sum(mpf(c) * r ** (2 * n + 3) for n, c in enumerate(coefficients))
 
-    def shown(angle: Any) -> Any:
+    def displayed_tangent(angle: Any) -> Any:
         x = mpmath.tan(angle) / tan_omega
         low, high = mpf(0), min(mpf(math.inf if lens is None else lens.r_max), abs(x) * 8 + 1)
         if value(high) < abs(x):
@@ -112,7 +112,7 @@ def size(
         left, right, down, up = (abs(side) for side in camera.fov._sides)
         corner = mpmath.hypot(max(left, right), max(down, up))
         tangent = min(mpmath.tan(alpha), corner) if alpha < mpmath.pi / 2 else corner
-        angle = shown(mpmath.atan(tangent))
+        angle = displayed_tangent(mpmath.atan(tangent))
         if angle is None:
             return sigma, mpf(math.inf), mu
         r, inner = tangent / tan_omega, mpmath.tan(angle) / tan_omega
@@ -120,14 +120,14 @@ def size(
         return sigma, sigma * share / mpmath.diff(value, inner) * mpmath.hypot(1, tangent) ** 3, mu
     if not any(coefficients) or mu == 0 or alpha + mu >= mpmath.pi / 2:
         return sigma, sigma, mu
-    far, near = shown(alpha + mu), shown(alpha - mu)
+    far, near = displayed_tangent(alpha + mu), displayed_tangent(alpha - mu)
     if far is None or near is None:
         return sigma, sigma, mu
-    around = mpmath.sin(shown(alpha)) / mpmath.sin(alpha) if kind == "area" and alpha else mpf(1)
+    around = mpmath.sin(displayed_tangent(alpha)) / mpmath.sin(alpha) if kind == "area" and alpha else mpf(1)
     return sigma, sigma * (far - near) / (2 * mu) * around, mu
 
 
-def chosen(
+def choose_level(
     model: nf.lod.LodModel,
     center: Array,
     radius: float,
@@ -198,7 +198,7 @@ def distance_to_view(points: Array, fov: nf.Fov) -> Array:
     return np.array([nnls(rays, point)[1] for point in points])
 
 
-def around(count: int, seed: int, camera: nf.Camera, spread: float = 1.1) -> tuple[Array, Array]:
+def random_spheres(count: int, seed: int, camera: nf.Camera, spread: float = 1.1) -> tuple[Array, Array]:
     """Spheres of very different sizes in front of an eye, some outside of its view."""
     random = np.random.default_rng(seed)
     x, y = random.uniform(-spread, spread, (2, count))

@@ -77,6 +77,6 @@ def drive(page: Any, pose: dict[str, Any]) -> None:
     page.evaluate(START, pose)
 
 
-def counted(page: Any) -> dict[str, Any]:
+def read_counters(page: Any) -> dict[str, Any]:
     """All frames since `drive`: milliseconds of uploads and of messages, and bytes that went to the GPU."""
     return dict(page.evaluate("() => window.mainThread"))

@@ -30,7 +30,7 @@ def ball(subdivisions: int = 1) -> tuple[Array, Array]:
     return vertices.astype(np.float32), np.asarray(mesh.faces, np.uint32)
 
 
-def around(center: Array) -> nf.Scene:
+def scene_around(center: Array) -> nf.Scene:
     """Balls near, between the radii and far, over a flat ground."""
     vertices, faces = ball(2)
     builder = SceneBuilder()

@@ -62,13 +62,13 @@ class Leaf:
         normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
         self.normals = normals / np.linalg.norm(normals, axis=1, keepdims=True)
 
-    def behind(self, direction: Triple, directions: list[Triple]) -> Picture:
+    def second_layer(self, direction: Triple, directions: list[Triple]) -> Picture:
         """The second layer's view from a direction."""
-        axes, double = Axes.of(direction), 2 * self.size
+        axes, double = Axes.from_direction(direction), 2 * self.size
         extents = axes.extents * self.side
         pixel, step = max(extents[:2]) / double, extents[2] / self.steps
         starts = oracle.pixel_points(self.corner, self.side, direction, double).reshape(-1, 3)
-        enter, leave = np.moveaxis(oracle.within(starts, -axes.toward, self.corner, self.side), -1, 0)
+        enter, leave = np.moveaxis(oracle.cell_interval(starts, -axes.toward, self.corner, self.side), -1, 0)
         found = crossings(self.triangles, starts, -axes.toward)
         found = np.where((found >= enter[:, None]) & (found <= leave[:, None]), found, np.inf)
         first = found.min(axis=1)
@@ -89,7 +89,7 @@ class Leaf:
         """Whether a point of a face is seen from where a line leaves the cell."""
         if self.normals[face] @ line <= 0:
             return False
-        end = oracle.within(point[None], line, self.corner, self.side)[0, 1]
+        end = oracle.cell_interval(point[None], line, self.corner, self.side)[0, 1]
         distances = crossings(self.triangles, point[None], line)[0]
         return not ((distances > 1e-9) & (distances <= end)).any()
 
@@ -101,7 +101,7 @@ def composed(
 
     Depths are steps: of the children in the children's, of the parent in its own, which are twice as long.
     """
-    axes, double = Axes.of(direction), 2 * size
+    axes, double = Axes.from_direction(direction), 2 * size
     extents = axes.extents
     reach = oracle.REACH_PIXELS * (2 * max(extents[:2]) / double) / (extents[2] / steps)
     front = oracle.pixel_points((0, 0, 0), 2.0, direction, double)[0, 0]
@@ -137,7 +137,7 @@ def unseen(firsts: list[NDArray[Any]], seconds: list[NDArray[Any]], directions: 
     """For each direction the share of the second layer that no view of the first shows, from codes of depths."""
     shares, size = np.zeros(len(directions)), len(firsts[0])
     for number, direction in enumerate(directions):
-        axes = Axes.of(direction)
+        axes = Axes.from_direction(direction)
         starts = oracle.pixel_points((0, 0, 0), 1.0, direction, size)
         count = 0
         for at in np.argwhere(seconds[number] > 0):
@@ -152,7 +152,7 @@ def unseen(firsts: list[NDArray[Any]], seconds: list[NDArray[Any]], directions: 
 
 def _shows(codes: NDArray[Any], point: Floats, direction: Triple, steps: int) -> bool:
     """Whether a view shows a point in one of nine pixels."""
-    axes, size = Axes.of(direction), len(codes)
+    axes, size = Axes.from_direction(direction), len(codes)
     offset = point - oracle.pixel_points((0, 0, 0), 1.0, direction, size)[0, 0]
     column = int(np.floor(offset @ axes.right / axes.extents[0] * size + 0.5))
     row = int(np.floor(-(offset @ axes.up) / axes.extents[1] * size + 0.5))

@@ -32,7 +32,7 @@ class Axes:
 
     @classmethod
     @functools.cache
-    def of(cls, direction: Triple) -> Axes:
+    def from_direction(cls, direction: Triple) -> Axes:
         toward = np.array(direction, np.float64)
         right = np.cross([0, 1, 0], toward) if toward[0] or toward[2] else np.array([1.0, 0, 0])
         up = np.cross(toward, right)
@@ -61,7 +61,7 @@ def decoded(codes: NDArray[np.uint16], bits: int) -> NDArray[np.float64]:
 
 def pixel_points(corner: Any, side: float, direction: Triple, size: int) -> NDArray[np.float64]:
     """World points (size, size, 3) at the front of a view's range, behind which its pixels' surfaces lie."""
-    axes = Axes.of(direction)
+    axes = Axes.from_direction(direction)
     width, height, depth = axes.extents * side
     center = np.asarray(corner) + side / 2 + axes.toward * depth / 2
     place = (np.arange(size) + 0.5) / size - 0.5
@@ -71,7 +71,9 @@ def pixel_points(corner: Any, side: float, direction: Triple, size: int) -> NDAr
     return points
 
 
-def within(points: NDArray[np.float64], direction: NDArray[np.float64], corner: Any, side: float) -> NDArray[Any]:
+def cell_interval(
+    points: NDArray[np.float64], direction: NDArray[np.float64], corner: Any, side: float
+) -> NDArray[Any]:
     """Parameters (…, 2) at which rays enter and leave a cell; the first exceeds the second where they miss it."""
     low, high = np.asarray(corner), np.asarray(corner) + side
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -93,7 +95,7 @@ class Picture:
     normal: NDArray[np.float64]
 
 
-def drawn(
+def draw_view(
     scene: nf.Scene,
     colors: NDArray[np.float64],
     corner: Any,
@@ -103,9 +105,9 @@ def drawn(
     steps: int,
 ) -> Picture:
     """The surfaces of a cell, ray by ray; `colors` holds linear RGB of each triangle."""
-    axes = Axes.of(direction)
+    axes = Axes.from_direction(direction)
     points = pixel_points(corner, side, direction, size)
-    enter, leave = np.moveaxis(within(points, -axes.toward, corner, side), -1, 0)
+    enter, leave = np.moveaxis(cell_interval(points, -axes.toward, corner, side), -1, 0)
     depth = np.full((size, size), np.inf)
     color, normal = np.zeros((size, size, 3)), np.zeros((size, size, 3))
     rows = np.argwhere(enter <= leave)
@@ -152,7 +154,7 @@ def connected(
     bounds: tuple[float, float, float],
 ) -> NDArray[np.uint8]:
     """Connections of a view's pixels, pair by pair: bits to the right, below, below right, below left."""
-    size, axes = len(depths), Axes.of(direction)
+    size, axes = len(depths), Axes.from_direction(direction)
     pitch = axes.extents / (size, size, steps)
     found: dict[tuple[Pixel, Pixel], bool] = {}
 

@@ -43,7 +43,7 @@ def places(counts: tuple[int, int, int]) -> list[tuple[int, int, int]]:
 @functools.cache
 def of_cells(world: nf.Scene) -> dict[tuple[int, tuple[int, int, int]], _core.OrthoViews]:
     """Views of all cells in which something is, level by level, all of them in memory."""
-    grid, directions = Grid.over(world.bounds, CELL), directions_of(5)
+    grid, directions = Grid.from_bounds(world.bounds, CELL), directions_of(5)
     cells: dict[tuple[int, tuple[int, int, int]], _core.OrthoViews] = {}
     for place in places(grid.counts):
         # As many triangles decide the way of drawing, whose depths may differ at the border of two steps.

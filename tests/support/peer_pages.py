@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 import nearfar as nf
-from tests.support.browser import SMALL, opened, wait_until
+from tests.support.browser import SMALL, open_page, wait_until
 
 RADII = (4.0, 7.0)
 PANELS = 3
@@ -71,21 +71,21 @@ class PeerPage:
         """Go to a room; nothing is waited for."""
         self.page.goto(f"{url}?aa=0&strategy=clovrd&room={room}{more}", wait_until="commit")
 
-    def told(self) -> dict[str, Any] | None:
+    def facts(self) -> dict[str, Any] | None:
         """Facts of the exchange; None before the page is in the room."""
         found = self.page.evaluate(TOLD)
         return None if found is None else dict(found)
 
     def wait(self, ring: int = len(RADII)) -> dict[str, Any]:
         """Wait until a ring is there; the facts then."""
-        wait_until(self.page, lambda: (self.told() or {"arrived": -1})["arrived"] >= ring)
+        wait_until(self.page, lambda: (self.facts() or {"arrived": -1})["arrived"] >= ring)
         assert self.page.evaluate("() => document.querySelector('#message').textContent") == ""
-        return self.told() or {}
+        return self.facts() or {}
 
     def wait_for_files(self) -> dict[str, Any]:
         """Wait until the first picture and all files are there, drawn or not; the facts then."""
-        wait_until(self.page, lambda: (self.told() or {"hasAll": False})["hasAll"])
-        return self.told() or {}
+        wait_until(self.page, lambda: (self.facts() or {"hasAll": False})["hasAll"])
+        return self.facts() or {}
 
     def rest(self) -> None:
         """Draw no more, and go on with all else: browsers that draw by programs have no time left for other pages."""
@@ -95,7 +95,7 @@ class PeerPage:
 @contextmanager
 def peer_page(chromium: Any, size: tuple[int, int] = SMALL) -> Iterator[PeerPage]:
     """A page in a context of its own, which shares no cache with others."""
-    with opened(chromium, *size) as page:
+    with open_page(chromium, *size) as page:
         yield PeerPage(page)
 
 

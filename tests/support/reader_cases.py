@@ -175,7 +175,7 @@ def answer_of(
     with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
         try:
-            answer = _shown(f"http://127.0.0.1:{server.server_port}/page.html?{module}", answers, folder)
+            answer = _answers_of_page(f"http://127.0.0.1:{server.server_port}/page.html?{module}", answers, folder)
         finally:
             server.shutdown()
     assert "error" not in answer, answer["error"]
@@ -186,7 +186,7 @@ def _glbs(bundle: Path) -> list[str]:
     return sorted(f"files/{path.name}" for path in (bundle / "files").glob("*.glb"))
 
 
-def _shown(url: str, answers: queue.Queue[bytes], folder: Path) -> dict[str, Any]:
+def _answers_of_page(url: str, answers: queue.Queue[bytes], folder: Path) -> dict[str, Any]:
     """Show a page until it answers."""
     program = browser()
     assert program

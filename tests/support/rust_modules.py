@@ -46,12 +46,12 @@ class Module:
             if "macro" in kinds:
                 kinds.add("shared")
 
-    def within(self) -> Iterator[Module]:
+    def walk(self) -> Iterator[Module]:
         """Yield the module and the modules within braces in it."""
         yield self
         for child in self.children.values():
             if child.file == self.file:
-                yield from child.within()
+                yield from child.walk()
 
 
 # reading -------------------------------------------------------------------------------------------------------------
@@ -242,7 +242,7 @@ def names_of(module: Module, visited: set[int] | None = None) -> set[str]:
 # the graph -----------------------------------------------------------------------------------------------------------
 def is_declaring(module: Module) -> bool:
     """True for a `mod.rs` or `lib.rs` that defines nothing."""
-    return Path(module.file).name in ("mod.rs", "lib.rs") and not any(one.code.strip() for one in module.within())
+    return Path(module.file).name in ("mod.rs", "lib.rs") and not any(one.code.strip() for one in module.walk())
 
 
 def all_files(module: Module) -> Iterator[Module]:
@@ -263,14 +263,14 @@ def file_graph(source: Path) -> dict[str, set[str]]:
     macros = {
         name: file
         for file, module in files.items()
-        for one in module.within()
+        for one in module.walk()
         for name, kinds in one.items.items()
         if "shared" in kinds
     }
     graph: dict[str, set[str]] = {}
     for name, module in files.items():
         if name not in silent:
-            used = set().union(*(used_by(one, macros) for one in module.within()))
+            used = set().union(*(used_by(one, macros) for one in module.walk()))
             graph[name] = used - silent - {name}
     return graph
 

@@ -52,7 +52,7 @@ def slow_maps(a: Any, b: Any, line: Array, extent: float, sample: float = 1.0) -
     return out[0], out[1]
 
 
-def inside(values: Array, size: int) -> Array:
+def inner_values(values: Array, size: int) -> Array:
     """Values of windows within the picture; all if there is none."""
     before, after = size // 2, size - 1 - size // 2
     rows, columns = (slice(before, length - after) for length in values.shape)

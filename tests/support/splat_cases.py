@@ -60,7 +60,7 @@ def cell_of(
     return splats, known
 
 
-def drawn(
+def draw_splats(
     splats: list[_core.OrthoSplats],
     camera: nf.Camera,
     channels: tuple[str, ...] = CHANNELS,

@@ -28,7 +28,7 @@ Array = NDArray[np.float64]
 NEIGHBOURS = [(0, 1), (1, 0), (1, 1), (1, -1)]
 """Rows and columns to the pixels that the bits of a connection lead to."""
 
-BORDER, LEAST_COSINE, SQUARED_RADIUS = 1.27, 0.25, 0.5
+BORDER, MIN_COSINE, SQUARED_RADIUS = 1.27, 0.25, 0.5
 
 OFF = 2e-4
 """Pixels by which float32 may misplace a splat in pictures of about 100 pixels: 100 × 2⁻²⁴ × some 30 roundings."""
@@ -44,7 +44,7 @@ class Lens:
     is_parallel: bool
 
     @classmethod
-    def of(cls, camera: nf.Camera) -> Lens:
+    def from_camera(cls, camera: nf.Camera) -> Lens:
         width, height = camera.size
         if isinstance(camera.fov, nf.CubeFace):
             right, down, forward = (sign * np.eye(3)[axis] for axis, sign in CUBE_TABLE[camera.fov.face])
@@ -69,14 +69,14 @@ class Lens:
             rows, shift = rows + shift[:, None] * forward, np.zeros(3)
         return cls(np.array(camera.position), rows, shift, is_parallel)
 
-    def at(self, point: Array) -> Array:
+    def project(self, point: Array) -> Array:
         """Place in the picture, and the distance along the axis."""
         x, y, w = self.rows @ (point - self.eye) + self.shift
         return np.array([x, y, w] if self.is_parallel else [x / w, y / w, w])
 
     def change(self, point: Array, vector: Array) -> Array:
         """The derivative of the place and of the nearness (1/w or −w) along a vector."""
-        (x, y, w), (dx, dy, dw) = self.at(point), self.rows @ vector
+        (x, y, w), (dx, dy, dw) = self.project(point), self.rows @ vector
         if self.is_parallel:
             return np.array([dx, dy, -dw])
         return np.array([(dx - x * dw) / w, (dy - y * dw) / w, -dw / w**2])
@@ -133,7 +133,7 @@ def splats_of(
     views: _core.OrthoViews, number: int, direction: Triple, corner: Any, side: float, depth_bits: int
 ) -> list[Splat]:
     """The splats of one of a cell's views."""
-    codes, axes = views.depths()[number, ..., 0], Axes.of(direction)
+    codes, axes = views.depths()[number, ..., 0], Axes.from_direction(direction)
     counts = neighbours(views.connected(CONNECTED)[number, ..., 0])
     albedo, normals = to_linear(views.colors()[number] / 255), views.vectors()[number].astype(np.float64)
     extents, size = axes.extents * side, len(codes)
@@ -143,7 +143,7 @@ def splats_of(
     splats = []
     for row, column in np.argwhere(codes):
         normal, count = normals[row, column], counts[row, column]
-        facing = max(normal @ axes.toward, LEAST_COSINE)
+        facing = max(normal @ axes.toward, MIN_COSINE)
         splats.append(
             Splat(
                 point=front[row, column] - (codes[row, column] - 0.5) * step * axes.toward,
@@ -165,7 +165,7 @@ def samples_of(splat: Splat, lens: Lens, size: tuple[int, int]) -> Iterator[tupl
     reach = np.sqrt(SQUARED_RADIUS) * splat.factor * np.hypot(lens.rows[2] @ splat.u, lens.rows[2] @ splat.v)
     if distance < 0 or (not lens.is_parallel and distance - reach < splat.least):
         return
-    place, near = lens.at(splat.point)[:2], lens.nearness(distance)
+    place, near = lens.project(splat.point)[:2], lens.nearness(distance)
     slopes = np.zeros(2)
     if splat.factor:
         changes = splat.factor * np.array([lens.change(splat.point, axis) for axis in (splat.u, splat.v)])
@@ -207,7 +207,7 @@ def samples_of(splat: Splat, lens: Lens, size: tuple[int, int]) -> Iterator[tupl
 
 def possible(splats: Sequence[Splat], camera: nf.Camera) -> dict[tuple[int, int], list[Seen]]:
     """Splats that each sample may show, by row and column."""
-    lens, at = Lens.of(camera), dict[tuple[int, int], list[Seen]]()
+    lens, at = Lens.from_camera(camera), dict[tuple[int, int], list[Seen]]()
     for splat in splats:
         for sample, found in samples_of(splat, lens, camera.size):
             at.setdefault(sample, []).extend(found)
@@ -228,7 +228,7 @@ def check(images: dict[str, Any], splats: Sequence[Splat], camera: nf.Camera, *,
 
     `most_doubt` bounds the share of these for which rounding allows several answers.
     """
-    lens, right, rays = Lens.of(camera), possible(splats, camera), camera.rays()[1]
+    lens, right, rays = Lens.from_camera(camera), possible(splats, camera), camera.rays()[1]
     width, height = camera.size
     lengths = np.ones((height, width))
     if not lens.is_parallel:

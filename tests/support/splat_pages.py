@@ -36,7 +36,7 @@ class Look:
         across = 2 * math.degrees(math.atan(math.tan(math.radians(self.angle) / 2) * aspect))
         return nf.Camera.look_at(self.eye, self.target, fov=nf.Fov.symmetric(across, aspect), size=self.size)
 
-    def described(self, files: Sequence[int]) -> dict[str, Any]:
+    def to_json(self, files: Sequence[int]) -> dict[str, Any]:
         """For the page, with the numbers of the files to show."""
         own = {"eye": self.eye, "target": self.target, "angle": self.angle, "size": self.size}
         return own | {"near": 0.5, "far": 1e5, "files": list(files)}
@@ -58,7 +58,7 @@ def spark(
     """
     (folder,) = {path.parent for path, _ in files}
     described = [{"url": f"/bundles/a/{path.name}", "position": list(map(float, place))} for path, place in files]
-    job = {"files": described, "views": [look.described(shown) for look, shown in views], "first": first}
+    job = {"files": described, "views": [look.to_json(shown) for look, shown in views], "first": first}
     with tempfile.TemporaryDirectory() as profile:
         answer = answer_of("splats.mjs", job, Path(profile), {"a": folder})
     pictures = []

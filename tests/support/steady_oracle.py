@@ -20,7 +20,7 @@ def point(start: Image, way: Image, distance: float) -> Image:
     return start + way * min(distance, FAR)
 
 
-def shown(camera: nf.Camera, at: Image, distance: float = 0.0) -> Image:
+def project(camera: nf.Camera, at: Image, distance: float = 0.0) -> Image:
     """Place of a point in the picture; NaN behind the camera, and for the sky along parallel rays."""
     if math.isinf(distance) and isinstance(camera.fov, nf.Orthographic):
         return np.full(2, np.nan)
@@ -81,7 +81,7 @@ def blended(past: nf.Frame, now: nf.Frame, fade: tuple[float, float]) -> tuple[I
         there = point(starts[row, column], ways[row, column], distance)
         here = np.array([column + 0.5, row + 0.5])
         motion = None if now.motion is None else now.motion[row, column].astype(float)
-        place = shown(past.camera, there, distance) if motion is None else here - motion
+        place = project(past.camera, there, distance) if motion is None else here - motion
         if not (np.isfinite(place).all() and (place >= 0).all() and (place <= past.camera.size).all()):
             continue
         depth = past.camera.project(there[None])[0, 2]
@@ -103,7 +103,7 @@ def blended(past: nf.Frame, now: nf.Frame, fade: tuple[float, float]) -> tuple[I
         ) -> bool:
             if motion is not None:
                 return found == distance if math.isinf(distance) else abs(length / found - 1) <= 0.02
-            at = shown(now.camera, foot + min(found, FAR) * toward, found)
+            at = project(now.camera, foot + min(found, FAR) * toward, found)
             return bool(np.linalg.norm(at - here) <= min(exponent, 0.5))
 
         pixels, _ = taps(place, past.camera.size)
@@ -125,7 +125,7 @@ def averaged(frame: nf.Frame, poses: Sequence[nf.Camera]) -> Image:
         for row, column in itertools.product(range(height), range(width)):
             distance = float(frame.require("range")[row, column])
             there = point(starts[row, column], ways[row, column], distance)
-            place = shown(pose, there, distance)
+            place = project(pose, there, distance)
             if not (np.isfinite(place).all() and (place >= 0).all() and (place < (width, height)).all()):
                 continue
             away = math.inf if math.isinf(distance) else float(np.linalg.norm(there - pose.position))

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
-from tests.support.browser import SMALL, opened, wait_for_ring, wait_until
+from tests.support.browser import SMALL, open_page, wait_for_ring, wait_until
 from tests.support.stepped_page import count_objects, heap, objects
 from tests.support.web_cases import bundled
 
@@ -28,7 +28,7 @@ class Held:
 @contextmanager
 def used(program: Any, url: str, rings: int) -> Iterator[Any]:
     """A page in a room whose server is in the page, all rings loaded."""
-    with opened(program, *SMALL) as page:
+    with open_page(program, *SMALL) as page:
         count_objects(page)
         page.add_init_script(bundled("tests/rooms/used.ts"))
         page.goto(url)

@@ -19,7 +19,7 @@ def split(mesh: Any, *, r2: float, tolerance_px: float = 8.0, reach: float = 1.0
     return nf.tessellate(mesh, **zones, tolerance_px=tolerance_px, camera=VIEW, kind="cylinder", **stages)
 
 
-def shown(points: Array, eye: Array, radius: float, strength: float) -> Array:
+def cylinder_morph(points: Array, eye: Array, radius: float, strength: float) -> Array:
     """The cylinder morph, relative to the eye, in its printed form (Alg. 1 of CloVR), with a strength."""
     x, v = points - CENTER, eye - CENTER
     rho = np.hypot(x[:, 0], x[:, 2])
@@ -42,15 +42,15 @@ def greatest_error(triangles: Array, eyes: Array, stages: list[tuple[float, floa
     points = np.einsum("wk,tkc->twc", weights, triangles).reshape(-1, 3)
     worst = 0.0
     for eye, (radius, strength) in zip(eyes, stages, strict=True):
-        corners = shown(triangles.reshape(-1, 3), eye, radius, strength).reshape(triangles.shape)
+        corners = cylinder_morph(triangles.reshape(-1, 3), eye, radius, strength).reshape(triangles.shape)
         mixed = np.einsum("wk,tkc->twc", weights, corners).reshape(-1, 3)
-        exact = shown(points, eye, radius, strength)
+        exact = cylinder_morph(points, eye, radius, strength)
         cross = np.linalg.norm(np.cross(mixed, exact), axis=1)
         worst = max(worst, float(np.arctan2(cross, (mixed * exact).sum(axis=1)).max()))
     return worst / PIXEL
 
 
-def beyond(triangles: Array, radius: float) -> Array:
+def triangles_beyond(triangles: Array, radius: float) -> Array:
     """Triangles whose corners all lie beyond a distance from the axis."""
     rho = np.hypot(*np.moveaxis((triangles - CENTER)[..., [0, 2]], -1, 0))
     return np.asarray(triangles[(rho > radius).all(axis=1)])
@@ -58,9 +58,9 @@ def beyond(triangles: Array, radius: float) -> Array:
 
 @pytest.mark.parametrize(("least", "r2"), [(12.0, 12.0), (22.0, 32.0)])
 def test_the_error_stays_within_the_tolerance_for_all_radii_of_a_growth(least: float, r2: float) -> None:
-    made = beyond(np.asarray(split(ground(60.0), r2=r2, radius=least, tolerance_px=16.0).triangles), 2.0)
+    made = triangles_beyond(np.asarray(split(ground(60.0), r2=r2, radius=least, tolerance_px=16.0).triangles), 2.0)
     stages = [(radius, 1.0) for radius in np.linspace(least, r2, 12)]
-    before = greatest_error(beyond(np.asarray(ground(60.0).triangles), 2.0), users(1.0, 12, 0), stages)
+    before = greatest_error(triangles_beyond(np.asarray(ground(60.0).triangles), 2.0), users(1.0, 12, 0), stages)
     after = greatest_error(made, users(1.0, 12, 1), stages)
     assert before > 40
     # The bound covers all heights, directions and radii at once; on the ground the error is a small part of it.
@@ -70,7 +70,7 @@ def test_the_error_stays_within_the_tolerance_for_all_radii_of_a_growth(least: f
 def test_the_error_stays_within_the_tolerance_for_all_strengths() -> None:
     made = split(ground(30.0), r2=10.0, tolerance_px=16.0, reach=0.5, strength=0.0)
     stages = [(10.0, strength) for strength in np.linspace(0.05, 1.0, 12)]
-    triangles = beyond(np.asarray(made.triangles), 2.6 * 0.5)
+    triangles = triangles_beyond(np.asarray(made.triangles), 2.6 * 0.5)
     assert len(triangles) > 0.3 * len(made.faces)
     assert 0.02 * 16.0 < greatest_error(triangles, users(0.5, 12, 1), stages) <= 16.0
 

@@ -114,7 +114,9 @@ def case(
 def _check(curve: Curve, s: float, y: Any) -> None:
     """Check that the morph shows a point of the curve in the curve's direction."""
     if s > 0:
-        shown = morph.shown("blend", curve.point(s, y), curve.user, curve.center, *curve.radii, curve.strength)
+        shown = morph.displayed_point(
+            "blend", curve.point(s, y), curve.user, curve.center, *curve.radii, curve.strength
+        )
         seen = add(shown.point, curve.user, -1)
         assert length(add(seen, curve.direction, -length(seen))) < exact.mpf(10) ** -30 * length(seen)
 

@@ -136,7 +136,7 @@ def mixed(value: int) -> int:
     return value ^ (value >> 31)
 
 
-def drawn(seed: int, cell: int, index: int) -> float:
+def uniform(seed: int, cell: int, index: int) -> float:
     """A number in [0, 1) by docs/base.md."""
     golden = 0x9E3779B97F4A7C15
     state = mixed(seed + golden & WORD)
@@ -150,12 +150,12 @@ def places() -> list[dict[str, Any]]:
     found = []
     for group, run, number_of_trial, number in ((0, 1, 1, 0), (1, 2, 1, 1), (65535, 65535, 3, 500)):
         cell = group << 24 | run << 8 | number_of_trial
-        draws = [drawn(RULES["seed"], cell, 8 * number + n) for n in range(5)]
+        draws = [uniform(RULES["seed"], cell, 8 * number + n) for n in range(5)]
         least, greatest = RULES["box"]
         level = (0, 2, 1)[number % 3]
         speed, up, turn = RULES["speeds"][level], 2 * draws[3] - 1, 2 * math.pi * draws[4]
         across = math.sqrt(1 - up * up)
-        seat = [drawn(RULES["seed"], cell, 2**32 + n) for n in range(2)]
+        seat = [uniform(RULES["seed"], cell, 2**32 + n) for n in range(2)]
         west, height, north, east, _, south = (value for corner in RULES["area"] for value in corner)
         found.append({
             "region": f"sphere {number} of trial {number_of_trial} of run {run} of group {group}",

@@ -31,7 +31,7 @@ SIZES = (1, 3, 4, 8)
 """Numbers of texels across the faces of the tested maps."""
 
 
-def along(d: Vector, axis: Vector) -> Fraction:
+def dot(d: Vector, axis: Vector) -> Fraction:
     """Scalar product with an axis."""
     return sum((Fraction(x) * y for x, y in zip(d, axis, strict=True)), Fraction(0))
 
@@ -42,7 +42,7 @@ def place(d: Vector) -> tuple[int, Fraction, Fraction]:
     axis = next(n for n in range(3) if abs(d[n]) == longest)
     face = 2 * axis + (d[axis] < 0)
     out, right, down = AXES[face]
-    return face, along(d, right) / along(d, out), along(d, down) / along(d, out)
+    return face, dot(d, right) / dot(d, out), dot(d, down) / dot(d, out)
 
 
 def direction(face: int, u: Fraction, v: Fraction) -> list[Fraction]:

@@ -63,7 +63,9 @@ def leave_cylinder(start: Vector, direction: Vector, rho: Any) -> Any:
     return (-b + exact.sqrt(b * b - a * c)) / a
 
 
-def shown(kind: str, point: Vector, user: Vector, center: Vector, r1: float, r2: float, strength: float = 1.0) -> Shown:
+def displayed_point(
+    kind: str, point: Vector, user: Vector, center: Vector, r1: float, r2: float, strength: float = 1.0
+) -> Shown:
     """Q of P, for U, O, r₁, r₂ and the strength."""
     p, u, o = vector(point), vector(user), vector(center)
     from_user, from_center, offset = add(p, u, -1), add(p, o, -1), add(u, o, -1)
@@ -91,7 +93,7 @@ NEAR = (4.1, 0.3, -3.7)
 """U − O of a user inside both cylinders, with more digits than float32 holds."""
 
 
-def around(places: tuple[float, ...], heights: tuple[float, ...]) -> list[Vector]:
+def ring(places: tuple[float, ...], heights: tuple[float, ...]) -> list[Vector]:
     """P − O of all combinations of x, z, x, z, … with heights, turned by quarters from one to the next."""
     found: list[Vector] = []
     for n, (k, y) in enumerate(itertools.product(range(0, len(places), 2), heights)):
@@ -109,7 +111,7 @@ def case(
     u = [a + b for a, b in zip(o, user, strict=True)]
     places = [[single(a + b) for a, b in zip(o, p, strict=True)] for p in points]
     strength = options.get("strength", 1.0)
-    found = [shown(kind, p, u, o, *radii, strength) for p in places]
+    found = [displayed_point(kind, p, u, o, *radii, strength) for p in places]
     return {
         "region": region,
         "user": u,

@@ -20,12 +20,12 @@ def frame(kind: int, body: bytes) -> bytes:
     return little(kind, 1) + little(len(body), 2) + body
 
 
-def counted(data: bytes) -> bytes:
+def with_length(data: bytes) -> bytes:
     """Bytes after their number."""
     return little(len(data), 1) + data
 
 
-def placed(place: dict[str, Any]) -> bytes:
+def encode_placed(place: dict[str, Any]) -> bytes:
     """A position and a rotation."""
     floats = b"".join(struct.pack("<f", value) for value in place["position"])
     return floats + b"".join(value.to_bytes(2, "little", signed=True) for value in place["rotation"])
@@ -41,7 +41,7 @@ def pose(fields: dict[str, Any]) -> bytes:
     places = [fields[name] for name in ("head", "left", "right") if fields[name] is not None]
     length = b"" if pointer is None else struct.pack("<f", pointer["length"])
     head = little(fields["sequence"], 4) + little(fields["clock"], 8) + little(flags, 1)
-    return head + b"".join(map(placed, places)) + length
+    return head + b"".join(map(encode_placed, places)) + length
 
 
 def _place(x: float, y: float, z: float, *rotation: int) -> dict[str, Any]:
@@ -108,7 +108,7 @@ def of_users() -> list[dict[str, Any]]:
 def of_servers() -> list[dict[str, Any]]:
     """Frames that the server sends."""
     fields: dict[str, Any] = {"kind": "welcome", "user": 1, "others": 300, "ticket": TICKET.hex()}
-    found = [_case("welcome", fields, frame(129, little(1, 2) + little(300, 2) + counted(TICKET)))]
+    found = [_case("welcome", fields, frame(129, little(1, 2) + little(300, 2) + with_length(TICKET)))]
     for region, moved in POSES.items():
         fields = {"kind": "pose", "user": 77, "pose": moved}
         found.append(_case(f"pose: {region}", fields, frame(130, little(77, 2) + pose(moved))))
@@ -120,7 +120,7 @@ def of_servers() -> list[dict[str, Any]]:
     fields = {"kind": "signal", "user": 65535, "data": b"\x00answer".hex()}
     found.append(_case("signal", fields, frame(133, little(65535, 2) + b"\x00answer")))
     fields = {"kind": "joined", "user": 2, "group": 4, "name": "Grace Hopper ☃"}
-    body = little(2, 2) + little(4, 2) + counted("Grace Hopper ☃".encode())
+    body = little(2, 2) + little(4, 2) + with_length("Grace Hopper ☃".encode())
     found.append(_case("joined", fields, frame(134, body)))
     found.append(_case("left", {"kind": "left", "user": 2}, frame(135, little(2, 2))))
     fields = {"kind": "refused", "reason": 5, "sentence": "expected a room with fewer than 256 users"}
@@ -154,7 +154,7 @@ def refused() -> list[dict[str, Any]]:
         "left with a body that is too long": frame(135, bytes(3)),
         "a name with a count that is too great": frame(134, bytes(4) + b"\x05Ada"),
         "a name with bytes that are not counted": frame(134, bytes(4) + b"\x02Ada"),
-        "a name that is no text": frame(134, bytes(4) + counted(b"\xff")),
+        "a name that is no text": frame(134, bytes(4) + with_length(b"\xff")),
         "said to nobody": frame(132, bytes(2) + b"\x02hit"),
         "said at too great a length": frame(132, bytes(2) + b"\x00" + bytes(4097)),
     }.items():
@@ -163,7 +163,7 @@ def refused() -> list[dict[str, Any]]:
 
 
 def _hello(region: str, group: int, name: str, ticket: bytes) -> dict[str, Any]:
-    body = b"\x01" + little(group, 2) + counted(name.encode()) + counted(ticket)
+    body = b"\x01" + little(group, 2) + with_length(name.encode()) + with_length(ticket)
     return _case(region, {"kind": "hello", "group": group, "name": name, "ticket": ticket.hex()}, frame(1, body))
 
 

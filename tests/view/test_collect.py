@@ -14,7 +14,7 @@ import nearfar as nf
 from nearfar.serve._rooms import Rooms
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
-from tests.support.browser import opened, wait_for_ring, wait_until
+from tests.support.browser import open_page, wait_for_ring, wait_until
 from tests.support.room_pages import RoomPage, has_changed
 
 pytestmark = pytest.mark.slow
@@ -59,14 +59,14 @@ class Player(RoomPage):
         self.pose = {"position": eye, "yaw": yaw, "pitch": pitch}
 
 
-def told(players: Sequence[Player], name: str) -> list[Any]:
+def task_states(players: Sequence[Player], name: str) -> list[Any]:
     """The state of each page's task, after a frame of each: who judges needs the others' poses."""
     return [player.task()[name] for player in players]
 
 
-def joined(chromium: Any, stack: ExitStack, url: str, name: str) -> Player:
+def join_room(chromium: Any, stack: ExitStack, url: str, name: str) -> Player:
     """A page that is in a room, all of its rings loaded."""
-    page = stack.enter_context(opened(chromium, *SIZE))
+    page = stack.enter_context(open_page(chromium, *SIZE))
     page.goto(f"{url}&name={name}")
     assert wait_for_ring(page, len(RADII)) == ""
     wait_until(page, lambda: page.evaluate("() => Boolean(window.nearfar?.room?.activity)"))
@@ -75,9 +75,9 @@ def joined(chromium: Any, stack: ExitStack, url: str, name: str) -> Player:
 
 def started(chromium: Any, stack: ExitStack, url: str, names: tuple[str, ...]) -> list[Player]:
     """Pages of one group, the conductor first, whose first trial has begun."""
-    players = [joined(chromium, stack, url, name) for name in names]
+    players = [join_room(chromium, stack, url, name) for name in names]
     first = players[0].page
-    wait_until(first, lambda: None not in told(players, "user"))
+    wait_until(first, lambda: None not in task_states(players, "user"))
     players.sort(key=lambda player: player.task()["user"])
     button = players[0].page.get_by_role("button", name="Start")
     wait_until(first, lambda: players[0].step() and button.is_visible())
@@ -85,13 +85,13 @@ def started(chromium: Any, stack: ExitStack, url: str, names: tuple[str, ...]) -
         player.step()
         assert player.page.get_by_role("button", name="Start").is_hidden()
     button.click()
-    wait_until(first, lambda: None not in told(players, "place"))
+    wait_until(first, lambda: None not in task_states(players, "place"))
     return players
 
 
 def test_two_pages_collect_a_sphere(chromium: Any, url: str) -> None:
     with ExitStack() as stack:
-        other = joined(chromium, stack, f"{url}&room=two&group=2", "Eve")
+        other = join_room(chromium, stack, f"{url}&room=two&group=2", "Eve")
         ada, bob = started(chromium, stack, f"{url}&room=two&group=1&hold=0.2&pause=0&duration=3000", ("Ada", "Bob"))
         state = ada.task()
         assert (state["level"], state["needed"], state["aims"]) == ("easy", 2, [])
@@ -101,17 +101,19 @@ def test_two_pages_collect_a_sphere(chromium: Any, url: str) -> None:
         # Beside the sphere at first, whose radius is 0.3 m at some 8 m.
         bob.look(away=0.1)
         both = (ada, bob)
-        wait_until(ada.page, lambda: told(both, "aims") == 2 * [[state["user"]]])
+        wait_until(ada.page, lambda: task_states(both, "aims") == 2 * [[state["user"]]])
         mask = np.abs(ada.picture() - without_guests(ada)).max(axis=-1) > 20
         assert has_changed(mask, ada.pixel_of(state["place"], CENTER, ZONES)[0], 1.5)
         assert ada.task()["count"] == 0
         ada.look(away=-0.1)
-        wait_until(ada.page, lambda: told(both, "misses") == [1, 1])
+        wait_until(ada.page, lambda: task_states(both, "misses") == [1, 1])
         for player in both:
             player.look()
-        wait_until(ada.page, lambda: told(both, "count") == [1, 1])
+        wait_until(ada.page, lambda: task_states(both, "count") == [1, 1])
         pages = [player.page for player in both]
-        wait_until(ada.page, lambda: told(both, "count") and {figure(page, "Spheres") for page in pages} == {"1"})
+        wait_until(
+            ada.page, lambda: task_states(both, "count") and {figure(page, "Spheres") for page in pages} == {"1"}
+        )
         card = other.page.locator(".collect")
         wait_until(other.page, lambda: other.step() and "Group 1: 1 spheres, 1 misses" in card.inner_text())
         assert ada.task()["level"] == "hard"
@@ -135,7 +137,7 @@ def figure(page: Any, name: str) -> str:
 
 
 def test_the_card_fits_and_ends_with_the_trial_s_figures(chromium: Any, url: str) -> None:
-    with opened(chromium, *DESKTOP, device_scale_factor=0.25) as page:
+    with open_page(chromium, *DESKTOP, device_scale_factor=0.25) as page:
         alone = f"{url}&users=1&trials=1&hold=0&radius=100&pause=0&rings=1"
         page.goto(f"{alone}&room=long&duration=3000")
         page.get_by_role("button", name="Start").click()

@@ -88,7 +88,7 @@ def test_arrays_are_those_of_the_files(bundles: dict[str, Path], decoded: dict[s
         for piece, (object_name, primitive) in zip(decoded[name][file], expected, strict=True):
             assert piece["name"] == object_name
             assert piece["material"] == expected_material(document, primitive["material"])
-            numbers = {"indices": primitive["indices"], **named(primitive["attributes"])}
+            numbers = {"indices": primitive["indices"], **with_array_names(primitive["attributes"])}
             kinds |= set(numbers)
             assert {key for key in WIDTHS if piece[key] is not None} - {"placements"} == set(numbers)
             for key, number in numbers.items():
@@ -120,7 +120,7 @@ def expected_pieces(document: dict[str, Any], is_dynamic: bool) -> list[tuple[st
     ]
 
 
-def named(attributes: dict[str, int]) -> dict[str, int]:
+def with_array_names(attributes: dict[str, int]) -> dict[str, int]:
     keys = {"POSITION": "positions", "NORMAL": "normals", "TEXCOORD_0": "uvs", "COLOR_0": "colors"}
     return {keys[name]: number for name, number in attributes.items()}
 

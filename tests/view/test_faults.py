@@ -13,7 +13,7 @@ import pytest
 
 import nearfar as nf
 from nearfar.serve._server import Server
-from tests.support.browser import SMALL, canvas, opened, still, wait_for_ring, wait_until
+from tests.support.browser import SMALL, canvas, open_page, still, wait_for_ring, wait_until
 from tests.support.bundled_scenes import bundled_scenes
 
 pytestmark = pytest.mark.slow
@@ -38,7 +38,7 @@ def url(place: Path) -> Iterator[str]:
 
 @pytest.fixture
 def page(chromium: Any) -> Iterator[Any]:
-    with opened(chromium, *SMALL) as shown:
+    with open_page(chromium, *SMALL) as shown:
         yield shown
 
 

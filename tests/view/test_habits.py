@@ -12,7 +12,7 @@ import pytest
 from PIL import Image
 
 from nearfar.serve._server import Server
-from tests.support.browser import opened, wait_for_ring, wait_until
+from tests.support.browser import open_page, wait_for_ring, wait_until
 
 pytestmark = pytest.mark.slow
 
@@ -36,7 +36,7 @@ def url(street: Path) -> Iterator[str]:
 
 @pytest.fixture(scope="module")
 def loaded(chromium: Any, url: str) -> Iterator[Any]:
-    with opened(chromium, *DESKTOP, device_scale_factor=FINE) as shown:
+    with open_page(chromium, *DESKTOP, device_scale_factor=FINE) as shown:
         shown.add_init_script(f"({PAD})()")
         shown.goto(url)
         assert wait_for_ring(shown, 1) == ""

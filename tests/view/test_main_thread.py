@@ -11,12 +11,12 @@ import pytest
 import nearfar as nf
 from nearfar.serve._server import Server
 from tests.support import main_thread
-from tests.support.browser import SMALL, opened, wait_for_ring, wait_until
+from tests.support.browser import SMALL, open_page, wait_for_ring, wait_until
 from tests.support.stepped_page import SteppedPage
 
 pytestmark = pytest.mark.slow
 
-MOST_BYTES = 2**18
+MAX_BYTES = 2**18
 """Bytes that one call may send to the GPU, those of a step: `STEP_BYTES` of web/src/show/uploads.ts."""
 
 
@@ -24,17 +24,17 @@ MOST_BYTES = 2**18
 def test_no_call_sends_much_to_the_gpu(chromium: Any, tmp_path: Path) -> None:
     scene, center = nf.datasets.city(blocks=2, detail=0), (3.0, 1.7, -2.0)
     nf.stream.export(scene, tmp_path / "bundle", center=center, radii=(10.0, 22.0), face_size=1024)
-    with Server.of_bundle(tmp_path / "bundle") as server, opened(chromium, *SMALL) as page:
+    with Server.of_bundle(tmp_path / "bundle") as server, open_page(chromium, *SMALL) as page:
         main_thread.count(page)
         page.goto(f"{server.url}?aa=0")
         SteppedPage(page)
         main_thread.drive(page, {"position": list(center), "yaw": 0.0, "pitch": 0.0})
         assert wait_for_ring(page, 2) == ""
-        counts = main_thread.counted(page)
+        counts = main_thread.read_counters(page)
         assert page.printed == []
     sent = [frame["bytes"] for frame in counts["frames"]]
     assert sum(sent) > 6 * 1024**2 * 4
-    assert 0 < counts["mostBytes"] <= MOST_BYTES
+    assert 0 < counts["mostBytes"] <= MAX_BYTES
 
 
 LINKS = """
@@ -78,7 +78,7 @@ def test_no_frame_waits_for_the_compilation_of_a_program(chromium: Any, tmp_path
         mesh = builder.mesh(np.add(corners, (0, number, 0)), faces, normals=normals)
         builder.instance(mesh, name=f"floor {number}")
     nf.stream.export(builder.build(), tmp_path / "b", center=(0, 1.7, 0), radii=(5.0,), face_size=64, samples=1)
-    with Server.of_bundle(tmp_path / "b") as server, opened(chromium, *SMALL) as page:
+    with Server.of_bundle(tmp_path / "b") as server, open_page(chromium, *SMALL) as page:
         page.add_init_script(LINKS)
         page.goto(f"{server.url}?aa=0")
         assert wait_for_ring(page, 1) == ""

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar.serve._server import Server
-from tests.support.browser import opened, wait_until
+from tests.support.browser import open_page, wait_until
 from tests.support.held_rings import HeldRings
 from tests.support.stepped_page import SteppedPage
 
@@ -82,14 +82,14 @@ def wait_for(page: SteppedPage, pose: dict[str, Any], ring: int) -> None:
 @pytest.mark.stress
 def test_a_load_is_smooth_and_clovrd_jumps(chromium: Any, bundle: nf.stream.Bundle, pose: dict[str, Any]) -> None:
     with Server.of_bundle(bundle._reader.place) as server:
-        with opened(chromium, *SIZE) as shown:
+        with open_page(chromium, *SIZE) as shown:
             held = HeldRings(shown, bundle)
             shown.goto(server.url)
             page = SteppedPage(shown)
             wait_for(page, pose, 0)
             smooth = of_load(page, held, pose, bundle.growth)
             assert shown.printed == []
-        with opened(chromium, *SIZE) as shown:
+        with open_page(chromium, *SIZE) as shown:
             held = HeldRings(shown, bundle)
             shown.goto(f"{server.url}?strategy=clovrd")
             page = SteppedPage(shown)

@@ -15,7 +15,7 @@ from nearfar._trace import viewpoint
 from nearfar.serve._scene import LoadedScene
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
-from tests.support.browser import opened, wait_until
+from tests.support.browser import open_page, wait_until
 from tests.support.stepped_page import SteppedPage
 
 pytestmark = pytest.mark.slow
@@ -86,7 +86,7 @@ def test_coarse_maps_come_first_and_then_the_picture_of_the_bundle(
 ) -> None:
     here = pose(3.4, -2.6)
     asked: list[str] = []
-    with opened(chromium, *SIZE) as shown:
+    with open_page(chromium, *SIZE) as shown:
         shown.on("request", lambda request: asked.append(request.url))
         shown.goto(f"{server.url}?aa=0{link(here)}")
         page = SteppedPage(shown)
@@ -102,7 +102,7 @@ def test_coarse_maps_come_first_and_then_the_picture_of_the_bundle(
         assert shown.printed == []
     assert [url for url in asked if "/at/" in url] == [f"{server.url}at/4,1.75,-2/parts"]
     nf.stream.export(city, tmp_path / "out", center=(4, 1.75, -2), **{**SETTINGS, "grid": None})
-    with Server.of_bundle(tmp_path / "out") as bundle, opened(chromium, *SIZE) as shown:
+    with Server.of_bundle(tmp_path / "out") as bundle, open_page(chromium, *SIZE) as shown:
         shown.goto(f"{bundle.url}?aa=0{link(here)}")
         told, expected = grown(SteppedPage(shown), here)
         assert told["shown"]["ring"] == RINGS
@@ -125,7 +125,7 @@ def continuity(pictures: list[NDArray[np.uint8]]) -> NDArray[np.float64]:
 @pytest.mark.stress
 def test_maps_of_full_size_come_without_a_jump(chromium: Any, server: Server) -> None:
     here = pose(-9.0, 8.0)
-    with opened(chromium, *SIZE) as shown:
+    with open_page(chromium, *SIZE) as shown:
         shown.goto(f"{server.url}?aa=0{link(here)}")
         page = SteppedPage(shown)
         told = until(page, here, lambda told: fades_to(told, RINGS + 1))
@@ -144,7 +144,7 @@ def test_maps_of_full_size_come_without_a_jump(chromium: Any, server: Server) ->
 def test_a_jump_leads_to_a_place_that_is_made_for_it(chromium: Any, server: Server) -> None:
     here, there = pose(3.0, -2.0), pose(-42.0, 36.0)
     asked: list[str] = []
-    with opened(chromium, *SIZE) as shown:
+    with open_page(chromium, *SIZE) as shown:
         shown.on("request", lambda request: asked.append(request.url.removeprefix(server.url)))
         shown.goto(f"{server.url}?aa=0{link(here)}")
         page = SteppedPage(shown)
@@ -169,7 +169,7 @@ def test_a_jump_leads_to_a_place_that_is_made_for_it(chromium: Any, server: Serv
 def test_walking_on_leads_to_the_next_place(chromium: Any, server: Server) -> None:
     asked: list[str] = []
     margin = NEAR_SHARE * SETTINGS["radii"][-1]
-    with opened(chromium, *SIZE) as shown:
+    with open_page(chromium, *SIZE) as shown:
         shown.on("request", lambda request: asked.append(request.url.removeprefix(server.url)))
         shown.goto(f"{server.url}?aa=0{link(pose(0.0, 0.0))}")
         page = SteppedPage(shown)
@@ -224,7 +224,7 @@ class Watched(LoadedScene):
 def test_a_place_that_is_not_wanted_any_more_is_not_made(chromium: Any, city: nf.Scene) -> None:
     scene = Watched(lambda: city, start=lambda _: viewpoint.facing(START, (3, 1.75, -9)), **{**SETTINGS, "samples": 64})
     failed: list[str] = []
-    with Server({"": Site.of_scene(scene, None)}) as server, opened(chromium, *SIZE) as shown:
+    with Server({"": Site.of_scene(scene, None)}) as server, open_page(chromium, *SIZE) as shown:
         shown.on("requestfailed", lambda request: failed.append(request.url.removeprefix(server.url)))
         here, there = pose(*START[::2]), pose(-42.0, 36.0)
         shown.goto(f"{server.url}?aa=0{link(here)}")
@@ -244,7 +244,10 @@ def test_a_scene_that_cannot_be_loaded_is_told(chromium: Any) -> None:
     def load() -> nf.Scene:
         raise ValueError("disk.glb: the disk is gone")
 
-    with Server({"": Site.of_scene(LoadedScene(load, **SETTINGS), None)}) as server, opened(chromium, *SIZE) as shown:
+    with (
+        Server({"": Site.of_scene(LoadedScene(load, **SETTINGS), None)}) as server,
+        open_page(chromium, *SIZE) as shown,
+    ):
         shown.goto(server.url)
         wait_until(shown, lambda: shown.evaluate(MESSAGE))
         assert "The server cannot load the scene" in shown.evaluate(MESSAGE)
@@ -257,7 +260,7 @@ def test_a_place_that_cannot_be_made_leaves_the_picture(chromium: Any, city: nf.
     settings = {**SETTINGS, "radii": None, "face_size": 64}
     scene = LoadedScene(lambda: city, start=lambda _: viewpoint.facing(START, (3, 1.75, -9)), **settings)
     asked: list[str] = []
-    with Server({"": Site.of_scene(scene, None)}) as server, opened(chromium, *SIZE) as shown:
+    with Server({"": Site.of_scene(scene, None)}) as server, open_page(chromium, *SIZE) as shown:
         shown.goto(f"{server.url}?aa=0")
         shown.wait_for_function("() => window.nearfar?.viewer.facts.shown", timeout=60e3)
         assert np.allclose(shown.evaluate("() => window.nearfar.pose.position"), START)
@@ -286,7 +289,7 @@ def test_a_busy_server_is_asked_again(chromium: Any, server: Server) -> None:
         else:
             route.continue_()
 
-    with opened(chromium, *SIZE) as shown:
+    with open_page(chromium, *SIZE) as shown:
         shown.route("**/parts", answer)
         shown.goto(f"{server.url}?aa=0{link(pose(3.0, -2.0))}")
         wait_until(shown, lambda: shown.evaluate("() => Boolean(window.nearfar)"))
@@ -298,7 +301,7 @@ def test_a_busy_server_is_asked_again(chromium: Any, server: Server) -> None:
 
 
 def test_strategies_by_footprint_are_refused(chromium: Any, server: Server) -> None:
-    with opened(chromium, *SIZE) as shown:
+    with open_page(chromium, *SIZE) as shown:
         shown.goto(f"{server.url}?strategy=vis1")
         wait_until(shown, lambda: shown.evaluate(MESSAGE))
         assert "strategy: expected clovr or clovrd" in shown.evaluate(MESSAGE)
@@ -306,7 +309,7 @@ def test_strategies_by_footprint_are_refused(chromium: Any, server: Server) -> N
 
 def test_rings_come_at_once_where_the_address_says_so(chromium: Any, server: Server) -> None:
     here = pose(3.0, -2.0)
-    with opened(chromium, *SIZE) as shown:
+    with open_page(chromium, *SIZE) as shown:
         shown.goto(f"{server.url}?aa=0&strategy=clovrd&rings=1{link(here)}")
         page = SteppedPage(shown)
         told = until(page, here, is_refined)

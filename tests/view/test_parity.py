@@ -11,7 +11,7 @@ import pytest
 
 import nearfar as nf
 from nearfar.serve._server import Server
-from tests.support.browser import opened, still, wait_until
+from tests.support.browser import open_page, still, wait_until
 from tests.support.held_rings import HeldRings
 from tests.support.page_pictures import camera, of_one_face, off
 from tests.support.page_scenes import PAGE_SCENES
@@ -35,7 +35,7 @@ def test_pictures_are_those_of_bent_rays(chromium: Any, tmp_path: Path, name: st
     settings: dict[str, Any] = {"face_size": 256, "quality": None, "pixels_per_degree": None}
     bundle = nf.stream.export(case.make(), tmp_path / "bundle", center=case.center, radii=case.radii, **settings)
     start = {"position": list(case.center), "yaw": 0.0, "pitch": 0.0}
-    with Server.of_bundle(bundle._reader.place) as server, opened(chromium, *SIZE) as shown:
+    with Server.of_bundle(bundle._reader.place) as server, open_page(chromium, *SIZE) as shown:
         held = HeldRings(shown, bundle)
         # Samples within a pixel would mix colours of several faces.
         shown.goto(f"{server.url}?aa=0&strategy=clovrd")

@@ -40,7 +40,7 @@ def maps_of(files: dict[str, bytes], ring: int) -> tuple[Any, Any]:
     manifest = manifest_of(files)
     region = manifest["regions"][0]
     maps = [entry["map"] for entry in region["rings"]]
-    layout = Layout.of({**manifest["map"], "range": region["range"]})
+    layout = Layout.parse({**manifest["map"], "range": region["range"]})
     return decode_map(maps[: ring + 1], layout, lambda name, decode: decode(files[name]))
 
 
@@ -118,7 +118,7 @@ def test_a_saved_scene_has_the_files_of_the_scene(scene: nf.Scene, tmp_path: Pat
     reduced.save(tmp_path / "light", half=False)
     expected = manifest_of(_reduced.files_of(reduced))
     for place in ("light", "light/reduced.json"):
-        read = _content.opened(tmp_path / place)
+        read = _content.open_files(tmp_path / place)
         manifest = json.loads(read["manifest.json"]())
         for name in ("morph", "triangles", "map"):
             assert manifest[name] == expected[name]

@@ -11,7 +11,7 @@ import pytest
 
 import nearfar as nf
 from nearfar.serve._server import Server
-from tests.support.browser import opened, still, wait_for_ring
+from tests.support.browser import open_page, still, wait_for_ring
 from tests.support.page_pictures import camera, of_one_face, off
 from tests.support.stepped_page import SteppedPage
 
@@ -38,7 +38,7 @@ def saved(
 
 @pytest.fixture(scope="module")
 def page(chromium: Any, saved: tuple[Path, nf.ReducedScene]) -> Iterator[SteppedPage]:
-    with Server.of_bundle(saved[0]) as server, opened(chromium, *SIZE) as shown:
+    with Server.of_bundle(saved[0]) as server, open_page(chromium, *SIZE) as shown:
         shown.goto(f"{server.url}?aa=0&strategy=clovrd")
         assert wait_for_ring(shown, 1) == ""
         yield SteppedPage(shown)

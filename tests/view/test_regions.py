@@ -15,7 +15,7 @@ import nearfar as nf
 from nearfar._scene.srgb import to_srgb
 from nearfar.serve._server import Server
 from tests.support import gallery
-from tests.support.browser import opened
+from tests.support.browser import open_page
 from tests.support.stepped_page import SteppedPage, count_objects, heap, objects
 
 pytestmark = pytest.mark.slow
@@ -27,10 +27,10 @@ RATE, WALK = 72.0, 1.4
 CENTERS = ((3.0, 1.7, -2.0), (9.0, 1.7, -2.0))
 RADII = (10.0, 22.0, 63.0)
 NEAR_SHARE = 0.7
-MOST_LESS = 0.003
+MAX_LOSS = 0.003
 """By which continuity at a crossing may be less than that of a walk in the full scene, in the mean."""
 PLACES = 50
-MOST_GROWTH = 0.15
+MAX_GROWTH = 0.15
 """By which part the heap may grow from region 10 to region 44: compiled functions take a little more and more."""
 
 
@@ -97,7 +97,7 @@ def at_the_border(page: Any, url: str, yaw: float) -> SteppedPage:
 @pytest.mark.parametrize("yaw", [-np.pi / 2, 2.0])
 def test_a_crossing_changes_less_than_a_step(chromium: Any, city: nf.Scene, two: Path, yaw: float) -> None:
     xs = [5.9 + WALK / RATE * step for step in range(90)]
-    with Server.of_bundle(two) as server, opened(chromium, *SIZE) as shown:
+    with Server.of_bundle(two) as server, open_page(chromium, *SIZE) as shown:
         stepped = at_the_border(shown, server.url, yaw)
         told, pictures = zip(*(stepped.picture(pose(x, yaw), 1 / RATE) for x in xs), strict=True)
         assert shown.printed == []
@@ -111,7 +111,7 @@ def test_a_crossing_changes_less_than_a_step(chromium: Any, city: nf.Scene, two:
     crossing = scores[leaving[1:]]
     # The page's edges have no samples within pixels, and flicker.
     assert crossing.min() >= min(walked.min(), scores[~leaving[1:]].min())
-    assert crossing.mean() >= walked.mean() - MOST_LESS
+    assert crossing.mean() >= walked.mean() - MAX_LOSS
 
 
 @pytest.mark.stress
@@ -120,7 +120,7 @@ def test_without_a_fade_the_same_crossing_jumps(chromium: Any, city: nf.Scene, t
     manifest = json.loads((two / "manifest.json").read_text())
     manifest["growth"]["fade"] = 0
     xs = [5.9 + WALK / RATE * step for step in range(40)]
-    with Server.of_bundle(two) as server, opened(chromium, *SIZE) as shown:
+    with Server.of_bundle(two) as server, open_page(chromium, *SIZE) as shown:
         shown.route("**/manifest.json", lambda route: route.fulfill(body=json.dumps(manifest)))
         stepped = at_the_border(shown, server.url, yaw)
         pictures = [stepped.picture(pose(x, yaw), 1 / RATE)[1] for x in xs]
@@ -137,7 +137,7 @@ def test_near_geometry_stays_in_place(chromium: Any, city: nf.Scene, two: Path) 
     for center in CENTERS:
         near &= np.hypot(points[..., 0] - center[0], points[..., 2] - center[2]) < NEAR_SHARE * RADII[-1]
     assert near.mean() > 0.3
-    with Server.of_bundle(two) as server, opened(chromium, *SIZE) as shown:
+    with Server.of_bundle(two) as server, open_page(chromium, *SIZE) as shown:
         stepped = at_the_border(shown, server.url, yaw)
         told, before = stepped.picture(pose(x, yaw), 0.0)
         assert (told["region"], told["leaving"]) == (1, 0)
@@ -155,7 +155,7 @@ def test_near_geometry_stays_in_place(chromium: Any, city: nf.Scene, two: Path) 
 def test_memory_stays_flat_over_fifty_regions(chromium: Any, hall: Path) -> None:
     manifest = json.loads((hall / "manifest.json").read_text())
     requests: list[str] = []
-    with Server.of_bundle(hall) as server, opened(chromium, 160, 120) as shown:
+    with Server.of_bundle(hall) as server, open_page(chromium, 160, 120) as shown:
         count_objects(shown)
         shown.on("request", lambda request: requests.append(request.url.rsplit("/", 1)[-1]))
         shown.goto(f"{server.url}?aa=0")
@@ -193,8 +193,8 @@ def test_memory_stays_flat_over_fifty_regions(chromium: Any, hall: Path) -> None
     # Away from the ends of the hall: regions 10 to 44.
     walked = walked[10:-5]
     heaps = [row.pop("heap") for row in walked]
-    assert max(heaps) < (1 + MOST_GROWTH) * heaps[0]
-    assert max(row.pop("heap") for row in jumped) < (1 + MOST_GROWTH) * heaps[0]
+    assert max(heaps) < (1 + MAX_GROWTH) * heaps[0]
+    assert max(row.pop("heap") for row in jumped) < (1 + MAX_GROWTH) * heaps[0]
     sizes = [row["kept"][0].pop("bytes") for row in walked]
     assert max(sizes) < 1.01 * min(sizes)
     # After a jump the old region goes while some of the new one's buffers are there, more or less of them by chance.
@@ -230,7 +230,7 @@ def floor_at(x: int, y: int) -> NDArray[np.float64]:
 
 
 def test_clicks_and_keys_lead_to_other_places(chromium: Any, hall: Path) -> None:
-    with Server.of_bundle(hall) as server, opened(chromium, *ROOMY) as shown:
+    with Server.of_bundle(hall) as server, open_page(chromium, *ROOMY) as shown:
         # All rings at once, so that the limit is that of the last one.
         shown.goto(f"{server.url}?aa=0&strategy=clovrd#p=0,{gallery.EYE},0&yaw=0&pitch=-0.4")
         shown.wait_for_function("() => window.nearfar?.viewer.facts.shown?.ring === 2", timeout=60e3)
@@ -251,7 +251,7 @@ def test_clicks_and_keys_lead_to_other_places(chromium: Any, hall: Path) -> None
 def test_a_region_that_does_not_come_leaves_the_old_picture(chromium: Any, hall: Path) -> None:
     manifest = json.loads((hall / "manifest.json").read_text())
     name = manifest["regions"][1]["rings"][1]["geometry"]
-    with Server.of_bundle(hall) as server, opened(chromium, *SIZE) as shown:
+    with Server.of_bundle(hall) as server, open_page(chromium, *SIZE) as shown:
         shown.route(f"**/{name}", lambda route: route.fulfill(status=404))
         shown.goto(f"{server.url}?aa=0&strategy=clovrd")
         shown.wait_for_function("() => window.nearfar?.viewer.facts.shown?.ring === 2", timeout=60e3)
@@ -270,7 +270,7 @@ def test_files_of_the_next_ring_come_while_a_ring_is_made(chromium: Any, two: Pa
     rings = json.loads((two / "manifest.json").read_text())["regions"][0]["rings"]
     names = [Path(ring["geometry"] or "none").name for ring in rings]
     asked: list[str] = []
-    with Server.of_bundle(two) as server, opened(chromium, 160, 120) as shown:
+    with Server.of_bundle(two) as server, open_page(chromium, 160, 120) as shown:
         shown.on("request", lambda request: asked.append(request.url.rsplit("/", 1)[-1]))
         shown.goto(f"{server.url}?aa=0")
         stepped = SteppedPage(shown)

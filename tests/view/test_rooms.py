@@ -16,7 +16,7 @@ import nearfar as nf
 from nearfar.serve._rooms import Rooms
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
-from tests.support.browser import SMALL, opened, wait_for_ring, wait_until
+from tests.support.browser import SMALL, open_page, wait_for_ring, wait_until
 from tests.support.room_pages import AIMS, HEAR, RoomPage, ends, has_changed, reach_beyond
 
 pytestmark = pytest.mark.slow
@@ -53,7 +53,7 @@ def pair(chromium: Any, url: str) -> Iterator[tuple[RoomPage, RoomPage]]:
     with ExitStack() as stack:
         pages = []
         for name, pose in POSES.items():
-            shown = stack.enter_context(opened(chromium, *SIZE))
+            shown = stack.enter_context(open_page(chromium, *SIZE))
             shown.goto(f"{url}&room=pair&name={name}")
             assert wait_for_ring(shown, len(RADII)) == ""
             # The figures lie over a part of the picture that is pointed at.
@@ -255,7 +255,7 @@ BYES = 'nearfar_room_closes_total{reason="bye"}'
 
 def test_the_card_tells_who_is_here_and_leaves_the_room(chromium: Any, server: Server, url: str) -> None:
     ended = count(server, BYES)
-    with opened(chromium, *DESKTOP, device_scale_factor=0.25) as page, opened(chromium, *SMALL) as other:
+    with open_page(chromium, *DESKTOP, device_scale_factor=0.25) as page, open_page(chromium, *SMALL) as other:
         for shown, name, group in ((page, "Ada", 0), (other, "Grace Hopper", 1)):
             shown.goto(f"{url}&rings=0&room=card&name={name}&group={group}&token=mine")
         page.get_by_role("button", name="2 here").click()
@@ -293,7 +293,7 @@ def test_the_card_tells_who_is_here_and_leaves_the_room(chromium: Any, server: S
 
 
 def test_rooms_and_rules_that_there_cannot_be_are_told(chromium: Any, url: str) -> None:
-    with opened(chromium, *SIZE) as page:
+    with open_page(chromium, *SIZE) as page:
         page.goto(f"{url}&rings=0&room=a/b")
         assert "expected a name" in page.get_by_role("region", name="Here").inner_text()
         page.goto(f"{url}&rings=0&room=wrong&task=collect&users=0")
@@ -316,7 +316,7 @@ def test_users_by_datagrams_and_by_sockets_see_each_other_and_come_back_with_the
     seen = "() => (window.nearfar?.room?.seen ?? []).map(({ name }) => name)"
     measured = "() => window.nearfar.room.connection.roundTrips.median !== null"
     sockets: list[Any] = []
-    with opened(chromium, *SMALL) as one, opened(chromium, *SMALL) as other:
+    with open_page(chromium, *SMALL) as one, open_page(chromium, *SMALL) as other:
         for page, name, way in ((one, "Ada", "on"), (other, "Bob", "off")):
             page.on("websocket", lambda _, page=page: sockets.append(page))
             page.goto(f"{server.url}?rings=0&room=ways&name={name}&datagrams={way}")

@@ -12,7 +12,7 @@ from nearfar.serve._rooms import Rooms
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
 from tests.support import need
-from tests.support.browser import opened, wait_for_ring
+from tests.support.browser import open_page, wait_for_ring
 from tests.support.room_pages import HEAR, RoomPage
 from tests.support.stepped_page import count_objects, linked, objects
 from tests.support.used_room import use, used
@@ -20,7 +20,7 @@ from tests.support.used_room import use, used
 pytestmark = pytest.mark.slow
 
 SECONDS = 300.0
-WARM, MOST_GROWTH = 4, 300_000
+WARM, MAX_GROWTH = 4, 300_000
 """Tenths of the time in which the browser still compiles, as code lies in the heap; bytes by which it may grow then."""
 
 
@@ -37,7 +37,7 @@ def test_what_a_page_holds_does_not_grow_with_time(chromium: Any, url: str) -> N
         parts = list(use(page, SECONDS))
         assert page.printed == []
     assert parts[-1].poses > 0.9 * 8 * 72 * SECONDS
-    assert max(each.heap for each in parts[WARM:]) < parts[WARM].heap + MOST_GROWTH
+    assert max(each.heap for each in parts[WARM:]) < parts[WARM].heap + MAX_GROWTH
     first = parts[0]
     for each in parts[1:]:
         assert each.objects["Program"] == each.objects["programs"] == first.objects["programs"]
@@ -56,7 +56,7 @@ BODY = {
 
 
 def test_looks_and_users_who_come_and_go_compile_nothing(chromium: Any, url: str) -> None:
-    with opened(chromium, 240, 160) as page:
+    with open_page(chromium, 240, 160) as page:
         count_objects(page)
         page.goto(f"{url}&room=programs")
         assert wait_for_ring(page, 1) == ""

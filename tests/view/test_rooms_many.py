@@ -15,7 +15,7 @@ import nearfar as nf
 from nearfar.serve._rooms import Rooms
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
-from tests.support.browser import opened, wait_for_ring, wait_until
+from tests.support.browser import open_page, wait_for_ring, wait_until
 from tests.support.room_pages import RoomPage, ends, has_changed
 
 pytestmark = [pytest.mark.slow, pytest.mark.stress]
@@ -41,7 +41,7 @@ POINTERS_ALONE = """() => {
 }"""
 """Heads and names hide what is behind them."""
 
-MOST = 0.1
+MAX = 0.1
 """Metres from the surface within which pointers end, beside a pixel."""
 
 
@@ -65,7 +65,7 @@ def pages(chromium: Any, city: nf.Scene, tmp_path_factory: pytest.TempPathFactor
         server = stack.enter_context(Server({"": Site.of_bundle(folder)}, rooms=Rooms()))
         made: list[RoomPage] = []
         for number, rings in enumerate(RINGS):
-            shown = stack.enter_context(opened(chromium, *SIZE))
+            shown = stack.enter_context(open_page(chromium, *SIZE))
             shown.goto(f"{server.url}?aa=0&strategy=clovrd&room=many&name=User{number}&rings={rings}")
             assert wait_for_ring(shown, rings) == ""
             shown.evaluate("() => document.querySelector('#ui').style.setProperty('display', 'none')")
@@ -168,7 +168,7 @@ def test_eight_users_see_where_the_others_point(pages: list[RoomPage], city: nf.
             seen = seen_end(pages[other], name)
             assert seen is not None
             misses.append(float(nf.nearest_points(city, [seen]).distance[0]))
-            assert misses[-1] < MOST + pixel, (number, other)
+            assert misses[-1] < MAX + pixel, (number, other)
         # Each pair in one of the zones.
         for other in others:
             if (number + other) % len(DISTANCES) == list(DISTANCES).index(zone):

@@ -18,7 +18,7 @@ from nearfar.stream._stage import Rates, Shown, Stage
 from nearfar.stream._strategies import STRATEGIES, plan_of
 from nearfar.stream._transport import Transport
 from tests.support import need
-from tests.support.browser import SMALL, opened
+from tests.support.browser import SMALL, open_page
 from tests.support.bundled_scenes import bundled_scenes
 from tests.support.stepped_page import SteppedPage
 from tests.support.web_cases import run
@@ -98,11 +98,11 @@ def bundle(tmp_path_factory: pytest.TempPathFactory) -> nf.stream.Bundle:
 def test_files_are_asked_for_in_the_order_of_the_page(strategy: str, chromium: Any, bundle: nf.stream.Bundle) -> None:
     plan = plan_of(strategy, bundle._region, 0, bundle._manifest["dynamic"])
     transport = Transport(nf.stream.Link(50.0, rtt_ms=5.0))
-    path = HeadPath.of(None, CENTER)
+    path = HeadPath.parse(None, CENTER)
     _course(bundle, plan, transport, path, _sizes(bundle, False), rate=72.0, duration=math.inf, seconds_per_byte=0.0)
     asked, urls = dict[str, None](), list[str]()
     names = [*bundle.files, "manifest.json"]
-    with Server.of_bundle(bundle._reader.place) as server, opened(chromium, *SMALL) as page:
+    with Server.of_bundle(bundle._reader.place) as server, open_page(chromium, *SMALL) as page:
         page.on("request", lambda request: asked.update(dict.fromkeys(n for n in names if request.url.endswith(n))))
         page.on("request", lambda request: urls.append(request.url))
         page.goto(f"{server.url}?strategy={strategy}")

@@ -9,7 +9,7 @@ import pytest
 
 import nearfar as nf
 from nearfar.serve._server import Server
-from tests.support.browser import opened, wait_until
+from tests.support.browser import open_page, wait_until
 from tests.support.bundled_scenes import bundled_scenes
 from tests.support.page_pictures import camera, off
 from tests.support.stepped_page import SteppedPage
@@ -27,7 +27,7 @@ def test_vis1_shows_objects_as_they_come_and_the_map_last(chromium: Any, tmp_pat
     entry = bundle._manifest["regions"][0]["by_footprint"]
     # The ring that stands for the map.
     last, held = len(entry["portions"]) + 1, list[Any]()
-    with Server.of_bundle(bundle._reader.place) as server, opened(chromium, *SIZE) as shown:
+    with Server.of_bundle(bundle._reader.place) as server, open_page(chromium, *SIZE) as shown:
         shown.route(f"**/{entry['map']['color'][3]}", lambda route: held.append(route))
         shown.goto(f"{server.url}?strategy=vis1&aa=0")
         page = SteppedPage(shown)

@@ -13,7 +13,7 @@ import pytest
 
 import nearfar as nf
 from tests.support import need
-from tests.support.browser import LOOKS, opened
+from tests.support.browser import LOOKS, open_page
 from tests.support.page_pictures import of_one_face, off
 
 pytestmark = pytest.mark.slow
@@ -55,7 +55,7 @@ def folder(city: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Path:
 def notebook(chromium: Any, folder: Path) -> Iterator[Any]:
     from tests.support.lab import Notebook, server
 
-    with server(folder) as url, opened(chromium, *ROOM) as page:
+    with server(folder) as url, open_page(chromium, *ROOM) as page:
         notebook = Notebook(page, url, folder, CELLS)
         notebook.run(0)
         notebook.until(f"() => {VIEWER}?.facts.arrived === 2")

@@ -9,7 +9,7 @@ const SIZES: Readonly<Record<string, number>> = { a: 10, b: 20, c: 30 };
 const sizeOf = (name: string): number => SIZES[name] ?? 0;
 const { signal } = new AbortController();
 
-function counted(fails = false) {
+function countingFetch(fails = false) {
   const asked: string[] = [];
   const fetch = (name: string): Promise<ArrayBuffer> => {
     asked.push(name);
@@ -19,7 +19,7 @@ function counted(fails = false) {
 }
 
 test('what was fetched ahead is not fetched again, and counts no longer', async () => {
-  const { asked, fetch } = counted();
+  const { asked, fetch } = countingFetch();
   const ahead = createAhead(fetch, sizeOf);
   ahead.want(['a', 'b', 'a'], signal);
   assert.deepEqual([asked, ahead.bytes], [['a', 'b'], 30]);
@@ -30,14 +30,14 @@ test('what was fetched ahead is not fetched again, and counts no longer', async 
 });
 
 test('no more bytes are fetched ahead than there is room for', () => {
-  const { asked, fetch } = counted();
+  const { asked, fetch } = countingFetch();
   const ahead = createAhead(fetch, sizeOf, 45);
   ahead.want(['a', 'c', 'b'], signal);
   assert.deepEqual([asked, ahead.bytes], [['a', 'c'], 40]);
 });
 
 test('a failure ahead is told to who asks for the file', async () => {
-  const ahead = createAhead(counted(true).fetch, sizeOf);
+  const ahead = createAhead(countingFetch(true).fetch, sizeOf);
   ahead.want(['a'], signal);
   await assert.rejects(ahead.fetch('a', signal), /the server is gone/);
 });

@@ -11,7 +11,7 @@ const bytesOf = (hex: string): Uint8Array => Uint8Array.from(Buffer.from(hex, 'h
 const hexOf = (bytes: Uint8Array): string => Buffer.from(bytes).toString('hex');
 
 /** A message by the names of the vectors. */
-function named(message: Message | null): unknown {
+function withVectorNames(message: Message | null): unknown {
   if (message?.kind !== 'trial') return message;
   const tallied = ({ spheres, misses, seconds }: Tally): readonly number[] => [spheres, misses, seconds];
   return { ...message, tallies: message.tallies.map(tallied) };
@@ -20,7 +20,7 @@ function named(message: Message | null): unknown {
 test('messages are those of the vectors of all languages', () => {
   for (const { message, bytes, region } of vectors.messages) {
     const found = read(bytesOf(bytes));
-    assert.deepEqual(named(found), message, region);
+    assert.deepEqual(withVectorNames(found), message, region);
     assert.equal(found && hexOf(write(found)), bytes, region);
   }
 });

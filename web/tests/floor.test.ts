@@ -7,11 +7,11 @@ import {
   headBounds,
   type Head,
   headOf,
-  inside,
+  clampToBounds,
   inWorld,
   localOf,
-  moved,
-  turned,
+  moveFloor,
+  turnFloor,
   worldOf,
 } from '../src/control/floor';
 
@@ -45,30 +45,30 @@ test('the head stands where the page was, and looks the same way', () => {
 
 test('turns go around the head', () => {
   const before = inWorld(FLOOR, HEAD);
-  const after = inWorld(turned(FLOOR, HEAD, 0.5), HEAD);
+  const after = inWorld(turnFloor(FLOOR, HEAD, 0.5), HEAD);
   near(after.position, before.position);
   near([after.yaw - before.yaw], [0.5]);
 });
 
 test('moves put the head above a point, at its height', () => {
-  near(inWorld(moved(FLOOR, HEAD, [-1, 99, 2]), HEAD).position, [-1, 4.5, 2]);
+  near(inWorld(moveFloor(FLOOR, HEAD, [-1, 99, 2]), HEAD).position, [-1, 4.5, 2]);
 });
 
 test('both eyes stay within the limits', () => {
   const limit = { center: [1, 0, 1], metres: 4 } as const;
   const bounds = headBounds({ open: [limit], shown: [limit] });
-  near(inside([2, 7, 3], bounds), [2, 7, 3]);
-  near(inside([1, 7, 101], bounds), [1, 7, 5 - EYE_APART]);
-  near(inside([1, 7, 101], null), [1, 7, 101]);
-  near(inside([3, 7, 1], headBounds({ open: [], shown: [{ ...limit, metres: 0 }] })), [1, 7, 1]);
+  near(clampToBounds([2, 7, 3], bounds), [2, 7, 3]);
+  near(clampToBounds([1, 7, 101], bounds), [1, 7, 5 - EYE_APART]);
+  near(clampToBounds([1, 7, 101], null), [1, 7, 101]);
+  near(clampToBounds([3, 7, 1], headBounds({ open: [], shown: [{ ...limit, metres: 0 }] })), [1, 7, 1]);
   // While one region takes over from another, within both.
   const two = { open: [], shown: [limit, { center: [6, 0, 1], metres: 2 }] } as const;
   for (const point of [[0, 7, 0], [9, 7, 9], [4.5, 7, 1]] as const) {
-    const [x, y, z] = inside(point, two);
+    const [x, y, z] = clampToBounds(point, two);
     assert.ok(Math.hypot(x - 1, z - 1) < 4 + 0.05 && Math.hypot(x - 6, z - 1) < 2 + 0.05);
     assert.equal(y, 7);
   }
-  near(inside([4.5, 7, 1], two), [4.5, 7, 1]);
+  near(clampToBounds([4.5, 7, 1], two), [4.5, 7, 1]);
 });
 
 test('a head has yaw and pitch, however it is rolled', () => {

@@ -128,12 +128,12 @@ test('large meshes come in parts with the same triangles', async () => {
       });
     });
     // The codec may begin a triangle at another of its corners.
-    assert.equal(turned(found), turned(corners));
+    assert.equal(leastCornerFirst(found), leastCornerFirst(corners));
   }
 });
 
 /** Triangles that begin at their least corner. */
-function turned(corners: number[]): string {
+function leastCornerFirst(corners: number[]): string {
   return Array.from({ length: corners.length / 3 }, (_, n) => {
     const triangle = corners.slice(3 * n, 3 * n + 3);
     const least = triangle.indexOf(Math.min(...triangle));

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { allowedShare, type Bounds, confine, distance, settle, within } from '../src/control/limit';
+import { allowedShare, type Bounds, confine, distance, settle, clampToLimit } from '../src/control/limit';
 import type { Vector } from '../src/control/vector';
 
 const LIMIT = { center: [5, 0, -3], metres: 10 } as const;
@@ -92,6 +92,6 @@ test('a user outside all regions is led to the one that is nearest', () => {
 });
 
 test('a place is put within a limit', () => {
-  assert.deepEqual(within([3, 5, 4], LEFT), [3, 5, 4]);
-  assert.deepEqual(within([30, 5, 40], LEFT), [6, 5, 8]);
+  assert.deepEqual(clampToLimit([3, 5, 4], LEFT), [3, 5, 4]);
+  assert.deepEqual(clampToLimit([30, 5, 40], LEFT), [6, 5, 8]);
 });

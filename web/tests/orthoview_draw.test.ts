@@ -54,7 +54,7 @@ function viewOf(random: () => number, count: number): { readonly model: Model; r
 }
 
 /** A point of a splat of a part, as the projector shows it: up to half a pixel around its pixel, as the largest reach. */
-function shown({ model, part }: ReturnType<typeof viewOf>, { eye, rows }: Projector, random: () => number): Triple {
+function randomSplatPoint({ model, part }: ReturnType<typeof viewOf>, { eye, rows }: Projector, random: () => number): Triple {
   const at = part.low.map((lowest, axis) => {
     const place = lowest + random() * ((part.high[axis] as number) - lowest);
     return axis === 2 ? place : place + (random() < 0.5 ? -0.35 : 0.35);
@@ -76,7 +76,7 @@ test('what a part shows lies where it is seen, and no nearer', () => {
     const seen = seenOf(sight, view.part, projector.width, projector.height);
     unseen += seen ? 0 : 1;
     for (let n = 0; n < 40; n++) {
-      const [x, y, w] = shown(view, projector, random);
+      const [x, y, w] = randomSplatPoint(view, projector, random);
       const [column, row] = [x / w, y / w];
       if (w < sight.least || column < 0 || row < 0 || column >= projector.width || row >= projector.height) continue;
       inside += 1;

@@ -78,7 +78,7 @@ function nearOf(...cells: readonly (readonly [number, Triple, readonly number[]]
 const ROOT = '2/0/0/0';
 const NONE: Readonly<Record<string, readonly number[]>> = {};
 
-function chosen(
+function chooseParts(
   cut: Cut,
   there: Readonly<Record<string, readonly number[]>>,
   cells = cellsOf(LAYOUT),
@@ -97,18 +97,18 @@ function chosen(
 }
 
 test('cells are drawn from their own views', () => {
-  const found = chosen(cutOf([1, [0, 0, 0], [0, 1]]), { '1/0/0/0': [2, 1, 0], [ROOT]: [0, 1] });
+  const found = chooseParts(cutOf([1, [0, 0, 0], [0, 1]]), { '1/0/0/0': [2, 1, 0], [ROOT]: [0, 1] });
   assert.deepEqual(found, { shown: ['1/0/0/0:0', '1/0/0/0:1'], missing: [], holes: 0 });
 });
 
 test('after a turn a cell is drawn from the views that it has', () => {
-  const found = chosen(cutOf([1, [0, 0, 0], [0, 2]]), { '1/0/0/0': [0, 1], [ROOT]: [0, 1] });
+  const found = chooseParts(cutOf([1, [0, 0, 0], [0, 2]]), { '1/0/0/0': [0, 1], [ROOT]: [0, 1] });
   assert.deepEqual(found, { shown: ['1/0/0/0:0', '1/0/0/0:1'], missing: ['1/0/0/0:2'], holes: 0 });
 });
 
 test('a cell above stands in within the box of the cell that is missing', () => {
   const cut = cutOf([0, [3, 2, 1], [0, 1]], [0, [0, 0, 0], [0, 1]]);
-  const found = chosen(cut, { '0/0/0/0': [0, 1], '1/1/1/0': [0], [ROOT]: [0, 1] });
+  const found = chooseParts(cut, { '0/0/0/0': [0, 1], '1/1/1/0': [0], [ROOT]: [0, 1] });
   // The cell between has one of two views: the one above it has no holes.
   assert.deepEqual(found.shown, [`${ROOT}:0 in 0/3/2/1`, `${ROOT}:1 in 0/3/2/1`, '0/0/0/0:0', '0/0/0/0:1']);
   assert.deepEqual(found.missing, ['0/3/2/1:0', '0/3/2/1:1']);
@@ -119,11 +119,11 @@ test('views stand in for a leaf until its geometry and that of its guests is the
   const without = (...names: readonly string[]): Near => {
     return (place) => (names.includes(place.join('/')) ? 'coming' : 'there');
   };
-  const found = chosen(cut, { [ROOT]: [0, 1] }, undefined, without('0/0/1'));
+  const found = chooseParts(cut, { [ROOT]: [0, 1] }, undefined, without('0/0/1'));
   // Its own views are not asked for.
   const shown = [`${ROOT}:0 in 0/0/0/0`, `${ROOT}:1 in 0/0/0/0`];
   assert.deepEqual(found, { shown, missing: [], holes: 0, near: [[1, 1, 1]], coming: [[0, 0, 1]] });
-  const all = chosen(cut, { [ROOT]: [0, 1] }, undefined, without());
+  const all = chooseParts(cut, { [ROOT]: [0, 1] }, undefined, without());
   const near = [
     [0, 0, 0],
     [0, 0, 1],
@@ -134,7 +134,7 @@ test('views stand in for a leaf until its geometry and that of its guests is the
 
 test('a leaf whose geometry cannot be drawn is drawn from views', () => {
   const near: Near = (place) => (place.join('/') === '0/0/1' ? 'never' : 'there');
-  const found = chosen(nearOf([0, [0, 0, 0], [0, 1]]), { '0/0/0/0': [1], [ROOT]: [0, 1] }, undefined, near);
+  const found = chooseParts(nearOf([0, [0, 0, 0], [0, 1]]), { '0/0/0/0': [1], [ROOT]: [0, 1] }, undefined, near);
   assert.deepEqual(found.missing, ['0/0/0/0:0']);
   assert.deepEqual(found.shown, [`${ROOT}:0 in 0/0/0/0`, `${ROOT}:1 in 0/0/0/0`]);
   assert.deepEqual([found.near, found.coming], [[], []]);
@@ -145,18 +145,18 @@ test('cells below stand in if they cover all of it', () => {
     [...Array(8).keys()].map((n) => [`0/${n >> 2}/${(n >> 1) & 1}/${n & 1}`, [0, 1]]),
   );
   const cut = cutOf([1, [0, 0, 0], [0, 1]]);
-  assert.equal(chosen(cut, { ...children, [ROOT]: [0, 1] }).shown.length, 16);
+  assert.equal(chooseParts(cut, { ...children, [ROOT]: [0, 1] }).shown.length, 16);
   const { '0/1/1/1': _, ...some } = children;
-  assert.deepEqual(chosen(cut, { ...some, [ROOT]: [0, 1] }).shown, [`${ROOT}:0 in 1/0/0/0`, `${ROOT}:1 in 1/0/0/0`]);
+  assert.deepEqual(chooseParts(cut, { ...some, [ROOT]: [0, 1] }).shown, [`${ROOT}:0 in 1/0/0/0`, `${ROOT}:1 in 1/0/0/0`]);
   // Nothing is to be seen in the one that is missing.
-  assert.equal(chosen(cut, { ...some, [ROOT]: [0, 1] }, cellsOf(LAYOUT, ['0/1/1/1'])).shown.length, 14);
+  assert.equal(chooseParts(cut, { ...some, [ROOT]: [0, 1] }, cellsOf(LAYOUT, ['0/1/1/1'])).shown.length, 14);
 });
 
 test('some views are more than none', () => {
   const cut = cutOf([1, [0, 0, 0], [0, 1]]);
-  assert.deepEqual(chosen(cut, { '1/0/0/0': [1] }).shown, ['1/0/0/0:1']);
-  assert.equal(chosen(cut, { '1/0/0/0': [1] }).holes, 0);
-  assert.equal(chosen(cut, NONE).holes, 1);
+  assert.deepEqual(chooseParts(cut, { '1/0/0/0': [1] }).shown, ['1/0/0/0:1']);
+  assert.equal(chooseParts(cut, { '1/0/0/0': [1] }).holes, 0);
+  assert.equal(chooseParts(cut, NONE).holes, 1);
 });
 
 function queued(atOnce = 2) {

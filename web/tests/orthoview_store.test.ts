@@ -51,7 +51,7 @@ const file = process.env['NEARFAR_ORTHOVIEW'];
 const stores: readonly Told[] = file ? JSON.parse(await readFile(file, 'utf8')) : [];
 const skip = !file;
 
-async function opened({ url }: Told) {
+async function openStore({ url }: Told) {
   let received = 0;
   const base = new URL(url);
   const records = await openRecords(createFiles(base, (bytes) => (received += bytes)));
@@ -61,7 +61,7 @@ async function opened({ url }: Told) {
   return { base, records, cells, shards, leafFiles, received: () => received };
 }
 
-type Opened = Awaited<ReturnType<typeof opened>>;
+type Opened = Awaited<ReturnType<typeof openStore>>;
 
 async function whole(
   { records, cells, shards, leafFiles }: Opened,
@@ -126,7 +126,7 @@ const { signal } = new AbortController();
 
 test('cuts are those of tree.cut, and splats are read', { skip }, async () => {
   for (const told of stores) {
-    const store = await opened(told);
+    const store = await openStore(told);
     await checkCuts(store, told.cases);
     const reader = createReader(store.base, store.records.layout, () => undefined);
     const read = async (view: View) => {
@@ -144,7 +144,7 @@ test('cuts are those of tree.cut, and splats are read', { skip }, async () => {
 
 test('what is damaged or gone is named', { skip }, async () => {
   for (const told of stores.filter(({ damaged }) => damaged.length > 0)) {
-    const store = await opened(told);
+    const store = await openStore(told);
     for (const each of told.cases) await whole(store, each);
     const reader = createReader(store.base, store.records.layout, () => undefined);
     for (const { view, kind, words } of told.damaged) {

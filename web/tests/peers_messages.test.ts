@@ -1,13 +1,13 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { createBucket } from '../src/peers/bucket';
-import { type Message, MOST_TOLD, PART, readMessage, writeMessage } from '../src/peers/messages';
+import { type Message, MAX_FILES_PER_MESSAGE, PART, readMessage, writeMessage } from '../src/peers/messages';
 import { createOutbox } from '../src/peers/outbox';
 import { readSignal, type Signal, writeSignal } from '../src/peers/signals';
 import { createStore } from '../src/peers/store';
 import { isBefore } from '../src/peers/weights';
 import { FrameError } from '../src/rooms/bytes';
-import { made, steppedClock } from './support/peers';
+import { makeContent, steppedClock } from './support/peers';
 import { randomOf } from './support/random';
 
 const KEY = '00ff'.repeat(16);
@@ -37,7 +37,7 @@ test('what is no message is refused, and nothing else happens', () => {
   const wrong = ['', '00', '07', '01', '0103', '0100ff', '02', '0204030201ff', '05', '050700000000', '0407000000'];
   for (const text of wrong) assert.throws(() => readMessage(bytes(text)), FrameError, text);
   assert.throws(() => readMessage(new Uint8Array(6 + PART).fill(3)), FrameError);
-  assert.throws(() => readMessage(Uint8Array.from([1, 0, ...new Uint8Array(32 * (MOST_TOLD + 20))])), FrameError);
+  assert.throws(() => readMessage(Uint8Array.from([1, 0, ...new Uint8Array(32 * (MAX_FILES_PER_MESSAGE + 20))])), FrameError);
   const random = randomOf(5);
   for (let trial = 0; trial < 3000; trial++) {
     const garbage = Uint8Array.from({ length: Math.floor(80 * random()) }, () => Math.floor(256 * random()));
@@ -87,7 +87,7 @@ test('each user asks for its part of the files, and all find the same one', () =
   const users = [3, 4, 900, 65_535, 12, 13, 14, 15];
   const counts = new Map<number, number>();
   for (let file = 0; file < 2000; file++) {
-    const { sha256: key } = made(1 + file, 0).listed;
+    const { sha256: key } = makeContent(1 + file, 0).listed;
     const byEach = users.map((_, turn) => [...users.slice(turn), ...users.slice(0, turn)]);
     const firsts = byEach.map((order) => order.reduce((best, user) => (isBefore(user, best, key) ? user : best)));
     assert.equal(new Set(firsts).size, 1);

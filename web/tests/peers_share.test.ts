@@ -1,10 +1,10 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { isBefore } from '../src/peers/weights';
-import { createPage, join, made, type Page, settled, steppedClock, type Stepped, type World } from './support/peers';
+import { createPage, join, makeContent, type Page, settled, steppedClock, type Stepped, type World } from './support/peers';
 
 const NAMES = [...Array(40).keys()].map((number) => `files/${number}`);
-const WORLD: World = Object.fromEntries(NAMES.map((name, number) => [name, made(20_000 + 300 * number, number)]));
+const WORLD: World = Object.fromEntries(NAMES.map((name, number) => [name, makeContent(20_000 + 300 * number, number)]));
 const BYTES = NAMES.reduce((sum, name) => sum + (WORLD[name]?.listed.bytes ?? 0), 0);
 
 function pages(count: number, clock: Stepped): Page[] {

@@ -4,7 +4,7 @@ import { type Message, PART, readMessage, writeMessage } from '../src/peers/mess
 import {
   createPage,
   join,
-  made,
+  makeContent,
   type Page,
   plug,
   settled,
@@ -15,7 +15,7 @@ import {
   type World,
 } from './support/peers';
 
-const WORLD: World = { a: made(3 * PART + 5, 1), b: made(PART, 2), c: made(7, 3) };
+const WORLD: World = { a: makeContent(3 * PART + 5, 1), b: makeContent(PART, 2), c: makeContent(7, 3) };
 const KEYS = Object.values(WORLD).map(({ listed }) => listed.sha256);
 const [A = '', B = '', C = ''] = KEYS;
 const contentOf = (name: string): Uint8Array => new Uint8Array(WORLD[name]?.data ?? new ArrayBuffer(0));
@@ -236,7 +236,7 @@ test('who is not interested any more cancels, and nothing is kept', async () => 
 
 test('files are sent no faster than the browser takes them, one after the other', async () => {
   const { page, say, line } = bench();
-  const big: World = { big: made(40 * PART, 4) };
+  const big: World = { big: makeContent(40 * PART, 4) };
   page.store.add(big['big']?.listed.sha256 ?? '', big['big']?.data ?? new ArrayBuffer(0));
   page.store.add(C, WORLD['c']?.data ?? new ArrayBuffer(0));
   const own = line.other as Wire;
@@ -270,7 +270,7 @@ test('too many requests at once drop, and too many a second get nothing', async 
   assert.deepEqual(crowd.page.asked, ['a']);
   const hurry = bench();
   for (let request = 1; request <= 500; request++) {
-    const { data, listed } = made(request, 4);
+    const { data, listed } = makeContent(request, 4);
     hurry.page.store.add(listed.sha256, data);
     hurry.line.send(writeMessage({ kind: 'want', request, key: listed.sha256 }));
     if (request % 20 === 0) await settled();

@@ -151,7 +151,7 @@ interface Field {
 }
 
 /** A frame of the page by the names of docs/rooms.md. */
-function named(frame: FromServer | FromUser): Field {
+function withFieldNames(frame: FromServer | FromUser): Field {
   const whole = 'pose' in frame ? { ...frame, pose: namedPose(frame.pose) } : frame;
   const fields = Object.entries(whole).map(([name, value]) => [
     name === 'payload' ? 'data' : name,
@@ -170,7 +170,7 @@ function namedPose({ sequence, clock, isAcknowledged: acknowledged, stops, point
 test('frames of the server are those of the vectors of all languages', () => {
   for (const { frame, bytes, region } of vectors.servers) {
     const read = readMessage(Uint8Array.from(Buffer.from(bytes, 'hex')));
-    assert.deepEqual(read.map(named), [frame], region);
+    assert.deepEqual(read.map(withFieldNames), [frame], region);
     assert.deepEqual(read.map(served).map(hex), [bytes], region);
   }
   for (const { server, region } of vectors.refused) {

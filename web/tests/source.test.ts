@@ -81,7 +81,7 @@ function slow(size: number, go: Promise<void>): Reply {
 }
 const NEVER = new Promise<void>(() => undefined);
 
-async function opened(replies: Record<string, Reply[]>, sizes: readonly number[] = [4, 4, 4]) {
+async function openWorld(replies: Record<string, Reply[]>, sizes: readonly number[] = [4, 4, 4]) {
   const files = Object.fromEntries(sizes.map((size, number) => [name(number), size]));
   const world = createWorld({ ...replies, 'manifest.json': [() => new Response(asManifest(manifest(files)))] });
   const counted = { bytes: 0 };
@@ -96,7 +96,7 @@ const read = async (source: Source, number: number): Promise<number[]> => [
 ];
 
 test('one request serves all who ask at the same time, each with bytes of its own', async () => {
-  const { world, source, counted } = await opened({ [name(0)]: [whole(4, 7)] });
+  const { world, source, counted } = await openWorld({ [name(0)]: [whole(4, 7)] });
   const told: number[] = [];
   const all = await Promise.all([
     source.fetch(name(0), signal(), (more) => told.push(more)),
@@ -118,14 +118,14 @@ test('one request serves all who ask at the same time, each with bytes of its ow
 test('at most six at once, in the order of asking', async () => {
   const sizes = Array.from({ length: 20 }, () => 4);
   const later: Reply = () => new Promise((done) => setTimeout(() => done(new Response(bytes(4))), 3));
-  const { world, source } = await opened(Object.fromEntries(sizes.map((_, number) => [name(number), [later]])), sizes);
+  const { world, source } = await openWorld(Object.fromEntries(sizes.map((_, number) => [name(number), [later]])), sizes);
   await Promise.all(sizes.map((_, number) => read(source, number)));
   assert.equal(world.most(), 6);
   assert.deepEqual(world.asked.slice(1), sizes.map((_, number) => name(number)));
 });
 
 test('a transfer that breaks off begins anew after growing pauses, and bytes count once', async () => {
-  const { world, source, counted } = await opened({ [name(0)]: [broken, whole(3), broken, whole(4, 5)] });
+  const { world, source, counted } = await openWorld({ [name(0)]: [broken, whole(3), broken, whole(4, 5)] });
   const done = read(source, 0);
   const pauses = [await world.tick(), await world.tick(), await world.tick()];
   assert.deepEqual(pauses, [0.5, 1, 2]);
@@ -135,7 +135,7 @@ test('a transfer that breaks off begins anew after growing pauses, and bytes cou
 });
 
 test('a file that was damaged is not taken from the cache the next time', async () => {
-  const { world, source } = await opened({ [name(0)]: [whole(4)], [name(1)]: [whole(4)] });
+  const { world, source } = await openWorld({ [name(0)]: [whole(4)], [name(1)]: [whole(4)] });
   await read(source, 0);
   source.distrust(name(0));
   for (const number of [1, 0, 0]) await read(source, number);
@@ -143,7 +143,7 @@ test('a file that was damaged is not taken from the cache the next time', async 
 });
 
 test('a server that stalls is given up, and asked again', async () => {
-  const { world, source, counted } = await opened({ [name(0)]: [slow(2, NEVER), whole(4)] });
+  const { world, source, counted } = await openWorld({ [name(0)]: [slow(2, NEVER), whole(4)] });
   const done = read(source, 0);
   // The bytes came before the first look.
   assert.equal(await world.tick(), 10);
@@ -155,7 +155,7 @@ test('a server that stalls is given up, and asked again', async () => {
 });
 
 test('after five trials the file is named', async () => {
-  const { world, source } = await opened({ [name(0)]: [broken] });
+  const { world, source } = await openWorld({ [name(0)]: [broken] });
   const failed = assert.rejects(read(source, 0), (error: Error) => {
     assert.ok(error instanceof BundleError);
     assert.equal(error.message, `${name(0)} does not come: network error`);
@@ -172,7 +172,7 @@ test('what asking again does not change is told at once', async () => {
       end.throwIfAborted();
       controller.enqueue(bytes(1000));
     } }));
-  const { world, source } = await opened({ [name(0)]: [whole(5)], [name(2)]: [endless] });
+  const { world, source } = await openWorld({ [name(0)]: [whole(5)], [name(2)]: [endless] });
   await assert.rejects(read(source, 0), /^BundleError: files\/0+\.bin: expected 4 bytes, as the manifest lists it/);
   await assert.rejects(read(source, 1), /^BundleError: files\/0+1\.bin: the server answers 404 Not Found$/);
   await assert.rejects(read(source, 2), /expected 4 bytes/);
@@ -182,7 +182,7 @@ test('what asking again does not change is told at once', async () => {
 
 test('servers that are too busy are asked again', async () => {
   const busy = (status: number): Reply => () => new Response(null, { status });
-  const { world, source } = await opened({ [name(0)]: [busy(503), busy(429), whole(4)] });
+  const { world, source } = await openWorld({ [name(0)]: [busy(503), busy(429), whole(4)] });
   const done = read(source, 0);
   assert.deepEqual([await world.tick(), await world.tick()], [0.5, 1]);
   assert.equal((await done).length, 4);
@@ -191,7 +191,7 @@ test('servers that are too busy are asked again', async () => {
 test('who stops waiting is told at once, and others go on', async () => {
   let go = (): void => undefined;
   const ready = new Promise<void>((done) => (go = done));
-  const { world, source } = await opened({ [name(0)]: [slow(4, ready), whole(4)] });
+  const { world, source } = await openWorld({ [name(0)]: [slow(4, ready), whole(4)] });
   const stop = new AbortController();
   const stopped = source.fetch(name(0), stop.signal);
   const other = read(source, 0);
@@ -206,7 +206,7 @@ test('who stops waiting is told at once, and others go on', async () => {
 test('a request that nobody waits for is stopped, and its place is free', async () => {
   const sizes = Array.from({ length: 8 }, () => 4);
   const replies = Object.fromEntries(sizes.map((_, number) => [name(number), [slow(1, NEVER)]]));
-  const { world, source, counted } = await opened({ ...replies, [name(7)]: [whole(4)] }, sizes);
+  const { world, source, counted } = await openWorld({ ...replies, [name(7)]: [whole(4)] }, sizes);
   const stop = new AbortController();
   const stalled = sizes.slice(0, 7).map((_, number) => source.fetch(name(number), stop.signal));
   const last = read(source, 7);

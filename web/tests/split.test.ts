@@ -43,7 +43,7 @@ function mean(points: readonly Vector[], weights: readonly number[]): Vector {
 }
 
 /** From the user, where a point is shown: Eq. 1 to 3 as they are written. */
-function shown(p: Vector, user: Vector, radius: number, nearShare: number, strength: number): Vector {
+function displayedPoint(p: Vector, user: Vector, radius: number, nearShare: number, strength: number): Vector {
   const rho = Math.hypot(p[0], p[2]);
   const w = strength * Math.min(Math.max((radius - rho) / (radius * (1 - nearShare)), 0), 1);
   const from = p.map((value, k) => value - (user[k] as number)) as unknown as Vector;
@@ -71,7 +71,7 @@ function greatest(mesh: Arrays, growth: Growth, pick: () => State): number {
     const { away, radius, strength } = pick();
     const turn = 2 * Math.PI * random();
     const user: Vector = [away * Math.cos(turn), 0, away * Math.sin(turn)];
-    const place = (p: Vector): Vector => shown(p, user, radius, growth.nearShare, strength);
+    const place = (p: Vector): Vector => displayedPoint(p, user, radius, growth.nearShare, strength);
     for (let sample = 0; sample < 2000; sample++) {
       const triangle = 3 * Math.floor((random() * mesh.indices.length) / 3);
       const corners = [0, 1, 2].map((n) => corner(mesh, triangle + n));

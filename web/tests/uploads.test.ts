@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createFlight, MOST_IN_FLIGHT } from '../src/show/flight';
+import { createFlight, MAX_IN_FLIGHT } from '../src/show/flight';
 import { createUploads, type Step } from '../src/show/uploads';
 
 const signal = new AbortController().signal;
@@ -114,16 +114,16 @@ test('no more is sent than the GPU takes', async () => {
   const { marks, flight } = slowGpu();
   const uploads = createUploads(() => 0, flight);
   let sent = 0;
-  const bytes = MOST_IN_FLIGHT / 4;
+  const bytes = MAX_IN_FLIGHT / 4;
   const steps = Array.from({ length: 10 }, (): Step => ({ kind: 'map', bytes, run: () => void (sent += bytes) }));
   const done = uploads.add(steps, signal);
   uploads.run(Infinity);
-  assert.equal(sent, MOST_IN_FLIGHT);
+  assert.equal(sent, MAX_IN_FLIGHT);
   uploads.run(Infinity);
-  assert.equal(sent, MOST_IN_FLIGHT);
+  assert.equal(sent, MAX_IN_FLIGHT);
   for (const mark of marks) mark.isPassed = true;
   uploads.run(Infinity);
-  assert.equal(sent, 2 * MOST_IN_FLIGHT);
+  assert.equal(sent, 2 * MAX_IN_FLIGHT);
   // Lost graphics take nothing any more, and new ones have room.
   uploads.forget();
   uploads.run(Infinity);
@@ -134,8 +134,8 @@ test('no more is sent than the GPU takes', async () => {
 
 test('what is larger than the room goes alone', () => {
   const { marks, flight } = slowGpu();
-  assert.ok(flight.hasRoom(2 * MOST_IN_FLIGHT));
-  flight.send(2 * MOST_IN_FLIGHT);
+  assert.ok(flight.hasRoom(2 * MAX_IN_FLIGHT));
+  flight.send(2 * MAX_IN_FLIGHT);
   flight.mark();
   assert.ok(!flight.hasRoom(1));
   assert.ok(flight.hasRoom(0));

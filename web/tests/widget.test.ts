@@ -41,7 +41,7 @@ const text = new TextEncoder().encode(asManifest(manifest()));
 const soon = (): Promise<void> => new Promise((done) => setTimeout(done, 0));
 const signal = new AbortController().signal;
 
-async function opened() {
+async function openFakeKernel() {
   const fake = fakeModel();
   const opening = openKernel(fake.model, () => undefined, signal);
   fake.answer({ id: fake.asked[0]?.id, bytes: text.length }, text);
@@ -49,7 +49,7 @@ async function opened() {
 }
 
 test('a manifest comes from the kernel, and files in pieces', async () => {
-  const fake = await opened();
+  const fake = await openFakeKernel();
   assert.equal(fake.source.manifest.files[FILE]?.bytes, 3);
   const file = fake.source.fetch(FILE, signal);
   await soon();
@@ -62,7 +62,7 @@ test('a manifest comes from the kernel, and files in pieces', async () => {
 });
 
 test('what the kernel has not is told', async () => {
-  const fake = await opened();
+  const fake = await openFakeKernel();
   await assert.rejects(fake.source.fetch('files/0000000000000000.webp', signal), /manifest does not list/);
   for (const [answer, data, message] of [
     [{ problem: 'no such file' }, undefined, /^BundleError: no such file$/],
@@ -78,7 +78,7 @@ test('what the kernel has not is told', async () => {
 });
 
 test('a view that goes waits for nothing and hears nothing', async () => {
-  const fake = await opened();
+  const fake = await openFakeKernel();
   const stop = new AbortController();
   const file = fake.source.fetch(FILE, stop.signal);
   await soon();

@@ -24,7 +24,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 import nearfar as nf
-from benchmarks.harness.link.namespace import ADDRESSES, inside, new_namespace, no_link
+from benchmarks.harness.link.namespace import ADDRESSES, enter_namespace, new_namespace, no_link
 
 SERVER, CLIENT = ADDRESSES
 SIDES = ("server", "client")
@@ -44,7 +44,7 @@ class Shaped:
 
     def side(self, name: str) -> AbstractContextManager[None]:
         """Move this thread to one side, "server" or "client"; sockets that it creates stay there."""
-        return inside(self._namespaces[name])
+        return enter_namespace(self._namespaces[name])
 
     def command(self, name: str, arguments: Sequence[str]) -> list[str]:
         """Return the command that runs a program at one side, while this process lives."""

@@ -58,7 +58,7 @@ def new_namespace() -> int:
 
 
 @contextmanager
-def inside(namespace: int) -> Iterator[None]:
+def enter_namespace(namespace: int) -> Iterator[None]:
     """Move this thread, and processes that it starts, into the namespace; existing sockets stay where they are."""
     here = os.open(_SELF, os.O_RDONLY)
     try:
@@ -75,7 +75,7 @@ def open_device(namespace: int, address: str, *, mtu: int, congestion: str) -> i
     """Create the link's end in a namespace: an active TUN device with an address and TCP's settings."""
     device = _device(namespace)
     os.set_blocking(device, False)
-    with inside(namespace):
+    with enter_namespace(namespace):
         for name, value in (
             # Only packets of a test cross the link.
             ("ipv6/conf/all/disable_ipv6", "1"),
@@ -96,7 +96,7 @@ def open_device(namespace: int, address: str, *, mtu: int, congestion: str) -> i
 
 def _device(namespace: int) -> int:
     """Create a TUN device without packet headers: the kernel fragments packets larger than the MTU itself."""
-    with inside(namespace):
+    with enter_namespace(namespace):
         device = os.open(TUN, os.O_RDWR | os.O_CLOEXEC)
         try:
             fcntl.ioctl(device, _TUNSETIFF, struct.pack("16sH22x", DEVICE.encode(), _IFF_TUN | _IFF_NO_PI))

@@ -47,7 +47,7 @@ class Path:
         if self._queued + size > self._most:
             counts.overflowed += 1
             return
-        self._through = self._clock.after(max(now, self._through), size)
+        self._through = self._clock.end_of_transfer(max(now, self._through), size)
         self._queued += size
         waiting.append((self._through, size))
         if self._random() < self._loss:

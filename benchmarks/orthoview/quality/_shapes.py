@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.orthoview._splats import Pixels
-from nearfar.orthoview._gaussians import LEAST_COSINE, SUN, lit
+from nearfar.orthoview._gaussians import MIN_COSINE, SUN, lit
 
 BORDER = 1.27
 """Factor of the size of surfels at the border of a surface, as in `tree.render`."""
@@ -41,7 +41,7 @@ def warped_circle(pixels: Pixels, camera: nf.Camera) -> Sides:
 def ellipse(pixels: Pixels, camera: nf.Camera) -> Sides:
     """Ellipses on the tangent planes through the corners of the pixels there."""
     del camera
-    return pixels.tangents(LEAST_COSINE)
+    return pixels.tangents(MIN_COSINE)
 
 
 def mixed(is_surfel: NDArray[np.bool_], is_inner: NDArray[np.bool_]) -> Callable[[Pixels, nf.Camera], Sides]:
@@ -68,7 +68,7 @@ def inner(bits: NDArray[np.uint8]) -> NDArray[np.bool_]:
     return is_inner
 
 
-def drawn(pixels: Pixels, sides: Sides, camera: nf.Camera) -> tuple[NDArray[np.uint8], Floats]:
+def rasterize(pixels: Pixels, sides: Sides, camera: nf.Camera) -> tuple[NDArray[np.uint8], Floats]:
     """Draw the nearest splats: colours (H, W, 3) and depths (H, W), infinite for empty pixels."""
     width, height = camera.size
     middle = camera.project(pixels.middle)

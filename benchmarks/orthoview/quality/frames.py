@@ -129,18 +129,18 @@ def geometry(tiles: str, half: float, way: str) -> tuple[Callable[[nf.Camera], A
 def orthoviews(path: str, half: float) -> tuple[Callable[[nf.Camera], Any], Row]:
     """Draw the cells and leaves of the cut whose middles lie in the square."""
     tree = nf.orthoview.open(path)
-    opened = tree._opened()
+    opened = tree._open_store()
     viewer, grid = opened.viewer, opened.grid
 
-    def within(level: int, place: tuple[int, int, int]) -> bool:
+    def is_in_square(level: int, place: tuple[int, int, int]) -> bool:
         middle = grid.box(level, place).mean(axis=0) - [START[0], 0.0, START[1]]
         return float(np.abs(middle[[0, 2]]).max()) <= half
 
     def draw(camera: nf.Camera) -> Any:
         cut = viewer.cutter.whole(camera, Settings())
         several = cut.keys()
-        keys = [key for key in several if within(*key[:2])]
-        leaves = viewer.cutter.with_guests([leaf for leaf in cut.leaf_places() if within(0, leaf)])
+        keys = [key for key in several if is_in_square(*key[:2])]
+        leaves = viewer.cutter.with_guests([leaf for leaf in cut.leaf_places() if is_in_square(0, leaf)])
         parts = Parts(viewer.views.get(keys), viewer.near.scene(leaves), None, {})
         return viewer.picture(camera, Shot(cameras=(camera,), channels=("color",)), parts)
 

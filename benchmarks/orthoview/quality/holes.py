@@ -21,9 +21,9 @@ import nearfar as nf
 from benchmarks.harness.timing import machine, table
 from benchmarks.orthoview import _sheets
 from benchmarks.orthoview._quality import SAMPLES, Truth, shown_by
-from benchmarks.orthoview._worlds import World, forest, landscape, opened, tokyo
+from benchmarks.orthoview._worlds import World, forest, landscape, open_tree, tokyo
 from nearfar._camera.shot import Shot
-from nearfar.orthoview._cut import MOST_VIEWS, OrthoCut
+from nearfar.orthoview._cut import MAX_VIEWS, OrthoCut
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._viewer import Parts
 
@@ -58,15 +58,15 @@ def main() -> None:
     given = parser.parse_args()
     print(machine(), "\n")
     city = tokyo(given.tiles)
-    tree = opened(city.build(given.trees), DIRECTIONS)
-    all_views = opened(city.build(given.trees), 26)
+    tree = open_tree(city.build(given.trees), DIRECTIONS)
+    all_views = open_tree(city.build(given.trees), 26)
     counts = np.zeros((len(CAUSES), len(SURFACES)))
     surfaces, panels = 0, []
     for number, camera in enumerate(city.from_air()):
         truth = nf.render(
             city.scene, camera, clip=nf.Clip(box=tree.bounds), channels=("color", "range", "position", "normal")
         )
-        frame = drawn(tree, camera, lifted(0))
+        frame = render_choice(tree, camera, lifted(0))
         cause, kind = causes(tree, all_views, truth, frame)
         surfaces += int(np.isfinite(truth.require("range")).sum())
         for n in range(len(CAUSES)):
@@ -85,7 +85,7 @@ def main() -> None:
     print(table("Choices of views", ["place", "views", "thousand splats", "holes, %", "PSNR, dB", "SSIM"], rows))
 
 
-def drawn(tree: nf.orthoview.OrthoTree, camera: nf.Camera, choose: Choice, samples: int = 1) -> nf.Frame:
+def render_choice(tree: nf.orthoview.OrthoTree, camera: nf.Camera, choose: Choice, samples: int = 1) -> nf.Frame:
     """Draw a tree from chosen views."""
     viewer, cut = tree._viewer, choose(tree, camera)
     keys = cut.keys()
@@ -149,7 +149,7 @@ def lifted(degrees: float, views: int = VIEWS) -> Choice:
 
 def with_top(tree: nf.orthoview.OrthoTree, camera: nf.Camera) -> OrthoCut:
     """Choose the two nearest views, and that from above."""
-    cut = tree.cut(camera, views=MOST_VIEWS)
+    cut = tree.cut(camera, views=MAX_VIEWS)
     top = tree.directions.index((0, 1, 0))
     several = []
     for row in cut.directions.tolist():
@@ -160,7 +160,7 @@ def with_top(tree: nf.orthoview.OrthoTree, camera: nf.Camera) -> OrthoCut:
 
 def of_choices(world: World, trees: Path) -> list[list[str]]:
     """Rows of holes and quality by the choice of views."""
-    tree = opened(world.build(trees), DIRECTIONS)
+    tree = open_tree(world.build(trees), DIRECTIONS)
     rows = []
     for place, cameras in (("air", world.from_air()), ("ground", world.from_ground())):
         truths = [Truth(world, camera, tree.bounds) for camera in cameras]
@@ -176,7 +176,7 @@ CHOICES: dict[str, Choice] = {
     "3 nearest": lifted(0),
     **{f"3 nearest to {angle}° higher": lifted(angle) for angle in (10, 20, 30, 45)},
     "2 nearest, and the top": with_top,
-    **{f"{views} nearest": lifted(0, views) for views in (4, 5, MOST_VIEWS)},
+    **{f"{views} nearest": lifted(0, views) for views in (4, 5, MAX_VIEWS)},
 }
 
 
@@ -190,12 +190,12 @@ def elsewhere(world: World, trees: Path) -> list[list[str]]:
     cameras = [world.camera(eye, target) for eye, target in zip(eyes, targets, strict=True)]
     rows = []
     for directions in (DIRECTIONS, 13):
-        tree = opened(world.build(trees), directions)
+        tree = open_tree(world.build(trees), directions)
         truths = [Truth(world, camera, tree.bounds) for camera in cameras]
         for angle in (0, 20, 30, 45):
             shares = []
             for truth in truths:
-                found = drawn(tree, truth.camera, lifted(angle)).require("range")
+                found = render_choice(tree, truth.camera, lifted(angle)).require("range")
                 is_there = np.isfinite(truth.range)
                 shares.append(100 * float((is_there & ~np.isfinite(found)).sum() / max(is_there.sum(), 1)))
             rows.append([str(directions), f"{angle}°", f"{np.mean(shares):.2f}", f"{np.max(shares):.2f}"])
@@ -205,10 +205,10 @@ def elsewhere(world: World, trees: Path) -> list[list[str]]:
 
 def measured(tree: nf.orthoview.OrthoTree, truth: Truth, choose: Choice) -> list[float]:
     """Thousands of splats in the picture, holes in percent of the surfaces, PSNR and SSIM."""
-    frame = drawn(tree, truth.camera, choose)
+    frame = render_choice(tree, truth.camera, choose)
     is_there = np.isfinite(truth.range)
     holes = 100 * float((is_there & ~np.isfinite(frame.require("range"))).sum() / is_there.sum())
-    picture, reference = drawn(tree, truth.camera, choose, SAMPLES).to_image(), truth.color.to_image()
+    picture, reference = render_choice(tree, truth.camera, choose, SAMPLES).to_image(), truth.color.to_image()
     psnr, ssim = (float(measure(reference, picture, data_range=255)) for measure in (nf.psnr, nf.ssim))
     return [frame.stats["splats_in_picture"] / 1e3, holes, psnr, ssim]
 

@@ -24,7 +24,7 @@ import nearfar as nf
 from benchmarks.harness.timing import machine, table
 from benchmarks.orthoview import _quality as seen, _sheets, _splats
 from benchmarks.orthoview._leaves import Leaf, layout_of
-from benchmarks.orthoview._worlds import World, forest, landscape, opened, tokyo
+from benchmarks.orthoview._worlds import World, forest, landscape, open_tree, tokyo
 from benchmarks.orthoview.quality import _shapes
 from nearfar import _core
 from nearfar._camera.shot import Shot
@@ -65,17 +65,17 @@ def main() -> None:
         return
     leaf, layout = tree_and_wall(), layout_of()
     views, number = leaf.views(layout), layout.directions.index(FRONT)
-    truth = Truth.of(leaf, camera(leaf, layout), views, layout, number)
+    truth = Truth.trace(leaf, camera(leaf, layout), views, layout, number)
     pixels = _splats.pixels(leaf, views, layout, number)
     rows, panels = [], [(f"truth\nfrom {TURN:g}° beside the view", truth.picture)]
     for name, shape in shapes(views, number).items():
-        color, depth = _shapes.drawn(pixels, shape(pixels, truth.fine), truth.fine)
+        color, depth = _shapes.rasterize(pixels, shape(pixels, truth.fine), truth.fine)
         found = truth.compared(color, depth)
         rows.append([name, *found.cells()])
         panels.append((f"{name}\n{found.psnr:.1f} dB, {found.holes:.1f} % holes", found.picture))
     print(table(f"{len(pixels.middle):,} splats", ["shape", *HEADER], rows))
     kernel = truth.compared(*of_kernel(leaf, views, number, truth.fine))
-    ours = truth.compared(*_shapes.drawn(pixels, shapes(views, number)["ours"](pixels, truth.fine), truth.fine))
+    ours = truth.compared(*_shapes.rasterize(pixels, shapes(views, number)["ours"](pixels, truth.fine), truth.fine))
     print(f"ours, by the kernel of tree.render: {', '.join(kernel.cells())}")
     print(f"both pictures of ours: {nf.psnr(kernel.picture, ours.picture, data_range=255):.1f} dB\n")
     if given.out is not None:
@@ -86,7 +86,7 @@ def of_trees(worlds: list[World], trees: Path) -> str:
     """Compare pictures from the air by `tree.render` with surfels only, none of them larger at borders."""
     rows = []
     for world in worlds:
-        tree = opened(world.build(trees), len(layout_of().directions))
+        tree = open_tree(world.build(trees), len(layout_of().directions))
         shown = [seen.Truth(world, onto, tree.bounds) for onto in world.from_air()]
         for views in (1, 3):
             for name, decoded in (("ours", _codec.decoded), ("ellipses", _surfels)):
@@ -189,14 +189,14 @@ class Truth:
     """Mask of samples whose surfaces the view shows."""
 
     @classmethod
-    def of(cls, leaf: Leaf, onto: nf.Camera, views: _core.OrthoViews, layout: Layout, number: int) -> Truth:
+    def trace(cls, leaf: Leaf, onto: nf.Camera, views: _core.OrthoViews, layout: Layout, number: int) -> Truth:
         """Trace the truth."""
         fine = replace(onto, size=(GRID * SIZE[0], GRID * SIZE[1]))
         channels = ("color", "range", "position")
         frame = nf.render(leaf.scene, fine, clip=nf.Clip(box=leaf.box), channels=channels)
         points = frame.require("position") + np.array(frame.origin)
         empty = nf.render(leaf.scene, fine, t_max=1e-6, channels=("color",)).require("color")
-        return cls(fine, frame, empty, shown(points, leaf, views, layout, number))
+        return cls(fine, frame, empty, visible_in_view(points, leaf, views, layout, number))
 
     @property
     def picture(self) -> NDArray[np.uint8]:
@@ -225,7 +225,7 @@ class Truth:
         return Findings(picture, psnr, ssim, holes, far, near, false)
 
 
-def shown(points: NDArray[Any], leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int) -> Bools:
+def visible_in_view(points: NDArray[Any], leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int) -> Bools:
     """Whether one view of a leaf shows world points (H, W, 3)."""
     axes, extents = (np.array(values) for values in _core.orthoview_axes(layout.directions[number]))
     extents = extents * leaf.side

@@ -37,7 +37,7 @@ def restore(target: Path) -> None:
 
 
 @contextmanager
-def held(target: Path, *, folder: bool) -> Iterator[Path]:
+def temporary_beside(target: Path, *, folder: bool) -> Iterator[Path]:
     """Create an empty file or folder beside the target: a rename across file systems would copy.
 
     A lock file beside it marks it as owned by a running process. If the block raises, the temporary is removed.

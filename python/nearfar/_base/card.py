@@ -22,10 +22,10 @@ Kind = TypeVar("Kind")
 COLORS = ("#2f7fc1", "#c8701a", "#2f9457", "#c2504e", "#8a68c0", "#94705a", "#b8579a", "#7a7a7a")
 """Colours of curves and areas, of medium brightness: readable on white and on black."""
 
-MOST_PIXELS = 640
+MAX_PIXELS = 640
 """Greatest width and height of an embedded picture in pixels; larger ones are scaled down."""
 
-LEAST_PIXELS = 160
+MIN_PIXELS = 160
 """Pictures are enlarged by an integer factor until about this wide."""
 
 PLOT = (420, 250)
@@ -141,8 +141,8 @@ def _fitted(pixels: NDArray[np.uint8]) -> Image.Image:
     from PIL import Image
 
     image = Image.fromarray(np.ascontiguousarray(pixels))
-    image.thumbnail((MOST_PIXELS, MOST_PIXELS), Image.Resampling.BOX)
-    if (factor := LEAST_PIXELS // max(image.size)) > 1:
+    image.thumbnail((MAX_PIXELS, MAX_PIXELS), Image.Resampling.BOX)
+    if (factor := MIN_PIXELS // max(image.size)) > 1:
         image = image.resize((image.width * factor, image.height * factor), Image.Resampling.NEAREST)
     return image
 
@@ -155,7 +155,7 @@ def _encoded(image: Image.Image) -> bytes:
 
 def thinned(image: NDArray[Any]) -> NDArray[Any]:
     """Subsample an image (H, W, …) to at most twice the embedded size."""
-    step = max(1, math.ceil(max(image.shape[:2]) / (2 * MOST_PIXELS)))
+    step = max(1, math.ceil(max(image.shape[:2]) / (2 * MAX_PIXELS)))
     return image[::step, ::step]
 
 
@@ -173,8 +173,8 @@ def plot(lines: Sequence[Line], x_label: str, y_label: str, *, log_y: bool = Fal
     """Draw curves over a logarithmic x axis as SVG; values that the axes cannot show are left out."""
     every_x = np.concatenate([line.x for line in lines])
     every_y = np.concatenate([part for line in lines for part in (line.y, *(line.points or ())[1:])])
-    x, y = _Axis.over(every_x, True, _MARGINS[0], PLOT[0] - _MARGINS[1]), None
-    y = _Axis.over(every_y, log_y, PLOT[1] - _MARGINS[3], _MARGINS[2])
+    x, y = _Axis.spanning(every_x, True, _MARGINS[0], PLOT[0] - _MARGINS[1]), None
+    y = _Axis.spanning(every_y, log_y, PLOT[1] - _MARGINS[3], _MARGINS[2])
     grid, middle, foot = [], (x.start + x.end) / 2, PLOT[1] - _MARGINS[3]
     for value, text in x.ticks():
         grid.append(f'<path d="M{x(value):.1f} {y.start}V{y.end}" stroke="currentColor" stroke-opacity=".15"/>')
@@ -233,7 +233,7 @@ class _Axis:
     end: float
 
     @classmethod
-    def over(cls, values: NDArray[np.float64], is_log: bool, start: float, end: float) -> _Axis:
+    def spanning(cls, values: NDArray[np.float64], is_log: bool, start: float, end: float) -> _Axis:
         """Make the axis that shows all values, except those that are not finite or have no logarithm."""
         kept = values[np.isfinite(values) & (values > 0.0)] if is_log else values[np.isfinite(values)]
         low, high = (float(kept.min()), float(kept.max())) if kept.size else (1.0, 10.0)

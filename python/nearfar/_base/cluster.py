@@ -22,7 +22,7 @@ _METHODS = ("submit", "scatter", "cancel", "ncores")
 def check_client(name: str, client: object) -> None:
     """Raise a TypeError for anything but a `distributed.Client`."""
     if not all(callable(getattr(client, method, None)) for method in _METHODS):
-        raise TypeError(f"{name}: expected a distributed.Client, got {check.described(client)}")
+        raise TypeError(f"{name}: expected a distributed.Client, got {check.type_and_value(client)}")
 
 
 @contextmanager

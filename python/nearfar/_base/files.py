@@ -45,7 +45,7 @@ def atomic_file(path: str | os.PathLike[str]) -> Iterator[Path]:
         message = "is a pipe, a socket or a device, expected a place for a file"
         raise OSError(errno.EINVAL, message, str(target))
     aside.clear(target)
-    with aside.held(target, folder=False) as temporary:
+    with aside.temporary_beside(target, folder=False) as temporary:
         yield temporary
         _flush(temporary)
         _keep_mode(target, temporary)
@@ -82,7 +82,7 @@ def atomic_folder(path: str | os.PathLike[str], *, marker: str = "manifest.json"
     aside.restore(target)
     _check_replaceable(target, marker)
     aside.clear(target)
-    with aside.held(target, folder=True) as temporary:
+    with aside.temporary_beside(target, folder=True) as temporary:
         yield temporary
         for item in sorted(temporary.rglob("*")):
             _flush(item)

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
 
-MOST = 8
+MAX = 8
 """Maximum number of half-spaces, which is that of graphics adapters; a box takes six of them."""
 
 
@@ -41,11 +41,13 @@ class Clip:
         if self.box is not None:
             corners = check.array("box", self.box, columns=3, dtype=np.float64, finite=True)
             if corners.shape != (2, 3) or not (corners[0] < corners[1]).all():
-                raise ValueError(f"box: expected its least and its greatest corner, got {check.shown(self.box)}")
+                raise ValueError(
+                    f"box: expected its least and its greatest corner, got {check.value_or_type(self.box)}"
+                )
             object.__setattr__(self, "box", tuple(map(tuple, corners.tolist())))
         count = len(self.half_spaces)
-        if count > MOST:
-            raise ValueError(f"planes: expected at most {MOST} half-spaces, of which a box takes six, got {count}")
+        if count > MAX:
+            raise ValueError(f"planes: expected at most {MAX} half-spaces, of which a box takes six, got {count}")
 
     @property
     def half_spaces(self) -> NDArray[np.float64]:
@@ -59,15 +61,15 @@ class Clip:
 
 
 def _planes(value: ArrayLike) -> NDArray[np.float64]:
-    """Check half-spaces (N, 4), N at most `MOST`; an empty sequence is allowed."""
+    """Check half-spaces (N, 4), N at most `MAX`; an empty sequence is allowed."""
     plain = check.plain("planes", value)
     if plain.size == 0:
         return np.empty((0, 4))
     if plain.ndim != 2 or plain.shape[1] != 4:
         raise ValueError(f"planes: expected half-spaces of four numbers, got shape {plain.shape}")
-    if len(plain) > MOST:
-        raise ValueError(f"planes: expected at most {MOST} half-spaces, of which a box takes six, got {len(plain)}")
+    if len(plain) > MAX:
+        raise ValueError(f"planes: expected at most {MAX} half-spaces, of which a box takes six, got {len(plain)}")
     rows = check.array("planes", plain, columns=4, dtype=np.float64, finite=True)
     if (rows[:, :3] == 0.0).all(axis=1).any():
-        raise ValueError(f"planes: expected normals of length above 0, got {check.shown(value)}")
+        raise ValueError(f"planes: expected normals of length above 0, got {check.value_or_type(value)}")
     return rows

@@ -232,7 +232,7 @@ def _buffer(
         return _core.DepthBuffer.from_matrix((width, height), rows.tolist(), low)
     if depth_range is not None:
         raise ValueError(
-            f"depth_range: expected None beside {type(projection).__name__}, got {check.shown(depth_range)}"
+            f"depth_range: expected None beside {type(projection).__name__}, got {check.value_or_type(depth_range)}"
         )
     if isinstance(projection, CubeFace) and width != height:
         raise ValueError(f"depth: expected square images for cube faces, got {width} x {height}")
@@ -249,7 +249,7 @@ def _buffer(
 def _parallel_planes(near: float | None, far: float) -> tuple[float, float]:
     farthest = check.number("far", far, finite=False)
     if near is None or not math.isfinite(farthest):
-        got = f"{check.shown(near)} and {farthest}"
+        got = f"{check.value_or_type(near)} and {farthest}"
         raise ValueError(f"far: expected finite near and far planes for parallel rays, got {got}")
     nearest = check.at_least_zero("near", near)
     return nearest, _above("far", far, nearest)

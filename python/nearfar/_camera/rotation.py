@@ -22,7 +22,7 @@ def rotation(orientation: Quaternion) -> NDArray[np.float64]:
     )
 
 
-def turned(first: Quaternion, then: Quaternion) -> Quaternion:
+def compose_rotations(first: Quaternion, then: Quaternion) -> Quaternion:
     """Compute the unit quaternion of the rotation `first` followed by `then`."""
     (ax, ay, az, aw), (bx, by, bz, bw) = then, first
     product = (

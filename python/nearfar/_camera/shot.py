@@ -117,7 +117,7 @@ def check_request(shot: object, report: object) -> None:
     """Check the arguments of a renderable's `trace`, which rendering passes; TypeError for others."""
     check.instance("shot", shot, Shot)
     if report is not None and not callable(report):
-        raise TypeError(f"report: expected a function of two numbers or None, got {check.described(report)}")
+        raise TypeError(f"report: expected a function of two numbers or None, got {check.type_and_value(report)}")
 
 
 def check_begin(device: object, shot: object, report: object) -> None:

@@ -182,7 +182,7 @@ def numbers_of(name: str, values: ArrayLike) -> NDArray[Any]:
 
 def _radius(radius: float, chosen: str) -> float:
     if chosen not in ("min", "max"):
-        raise ValueError(f"radius: expected None with filter {chosen!r}, got {check.shown(radius)}")
+        raise ValueError(f"radius: expected None with filter {chosen!r}, got {check.value_or_type(radius)}")
     angle = check.number("radius", radius)
     if not 0.0 <= angle < math.pi / 2:
         raise ValueError(f"radius: expected radians of at least 0 and below π/2, got {angle}")

@@ -24,7 +24,7 @@ SYMMETRIC = "symmetric"
 TYPES = (np.uint8, np.uint16, np.float32, np.float64)
 """Number types of pictures."""
 
-MOST_CELLS = 1 << 18
+MAX_CELLS = 1 << 18
 """Maximum number of cells of a mesh that is made for a tolerance."""
 
 
@@ -184,13 +184,13 @@ class Warping(abc.ABC):
             """Make a mesh of nearly square cells, `finest` of them along the longer side."""
             return grid(max(1, round(finest / max(1.0, aspect))), max(1, round(finest * min(1.0, aspect))))
 
-        most = math.isqrt(round(MOST_CELLS * max(aspect, 1 / aspect)))
+        most = math.isqrt(round(MAX_CELLS * max(aspect, 1 / aspect)))
         high = 4
         mesh = square_grid(high)
         while mesh.error_px > tolerance:
             if high == most:
                 raise ValueError(
-                    f"tolerance_px: expected one that {MOST_CELLS:,} cells hold, got {tolerance}; "
+                    f"tolerance_px: expected one that {MAX_CELLS:,} cells hold, got {tolerance}; "
                     f"they may be off by up to {mesh.error_px:.3g} px"
                 )
             high = min(2 * high, most)
@@ -234,7 +234,7 @@ def _fov_of(name: str, camera: Camera, fov: object) -> Fov:
     """Field of view of a frame's or a mesh's camera; ValueError if the caller gave another one."""
     if fov is not None:
         raise ValueError(
-            f"fov: expected None, because {name} has the field of view of its camera, got {check.shown(fov)}"
+            f"fov: expected None, because {name} has the field of view of its camera, got {check.value_or_type(fov)}"
         )
     if not isinstance(camera.fov, Fov):
         raise ValueError(f"{name}: expected a camera with a Fov, got one with {type(camera.fov).__name__}")
@@ -245,7 +245,7 @@ def _view(fov: Fov | str | None, output_fov: Fov | None, lens_radius: float | No
     """Fields of view of the source and the result, and the tangent at which r = 1, as arguments of kernels."""
     if fov is None or (isinstance(fov, str) and fov != SYMMETRIC):
         expected = f'the Fov of the picture, such as hmd.left.fov, or "{SYMMETRIC}" for an axis in its middle'
-        raise ValueError(f"fov: expected {expected}, got {check.shown(fov)}")
+        raise ValueError(f"fov: expected {expected}, got {check.value_or_type(fov)}")
     if isinstance(fov, str):
         fov = Fov(-1.0, 1.0, -1.0 / aspect, 1.0 / aspect)
     source = check.instance("fov", fov, Fov)

@@ -14,7 +14,7 @@ from nearfar._render.frame import Frame
 LUMA = (0.2126, 0.7152, 0.0722)
 """Rec. 709 weights of red, green and blue, applied to sRGB-encoded colour."""
 
-GREATEST = 1e150
+MAX = 1e150
 """Greatest absolute value of a pixel, so that float64 holds its square."""
 
 _KERNEL_TYPES = (np.uint8, np.uint16, np.float32)
@@ -38,9 +38,7 @@ class Pair(NamedTuple):
         for name, values in zip(names, (self.reference, self.test), strict=True):
             if flaw := check.not_finite(name, values):
                 return flaw
-        return ValueError(
-            f"{names[0]}: expected values up to {GREATEST:g}, whose squares float64 holds, got greater ones"
-        )
+        return ValueError(f"{names[0]}: expected values up to {MAX:g}, whose squares float64 holds, got greater ones")
 
     @property
     def may_exceed(self) -> bool:
@@ -112,7 +110,7 @@ def frame_extent(data_range: float | None) -> float:
     """Return the range of a frame's values, 1; ValueError for any other range that a caller gives."""
     if data_range is not None:
         raise ValueError(
-            f"data_range: expected none for frames, whose values are 0 to 1, got {check.shown(data_range)}"
+            f"data_range: expected none for frames, whose values are 0 to 1, got {check.value_or_type(data_range)}"
         )
     return 1.0
 

@@ -233,9 +233,8 @@ def ms_ssim(
     window_settings = Window(window, size, sigma, k1, k2)
     exponents = check.array("weights", weights, columns=None, dtype=np.float64, finite=True)
     if exponents.ndim != 1 or not len(exponents) or (exponents < 0.0).any():
-        raise ValueError(
-            f"weights: expected numbers of at least 0, one for each scale, got {check.shown(exponents.tolist())}"
-        )
+        wrong = check.value_or_type(exponents.tolist())
+        raise ValueError(f"weights: expected numbers of at least 0, one for each scale, got {wrong}")
     pair = inputs.pair(reference, test, data_range)
     channels = pair.channels_first(inputs.channel_axis(pair, channel_axis))
     settings = window_settings.settings(channels)
@@ -308,7 +307,7 @@ def _check_values(
     """Raise ValueError for values beyond `data_range`; `found` is the range of at least the values within windows."""
     least, greatest = (float(value) for value in found)
     if mask is not None and pair.is_beyond(least, greatest):
-        seen = window.seen(mask, *pair.reference.shape[-2:])
+        seen = window.covered_pixels(mask, *pair.reference.shape[-2:])
         values = [picture[..., seen] for picture in (pair.reference, pair.test)]
         if not seen.any():
             return

@@ -57,7 +57,7 @@ def tear(frame: Frame, truth_camera: Camera | None = None, *, epsilon: float = E
     discontinuity : The published measure, which counts shear, too.
     """
     check.instance("frame", frame, Frame)
-    near = check.within("epsilon", epsilon, *EPSILONS)
+    near = check.in_range("epsilon", epsilon, *EPSILONS)
     return _tears(frame, truth_view(frame.camera, truth_camera), near)[0]
 
 
@@ -112,7 +112,7 @@ def boundary_tear(
     """
     edge = boundary(frame, center=center, radius=radius, surfaces=surfaces)
     middle, end = np.array(check.vector("center", center)), check.positive("radius", radius)
-    near = check.within("epsilon", epsilon, EPSILONS[0], EPSILONS[1] / 2)
+    near = check.in_range("epsilon", epsilon, EPSILONS[0], EPSILONS[1] / 2)
     away = frame.require("position").astype(np.float64) + np.array(frame.origin) - middle
     beyond = np.hypot(away[..., 0], away[..., 2]) > end
     torn, both = _tears(frame, frame.camera, near, side=beyond, wanted=edge)

@@ -86,7 +86,7 @@ class Window:
             pair.may_exceed,
         )
 
-    def seen(self, mask: NDArray[Any], height: int, width: int) -> NDArray[np.bool_]:
+    def covered_pixels(self, mask: NDArray[Any], height: int, width: int) -> NDArray[np.bool_]:
         """Pixels of a picture (H, W) within the windows that a mask selects, which is downsampled like the picture."""
         named: NDArray[np.bool_] = mask != 0
         if self.masking == "windows":

@@ -20,16 +20,16 @@ ZONES = {"near": card.COLORS[1], "intermediate": card.COLORS[0], "far": card.COL
 SIZE = 360
 """Width and height of the picture in pixels."""
 
-MOST_DRAWN = 6_000
+MAX_DRAWN = 6_000
 """Maximum number of triangles drawn of a zone: the largest in the picture, and some of the others."""
 
 LARGEST = 1_000
 """Number of the largest ones among them."""
 
-MOST_MEASURED = 200_000
+MAX_MEASURED = 200_000
 """Maximum number of triangles of a zone, evenly spread, among which the largest are searched."""
 
-MOST_LISTED = 5_000_000
+MAX_LISTED = 5_000_000
 """Maximum number of triangles of a zone whose numbers are listed; larger zones are found in a sample of the scene."""
 
 REACH = 1.4
@@ -46,7 +46,7 @@ def picture(
     canvas = Image.new("RGBA", (2 * SIZE, 2 * SIZE), (128, 128, 128, 0))
     draw, scale = ImageDraw.Draw(canvas), SIZE / half
     shift = np.array(scene.origin) - np.array(center)
-    found = [_seen(core, scene, zone, (r1, r2), shift, scale) for zone in ZONES]
+    found = [_largest_triangles(core, scene, zone, (r1, r2), shift, scale) for zone in ZONES]
     triangles = np.concatenate([flat for _, flat in found])
     colors = np.repeat(list(ZONES.values()), [len(flat) for _, flat in found])
     # Large ones first, so that they hide no others.
@@ -68,7 +68,7 @@ def _half(canvas: Image.Image) -> Image.Image:
     return canvas.resize((SIZE, SIZE), Image.Resampling.BOX)
 
 
-def _seen(
+def _largest_triangles(
     core: _core.Partition,
     scene: _core.Scene,
     zone: str,
@@ -78,12 +78,12 @@ def _seen(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Areas (N,) and corners (N, 3, 2) in pixels of the largest triangles of a zone that the picture shows."""
     count = core.counts()[zone]
-    if count <= MOST_LISTED:
+    if count <= MAX_LISTED:
         chosen = np.zeros(scene.triangle_count, bool)
-        chosen[core.triangles(zone)[every(count, MOST_MEASURED)]] = True
+        chosen[core.triangles(zone)[every(count, MAX_MEASURED)]] = True
         corners = scene.subset_of_triangles(chosen).triangles() + shift
     else:
-        sample = scene.subset_of_triangles(every(scene.triangle_count, MOST_MEASURED)).triangles() + shift
+        sample = scene.subset_of_triangles(every(scene.triangle_count, MAX_MEASURED)).triangles() + shift
         least = _core.triangle_radii(sample.reshape(-1, 3), None, (0.0, 0.0, 0.0))[:, 0]
         corners = sample[np.searchsorted(radii, least) == list(ZONES).index(zone)]
     flat = corners[:, :, [0, 2]] * scale + SIZE
@@ -92,5 +92,5 @@ def _seen(
     area = np.abs(one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0])
     order = np.argsort(-area, kind="stable")
     others = order[LARGEST:]
-    order = np.concatenate([order[:LARGEST], others[every(len(others), MOST_DRAWN - LARGEST)]])
+    order = np.concatenate([order[:LARGEST], others[every(len(others), MAX_DRAWN - LARGEST)]])
     return area[order], np.clip(flat[order], -1e5, 1e5)

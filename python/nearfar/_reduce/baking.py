@@ -31,7 +31,7 @@ class Baking:
     backend: str | None = None
 
     @classmethod
-    def checked(
+    def check_settings(
         cls,
         face_size: int,
         samples: int,

@@ -99,7 +99,7 @@ def choose_radii(
     if r2 is not None:
         outer = check.positive("r2", r2)
     elif budget is not None:
-        outer = _within(scene, middle, budget)
+        outer = _radius_for_budget(scene, middle, budget)
     else:
         raise ValueError("r2: expected either r2 or budget, got neither")
     inner = by_ground(outer, walked, height, wanted)
@@ -142,7 +142,7 @@ def shear_of(r1: float, r2: float, reach: float, height: float) -> float:
     return reach * r1 / ((r2 - r1) * height)
 
 
-def _within(scene: Scene, center: tuple[float, float, float], budget: SupportsIndex) -> float:
+def _radius_for_budget(scene: Scene, center: tuple[float, float, float], budget: SupportsIndex) -> float:
     """Greatest r2 within a budget; if the whole scene fits, the distance of its farthest corner."""
     count = check.integer("budget", budget, 0, 2**63 - 1)
     radius = float(load_curve(scene, center=center).radius(count))

@@ -110,6 +110,6 @@ def _extent(scene: Scene, place: Viewpoint) -> tuple[float, float]:
     nearest = float(np.hypot(*np.maximum(np.maximum(low - eye, eye - high), 0.0)))
     farthest = float(np.hypot(*np.maximum(np.abs(low - eye), np.abs(high - eye))))
     if not place.is_outside and viewpoint.is_roofed(scene, place.eye):
-        around = viewpoint.around(scene, place.eye)
+        around = viewpoint.horizontal_distances(scene, place.eye)
         farthest = min(farthest, float(np.percentile(np.minimum(around, farthest), WALLS)))
     return nearest, farthest

@@ -45,7 +45,7 @@ class Drawing:
             object.__setattr__(self, "tolerance_px", check.number("tolerance_px", self.tolerance_px, finite=False))
         if self.radius is not None:
             object.__setattr__(self, "radius", check.at_least_zero("radius", self.radius))
-        object.__setattr__(self, "strength", check.within("strength", self.strength, 0.0, 1.0))
+        object.__setattr__(self, "strength", check.in_range("strength", self.strength, 0.0, 1.0))
 
     def grown(self, r1: float, r2: float) -> dict[str, Any]:
         """Effective radii in metres and strength, as arguments of `morph`, for the radii of the reduction."""

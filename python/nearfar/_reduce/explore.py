@@ -22,7 +22,7 @@ from nearfar._render.frame import Frame
 from nearfar._render.truth import render
 from nearfar._scene.scene import Scene
 
-MOST_TRIANGLES = 300_000
+MAX_TRIANGLES = 300_000
 """Triangle count that limits the r2 slider, so that a frame takes less than seconds."""
 
 FOV_DEG = 90.0
@@ -70,7 +70,7 @@ class Explorer:
 
     def __init__(self, reduced: Reduced, *, size: tuple[int, int], face_size: int) -> None:
         self._size = check.size("size", size)
-        self._baking = Baking.checked(face_size, 1, ("color", "range"), "cpu")
+        self._baking = Baking.check_settings(face_size, 1, ("color", "range"), "cpu")
         widgets = _ipywidgets()
         self._is_quiet = False
         self._seen: tuple[Camera, Frame] | None = None
@@ -121,7 +121,7 @@ class Explorer:
         )
         """Widget that contains all of it."""
         for control in (self.x, self.z, self.height, self.heading):
-            control.observe(self._moved, "value")
+            control.observe(self._on_slider_change, "value")
         for control in (self.r1, self.r2):
             control.observe(self._resized, "value")
         self.morph.observe(self._changed, "value")
@@ -163,7 +163,7 @@ class Explorer:
             for control in (self.x, self.z):
                 control.min, control.max, control.disabled = -limit, limit, limit == 0.0
 
-    def _moved(self, change: Any) -> None:
+    def _on_slider_change(self, change: Any) -> None:
         if not self._is_quiet:
             self._keep_inside()
             self._draw()
@@ -234,7 +234,7 @@ def _step(length: float) -> float:
 
 def _reach(reduced: Reduced) -> float:
     """Upper end of the r2 slider, metres: four times the present r2, unless too many triangles would be drawn."""
-    budget = max(MOST_TRIANGLES, reduced.stats["nsf"])
+    budget = max(MAX_TRIANGLES, reduced.stats["nsf"])
     return min(4.0 * reduced.r2, float(load_curve(reduced.scene, center=reduced.center).radius(budget)))
 
 

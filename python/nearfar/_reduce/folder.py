@@ -10,7 +10,7 @@ from typing import Any
 from nearfar._base import check, files, formats
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._scene.moving_rows import frames_of, moving_rows
-from nearfar._scene.names import MOST_OBJECTS, Names, names_of
+from nearfar._scene.names import MAX_OBJECTS, Names, names_of
 from nearfar._scene.scene import Scene
 
 NAME, VERSION = "reduced", 2
@@ -83,7 +83,7 @@ def _names(stated: Any) -> Sequence[str] | int:
     """Names of objects, or the number of nameless ones."""
     if isinstance(stated, list | tuple):
         return names_of("object_names", stated)
-    return check.integer("object_names", stated, 0, MOST_OBJECTS)
+    return check.integer("object_names", stated, 0, MAX_OBJECTS)
 
 
 def load(path: str | os.PathLike[str]) -> Contents:

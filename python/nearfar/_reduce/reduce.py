@@ -90,7 +90,7 @@ def reduce(
         core_of(scene)
     check.choice("unit", unit, UNITS)
     check_morph(morph, check.choice("boundary", boundary, ("r1", "r2")))
-    baking = Baking.checked(face_size, samples, channels, backend, range_dtype)
+    baking = Baking.check_settings(face_size, samples, channels, backend, range_dtype)
     zones: dict[str, Any] = {"center": center, "r1": r1, "r2": r2, "unit": unit}
     if isinstance(scene, Divided):
         if unit != "triangle":

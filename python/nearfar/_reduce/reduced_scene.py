@@ -165,7 +165,7 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         if self._at_levels is None or not np.array_equal(self._at_levels[0], chosen):
             scene = self._unposed.at_levels(chosen)
             zones = partition(scene, center=self.center, r1=self.r1, r2=self.r2)
-            self._at_levels = chosen, self._with(scene, zones, self._counts | zones.summary())
+            self._at_levels = chosen, self._copy_with(scene, zones, self._counts | zones.summary())
         left_out = {name for name, level in zip(leveled.names, chosen.tolist(), strict=True) if level < 0}
         poses = {name: pose for name, pose in self._poses.items() if name not in left_out}
         reduced = self._at_levels[1]._drawn_by(self._drawing)  # it may have been made for another drawing
@@ -179,7 +179,7 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         grown = self._drawing.grown(self.r1, self.r2)
         return morphed(leveled, user, center=self.center, kind=self._morph, grown=grown)
 
-    def _with(
+    def _copy_with(
         self, scene: Scene, zones: Partition, counts: dict[str, int], *, morph: str | None = None
     ) -> ReducedScene:
         """Copy with the same map and other near geometry or another morph."""
@@ -209,7 +209,7 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
             Unknown names, or a continuous morph with a map baked from r1.
         """
         check_morph(morph, self._boundary)
-        return self._with(self._scene, self._partition, self._counts, morph=morph)
+        return self._copy_with(self._scene, self._partition, self._counts, morph=morph)
 
     def with_r1(self, r1: float) -> ReducedScene:
         """Return the same near part and the same map with another r1, without baking again.
@@ -230,7 +230,7 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         counts = zones.summary()
         # Triangles beyond r2 are those of the bake, even if only the near part was loaded.
         inner = {name: counts[name] for name in ("near", "intermediate", "nsf_at_r1")}
-        changed = self._with(zones.scene, zones, self._counts | inner)
+        changed = self._copy_with(zones.scene, zones, self._counts | inner)
         return changed.at(self._poses) if self._poses else changed
 
     def with_growth(self, radius: float | None = None, strength: float = 1.0) -> ReducedScene:

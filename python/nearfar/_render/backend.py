@@ -69,13 +69,13 @@ def device_for(backend: str | None, source: object, work: Work | None = None) ->
     if check(backend) == "cpu":
         return None
     if backend == "gpu":
-        return opened()
+        return open_device()
     # Selecting an adapter counts as asking for one.
     here, wanted = (os.getpid(), selected()), backend is not None or selected() is not None
     if here in _failed:
         return None
     try:
-        return _chosen(source, work, wanted)
+        return _choose_device(source, work, wanted)
     except DeviceError as error:
         _failed.add(here)
         if wanted:
@@ -83,7 +83,7 @@ def device_for(backend: str | None, source: object, work: Work | None = None) ->
         return None
 
 
-def _chosen(source: object, work: Work | None, wanted: bool) -> _core.GpuDevice | None:
+def _choose_device(source: object, work: Work | None, wanted: bool) -> _core.GpuDevice | None:
     """Device for "auto", None for the CPU; DeviceError if an adapter fails or there is none.
 
     Use of the CPU is logged if a device was `wanted`.
@@ -93,7 +93,7 @@ def _chosen(source: object, work: Work | None, wanted: bool) -> _core.GpuDevice 
         if wanted:
             _log_software()
         return None
-    device = opened()
+    device = open_device()
     if work is not None and (device.label, work) in measured:
         return device if measured[device.label, work] else None
     if device.kind == "software":
@@ -103,7 +103,7 @@ def _chosen(source: object, work: Work | None, wanted: bool) -> _core.GpuDevice 
     return device
 
 
-def opened(adapter: str | None = None) -> _core.GpuDevice:
+def open_device(adapter: str | None = None) -> _core.GpuDevice:
     """Return the device of a named, the selected or the best adapter, reopened after it was lost.
 
     DeviceError if there is none.
@@ -170,7 +170,7 @@ def _log_software() -> None:
         return
     labels = [f"{name} ({backend})" for name, backend, kind, _, refused, *_ in adapters() if not refused]
     if selected() is not None or not labels:
-        labels = [opened().label]
+        labels = [open_device().label]
     _log_once(
         f"the processor itself is the only graphics adapter found, as {', '.join(labels)}; install the driver of a "
         "graphics card, or try backend='gpu' and nearfar.gpu.measure"

@@ -59,7 +59,7 @@ def is_half(argument: str, dtype: DTypeLike) -> bool:
     try:
         kind = np.dtype(dtype)
     except (TypeError, ValueError, AttributeError, SyntaxError):
-        raise TypeError(f"{argument}: expected float32 or float16, got {check.described(dtype)}") from None
+        raise TypeError(f"{argument}: expected float32 or float16, got {check.type_and_value(dtype)}") from None
     if kind not in (np.float16, np.float32):
         raise ValueError(f"{argument}: expected float32 or float16, got {kind}")
     return kind == np.float16

@@ -34,7 +34,7 @@ def blend(old: Frame, new: Frame, share: float) -> Frame:
     """
     before = check.instance("old", old, Frame).require("color")
     after = check.instance("new", new, Frame).require("color")
-    part = np.float32(check.within("share", share, 0.0, 1.0))
+    part = np.float32(check.in_range("share", share, 0.0, 1.0))
     if before.shape != after.shape:
         raise ValueError(f"new: expected a frame of the old one's shape {before.shape[:2]}, got {after.shape[:2]}")
     return replace(new, color=before + part * (after - before))

@@ -40,7 +40,7 @@ def rule_of(lod: Lod, leveled: Leveled) -> Any:
         return _selector(leveled, lod)
     if isinstance(lod, Selector):
         if not callable(lod.select):
-            raise TypeError(f"lod: expected a mode, a selector, a function or levels, got {check.described(lod)}")
+            raise TypeError(f"lod: expected a mode, a selector, a function or levels, got {check.type_and_value(lod)}")
     elif not callable(lod):
         levels_of("lod", lod, leveled)
     return lod
@@ -56,13 +56,13 @@ def choose_levels(
     camera = cameras[0] if len(cameras) == 1 else tuple(cameras)
     if isinstance(rule, Selector):
         # Only a selector that fades needs the weights, which `full` computes.
-        selection = rule.select(*objects, camera=camera, full=rule.fade > 0, **_before(last))
+        selection = rule.select(*objects, camera=camera, full=rule.fade > 0, **_previous_arguments(last))
     else:
         selection = rule(*objects, camera=camera)
     return levels_of("lod", getattr(selection, "level", selection), leveled), selection
 
 
-def _before(last: Shown | None) -> dict[str, Any]:
+def _previous_arguments(last: Shown | None) -> dict[str, Any]:
     """Previous levels, and the price if there was a budget, as arguments of `nearfar.lod.select`."""
     spent = None if last is None else getattr(last.selection, "spent", None)
     return {"previous": None if last is None else last.levels} | ({} if spent is None else {"price": spent.price})

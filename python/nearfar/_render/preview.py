@@ -47,7 +47,7 @@ def pixels(name: str, image: NDArray[Any]) -> NDArray[np.uint8]:
     if name == "coverage":
         found, shade = image > 0.0, np.repeat(image[..., None], 3, axis=-1)
     elif name == "motion":
-        found, shade = np.isfinite(image).all(axis=-1), _moved(image)
+        found, shade = np.isfinite(image).all(axis=-1), _motion_colors(image)
     elif name in ("normal", "shading_normal"):
         found, shade = np.isfinite(image).all(axis=-1), 0.5 + 0.5 * np.nan_to_num(image)
     elif name in ("object_id", "face_id"):
@@ -62,7 +62,7 @@ def pixels(name: str, image: NDArray[Any]) -> NDArray[np.uint8]:
     return picture
 
 
-def _moved(image: NDArray[Any]) -> NDArray[Any]:
+def _motion_colors(image: NDArray[Any]) -> NDArray[Any]:
     """Make colours of motion: its parts as red and green, grey for none, full at the greatest 1 %."""
     known = np.nan_to_num(image)
     scale = max(float(np.percentile(np.abs(known), 99.0)), 1e-6)

@@ -75,7 +75,7 @@ def render_path(
         renderer.source = posed_at(source, at)
     views = _views(renderer, cameras, iter(poses))
     device = renderer.device(backend, source)
-    return (frame for view in views for frame in view.trace()) if device is None else _drawn(device, views)
+    return (frame for view in views for frame in view.trace()) if device is None else _pipelined_frames(device, views)
 
 
 def _check_sequences(cameras: Iterable[Camera], poses: Iterable[Pose | None]) -> None:
@@ -107,7 +107,7 @@ def _views(renderer: Renderer, cameras: Iterable[Camera], poses: Iterator[Pose |
         yield before
 
 
-def _drawn(device: _core.GpuDevice, views: Iterator[View]) -> Iterator[Frame]:
+def _pipelined_frames(device: _core.GpuDevice, views: Iterator[View]) -> Iterator[Frame]:
     started: list[tuple[View, Sequence[Job]]] = []
     failure: Exception | None = None
     while failure is None:

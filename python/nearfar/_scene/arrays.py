@@ -12,7 +12,7 @@ from nearfar._base import check
 _UNIT = 1e-4
 """Greatest difference from 1 of the squared length of a unit normal, so that normals of four digits count as unit."""
 
-MOST_CUTOFF = float(np.finfo(np.float32).max)
+MAX_CUTOFF = float(np.finfo(np.float32).max)
 """Greatest alpha cutoff, which is kept as float32."""
 
 ORIGIN_LIMIT = 32_768.0

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check
 from nearfar._scene.arrays import (
-    MOST_CUTOFF,
+    MAX_CUTOFF,
     colors_of,
     faces_of,
     normals_of,
@@ -22,11 +22,11 @@ from nearfar._scene.arrays import (
     uvs_of,
 )
 from nearfar._scene.budget import Budget
-from nearfar._scene.emission import DARK, MOST_EMISSION
+from nearfar._scene.emission import DARK, MAX_EMISSION
 from nearfar._scene.material_list import MaterialList
 from nearfar._scene.materials import BaseColor
 from nearfar._scene.mesh_list import MeshList
-from nearfar._scene.names import MOST_OBJECTS, names_of
+from nearfar._scene.names import MAX_OBJECTS, names_of
 from nearfar._scene.placing import OWN_OBJECTS, Placements, core_scene
 from nearfar._scene.undrawn import Undrawn
 
@@ -92,13 +92,13 @@ class Assembly:
         if not ((colors >= 0) & (colors <= 1)).all():
             raise ValueError(f"base_color: expected linear RGBA, four numbers in 0..1, got {colors.tolist()}")
         light = check.array("emission", emission, columns=None, dtype=np.float32)
-        if light.shape != (3,) or not ((light >= 0) & (light <= MOST_EMISSION)).all():
+        if light.shape != (3,) or not ((light >= 0) & (light <= MAX_EMISSION)).all():
             got = f"shape {light.shape}" if light.shape != (3,) else light.tolist()
-            raise ValueError(f"emission: expected linear RGB, three numbers in 0..{MOST_EMISSION:g}, got {got}")
+            raise ValueError(f"emission: expected linear RGB, three numbers in 0..{MAX_EMISSION:g}, got {got}")
         if check.flag("unlit", unlit) and light.any():
             raise ValueError(f"unlit: expected False for a material that emits light, got True and {light.tolist()}")
         red, green, blue, alpha = colors.tolist()
-        cutoff = None if cutoff is None else check.within("cutoff", cutoff, -MOST_CUTOFF, MOST_CUTOFF)
+        cutoff = None if cutoff is None else check.in_range("cutoff", cutoff, -MAX_CUTOFF, MAX_CUTOFF)
         for name, image in (("texture", texture), ("emission_texture", emission_texture)):
             if image is not None:
                 texture_of(name, image)
@@ -182,14 +182,14 @@ class Assembly:
         if self._names or self._nameless is not None:
             raise ValueError("objects: expected to come before any other object, got it after some")
         if isinstance(names, int):
-            self._nameless = check.integer("names", names, 0, MOST_OBJECTS)
+            self._nameless = check.integer("names", names, 0, MAX_OBJECTS)
         else:
             self._names = {name: number for number, name in enumerate(names_of("names", names))}
 
     def object(self, name: str) -> int:
         """Return the number of the object with that name; a new name gets a new number."""
         if self._nameless is not None:
-            raise ValueError(f"name: expected none after nameless objects, got {check.described(name)}")
+            raise ValueError(f"name: expected none after nameless objects, got {check.type_and_value(name)}")
         return self._names.setdefault(check.text("name", name), len(self._names))
 
     def instance(self, mesh: int, transform: ArrayLike | None = None, *, name: str | None = None) -> None:
@@ -253,7 +253,7 @@ class Assembly:
 
         A `budget` counts the copies of meshes that are merged although they are placed several times.
         """
-        placed = Placements.of(self._placed, self._meshes.bases())
+        placed = Placements.from_columns(self._placed, self._meshes.bases())
         movers = np.zeros(self.object_count + 1, bool)  # the last entry, index -1, is for meshes with `face_object`
         named = [dynamic] if isinstance(dynamic, str) else check.items("dynamic", dynamic, str, "names of objects")
         movers[[self._object_number(name) for name in named]] = True

@@ -18,7 +18,7 @@ FREE = 256 << 20
 RATIO = 100
 """Bytes that a larger file may unpack to, per byte of the file."""
 
-MOST = 16 << 30
+MAX = 16 << 30
 """Maximum number of bytes that a file may unpack to, unless the caller allows more."""
 
 _BLOCK = 1 << 22
@@ -34,7 +34,7 @@ class Budget:
     Parameters
     ----------
     max_bytes
-        The limit; by default `RATIO` times the bytes read, at least `FREE` and at most `MOST`.
+        The limit; by default `RATIO` times the bytes read, at least `FREE` and at most `MAX`.
     """
 
     def __init__(self, max_bytes: int | None = None) -> None:
@@ -43,7 +43,7 @@ class Budget:
     @property
     def limit(self) -> int:
         """Bytes that the data read so far may unpack to."""
-        return min(max(FREE, RATIO * self._read), MOST) if self._stated is None else self._stated
+        return min(max(FREE, RATIO * self._read), MAX) if self._stated is None else self._stated
 
     def add_read(self, size: int) -> None:
         """Count bytes that were read from files."""

@@ -36,7 +36,7 @@ BLEND = ("opaque", "cutout")
 _HALF = 0.5
 """Alpha cutoff for blending materials that are drawn as cutout."""
 
-_MOST_NAMED = 3
+_MAX_NAMED = 3
 """Number of flaws that an error message lists; it counts the rest."""
 
 
@@ -128,9 +128,9 @@ def assemble(
         if flaw:
             flaws.append(f"{flaw} in mesh {check.shortened(name)}")
     if flaws and on_invalid == "raise":
-        more = f" and {len(flaws) - _MOST_NAMED} more" if len(flaws) > _MOST_NAMED else ""
+        more = f" and {len(flaws) - _MAX_NAMED} more" if len(flaws) > _MAX_NAMED else ""
         raise SceneError(
-            f"{content.label}: {', '.join(flaws[:_MOST_NAMED])}{more}; on_invalid='drop' leaves the faces out"
+            f"{content.label}: {', '.join(flaws[:_MAX_NAMED])}{more}; on_invalid='drop' leaves the faces out"
         )
     placed = np.zeros(0, bool) if content.stored is None else np.array([name in used for name in content.stored.names])
     has_faces = content.stored is not None and content.stored.core.face_counts()[placed].any()
@@ -146,7 +146,7 @@ def assemble(
     handles |= {name: _add(builder, shape) for name, shape in shapes.items() if len(shape.faces)}
     # For a negative axis, another half turn about x.
     turn = np.diag([1.0, -1.0, -1.0, 1.0]) @ _TURNS[up[1:]] if up.startswith("-") else _TURNS[up]
-    nodes = _chosen(nodes, np.array([shape in handles for shape in nodes.shapes], bool))
+    nodes = _select_nodes(nodes, np.array([shape in handles for shape in nodes.shapes], bool))
     transforms = nodes.transforms if up == "y" else turn @ nodes.transforms
     try:
         transforms = transforms_of("transforms", transforms)
@@ -154,7 +154,7 @@ def assemble(
         has_many = np.array([name in of_many for name in nodes.shapes], bool)
         for row in np.flatnonzero(has_many):
             builder.instance(handles[nodes.shapes[row]], transforms[row])
-        single = _chosen(replace(nodes, transforms=transforms), ~has_many)
+        single = _select_nodes(replace(nodes, transforms=transforms), ~has_many)
         meshes = np.array([handles[shape] for shape in single.shapes], np.int64)
         builder._place(meshes, single.transforms, single.objects)
         dynamic = [*([] if isinstance(many, int) else many), *single.objects] if moves else ()
@@ -200,10 +200,10 @@ def _usable_nodes(nodes: Nodes) -> tuple[Nodes, list[str]]:
         f"a transform that is not finite and affine at node {check.shortened(nodes.objects[row])}"
         for row in np.flatnonzero(~affine)
     ]
-    return _chosen(nodes, affine), flaws
+    return _select_nodes(nodes, affine), flaws
 
 
-def _chosen(nodes: Nodes, keep: NDArray[np.bool_]) -> Nodes:
+def _select_nodes(nodes: Nodes, keep: NDArray[np.bool_]) -> Nodes:
     if keep.all():
         return nodes
     rows = np.flatnonzero(keep)
@@ -274,12 +274,14 @@ def _cut_out(shapes: Iterable[Shape], stored: Stored | None) -> Stored | None:
     """Make blending materials cutouts, in place for shapes; return the changed stored meshes. Sharing is preserved."""
     cut: dict[int, BaseColor] = {}
 
-    def chosen(materials: Sequence[BaseColor]) -> list[BaseColor]:
+    def choose_surfaces(materials: Sequence[BaseColor]) -> list[BaseColor]:
         for material in materials:
             if material.blend and id(material) not in cut:
                 cut[id(material)] = replace(material, cutoff=_HALF)
         return [cut.get(id(material), material) for material in materials]
 
     for shape in shapes:
-        shape.materials = chosen(shape.materials)
-    return None if stored is None else stored.with_materials([chosen(one.materials) for one in stored.surfaces])
+        shape.materials = choose_surfaces(shape.materials)
+    return (
+        None if stored is None else stored.with_materials([choose_surfaces(one.materials) for one in stored.surfaces])
+    )

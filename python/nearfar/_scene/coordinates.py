@@ -46,7 +46,7 @@ class Coordinates:
 _IDENTITY = np.eye(2, 3)
 
 
-def of(info: dict[str, Any]) -> Coordinates:
+def from_texture_info(info: dict[str, Any]) -> Coordinates:
     """Return the coordinates of a reference to a texture; entries of wrong types count as absent.
 
     The rotation is counter-clockwise in an image whose v points down: so do the extension's example (lower left
@@ -81,15 +81,15 @@ def _is_number(value: object) -> bool:
         return False
 
 
-def drawn(material: dict[str, Any]) -> Coordinates | None:
+def drawn_texture_coordinates(material: dict[str, Any]) -> Coordinates | None:
     """Return the coordinates of the drawn texture, the base colour's or else the emission's, with its transform.
 
     A material with other textures only uses the first one's set without a transform; without textures, None.
     """
     shown, others = _infos(material)
     if shown:
-        return of(shown[0])
-    return Coordinates(of(others[0]).number, _IDENTITY) if others else None
+        return from_texture_info(shown[0])
+    return Coordinates(from_texture_info(others[0]).number, _IDENTITY) if others else None
 
 
 def _infos(material: dict[str, Any]) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
@@ -118,7 +118,7 @@ def relative(info: dict[str, Any], base: Coordinates) -> dict[str, Any] | None:
 
     The extension scales, rotates, then translates; not every product of one with the inverse of another has that form.
     """
-    own = of(info)
+    own = from_texture_info(info)
     if own.number != base.number:
         return None
     if base.is_plain:

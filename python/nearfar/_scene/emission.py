@@ -14,7 +14,7 @@ UNLIT = "KHR_materials_unlit"
 STRENGTH = "KHR_materials_emissive_strength"
 FACTOR, MAP = "emissiveFactor", "emissiveTexture"
 
-MOST_EMISSION = 65_503.0
+MAX_EMISSION = 65_503.0
 """Greatest emission: plus reflected light of at most 1 it fits into 16-bit floats of maps."""
 
 Light = tuple[float, float, float]
@@ -44,8 +44,8 @@ def emission_of(material: Mapping[str, Any]) -> Light:
     strength = _extensions(material).get(STRENGTH, {}).get("emissiveStrength", 1.0)
     strength = strength if isinstance(strength, int | float) and math.isfinite(strength) else 1.0
     with np.errstate(over="ignore"):
-        light = np.nan_to_num(np.array(factor, np.float64) * strength, nan=0.0, posinf=MOST_EMISSION)
-    red, green, blue = np.clip(light, 0.0, MOST_EMISSION).tolist()
+        light = np.nan_to_num(np.array(factor, np.float64) * strength, nan=0.0, posinf=MAX_EMISSION)
+    red, green, blue = np.clip(light, 0.0, MAX_EMISSION).tolist()
     return red, green, blue
 
 

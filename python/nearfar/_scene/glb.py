@@ -140,7 +140,7 @@ class Encoder:
                 written.objects.append(number)
                 written.meshes.append(len(self._meshes))
                 self._meshes.append({"primitives": []})
-                attributes = streams.of(len(written.objects) - 1)
+                attributes = streams.accessors_of_group(len(written.objects) - 1)
             primitive = {
                 "attributes": attributes,
                 "indices": self._writer.accessor(view, indices[3 * start : 3 * end], 3 * start),
@@ -181,7 +181,7 @@ class _Streams:
         positions = values["POSITION"]
         self._extents = [ufunc.reduceat(positions, first[:-1]) for ufunc in (np.minimum, np.maximum)]
 
-    def of(self, group: int) -> dict[str, int]:
+    def accessors_of_group(self, group: int) -> dict[str, int]:
         """Return the accessors of a group's attributes by name."""
         start, end = self._first[group], self._first[group + 1]
         accessors = {}
@@ -271,11 +271,11 @@ class Decoder:
         order, turned = extras.get("order"), bool(extras.get(_TURNED))
         key = (order, turned, *pieces)
         if key not in self._meshes:
-            mesh = self._joined(pieces, order)
-            self._meshes[key] = mesh.turned() if turned else mesh
+            mesh = self._concatenate_primitives(pieces, order)
+            self._meshes[key] = mesh.flip_faces() if turned else mesh
         return self._meshes[key]
 
-    def _joined(self, pieces: list[tuple[int, int]], order: int | None) -> _core.Mesh:
+    def _concatenate_primitives(self, pieces: list[tuple[int, int]], order: int | None) -> _core.Mesh:
         streams: dict[str, list[NDArray[Any]]] = {}
         faces, objects, materials, before = [], [], [], 0
         for number, owner in pieces:

@@ -13,12 +13,12 @@ from PIL import Image
 
 from nearfar._base import glb
 from nearfar._scene import undrawn as undrawn_parts
-from nearfar._scene.arrays import MOST_CUTOFF
-from nearfar._scene.budget import MOST, Budget
+from nearfar._scene.arrays import MAX_CUTOFF
+from nearfar._scene.budget import MAX, Budget
 from nearfar._scene.coordinates import TRANSFORM, is_texture
 from nearfar._scene.emission import DARK, MAP, Light, emission_of, entries, is_unlit
 from nearfar._scene.gltf import ktx2
-from nearfar._scene.materials import MOST_TEXELS, texels_of
+from nearfar._scene.materials import MAX_TEXELS, texels_of
 from nearfar._scene.undrawn import EncodedImage, TextureSource, Undrawn
 
 _SURFACE, _BASE = "pbrMetallicRoughness", "baseColorTexture"
@@ -187,8 +187,8 @@ def read(reader: glb.Reader, *, upright: bool) -> tuple[dict[str, Any], dict[int
     rgba = np.array(colors, np.float64).reshape(-1, 4)
     if not ((rgba >= 0) & (rgba <= 1)).all():
         raise ValueError("expected base colours within 0..1")
-    if not np.abs(np.array(cutoffs)[is_cut]).max(initial=0) <= MOST_CUTOFF:
-        raise ValueError(f"expected alpha cutoffs up to {MOST_CUTOFF:g}")
+    if not np.abs(np.array(cutoffs)[is_cut]).max(initial=0) <= MAX_CUTOFF:
+        raise ValueError(f"expected alpha cutoffs up to {MAX_CUTOFF:g}")
     arguments = {
         "material_colors": rgba.astype(np.float32),
         "material_textures": np.array([-1 if s is None else images.index(s) for s in sources], np.int32),
@@ -212,11 +212,11 @@ class _Emissions:
         self._first = first
         self._numbers: dict[EncodedImage, int | None] = {image: number for number, image in enumerate(known)}
         for material in materials:
-            light, link = (DARK, None) if material is None else self._of(material)
+            light, link = (DARK, None) if material is None else self._emission_and_image(material)
             self.lights.append(light)
             self.links.append(-1 if link is None else link)
 
-    def _of(self, undrawn: Undrawn) -> tuple[Light, int | None]:
+    def _emission_and_image(self, undrawn: Undrawn) -> tuple[Light, int | None]:
         light = emission_of(undrawn.material)
         if light == DARK or MAP not in undrawn.material:
             return light, None
@@ -227,7 +227,7 @@ class _Emissions:
 
     def _number(self, image: EncodedImage) -> int | None:
         if image not in self._numbers:
-            texels = ktx2.decode(image.data, Budget(MOST)) if image.kind == ktx2.KIND else texels_of(image.data)
+            texels = ktx2.decode(image.data, Budget(MAX)) if image.kind == ktx2.KIND else texels_of(image.data)
             self._numbers[image] = None if texels is None else self._first + len(self.textures)
             if texels is not None:
                 self.textures.append(texels)
@@ -267,7 +267,7 @@ def _png(texels: NDArray[np.uint8]) -> bytes:
 def _texels(data: bytes, *, upright: bool) -> NDArray[np.uint8]:
     try:
         with Image.open(io.BytesIO(data), formats=["png"]) as image:
-            if image.size[0] * image.size[1] > MOST_TEXELS:
+            if image.size[0] * image.size[1] > MAX_TEXELS:
                 raise ValueError("too large")
             texels = np.asarray(image.convert("RGBA"))
             return np.ascontiguousarray(texels if upright else texels[::-1])

@@ -13,14 +13,14 @@ from nearfar._scene.poses import frame_of
 from nearfar._scene.scene import Scene
 
 
-def joined(scenes: Sequence[Scene]) -> Scene:
+def join_scenes(scenes: Sequence[Scene]) -> Scene:
     """Join one or several scenes in the frame of the first; objects with the same name become one object.
 
     Scenes with levels contribute the levels that they show.
     """
     first = scenes[0]
     names, numbers = _union([scene._names for scene in scenes])
-    core = _core.Scene.joined([scene._core for scene in scenes], numbers)
+    core = _core.Scene.join([scene._core for scene in scenes], numbers)
     rests = []
     for scene in scenes:
         rest = scene._rest.copy()
@@ -46,7 +46,8 @@ def _union(several: Sequence[Names]) -> tuple[Names, list[NDArray[np.int32]]]:
         return first, [np.zeros(0, np.int32) for _ in several]
     taken: dict[str, int] = {}
     numbers = [
-        np.array([taken.setdefault(name, len(taken)) for name in names.all], np.int32).reshape(-1) for names in several
+        np.array([taken.setdefault(name, len(taken)) for name in names.as_tuple], np.int32).reshape(-1)
+        for names in several
     ]
     return Names(tuple(taken)), numbers
 

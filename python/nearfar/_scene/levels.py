@@ -128,7 +128,7 @@ class LevelTable:
         centers = np.einsum("nij,nj->ni", axes, middles) + placements[:, :, 3] + np.array(core.origin)
         # The greatest scale of a matrix A is the square root of the greatest eigenvalue of AᵀA.
         scales = np.sqrt(np.linalg.eigvalsh(axes.transpose(0, 2, 1) @ axes)[:, -1]) if len(axes) else np.zeros(0)
-        named = tuple(names.all[number] for number in numbers)
+        named = tuple(names.as_tuple[number] for number in numbers)
         return Leveled(named, numbers.astype(np.int64), self.models, index, centers, sizes * scales)
 
 
@@ -167,13 +167,13 @@ def check_levels(
     distinct: dict[int, Any] = {}
     for number, model in zip(numbers, models, strict=True):
         if id(model) not in distinct:
-            _check_model(f"models['{names.all[number]}']", model)
+            _check_model(f"models['{names.as_tuple[number]}']", model)
             distinct[id(model)] = model
     rank = {key: place for place, key in enumerate(distinct)}
     index = np.array([rank[id(model)] for model in models], np.int64)
     flat = np.linalg.matrix_rank(frames[:, :3, :3]) < 3 if len(frames) else np.zeros(0, bool)
     if flat.any():
-        name = names.all[numbers[int(np.argmax(flat))]]
+        name = names.as_tuple[numbers[int(np.argmax(flat))]]
         raise ValueError(f"models: expected objects with invertible transforms, got a flat one for '{name}'")
     if in_place:
         level_frames = np.array([model.levels.frame for model in distinct.values()], np.float64).reshape(-1, 4, 4)

@@ -47,12 +47,12 @@ def load(
     check.choice("blend", blend, BLEND)
     if scale is not None:
         check.positive("scale", scale)
-    detail = Detail.checked(error, triangles, origin)
+    detail = Detail.from_arguments(error, triangles, origin)
     place = str(path) if remote.is_url(path) else remote.local(path)
     if isinstance(place, Path) and place.is_dir():
         raise IsADirectoryError(errno.EISDIR, _folder(place), os.fspath(place))
     detail.check_kind(place)
-    city = CityOptions.checked(lod, height, detail.origin)
+    city = CityOptions.check_options(lod, height, detail.origin)
     city.check_kind(place)
     most = None if max_bytes is None else check.integer("max_bytes", max_bytes, 1, 1 << 62)
     how: dict[str, Any] = {"up": up, "on_invalid": on_invalid, "scale": scale, "moves": moves, "blend": blend}

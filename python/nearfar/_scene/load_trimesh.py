@@ -139,7 +139,7 @@ def _shape(mesh: trimesh.Trimesh, materials: Materials, *, fresh: bool) -> Shape
     visual, kind = mesh.visual, _kind_of_fresh(mesh.visual) if fresh else mesh.visual.kind
     linear = getattr(getattr(mesh, "source", None), "file_type", None) in _LINEAR_COLORS
     if kind == "texture":
-        shape.materials = materials.of(visual.material)
+        shape.materials = materials.base_colors(visual.material)
         if visual.uv is not None and len(visual.uv) == len(shape.vertices):
             shape.uvs = visual.uv
         if visual.face_materials is not None and len(shape.materials) > 1:

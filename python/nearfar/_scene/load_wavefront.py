@@ -43,7 +43,7 @@ def read(label: str, data: bytes, resolver: Any, materials: Materials, budget: B
         shape = shapes[name] = _shape(columns, rows, faces)
         known = None if material is None else library.get(names[material])
         if known is not None:
-            shape.materials = materials.of(known)
+            shape.materials = materials.base_colors(known)
         elif rgba is not None:
             shape.colors = rgba[rows[:, 0]]
     identities = np.broadcast_to(np.eye(4), (len(objects), 4, 4))

@@ -13,13 +13,13 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 from nearfar._scene import undrawn as undrawn_parts, wavefront_materials
-from nearfar._scene.arrays import MOST_CUTOFF
+from nearfar._scene.arrays import MAX_CUTOFF
 from nearfar._scene.budget import Budget
 from nearfar._scene.emission import DARK, MAP, Light, emission_of, is_unlit
 from nearfar._scene.srgb import to_linear
 from nearfar._scene.undrawn import EncodedImage, TextureSource, Undrawn
 
-MOST_TEXELS = 1 << 27
+MAX_TEXELS = 1 << 27
 """Greatest number of texels of a texture (half a gigabyte); a damaged header can claim billions."""
 
 _TRIMESH_DEFAULT = (102, 102, 102, 255)
@@ -136,7 +136,7 @@ def _is_placeholder(image: Any) -> bool:
     return bool(image.tobytes() == grey.tobytes())
 
 
-def _described(material: Any) -> Described:
+def _gltf_entry(material: Any) -> Described:
     """Make a glTF entry for a trimesh material that comes from no file; its textures are encoded as PNG on demand."""
     images: list[Any] = []
 
@@ -158,7 +158,7 @@ _SURFACE_KEYS = ("metallicFactor", "roughnessFactor", "baseColorTexture", "metal
 
 
 def _encoded(image: Any) -> TextureSource | None:
-    if image is None or image.size[0] * image.size[1] > MOST_TEXELS:
+    if image is None or image.size[0] * image.size[1] > MAX_TEXELS:
         return None
     file = io.BytesIO()
     try:
@@ -184,7 +184,7 @@ class Materials:
         """Textures by size and a sample of their rows."""
         self._images: dict[int, tuple[Any, NDArray[np.uint8] | None]] = {}
 
-    def of(self, material: Any, *, described: Described | None = None) -> list[BaseColor]:
+    def base_colors(self, material: Any, *, described: Described | None = None) -> list[BaseColor]:
         """Return the base colours of a material, several for a MultiMaterial.
 
         Parameters
@@ -197,7 +197,7 @@ class Materials:
         if material is None:
             return []
         if hasattr(material, "materials"):
-            return [color for part in material.materials for color in self.of(part) or [PLAIN]]
+            return [color for part in material.materials for color in self.base_colors(part) or [PLAIN]]
         if id(material) not in self._colors:
             is_physical = hasattr(material, "baseColorFactor")
             colors = self._physical(material, described) if is_physical else self._simple(material)
@@ -219,8 +219,8 @@ class Materials:
         if mode == "MASK":
             least_alpha = material.alphaCutoff
             cutoff = 0.5 if least_alpha is None or not np.isfinite(least_alpha) else float(least_alpha)
-            cutoff = min(max(cutoff, -MOST_CUTOFF), MOST_CUTOFF)
-        described = described or _described(material)
+            cutoff = min(max(cutoff, -MAX_CUTOFF), MAX_CUTOFF)
+        described = described or _gltf_entry(material)
         undrawn, differences = undrawn_parts.of_gltf(described.material, described.texture)
         light, glow, lost = self._emission(undrawn, material.emissiveTexture)
         unlit = undrawn is not None and is_unlit(undrawn.material)
@@ -267,7 +267,7 @@ class Materials:
         """Decode Pillow images in parallel, except those already decoded."""
         new = [image for key, image in {id(image): image for image in images}.items() if key not in self._images]
         for image in new:
-            if self._budget is not None and image.size[0] * image.size[1] <= MOST_TEXELS:
+            if self._budget is not None and image.size[0] * image.size[1] <= MAX_TEXELS:
                 self._budget.take(4 * image.size[0] * image.size[1])
         decoded: Iterable[NDArray[np.uint8] | None] = map(_decoded, new)
         if len(new) > 1:
@@ -302,7 +302,7 @@ def texels_of(data: bytes) -> NDArray[np.uint8] | None:
 def _decoded(image: Any) -> NDArray[np.uint8] | None:
     from PIL import Image
 
-    if image.size[0] * image.size[1] > MOST_TEXELS:
+    if image.size[0] * image.size[1] > MAX_TEXELS:
         return None
     try:
         if image.mode.startswith("I;16"):  # Pillow would clip 16-bit values instead of scaling them

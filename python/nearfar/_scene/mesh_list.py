@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._base import check
 
-_MOST_VERTICES = 2**32 - 2**16
+_MAX_VERTICES = 2**32 - 2**16
 """Greatest number of vertices of a merged mesh, whose indices have 32 bits."""
 
 
@@ -78,7 +78,7 @@ class MeshList:
         made = np.array([mesh.core.bounds() for mesh in self._made], np.float64).reshape(-1, 2, 3)
         return np.concatenate([stored, made])
 
-    def each(self, handles: NDArray[np.int64]) -> dict[int, _core.Mesh]:
+    def meshes_by_handle(self, handles: NDArray[np.int64]) -> dict[int, _core.Mesh]:
         """Kernels' meshes by handle; handles may repeat."""
         used = np.unique(handles)
         stored = used[used < self._first]
@@ -86,7 +86,7 @@ class MeshList:
         meshes |= {handle: self._made[handle - self._first].core for handle in used[len(stored) :].tolist()}
         return meshes
 
-    def joined(
+    def merge(
         self, handles: NDArray[np.int64], placements: NDArray[np.float64], objects: NDArray[np.int32]
     ) -> list[_core.Mesh]:
         """Merge K meshes with `placements` (K, 3, 4) into one of stored meshes and one of others, or more."""
@@ -95,7 +95,7 @@ class MeshList:
         for chosen in (np.flatnonzero(is_stored), np.flatnonzero(~is_stored)):
             for rows in self._groups(chosen, handles):
                 if self._stored is not None and is_stored[rows[0]]:
-                    joined.append(self._stored.joined(handles[rows], placements[rows], objects[rows]))
+                    joined.append(self._stored.merge(handles[rows], placements[rows], objects[rows]))
                 else:
                     meshes = [self._made[handle - self._first].core for handle in handles[rows].tolist()]
                     joined.append(_core.Mesh.merged(meshes, placements[rows], objects[rows]))
@@ -104,5 +104,5 @@ class MeshList:
     def _groups(self, rows: NDArray[np.int64], handles: NDArray[np.int64]) -> list[NDArray[np.int64]]:
         if not len(rows):
             return []
-        group = np.cumsum(self.vertex_counts()[handles[rows]]) // _MOST_VERTICES
+        group = np.cumsum(self.vertex_counts()[handles[rows]]) // _MAX_VERTICES
         return np.split(rows, np.flatnonzero(np.diff(group)) + 1)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from nearfar._base import check
 
-_MOST_COMPARED = 20_000
+_MAX_COMPARED = 20_000
 """Greatest number of names that a misspelt one is compared with; more would take seconds."""
 
 
@@ -25,7 +25,7 @@ def names_of(argument: str, names: Iterable[str]) -> list[str]:
     return listed
 
 
-MOST_OBJECTS = (1 << 31) - 1
+MAX_OBJECTS = (1 << 31) - 1
 """Greatest number of objects: object numbers are int32."""
 
 
@@ -69,7 +69,7 @@ class Names:
         return self._source
 
     @cached_property
-    def all(self) -> tuple[str, ...]:
+    def as_tuple(self) -> tuple[str, ...]:
         """All names; nameless objects are called ``object_0``, ``object_1`` and so on."""
         if isinstance(self._source, int):
             return tuple(f"object_{number}" for number in range(self._source))
@@ -77,7 +77,7 @@ class Names:
 
     @cached_property
     def _numbers(self) -> dict[str, int]:
-        return {name: number for number, name in enumerate(self.all)}
+        return {name: number for number, name in enumerate(self.as_tuple)}
 
     def _number_of(self, name: str) -> int | None:
         if not isinstance(self._source, int):
@@ -88,7 +88,7 @@ class Names:
     def number(self, argument: str, name: str) -> int:
         """Return the number of an object; ValueError with similar names if there is none."""
         if not isinstance(name, str):
-            raise TypeError(f"{argument}: expected names of objects, got {check.described(name)}")
+            raise TypeError(f"{argument}: expected names of objects, got {check.type_and_value(name)}")
         number = self._number_of(name)
         if number is None:
             raise ValueError(f"{argument}: the scene has no object {check.shortened(name)}{self._similar(name)}")
@@ -104,9 +104,9 @@ class Names:
     def _similar(self, name: str) -> str:
         if isinstance(self._source, int):
             return f"; it has {self._source} objects" + (", such as 'object_0'" if self._source else "")
-        candidates = self.all
-        if len(candidates) > _MOST_COMPARED:
-            candidates = tuple(other for other in candidates if other[:2] == name[:2])[:_MOST_COMPARED]
+        candidates = self.as_tuple
+        if len(candidates) > _MAX_COMPARED:
+            candidates = tuple(other for other in candidates if other[:2] == name[:2])[:_MAX_COMPARED]
         close = difflib.get_close_matches(name, candidates)
         if close:
             return f"; did you mean {' or '.join(repr(other) for other in close)}?"

@@ -30,7 +30,7 @@ class Placements:
     object: NDArray[np.int32]
 
     @classmethod
-    def of(
+    def from_columns(
         cls,
         parts: Sequence[tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.int32]]],
         bases: NDArray[np.float64],
@@ -99,7 +99,7 @@ def core_scene(
     if len(rows) == 1 and np.array_equal(placements[rows[0]], np.eye(4)[:3]):
         rows = rows[:0]  # a single mesh at the identity is used without a copy
         merges = np.zeros_like(merges)
-    merged = meshes.joined(placed.mesh[rows], placements[rows], placed.object[rows])
+    merged = meshes.merge(placed.mesh[rows], placements[rows], placed.object[rows])
     rest = np.flatnonzero(~merges)
     identities = np.broadcast_to(np.eye(4)[:3], (len(merged), 3, 4))
     return _core.Scene(
@@ -118,7 +118,7 @@ def _instanced(placed: Placements, rows: NDArray[np.int64], meshes: MeshList) ->
         return []
     handles = placed.mesh[rows]
     mirrored = np.linalg.det(placed.transform[rows, :3, :3]) < 0
-    cores = meshes.each(handles)
-    twins = {handle: cores[handle].turned() for handle in set(handles[mirrored].tolist())}
+    cores = meshes.meshes_by_handle(handles)
+    twins = {handle: cores[handle].flip_faces() for handle in set(handles[mirrored].tolist())}
     pairs = zip(handles.tolist(), mirrored.tolist(), strict=True)
     return [twins[handle] if is_mirrored else cores[handle] for handle, is_mirrored in pairs]

@@ -45,7 +45,7 @@ class Report:
     """
 
     @classmethod
-    def of(
+    def count(
         cls,
         core: _core.Scene,
         objects: int,

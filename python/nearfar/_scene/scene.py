@@ -195,7 +195,7 @@ class Scene(InParts, InPictures):
     @property
     def object_names(self) -> tuple[str, ...]:
         """Names of the objects, in the order of the numbers in `Frame.object_id`; subsets keep all of them."""
-        return self._names.all
+        return self._names.as_tuple
 
     @cached_property
     def bounds(self) -> NDArray[np.float64]:
@@ -213,7 +213,7 @@ class Scene(InParts, InPictures):
     @cached_property
     def report(self) -> Report:
         """Counts of the scene's contents, and parts of its source that are used, dropped or not drawn."""
-        return Report.of(self._core, len(self._names), len(self._rest), self._dropped, self._notes, self._used)
+        return Report.count(self._core, len(self._names), len(self._rest), self._dropped, self._notes, self._used)
 
     def triangles(self) -> NDArray[np.float32]:
         """Corners of all triangles (T, 3, 3), relative to `origin`; for exchange with other tools."""

@@ -29,7 +29,7 @@ class Surface:
         return self.has_uvs and any(material.is_textured for material in self.materials)
 
     @property
-    def drawn(self) -> BaseColor:
+    def drawn_material(self) -> BaseColor:
         """Material that the faces are drawn with."""
         (material,) = self.materials or (UNCOLORED if self.has_colors else PLAIN,)
         return material if self.is_textured else material.without_textures()

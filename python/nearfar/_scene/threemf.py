@@ -12,7 +12,7 @@ from nearfar._scene.budget import Budget
 _INSTANCE = 1 << 14
 """Bytes counted per instance: trimesh compares its name with those of all others."""
 
-_MOST = 1 << 62
+_MAX = 1 << 62
 """Cap of instance counts, far above any budget. Each level of components may double the number."""
 
 
@@ -57,7 +57,7 @@ def _instances(parts: Mapping[str, Sequence[str]], items: Sequence[str]) -> list
             below = parts.get(owner, ())
             missing = [part for part in below if part not in counts]
             if owner in counts or not missing:
-                counts.setdefault(owner, min(_MOST, 1 + sum(counts[part] for part in below)))
+                counts.setdefault(owner, min(_MAX, 1 + sum(counts[part] for part in below)))
                 unfinished.discard(owner)
                 pending.pop()
             elif owner in unfinished and not unfinished.isdisjoint(missing):

@@ -11,7 +11,7 @@ from functools import cached_property
 from typing import Any
 
 from nearfar._scene import emission
-from nearfar._scene.coordinates import TRANSFORM, Coordinates, drawn, is_texture, relative
+from nearfar._scene.coordinates import TRANSFORM, Coordinates, drawn_texture_coordinates, is_texture, relative
 
 EXTENSIONS = frozenset(
     f"KHR_materials_{name}"
@@ -140,7 +140,7 @@ class _Collector:
     def material(self, source: dict[str, Any]) -> dict[str, Any]:
         surface = source.get(_SURFACE)
         surface = surface if isinstance(surface, dict) else {}
-        self._drawn = drawn(source)
+        self._drawn = drawn_texture_coordinates(source)
         kept: dict[str, Any] = {}
         if isinstance(source.get("name"), str):
             kept["name"] = source["name"]

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from nearfar._scene.emission import DARK, MAP, MOST_EMISSION, Light, entries as emission_entries
+from nearfar._scene.emission import DARK, MAP, MAX_EMISSION, Light, entries as emission_entries
 from nearfar._scene.srgb import to_linear
 
 EMISSION_MAP = "map_ke"
@@ -56,7 +56,7 @@ def _emission(entries: Mapping[str, Any]) -> Light:
     """Emission as linear RGB; a map without a colour counts as one with white."""
     numbers = _numbers(entries.get("ke"), 1.0 if EMISSION_IMAGE in entries else 0.0)
     # One number stands for all three. Values up to 1 are sRGB, like the diffuse colour; above 1 they are linear.
-    codes = np.clip((numbers * 3)[:3] if len(numbers) < 3 else numbers[:3], 0.0, MOST_EMISSION)
+    codes = np.clip((numbers * 3)[:3] if len(numbers) < 3 else numbers[:3], 0.0, MAX_EMISSION)
     red, green, blue = np.where(codes > 1.0, codes, to_linear(np.minimum(codes, 1.0))).tolist()
     return red, green, blue
 

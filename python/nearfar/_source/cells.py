@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from nearfar._scene.scene import Scene
 
-MOST_CELLS = 1 << 20
+MAX_CELLS = 1 << 20
 """Maximum number of cells of a grid."""
 
 _MARGIN = 1e-12
@@ -29,7 +29,7 @@ class Grid:
     """Number of cells along x and z."""
 
     @classmethod
-    def over(cls, bounds: NDArray[np.float64], cell: float) -> Grid:
+    def from_bounds(cls, bounds: NDArray[np.float64], cell: float) -> Grid:
         """Return the grid over a world box; ValueError if it would have too many cells."""
         if not np.isfinite(bounds[:, (0, 2)]).all():
             return cls(cell, (0, 0), (0, 0))
@@ -37,9 +37,9 @@ class Grid:
             first, last = np.floor(bounds[:, (0, 2)] / cell)
             counts = last - first + 1
             total = counts.prod()
-        if not total <= MOST_CELLS:
+        if not total <= MAX_CELLS:
             raise ValueError(
-                f"cell: expected a width with at most {MOST_CELLS:,} cells, got {cell:g} m, {total:.3g} cells"
+                f"cell: expected a width with at most {MAX_CELLS:,} cells, got {cell:g} m, {total:.3g} cells"
             )
         x, z = first.astype(np.int64).tolist()
         columns, rows = counts.astype(np.int64).tolist()

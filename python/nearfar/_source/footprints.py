@@ -31,7 +31,7 @@ class FootprintFile:
         cls, path: Path, *, origin: ArrayLike | None, height: str | None, max_bytes: int | None, on_invalid: str
     ) -> FootprintFile:
         """Read the outlines of a file; `nearfar.open_source` documents the arguments."""
-        options = CityOptions.checked(None, height, checked_origin(origin))
+        options = CityOptions.check_options(None, height, checked_origin(origin))
         most = None if max_bytes is None else check.integer("max_bytes", max_bytes, 1, 1 << 62)
         drop = on_invalid == "drop"
         return cls(background.run(lambda: open_footprints(path, options, Budget(most), drop=drop)))

@@ -67,5 +67,5 @@ def bounds_of(source: SceneSource) -> NDArray[np.float64]:
 def source_of(name: str, value: object) -> SceneSource:
     """Return a source; TypeError for anything else."""
     if not isinstance(value, SceneSource):
-        raise TypeError(f"{name}: expected a source with bounds and query, got {check.described(value)}")
+        raise TypeError(f"{name}: expected a source with bounds and query, got {check.type_and_value(value)}")
     return value

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import background, check, formats
 from nearfar._base.errors import FormatError
-from nearfar._scene.joined import joined
+from nearfar._scene.joined import join_scenes
 from nearfar._scene.moving_rows import frames_of
 from nearfar._scene.names import Names
 from nearfar._scene.scene import Scene
@@ -74,7 +74,7 @@ class TileFolder:
         parts = [part for part in (self._tile(tile).query(box) for tile in near) if part.triangle_count]
         self._forget()
         if parts:
-            return joined(parts)
+            return join_scenes(parts)
         names = Names(()) if self._names is None else self._names
         return Scene(empty_core(self._index.origin), names, notes=self._index.notes)
 

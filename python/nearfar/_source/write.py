@@ -66,8 +66,8 @@ def write_tiles(
     whole = _common(bounds, region)
     if np.isinf(whole).any() and (whole[0] <= whole[1]).all():
         raise ValueError("aabb: expected a finite box for a source without end")
-    grid = Grid.over(whole, size)
-    settings = {"cell": size, "detail": error, "bounds": _listed(bounds), "aabb": _listed(region)}
+    grid = Grid.from_bounds(whole, size)
+    settings = {"cell": size, "detail": error, "bounds": _box_as_json(bounds), "aabb": _box_as_json(region)}
     index = _begun(target, settings, len(grid))
     _Writing(source, target, grid, region, error).run(index)
 
@@ -80,7 +80,7 @@ def _common(bounds: NDArray[np.float64], region: NDArray[np.float64] | None) -> 
     return both if (both[0] <= both[1]).all() else np.array([[np.inf] * 3, [-np.inf] * 3])
 
 
-def _listed(box: NDArray[np.float64] | None) -> list[list[float | None]] | None:
+def _box_as_json(box: NDArray[np.float64] | None) -> list[list[float | None]] | None:
     """Convert a box for JSON: infinite sides are null."""
     if box is None:
         return None
@@ -127,7 +127,7 @@ class _Writing:
     def _with_cell(self, index: TileIndex, number: int) -> TileIndex:
         part = self._source.query(self._grid.box(number), self._detail)
         if part.triangle_count:
-            part = self._chosen(part, number)
+            part = self._triangles_of_cell(part, number)
         if not part.triangle_count:
             return index
         names = part._names.source
@@ -139,7 +139,7 @@ class _Writing:
             tiles=(*index.tiles, self._written(part, f"tile_{self._grid.name(number)}.glb")),
         )
 
-    def _chosen(self, part: Scene, number: int) -> Scene:
+    def _triangles_of_cell(self, part: Scene, number: int) -> Scene:
         mine = self._grid.of_triangles(part) == number
         if self._region is not None:
             centroids = part.triangles().mean(axis=1, dtype=np.float64) + part.origin

@@ -28,7 +28,7 @@ AWAY = 2.25
 NEAR = 30.0
 """Distance in metres within which open places have surfaces if possible, so that a user's steps show parallax."""
 
-MOST_COMPARED = 40
+MAX_COMPARED = 40
 """Maximum number of open places that are compared."""
 
 BLOCK = 64
@@ -79,7 +79,7 @@ def find(scene: Scene) -> Viewpoint:
     (less in small scenes), a quarter of them hit something, and no half of the horizon is empty: a convex object
     that the eye sees from outside fills less than the other half. Places under the sky are tried before places under a
     roof, which are open only if the rays hit surfaces from the front: the back of surfaces is the inside of a solid. Of
-    the first `MOST_COMPARED` open places, the one with the greatest mean distance is chosen, among those with near
+    the first `MAX_COMPARED` open places, the one with the greatest mean distance is chosen, among those with near
     surfaces if there are any. A scene without an open place is an object, unless it is flat and wide.
     """
     size = scene.bounds[1] - scene.bounds[0]
@@ -104,10 +104,10 @@ def find(scene: Scene) -> Viewpoint:
         has_near = distances.min(axis=1) <= NEAR
         found = np.flatnonzero(is_open)
         open_places += [(bool(has_near[n]), float(distances[n].mean()), _point(block[n])) for n in found]
-        if len(open_places) >= MOST_COMPARED:
+        if len(open_places) >= MAX_COMPARED:
             break
     if open_places:
-        return facing_open(scene, max(open_places[:MOST_COMPARED])[2])
+        return facing_open(scene, max(open_places[:MAX_COMPARED])[2])
     least, share = GROUND
     is_ground = size.max() >= least and size[1] <= share * size.max()
     return facing_open(scene, _point(eyes[0])) if is_ground else in_front(scene)
@@ -179,7 +179,7 @@ def _candidates(scene: Scene) -> list[NDArray[np.float64]]:
     return eyes
 
 
-def around(scene: Scene, eye: Point) -> NDArray[np.float64]:
+def horizontal_distances(scene: Scene, eye: Point) -> NDArray[np.float64]:
     """Distances (DIRECTIONS,) in metres that an eye sees horizontally, clockwise from −z; infinite without a hit."""
     distances: NDArray[np.float64] = _distances(_hits(scene, np.asarray(eye)[None]))[0]
     return distances
@@ -198,7 +198,7 @@ def open_direction(scene: Scene, eye: Point) -> Point:
 
     Views in which fewer than `SEEN` of the rays hit something are used only if there are no others.
     """
-    distances = around(scene, eye)
+    distances = horizontal_distances(scene, eye)
     quarter = DIRECTIONS // 4
     kernel = np.ones(quarter + 1)
 

@@ -115,7 +115,7 @@ def export(
         "folder": output,
         "triangles": loaded.triangle_count,
         "bytes": bundle.nbytes,
-        "regions": [_described(region) for region in regions],
+        "regions": [_region_entry(region) for region in regions],
         "seconds": round(seconds, 3),
     }
     rows = [
@@ -144,7 +144,7 @@ def _read_centers(texts: list[str] | None) -> list[options.Point]:
     return [point for point in points if point is not None]
 
 
-def _described(region: nf.stream.Bundle) -> dict[str, Any]:
+def _region_entry(region: nf.stream.Bundle) -> dict[str, Any]:
     return {
         "center": list(region.center),
         "fold_margin": float(region.fold_margins[region.number]),

@@ -76,7 +76,7 @@ def lod(
     seconds = {"simplify": simplified - started, "measure": time.perf_counter() - simplified}
     model.export(output, view=device, k=k, d=d, threshold=threshold, all_levels=all_levels)
     switches = nf.lod.switches(model, view=device, k=k, d=d, threshold=threshold)
-    written = np.ones(len(model), bool) if all_levels else switches.shown
+    written = np.ones(len(model), bool) if all_levels else switches.is_ever_shown
     document = describe(model, switches, written) | {
         "source": scene,
         "notes": list(loaded.report.notes),
@@ -119,7 +119,7 @@ def describe(model: nf.lod.LodModel, switches: nf.lod.Switches, written: NDArray
                 "curve": statuses[number],
                 "solid_angle": float(switches.solid_angle[number]),
                 "screen_coverage": float(switches.screen_coverage[number]),
-                "shown": bool(switches.shown[number]),
+                "shown": bool(switches.is_ever_shown[number]),
                 "written": bool(written[number]),
                 "limit_of_measurement": bool(switches.is_limit[number]),
                 "distance": None if never[number] else float(switches.distance[number] * model.radius),

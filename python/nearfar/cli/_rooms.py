@@ -38,7 +38,7 @@ def invite(
     typer.echo(made if url is None else f"{_addresses.page(url)}?room={quote(room, safe='')}&token={made}")
 
 
-def chosen(
+def configure_rooms(
     is_wanted: bool, sources: list[str], key: str | None, most: Mapping[str, int | None], without: Mapping[str, bool]
 ) -> Rooms | None:
     """Return the rooms of a server; None for a server without rooms.

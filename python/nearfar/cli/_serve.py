@@ -107,7 +107,7 @@ def serve(
     used = _certificate(certificate, key, self_signed, host, name)
     most = {"rooms": most_rooms, "users": most_users}
     without = {"peers": no_peers, "datagrams": no_datagrams}
-    rooms = _rooms.chosen(with_rooms, sources, rooms_key, most, without)
+    rooms = _rooms.configure_rooms(with_rooms, sources, rooms_key, most, without)
     loading = _sites.Loading(up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes, blend=blend)
     regions = _sites.Regions(
         cache_bytes=check.integer("--cache-bytes", cache_bytes, 0, 1 << 62),

@@ -44,7 +44,7 @@ class Regions:
 
 def read(sources: Sequence[str], loading: Loading, regions: Regions) -> tuple[dict[str, Site], list[LoadedScene]]:
     """Return sites by name, with an empty name for a single one, and the scenes that are being loaded."""
-    named = [_named(source) for source in sources]
+    named = [_split_source(source) for source in sources]
     names = [name for name, _ in named]
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
@@ -79,7 +79,7 @@ def tell_of(scenes: Sequence[LoadedScene]) -> None:
         threading.Thread(target=tell, args=(scene,), daemon=True).start()
 
 
-def _named(source: str) -> tuple[str, str]:
+def _split_source(source: str) -> tuple[str, str]:
     """Split "name=path"; the default name is that of the file, the folder or the procedural scene."""
     name, sign, path = source.partition("=")
     if sign and not {"/", ":"} & set(name) and not Path(source).exists():

@@ -16,10 +16,10 @@ from nearfar.datasets._draw import Floats, turn
 from nearfar.datasets._world.noise import hashed
 
 SHAPES = 16
-_MOST, _MOST_POLYGONS = 1_000_000, 4_000_000
+_MAX_COUNT, _MAX_POLYGONS = 1_000_000, 4_000_000
 _SPACING = 1_400.0
 """Side of the cubes that hold at most one body each, metres, so that bodies never touch."""
-_LEAST, _GREATEST = 45.0, 540.0
+_MIN, _MAX = 45.0, 540.0
 """Radii of bodies, metres."""
 _WIDE, _HIGH = 0.25, 0.06
 """Half the width and half the height of the belt, as shares of its radius."""
@@ -32,11 +32,11 @@ class Asteroids:
     """
 
     def __init__(self, count: int = 29_264, polygons: int = 97_000, seed: int = 0) -> None:
-        self._count = check.integer("count", count, 1, _MOST)
-        self._polygons = check.integer("polygons", polygons, 48, _MOST_POLYGONS)
+        self._count = check.integer("count", count, 1, _MAX_COUNT)
+        self._polygons = check.integer("polygons", polygons, 48, _MAX_POLYGONS)
         self._seed = check.integer("seed", seed, 0, 2**63 - 1)
         self._squares = rocks.squares(self._polygons)
-        self._scenes = functools.lru_cache(maxsize=4)(self._made)
+        self._scenes = functools.lru_cache(maxsize=4)(self._build_scene)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle the arguments, from which all bodies follow."""
@@ -61,15 +61,15 @@ class Asteroids:
     @functools.cached_property
     def radii(self) -> NDArray[np.float64]:
         """Radii (N,) of bounding spheres around the centres, metres."""
-        share = self._drawn(20)
+        share = self._random_numbers(20)
         # Counts fall with the cube of the size, as a first approximation of the asteroid belt's.
-        steep = 1.0 - share * (1.0 - (_LEAST / _GREATEST) * (_LEAST / _GREATEST))
-        return np.floor(64.0 * _LEAST / np.sqrt(steep)) / 64.0
+        steep = 1.0 - share * (1.0 - (_MIN / _MAX) * (_MIN / _MAX))
+        return np.floor(64.0 * _MIN / np.sqrt(steep)) / 64.0
 
     @functools.cached_property
     def shapes(self) -> NDArray[np.int64]:
         """Number of each body's shape (N,), 0 to 15."""
-        return np.minimum((SHAPES * self._drawn(21)).astype(np.int64), SHAPES - 1)
+        return np.minimum((SHAPES * self._random_numbers(21)).astype(np.int64), SHAPES - 1)
 
     @functools.cached_property
     def bounds(self) -> NDArray[np.float64]:
@@ -107,7 +107,7 @@ class Asteroids:
         """Make all bodies as one scene of instances; see `query` for `detail`."""
         return self._scenes(check.at_least_zero("detail", detail))
 
-    def _made(self, detail: float) -> Scene:
+    def _build_scene(self, detail: float) -> Scene:
         builder, place = SceneBuilder(), self._transforms()
         builder.material((1.0, 1.0, 1.0, 1.0))
         chosen = self.levels(detail)
@@ -128,7 +128,7 @@ class Asteroids:
             chosen[errors[self.shapes] * self.radii <= most] = level
         return chosen
 
-    def _drawn(self, channel: int) -> Floats:
+    def _random_numbers(self, channel: int) -> Floats:
         _, i, j, k = self._places
         return hashed(self._seed, 0x6000 + channel, i * 65_536 + k, j)
 
@@ -148,7 +148,7 @@ class Asteroids:
         i, j, k = i[inside], j[inside], k[inside]
         order = np.argsort(hashed(self._seed, 0x6000, i * 65_536 + k, j), kind="stable")[: self._count]
         i, j, k = i[order], j[order], k[order]
-        room = 0.5 - _GREATEST / _SPACING
+        room = 0.5 - _MAX / _SPACING
         draws = [hashed(self._seed, 0x6001 + axis, i * 65_536 + k, j) for axis in range(3)]
         centers = np.stack([c + room * (2.0 * d - 1.0) for c, d in zip((i, j, k), draws, strict=True)], -1)
         return np.floor(64.0 * _SPACING * centers) / 64.0, i, j, k
@@ -156,7 +156,7 @@ class Asteroids:
     def _transforms(self) -> Floats:
         """Placements (N, 4, 4) of shapes in the unit ball: scaled, rotated at random, moved."""
         # K. Shoemake, Uniform random rotations (1992).
-        share, first, second = (self._drawn(channel) for channel in (30, 31, 32))
+        share, first, second = (self._random_numbers(channel) for channel in (30, 31, 32))
         (c1, s1), (c2, s2) = turn(first), turn(second)
         a, b = np.sqrt(1.0 - share), np.sqrt(share)
         x, y, z, w = a * s1, a * c1, b * s2, b * c2

@@ -77,7 +77,7 @@ def building(kind: Kind, seed: int, detail: int) -> Soup:
     low, high = _STOREYS[kind.form]
     storeys = low + int(draw.integers(1, high - low + 1)[0])
     shops = kind.form >= 1 or draw.chance(0.3)
-    design = Design(kind, style, Paint.chosen(style, draw), shops, storeys, detail)
+    design = Design(kind, style, Paint.random(style, draw), shops, storeys, detail)
     soups: list[Soup] = []
     for tier in _tiers(design, draw):
         soups += _walls(tier, design, draw) + _roof(tier, design, draw)
@@ -124,7 +124,7 @@ def _walls(tier: Tier, design: Design, draw: Draw) -> list[Soup]:
         across, away = (2.0 * x, z) if quarter % 2 == 0 else (2.0 * z, x)
         plan = Plan(across, tier.rows, face, design.shops, tier.first)
         side = wall(plan, design.style, design.paint, draw, design.detail)
-        soups.append(side.moved([0.0, 0.0, away]).rotated(0.25 * quarter))
+        soups.append(side.translate([0.0, 0.0, away]).rotated(0.25 * quarter))
     return soups
 
 
@@ -148,7 +148,7 @@ def _roof(tier: Tier, design: Design, draw: Draw) -> list[Soup]:
         x, z = 0.25 * tier.width, 0.25 * tier.depth
         soups.append(boxes([-x, top - 0.2, -z], [x, top + 3.6, z], material("metal"), without="-y"))
     plant = roofs.furnish(tier.width, tier.depth, paint.wall, draw, tower=tower, detail=design.detail)
-    return [*soups, plant.moved([0.0, top - 0.05, 0.0])]
+    return [*soups, plant.translate([0.0, top - 0.05, 0.0])]
 
 
 def _pitched(tier: Tier, top: float, design: Design, draw: Draw) -> list[Soup]:

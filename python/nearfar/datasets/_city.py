@@ -19,7 +19,7 @@ from nearfar.datasets._shapes import boxes
 from nearfar.datasets._stage import Stage, placements
 from nearfar.datasets._traffic import moving_cars
 
-_MOST_BLOCKS = 64
+_MAX_BLOCKS = 64
 _SEEDS = 2**63
 
 
@@ -58,10 +58,10 @@ def city(blocks: int = 12, seed: int = 0, detail: int = 2, *, instanced: bool = 
     TypeError
         An `instanced` that is not a bool.
     """
-    blocks = check.integer("blocks", blocks, 1, _MOST_BLOCKS)
+    blocks = check.integer("blocks", blocks, 1, _MAX_BLOCKS)
     seed = check.integer("seed", seed, 0, _SEEDS - 1)
     detail = check.integer("detail", detail, 0, 3)
-    stage, grid = Stage(instanced=check.flag("instanced", instanced)), Grid.of(blocks)
+    stage, grid = Stage(instanced=check.flag("instanced", instanced)), Grid.generate(blocks)
     stage.once(streets.ground(grid, seed, detail), "ground")
     built = layout.plots(grid, seed)
     _buildings(stage, built, seed, detail)

@@ -43,7 +43,7 @@ class Side:
     half: float
     """Half the width of the carriageway in front of it, metres."""
 
-    def at(self, along: ArrayLike, inward: ArrayLike) -> tuple[Floats, Floats]:
+    def world_position(self, along: ArrayLike, inward: ArrayLike) -> tuple[Floats, Floats]:
         """World x and z of positions along the kerb and inward from it, metres."""
         t, o = np.asarray(along, np.float64), np.asarray(inward, np.float64)
         x, z = self.start
@@ -82,7 +82,7 @@ class Places:
 
     def line(self, side: Side, spots: ArrayLike, inward: float, turn: ArrayLike, size: ArrayLike = 1.0) -> None:
         """Add positions on the pavement along a side, `inward` metres from the kerb."""
-        x, z = side.at(spots, inward)
+        x, z = side.world_position(spots, inward)
         self.add(x, KERB, z, turn, size)
 
     def rows(self, *, clear: float = 0.0) -> Floats:
@@ -104,7 +104,7 @@ def dress(stage: Stage, grid: Grid, built: Sequence[Plot], seed: int, detail: in
     for side in sides(grid):
         draw = Draw(seed, 30, side.block, side.number)
         _street_trees(side, things["tree"], draw, detail)
-        _along(side, things, draw)
+        _furnish_side(side, things, draw)
         _parked(side, things["parked_car"], draw)
     by_block: dict[int, list[Plot]] = {}
     for plot in built:
@@ -112,7 +112,7 @@ def dress(stage: Stage, grid: Grid, built: Sequence[Plot], seed: int, detail: in
     for j in range(grid.blocks):
         for i in range(grid.blocks):
             draw, use = Draw(seed, 31, i, j), grid.use(i, j, seed)
-            _inside(grid, i, j, use, by_block.get(j * grid.blocks + i, []), things, draw, detail)
+            _furnish_block(grid, i, j, use, by_block.get(j * grid.blocks + i, []), things, draw, detail)
     _outskirts(grid, things["far_tree"], Draw(seed, 32), detail)
 
     def tree(variant: int) -> Soup:
@@ -144,7 +144,7 @@ def _street_trees(side: Side, trees: Places, draw: Draw, detail: int) -> None:
     trees.line(side, spots, 1.1, draw.uniform(len(spots)), draw.uniform(len(spots), 0.72, 1.05))
 
 
-def _along(side: Side, things: dict[str, Places], draw: Draw) -> None:
+def _furnish_side(side: Side, things: dict[str, Places], draw: Draw) -> None:
     """Add lamps, benches, bins, signals and bollards of a side; stops and planters on avenues."""
     turn, end = 0.25 * side.quarter, side.length
     things["lamp_post"].line(side, np.arange(9.0, end - 6.0, 24.0), 0.6, turn)
@@ -169,12 +169,12 @@ def _parked(side: Side, parked: Places, draw: Draw) -> None:
     along = np.arange(15.0, side.length - 14.0, 6.0)
     keep = draw.uniform(len(along)) < 0.36
     nudge = draw.uniform(len(along), -0.3, 0.3)
-    x, z = side.at((along + nudge)[keep], -1.2)
+    x, z = side.world_position((along + nudge)[keep], -1.2)
     # Traffic keeps to the right, so the block is on the driver's right hand.
     parked.add(x, 0.0, z, 0.25 * side.quarter + 0.75)
 
 
-def _inside(
+def _furnish_block(
     grid: Grid, i: int, j: int, use: str, built: Sequence[Plot], things: dict[str, Places], draw: Draw, detail: int
 ) -> None:
     """Add trees and benches of a park, a plaza or a courtyard, where nothing is built."""

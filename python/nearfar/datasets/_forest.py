@@ -17,7 +17,7 @@ from nearfar.datasets._palette import material, materials
 from nearfar.datasets._shapes import Soup, join, quads, sheet
 from nearfar.datasets._stage import Stage, placements
 
-_MOST_TREES = 2_000_000
+_MAX_TREES = 2_000_000
 _AREA = 34.0
 """Area of land for each tree, square metres."""
 _HORIZON = 3000.0
@@ -32,7 +32,7 @@ class Land:
     phases: Floats
 
     @classmethod
-    def of(cls, trees: int, seed: int) -> Land:
+    def generate(cls, trees: int, seed: int) -> Land:
         """Make the land for a number of trees."""
         return cls(float(np.sqrt(max(trees, 60) * _AREA)), Draw(seed, 50).uniform(12))
 
@@ -87,10 +87,10 @@ def forest(trees: int = 6000, seed: int = 0, detail: int = 2) -> Scene:
     ValueError
         Numbers out of range.
     """
-    trees = check.integer("trees", trees, 1, _MOST_TREES)
+    trees = check.integer("trees", trees, 1, _MAX_TREES)
     seed = check.integer("seed", seed, 0, 2**63 - 1)
     detail = check.integer("detail", detail, 0, 3)
-    stage, land = Stage(), Land.of(trees, seed)
+    stage, land = Stage(), Land.generate(trees, seed)
     stage.once(surface(land, detail), "land")
     _plant(stage, land, trees, seed, detail)
     _undergrowth(stage, land, trees, seed, detail)
@@ -195,5 +195,5 @@ def _sward(seed: int, variant: int, detail: int) -> Soup:
     tufts = []
     for k in range(5):
         at = [draw.number(-0.7, 0.7), 0.0, draw.number(-0.7, 0.7)]
-        tufts.append(vegetation.tuft(seed, 7 * variant + k, detail).moved(at))
+        tufts.append(vegetation.tuft(seed, 7 * variant + k, detail).translate(at))
     return join(tufts)

@@ -48,7 +48,7 @@ def sofa(detail: int) -> Soup:
         parts.append(cushion([x, 0.12, -0.44], [x + 0.16, 0.64, 0.46], 0.06, cloth, detail))
     pillow = cushion([-0.2, 0.0, -0.07], [0.2, 0.36, 0.07], 0.065, material("fabric_rust"), detail)
     feet = np.array([[x, 0.0, z] for x in (-0.98, 0.92) for z in (-0.38, 0.32)])
-    return join([*parts, pillow.moved([0.7, 0.5, 0.0]), bars(feet, [0.06, 0.16, 0.06], legs)])
+    return join([*parts, pillow.translate([0.7, 0.5, 0.0]), bars(feet, [0.06, 0.16, 0.06], legs)])
 
 
 def table(detail: int) -> Soup:
@@ -127,7 +127,7 @@ def floor_lamp(detail: int) -> Soup:
     foot = [(0.16, 0.0), (0.16, 0.015), (0.03, 0.03), (0.012, 0.04), (0.012, 1.45)]
     cloth = [(0.24, 1.3), (0.17, 1.62), (0.166, 1.62), (0.236, 1.3)]
     closed = np.array([*cloth, cloth[0]])
-    bulb = triangles(sphere(max(0, detail)), material("paint_white")).scaled(0.04).moved([0.0, 1.45, 0.0])
+    bulb = triangles(sphere(max(0, detail)), material("paint_white")).scaled(0.04).translate([0.0, 1.45, 0.0])
     return join([lathe(foot, sides, iron), lathe(closed, sides, shade, bottom=False, top=False), bulb])
 
 
@@ -138,7 +138,7 @@ def pendant(detail: int) -> Soup:
         [(0.2, -0.95), (0.17, -0.86), (0.06, -0.78), (0.055, -0.79), (0.165, -0.87), (0.19, -0.95), (0.2, -0.95)]
     )
     cord = tube([(0, -0.8, 0), (0, -0.4, 0), (0, 0.02, 0)], 0.006, max(4, sides // 4), material("trim_dark"))
-    bulb = triangles(sphere(max(0, detail)), material("paint_white")).scaled(0.05).moved([0.0, -0.9, 0.0])
+    bulb = triangles(sphere(max(0, detail)), material("paint_white")).scaled(0.05).translate([0.0, -0.9, 0.0])
     return join([lathe(bell, sides, material("sign_mustard"), bottom=False, top=False), cord, bulb])
 
 
@@ -196,16 +196,16 @@ def crockery(seed: int, detail: int) -> Soup:
     cup = [(0.025, 0.0), (0.036, 0.03), (0.04, 0.08), (0.037, 0.08), (0.033, 0.03), (0.005, 0.008)]
     parts = []
     for x, z in ((-0.4, 0.26), (0.4, 0.26), (-0.4, -0.26), (0.4, -0.26)):
-        parts.append(lathe(plate, sides, white).moved([x, 0.0, z]))
-        parts.append(lathe(cup, sides, material("sign_teal")).moved([x + 0.17, 0.0, 0.55 * z]))
+        parts.append(lathe(plate, sides, white).translate([x, 0.0, z]))
+        parts.append(lathe(cup, sides, material("sign_teal")).translate([x + 0.17, 0.0, 0.55 * z]))
     bowl = [(0.06, 0.0), (0.15, 0.06), (0.17, 0.1), (0.163, 0.1), (0.143, 0.062), (0.02, 0.02)]
     parts.append(lathe(bowl, sides, material("terracotta")))
     for k, name in enumerate(("sign_mustard", "car_red", "leaf_light", "sign_mustard", "leaf_autumn")):
         cosine, sine = turn(0.2 * k + draw.number(0.0, 0.05))
         fruit = triangles(sphere(1 + detail if detail else 0), material(name)).scaled([0.042, 0.039, 0.042])
-        parts.append(fruit.moved([0.075 * float(cosine), 0.085, 0.075 * float(sine)]))
+        parts.append(fruit.translate([0.075 * float(cosine), 0.085, 0.075 * float(sine)]))
     vase = [(0.05, 0.0), (0.07, 0.08), (0.03, 0.2), (0.04, 0.24), (0.034, 0.24), (0.024, 0.2), (0.01, 0.05)]
-    parts.append(lathe(vase, sides, material("paint_sky")).moved([0.0, 0.0, -0.32]))
+    parts.append(lathe(vase, sides, material("paint_sky")).translate([0.0, 0.0, -0.32]))
     return join(parts)
 
 

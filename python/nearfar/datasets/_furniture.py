@@ -61,7 +61,7 @@ def traffic_light(detail: int) -> Soup:
     for height, name in ((3.12, "tail_light"), (2.83, "sign_mustard"), (2.54, "sign_green")):
         lamp = lathe([(0.09, 0.23), (0.09, 0.26), (0.05, 0.275)], sides, material(name), bottom=False)
         # The y axis becomes z and x stays. Swapping y and z with one changed sign keeps the outside outside.
-        parts.append(lamp.mapped(lamp.corners[..., [0, 2, 1]] * [1.0, -1.0, 1.0]).moved([0.0, height, 0.0]))
+        parts.append(lamp.mapped(lamp.corners[..., [0, 2, 1]] * [1.0, -1.0, 1.0]).translate([0.0, height, 0.0]))
     return join(parts)
 
 

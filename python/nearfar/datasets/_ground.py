@@ -207,4 +207,4 @@ def paths(x0: float, x1: float, z0: float, z1: float) -> Soup:
     corners = np.array([[[a, KERB + 0.03, d], [c, KERB + 0.03, d], [c, KERB + 0.03, b], [a, KERB + 0.03, b]]
                         for (a, b), (c, d) in zip(low, high, strict=True)])  # fmt: skip
     place = lathe([(7.5, KERB - 0.1), (7.5, KERB + 0.05)], 40, gravel, bottom=False)
-    return join([quads(corners, gravel), place.moved([x, 0.0, z])])
+    return join([quads(corners, gravel), place.translate([x, 0.0, z])])

@@ -45,7 +45,7 @@ class Grid:
     """Index of the avenue, in both directions."""
 
     @classmethod
-    def of(cls, blocks: int) -> Grid:
+    def generate(cls, blocks: int) -> Grid:
         """Make the grid for `blocks` × `blocks` blocks."""
         avenue = blocks // 2
         steps = np.arange(blocks + 1.0) - avenue

@@ -86,7 +86,7 @@ def chimney(x: float, z: float, low: float, high: float) -> Soup:
     ]
     for shift in (-0.18, 0.18):
         pot = lathe([(0.12, high - 0.05), (0.09, high + 0.4)], 8, material("terracotta"), bottom=False)
-        parts.append(pot.moved([x + shift, 0.0, z]))
+        parts.append(pot.translate([x + shift, 0.0, z]))
     return join(parts)
 
 
@@ -101,7 +101,7 @@ def air_handler(draw: Draw, detail: int) -> Soup:
         parts.append(bars(low, [wide + 0.2, 0.27, 0.12], dark, without="-y"))
         for shift in (-0.25, 0.25):
             fan = lathe([(0.42, high + 0.1), (0.42, high + 0.3)], 14, dark, bottom=False)
-            parts.append(fan.moved([shift * wide, 0.0, 0.0]))
+            parts.append(fan.translate([shift * wide, 0.0, 0.0]))
     return join(parts)
 
 
@@ -164,5 +164,5 @@ def furnish(width: float, depth: float, wall: int, draw: Draw, *, tower: bool, d
         else:
             piece = air_handler(draw, detail)
         quarter = 0.25 * int(draw.integers(1, 4)[0]) if kind != "stairs" else 0.0
-        parts.append(piece.rotated(quarter).moved([x, 0.0, z]))
+        parts.append(piece.rotated(quarter).translate([x, 0.0, z]))
     return join(parts)

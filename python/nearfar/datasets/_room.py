@@ -93,10 +93,10 @@ def _shell() -> Soup:
         if len(holes):
             side = facade.pierced(cells, holes, _WALL, inside, lining, outside)
         else:
-            back = facade.plain(cells, outside).moved([0.0, 0.0, -_WALL])
+            back = facade.plain(cells, outside).translate([0.0, 0.0, -_WALL])
             side = join([facade.plain(cells, inside), back.mapped(back.corners[:, ::-1])])
         away = _Z if quarter % 2 == 0 else _X
-        parts.append(side.moved([0.0, 0.0, -away]).rotated(0.25 * quarter))
+        parts.append(side.translate([0.0, 0.0, -away]).rotated(0.25 * quarter))
     for sx in (-1.0, 1.0):
         for sz in (-1.0, 1.0):
             (x0, x1), (z0, z1) = sorted((sx * _X, sx * (_X + _WALL))), sorted((sz * _Z, sz * (_Z + _WALL)))
@@ -121,7 +121,7 @@ def _frames() -> Soup:
         u0, u1, v0, _ = hole
         board = boxes([u0 - 0.08, v0 - 0.035, -0.1], [u1 + 0.08, v0 + 0.012, 0.16], white)
         rail = boxes([u0 - 0.3, 2.42, 0.09], [u1 + 0.3, 2.445, 0.115], material("iron"))
-        parts.append(join([bars, board, rail]).moved([0.0, 0.0, -_Z]))
+        parts.append(join([bars, board, rail]).translate([0.0, 0.0, -_Z]))
     return join(parts)
 
 
@@ -144,10 +144,10 @@ def _door() -> Soup:
         boxes([-_Z, -0.02, -0.02], [u0 - 0.069, 0.09, 0.014], white),
         boxes([u1 + 0.069, -0.02, -0.02], [_Z, 0.09, 0.014], white),
     ]
-    soups = [join([*parts, *skirting]).moved([0.0, 0.0, -_X]).rotated(0.75)]
+    soups = [join([*parts, *skirting]).translate([0.0, 0.0, -_X]).rotated(0.75)]
     for quarter, half, away in ((0, _X, _Z), (1, _Z, _X), (2, _X, _Z)):
         strip = boxes([-half, -0.02, -0.02], [half, 0.088, 0.012], white)
-        soups.append(strip.moved([0.0, 0.0, -away]).rotated(0.25 * quarter))
+        soups.append(strip.translate([0.0, 0.0, -away]).rotated(0.25 * quarter))
     return join(soups)
 
 
@@ -164,7 +164,7 @@ def _floor(stage: Stage, seed: int) -> None:
     stage.once(join([rug, top]), "rug")
     for number, (width, height, along, up) in enumerate(((0.95, 0.65, -0.75, 1.55), (0.5, 0.65, 0.25, 1.55))):
         canvas = stage.material(white, textures.painting(seed, number))
-        picture = furnishings.picture(width, height, canvas).moved([along, up, -0.004 - _X])
+        picture = furnishings.picture(width, height, canvas).translate([along, up, -0.004 - _X])
         stage.once(picture.rotated(0.25), f"picture_{number}")
 
 

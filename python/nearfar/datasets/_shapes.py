@@ -37,7 +37,7 @@ class Soup:
     def __len__(self) -> int:
         return len(self.corners)
 
-    def moved(self, offset: ArrayLike) -> Soup:
+    def translate(self, offset: ArrayLike) -> Soup:
         """Return the soup shifted by an offset (3,), metres."""
         return self.mapped(self.corners + np.asarray(offset, np.float64))
 

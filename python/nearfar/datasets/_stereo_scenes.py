@@ -21,7 +21,7 @@ from nearfar.datasets._stage import Stage, placements
 
 EYE_HEIGHT = 1.7
 """Height of the viewer's eyes at the origin, metres."""
-_MOST = 1_000_000
+_MAX = 1_000_000
 _PAINTS = (
     "sign_red",
     "sign_teal",
@@ -58,7 +58,7 @@ def beams(count: int = 80, seed: int = 0) -> Scene:
     ValueError
         Numbers out of range.
     """
-    count, seed = _checked(count, seed, "count")
+    count, seed = _check_arguments(count, seed, "count")
     stage, draw = Stage(), Draw(seed, 70)
     _floor(stage)
     share, side = draw.uniform(count), draw.uniform(count, -1.0, 1.0)
@@ -101,7 +101,7 @@ def spheres(count: int = 1000, seed: int = 0, detail: int = 3) -> Scene:
     ValueError
         Numbers out of range.
     """
-    count, seed = _checked(count, seed, "count")
+    count, seed = _check_arguments(count, seed, "count")
     detail = check.integer("detail", detail, 0, 7)
     stage, draw = Stage(), Draw(seed, 71)
     _floor(stage)
@@ -143,10 +143,10 @@ def landscape(trees: int = 250, seed: int = 0, detail: int = 2) -> Scene:
     ValueError
         Numbers out of range.
     """
-    trees, seed = _checked(trees, seed, "trees")
+    trees, seed = _check_arguments(trees, seed, "trees")
     detail = check.integer("detail", detail, 0, 3)
     # Ten times as much land for each tree as in a forest.
-    stage, land, draw = Stage(), Land.of(10 * trees, seed), Draw(seed, 72)
+    stage, land, draw = Stage(), Land.generate(10 * trees, seed), Draw(seed, 72)
     stage.once(surface(land, detail), "land")
     for number, (name, variants, sizes) in enumerate((("spruce", 4, (0.7, 1.3)), ("oak", 4, (0.6, 1.2)))):
         make = (vegetation.conifer, vegetation.broadleaf)[number]
@@ -160,8 +160,8 @@ def landscape(trees: int = 250, seed: int = 0, detail: int = 2) -> Scene:
     return stage.build()
 
 
-def _checked(count: int, seed: int, name: str) -> tuple[int, int]:
-    return check.integer(name, count, 1, _MOST), check.integer("seed", seed, 0, 2**63 - 1)
+def _check_arguments(count: int, seed: int, name: str) -> tuple[int, int]:
+    return check.integer(name, count, 1, _MAX), check.integer("seed", seed, 0, 2**63 - 1)
 
 
 def _floor(stage: Stage) -> None:

@@ -79,8 +79,8 @@ def _foliage(draw: Draw, center: Floats, radius: Floats, leaf: int, high: float,
     core = triangles(blob(draw, level, 0.28), leaf)
     low, top = high - 2.4 * crown, high
     if detail < 3:
-        return _shaded(core.scaled(radius).moved(center), low, top)
-    inside = _shaded(core.scaled(0.78 * radius).moved(center), low, top, darkest=0.35)
+        return _shaded(core.scaled(radius).translate(center), low, top)
+    inside = _shaded(core.scaled(0.78 * radius).translate(center), low, top, darkest=0.35)
     cloud = _leaf_cloud(draw, 620, radius, center, leaf)
     return join([inside, _shaded(cloud, low, top)])
 
@@ -188,7 +188,7 @@ def shrub(seed: int, variant: int, detail: int) -> Soup:
         size = draw.number(0.45, 0.75)
         at = [draw.number(-0.5, 0.5), 0.5 * size, draw.number(-0.5, 0.5)]
         soup = triangles(blob(draw, 1 if detail <= 2 else 2, 0.3), material("leaf_deep"))
-        parts.append(soup.scaled([size, 0.8 * size, size]).moved(at))
+        parts.append(soup.scaled([size, 0.8 * size, size]).translate(at))
     return _shaded(join(parts), -0.3, 1.2, darkest=0.45)
 
 
@@ -216,11 +216,11 @@ def rock(seed: int, variant: int, detail: int) -> Soup:
         corners = corners - np.clip(beyond, 0.0, None)[..., None] * normal * 0.92
     kind = material("rock_moss" if variant % 3 == 2 else "rock")
     size = draw.uniform(3, 0.5, 0.9) * [1.0, 0.7, 1.0]
-    return _shaded(triangles(corners, kind).scaled(size).moved([0.0, 0.12, 0.0]), -0.5, 0.6, darkest=0.6)
+    return _shaded(triangles(corners, kind).scaled(size).translate([0.0, 0.12, 0.0]), -0.5, 0.6, darkest=0.6)
 
 
 def planter(detail: int) -> Soup:
     """A round tub with a bush."""
     profile = [(0.5, 0.0), (0.62, 0.55), (0.54, 0.55), (0.5, 0.42)]
     tub = lathe(profile, 10 if detail < 2 else 18, material("terracotta"), bottom=False)
-    return join([tub, shrub(11, 0, detail).scaled([0.8, 0.9, 0.8]).moved([0.0, 0.35, 0.0])])
+    return join([tub, shrub(11, 0, detail).scaled([0.8, 0.9, 0.8]).translate([0.0, 0.35, 0.0])])

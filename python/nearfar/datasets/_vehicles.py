@@ -70,7 +70,7 @@ def car(body: Body, paint: int, detail: int) -> Soup:
     parts = [_shell(body, paint), _glass_house(body, paint, opaque=van)]
     right = _wheel(body, 8 if detail <= 1 else 12 if detail == 2 else 32)
     left, x, y = right.rotated(0.5), body.half_width - 0.12, body.wheel_radius
-    parts += [wheel for z in body.wheels for wheel in (left.moved([-x, y, z]), right.moved([x, y, z]))]
+    parts += [wheel for z in body.wheels for wheel in (left.translate([-x, y, z]), right.translate([x, y, z]))]
     if detail >= 2:
         parts += _trimmings(body)
     return join(parts)
@@ -164,5 +164,5 @@ def _trimmings(body: Body) -> list[Soup]:
         z, mirror = body.cabin[3][0], body.cabin[3][1] + 0.02
         parts.append(boxes([m0, mirror, z - 0.42], [m1, mirror + 0.14, z - 0.3], dark))
         turned = well.rotated(0.0 if side > 0 else 0.5)
-        parts += [turned.moved([side * (half - 0.14), body.wheel_radius + 0.02, z]) for z in body.wheels]
+        parts += [turned.translate([side * (half - 0.14), body.wheel_radius + 0.02, z]) for z in body.wheels]
     return parts

@@ -41,7 +41,7 @@ class Paint:
     shiny: bool
 
     @classmethod
-    def chosen(cls, style: Style, draw: Draw) -> Paint:
+    def random(cls, style: Style, draw: Draw) -> Paint:
         """Choose the colours of a style."""
         wall, trim, frame = (material(draw.pick(names)) for names in (style.walls, style.trims, style.frames))
         base = trim if draw.chance(0.45) else wall

@@ -66,7 +66,7 @@ def selected() -> Adapter:
     DeviceError
         If no adapter can be used; the message lists those found and names software to install.
     """
-    label = backends.opened().label
+    label = backends.open_device().label
     return next(adapter for adapter in adapters() if adapter.label == label)
 
 
@@ -90,7 +90,7 @@ def select(adapter: str | None) -> None:
         if not check.text("adapter", adapter).strip():
             raise ValueError("adapter: expected a back end or a part of a name, got nothing; None selects the best one")
         adapter = adapter.strip()
-        backends.opened(adapter)
+        backends.open_device(adapter)
     backends.select(adapter)
 
 
@@ -111,7 +111,7 @@ def stats() -> dict[str, int | float]:
         If no adapter can be used.
     """
     names = ("allocations", "allocated_bytes", "uploaded_bytes", "triangles")
-    device = backends.opened()
+    device = backends.open_device()
     counted: dict[str, int | float] = dict(zip(names, device.counters(), strict=True))
     seconds = device.pass_seconds()
     return counted if seconds is None else counted | {"raster_seconds": seconds[0], "resolve_seconds": seconds[1]}

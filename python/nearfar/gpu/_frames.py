@@ -80,7 +80,7 @@ def render(
         If no adapter can be used.
     """
     renderer = Renderer(source, channels, samples)
-    shot, device = renderer.shot([camera]), backends.opened()
+    shot, device = renderer.shot([camera]), backends.open_device()
     device.check_whole(camera._core, list(renderer.channels))
     view = renderer.view(shot, at)
     with progress.bar("drawing") as report:

@@ -12,7 +12,7 @@ from nearfar._base import check, progress
 from nearfar._camera.camera import Camera
 from nearfar._metrics.discontinuity import truth_view
 from nearfar._metrics.result import Similarity
-from nearfar._morph import placed
+from nearfar._morph import kernel_arguments
 from nearfar._render import backend as backends
 from nearfar.gpu._frames import DeviceFrame
 
@@ -168,10 +168,10 @@ def morph(
     ----------
     Popescu, Lee, Choi, Fahmy (2022), Eq. 1–3; CloVR (2024), Alg. 1.
     """
-    place = placed(user, center, r1, r2, kind, strength)
+    place = kernel_arguments(user, center, r1, r2, kind, strength)
     rows = check.array("points", _single("points", points, "nearfar.morph"))
     shown = np.empty_like(rows)
-    _core.gpu_morph(backends.opened(), rows, shown, **place)
+    _core.gpu_morph(backends.open_device(), rows, shown, **place)
     return shown
 
 
@@ -214,7 +214,7 @@ def cube_lookup(
         raise ValueError(f"directions: expected shape (..., 3), got {along.shape}")
     rows, deep = along.reshape(-1, 3), maps.reshape(*maps.shape[:3], -1) if maps.ndim == 4 else maps[..., None]
     values = np.empty((len(rows), deep.shape[3]), np.float32)
-    _core.gpu_cube_lookup(backends.opened(), (np.ascontiguousarray(deep), values), rows, filter)
+    _core.gpu_cube_lookup(backends.open_device(), (np.ascontiguousarray(deep), values), rows, filter)
     return values.reshape(along.shape[:-1] + maps.shape[3:])
 
 

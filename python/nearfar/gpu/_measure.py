@@ -46,7 +46,7 @@ def measure(
     """
     renderer = Renderer(source, channels, samples)
     shot = renderer.shot([camera])
-    label = backends.opened().label
+    label = backends.open_device().label
     timings: dict[str, list[float]] = {"cpu": [], "gpu": []}
     for _ in range(ROUNDS + 1):
         for backend, seconds in timings.items():

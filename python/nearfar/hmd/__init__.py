@@ -49,11 +49,11 @@ def get(name: str) -> Hmd:
         near = difflib.get_close_matches(known, names(), 1)
         hint = f" (did you mean {near[0]}?)" if near else ""
         raise ValueError(f"name: expected one of {', '.join(names())}, got {check.shortened(name)}{hint}")
-    return _known(known)
+    return _load_profile(known)
 
 
 @functools.cache
-def _known(known: str) -> Hmd:
+def _load_profile(known: str) -> Hmd:
     file = _PROFILES / f"{known.lower()}.json"
     return Hmd._from_json(file.read_bytes(), str(file))
 

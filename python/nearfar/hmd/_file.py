@@ -43,7 +43,7 @@ def fields(content: dict[str, Any], where: str) -> dict[str, Any]:
     read = Reader(content, where)
     result: dict[str, Any] = {"name": read.text("name")}
     for side in ("left", "right"):
-        result[side] = _eye(read.inside("eyes").inside(side))
+        result[side] = _eye(read.object_at("eyes").object_at(side))
     result["render_size"] = read.pair("render_size")
     for name in OPTIONAL:
         if content.get(name) is not None:
@@ -88,7 +88,7 @@ def _text(value: object) -> str | None:
     return value if isinstance(value, str) else None
 
 
-def _each(value: object, convert: Callable[[object], Built | None]) -> list[Built] | None:
+def _convert_items(value: object, convert: Callable[[object], Built | None]) -> list[Built] | None:
     """Convert the items of a JSON list; None for other types, and if the conversion of an item is None."""
     if not isinstance(value, list):
         return None
@@ -102,10 +102,10 @@ class Reader:
     def __init__(self, content: dict[str, Any], where: str, name: str = "") -> None:
         self.content, self.where, self.name = content, where, name
 
-    def inside(self, key: str) -> Reader:
+    def object_at(self, key: str) -> Reader:
         """Return a reader of the object at a key."""
         value = self._read(key, "an object", lambda value: value if isinstance(value, dict) else None)
-        return Reader(value, self.where, self._named(key))
+        return Reader(value, self.where, self._path_of(key))
 
     def number(self, key: str) -> float:
         """Return the number at a key."""
@@ -115,7 +115,7 @@ class Reader:
         """Return the numbers at a key, exactly `count` of them if not None."""
 
         def convert(value: object) -> list[float] | None:
-            numbers = _each(value, finite)
+            numbers = _convert_items(value, finite)
             return None if numbers is None or count not in (None, len(numbers)) else numbers
 
         return tuple(self._read(key, "numbers" if count is None else f"{count} numbers", convert))
@@ -132,11 +132,13 @@ class Reader:
 
     def texts(self, key: str) -> tuple[str, ...]:
         """Return the strings at a key."""
-        return tuple(self._read(key, "strings", lambda value: _each(value, _text)))
+        return tuple(self._read(key, "strings", lambda value: _convert_items(value, _text)))
 
     def rows(self, key: str) -> list[list[float]]:
         """Return the rows of numbers at a key."""
-        return self._read(key, "rows of numbers", lambda value: _each(value, lambda row: _each(row, finite)))
+        return self._read(
+            key, "rows of numbers", lambda value: _convert_items(value, lambda row: _convert_items(row, finite))
+        )
 
     def convert(self, make: Callable[[], Built]) -> Built:
         """Call a constructor with values of this object; its errors become FormatError."""
@@ -149,15 +151,15 @@ class Reader:
         if built is None:
             got = json.dumps(value)
             got = got if len(got) < 60 else got[:57] + "..."
-            raise FormatError(f"{self.where}: {self._named(key)}: expected {expected}, got {got}")
+            raise FormatError(f"{self.where}: {self._path_of(key)}: expected {expected}, got {got}")
         return built
 
     def _value(self, key: str) -> Any:
         if key not in self.content:
-            raise FormatError(f"{self.where}: {self._named(key)}: expected a value, found none")
+            raise FormatError(f"{self.where}: {self._path_of(key)}: expected a value, found none")
         return self.content[key]
 
-    def _named(self, key: str) -> str:
+    def _path_of(self, key: str) -> str:
         return f"{self.name}.{key}" if self.name else key
 
 
@@ -167,8 +169,8 @@ def _eye_document(eye: Eye) -> dict[str, Any]:
 
 
 def _eye(read: Reader) -> Eye:
-    tangents = [read.inside("fov").number(side) for side in SIDES]
-    fov = read.inside("fov").convert(lambda: Fov(*tangents))
+    tangents = [read.object_at("fov").number(side) for side in SIDES]
+    fov = read.object_at("fov").convert(lambda: Fov(*tangents))
     x, y, z = read.numbers("position", 3)
     a, b, c, d = read.numbers("orientation", 4)
     return read.convert(lambda: Eye(fov, (x, y, z), (a, b, c, d)))

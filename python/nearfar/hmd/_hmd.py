@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from nearfar._base import card, check
 from nearfar._camera.camera import Camera, quaternion
-from nearfar._camera.rotation import rotation, turned
+from nearfar._camera.rotation import compose_rotations, rotation
 from nearfar._lens.lens import RadialLens, check_symmetric
 from nearfar.hmd import _file, _hmdq, _lenses, _picture
 from nearfar.hmd._eye import Eye, TotalFov, total_fov
@@ -125,7 +125,7 @@ class Hmd:
         head = quaternion(orientation)
         moved = np.array(check.vector("position", position)) + rotation(head) @ np.array(chosen.position)
         place = (float(moved[0]), float(moved[1]), float(moved[2]))
-        way = turned(chosen.orientation, head)
+        way = compose_rotations(chosen.orientation, head)
         return Camera(place, way, fov=chosen.fov, size=self.render_size if size is None else size)
 
     def with_ipd(self, ipd: float) -> Hmd:
@@ -168,7 +168,7 @@ class Hmd:
         if lens is None:
             for name, value in (("lens_radius", lens_radius), ("source", source)):
                 if value is not None:
-                    got = check.shown(value)
+                    got = check.value_or_type(value)
                     raise ValueError(f"{name}: expected None with the generic lens, which has its own, got {got}")
             lens, lens_radius, source = _lenses.GENERIC_LENS, _lenses.GENERIC_RADIUS, _lenses.GENERIC_SOURCE
         rest = tuple(text for text in self.sources if not text.startswith(LENS))

@@ -116,15 +116,15 @@ def _geometry(content: dict[str, Any], where: str, runtime: str) -> Reader | Non
 
 
 def _eye(read: Reader, key: str) -> Eye:
-    raw = read.inside("raw_eye").inside(key)
+    raw = read.object_at("raw_eye").object_at(key)
     left, right, down, up = (raw.number(name) for name in TANGENTS)
     fov = raw.convert(lambda: Fov(left, right, down, up))
     if "eye2head" in read.content:
-        placed = read.inside("eye2head")
+        placed = read.object_at("eye2head")
         rows = placed.rows(key)
         return placed.convert(lambda: Eye.from_matrix(fov, rows))
     # Raw data of LibOVR, without the computed matrix.
-    pose = read.inside("render_desc").inside(key).inside("hmd2eye_pose")
+    pose = read.object_at("render_desc").object_at(key).object_at("hmd2eye_pose")
     x, y, z = pose.numbers("position", 3)
     a, b, c, d = pose.numbers("orientation", 4)
     return pose.convert(lambda: Eye(fov, (x, y, z), (a, b, c, d)))

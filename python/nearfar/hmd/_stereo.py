@@ -227,7 +227,7 @@ def _size(hmd: Hmd, size: tuple[int, int] | None, scale: float | None) -> tuple[
     if scale is None:
         return hmd.render_size if size is None else size
     if size is not None:
-        raise ValueError(f"scale: expected None with a size, got {check.shown(scale)}")
+        raise ValueError(f"scale: expected None with a size, got {check.value_or_type(scale)}")
     factor = check.positive("scale", scale)
     width, height = (max(1, round(min(side * factor, check.MAX_SIZE + 1))) for side in hmd.render_size)
     return check.size("scale", (width, height))

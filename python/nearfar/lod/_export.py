@@ -46,7 +46,7 @@ def write(
     """Write a model; `LodModel.export` documents the files."""
     sizes = switches(model, view=view, threshold=threshold)
     if not all_levels:
-        numbers = np.flatnonzero(sizes.shown)
+        numbers = np.flatnonzero(sizes.is_ever_shown)
         model, sizes = model.of_levels(numbers), sizes.of_levels(numbers)
     document = _file.document(model) | {"switches": engine_levels(model, sizes)}
     match path.suffix.lower():
@@ -169,7 +169,9 @@ def export(
     chosen = table.row_of >= 0
     placements, numbers = _core.placements_of(core, chosen)
     rest = core.without_objects(chosen)
-    written = [np.arange(len(size.shown)) if all_levels else np.flatnonzero(size.shown) for size in sizes]
+    written = [
+        np.arange(len(size.is_ever_shown)) if all_levels else np.flatnonzero(size.is_ever_shown) for size in sizes
+    ]
     sizes = [size.of_levels(levels) for size, levels in zip(sizes, written, strict=True)]
     # Objects without levels come first, then each object's levels, one static instance for each.
     chosen_rows = zip(table.row_of[numbers].tolist(), table.model_of[numbers].tolist(), strict=True)
@@ -180,10 +182,10 @@ def export(
         rest, meshes, np.repeat(placements, counts, axis=0), np.repeat(numbers, counts).astype(np.int32), len(meshes)
     )
     encoder = glb.Encoder(whole, scene.object_names, scene._undrawn)
-    _save(target, _placed(encoder, whole, rest, counts, [sizes[m] for m in table.model_of[numbers]]))
+    _save(target, _encode_scene(encoder, whole, rest, counts, [sizes[m] for m in table.model_of[numbers]]))
 
 
-def _placed(
+def _encode_scene(
     encoder: glb.Encoder, whole: _core.Scene, rest: _core.Scene, counts: NDArray[np.int64], sizes: list[Switches]
 ) -> bytes:
     standing = rest.instance_count - len(rest.moving_objects())

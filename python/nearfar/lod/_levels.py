@@ -110,7 +110,7 @@ class Levels(Sequence[Level]):
             return self._levels[operator.index(index)]
         except (IndexError, TypeError) as error:
             count = len(self._levels)
-            message = f"index: expected a number from {-count} to {count - 1}, got {check.shown(index)}"
+            message = f"index: expected a number from {-count} to {count - 1}, got {check.value_or_type(index)}"
             raise type(error)(message) from None
 
     def __len__(self) -> int:
@@ -137,7 +137,7 @@ def level_numbers(name: str, value: ArrayLike, count: int) -> NDArray[np.int64]:
     """Check ascending level numbers below `count` that start with 0; ValueError or TypeError otherwise."""
     numbers = check.array(name, value, columns=None, dtype=np.int64)
     if numbers.ndim != 1 or not numbers.size or numbers[0] != 0:
-        got = f"shape {numbers.shape}" if numbers.ndim != 1 else check.shown(numbers.tolist())
+        got = f"shape {numbers.shape}" if numbers.ndim != 1 else check.value_or_type(numbers.tolist())
         raise ValueError(f"{name}: expected numbers of levels (N,), the first of them 0, got {got}")
     if numbers[-1] >= count or (np.diff(numbers) <= 0).any():
         raise ValueError(f"{name}: expected ascending numbers of levels up to {count - 1}, got others")

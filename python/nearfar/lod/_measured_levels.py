@@ -39,7 +39,7 @@ class MeasuredLevels:
     def __post_init__(self) -> None:
         triangles = check.array("triangles", self.triangles, columns=None, dtype=np.int64)
         if triangles.ndim != 1 or not triangles.size or triangles.min() < 1:
-            got = f"shape {triangles.shape}" if triangles.ndim != 1 else check.shown(triangles.tolist())
+            got = f"shape {triangles.shape}" if triangles.ndim != 1 else check.value_or_type(triangles.tolist())
             raise ValueError(f"triangles: expected at least one for each level (K,), got {got}")
         errors = check.array("errors", self.errors, columns=None, dtype=np.float64, finite=True)
         if not errors.size:
@@ -49,7 +49,7 @@ class MeasuredLevels:
         sigma = check.array("sigma", self.sigma, columns=None, dtype=np.float64)
         if sigma.shape != (2,) or not 0.0 <= sigma[0] <= sigma[1]:
             raise ValueError(
-                f"sigma: expected the least and the greatest solid angle, got {check.shown(sigma.tolist())}"
+                f"sigma: expected the least and the greatest solid angle, got {check.value_or_type(sigma.tolist())}"
             )
         check.instance("curves", self.curves, Curve4PL)
         curves = self.curves if self.curves.is_many else _as_many(self.curves)

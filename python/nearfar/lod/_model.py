@@ -137,7 +137,7 @@ class LodModel(MeasuredLevels):
         ValueError, TypeError
             An invalid percentile, or a model without the scores of single views, `samples.views`.
         """
-        chosen = statistic.checked(percentile)
+        chosen = statistic.check_percentile(percentile)
         if self.samples is None or self.samples.views is None:
             raise ValueError(f"model: expected the scores of single views in samples.views, got none in {self.name!r}")
         samples = replace(self.samples, score=statistic.of_views(self.samples.views, chosen))

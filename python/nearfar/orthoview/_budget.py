@@ -13,7 +13,7 @@ from nearfar._camera.camera import Camera
 from nearfar.orthoview._cut import Cutter, OrthoCut, Settings
 from nearfar.orthoview._views import ViewKey, Views
 
-MOST = 64.0
+MAX = 64.0
 """Greatest factor by which a budget may raise the given error."""
 
 STEPS = 12
@@ -73,13 +73,13 @@ class Fitter:
         """
         budget = settings.budget
         if budget is None:
-            return self._at(camera, settings)
-        low, high, best = settings.error_px, settings.error_px * MOST, None
+            return self._fit_at(camera, settings)
+        low, high, best = settings.error_px, settings.error_px * MAX, None
         error = self._least(camera, settings, budget)
         for _ in range(TRIES):
             found = replace(settings, error_px=error)
             were_known = all(map(self._views.is_counted, self._cutter.whole(camera, found).keys()))
-            fitted = self._at(camera, found)
+            fitted = self._fit_at(camera, found)
             is_within = fitted.count <= budget
             best = fitted if is_within else best
             low, high = (low, error) if is_within else (error, high)
@@ -96,17 +96,17 @@ class Fitter:
                 error = math.sqrt(low * high)
         return best or _without_some(fitted, budget)
 
-    def _at(self, camera: Camera, settings: Settings) -> Fitted:
+    def _fit_at(self, camera: Camera, settings: Settings) -> Fitted:
         cut = self._cutter.whole(camera, settings)
         layers: list[Sequence[_core.OrthoSplats]] = list(self._views.layers(cut.keys()))
         if settings.continuous:
             rule = self._cutter.rule(camera, settings)
-            layers = list(_core.blend_orthoviews(_placed(cut, cut.keys(), layers), rule))
+            layers = list(_core.blend_orthoviews(_kernel_views(cut, cut.keys(), layers), rule))
         return Fitted(cut, settings.error_px, layers)
 
     def _least(self, camera: Camera, settings: Settings, aim: int) -> float:
         """Least error at which at most `aim` splats are expected."""
-        low, high = math.log(settings.error_px), math.log(settings.error_px * MOST)
+        low, high = math.log(settings.error_px), math.log(settings.error_px * MAX)
         if self._expected(camera, settings) <= aim:
             return settings.error_px
         for _ in range(STEPS):
@@ -122,12 +122,12 @@ class Fitter:
         if not settings.continuous:
             return sum(map(self._views.expected, keys))
         rule = self._cutter.rule(camera, settings)
-        kept = [self._views.kept(key) for key in keys]
-        share = _core.expected_orthoviews(_placed(cut, keys, kept), rule)
+        kept = [self._views.cached_layers(key) for key in keys]
+        share = _core.expected_orthoviews(_kernel_views(cut, keys, kept), rule)
         return share + sum(self._views.expected(key) for key, layers in zip(keys, kept, strict=True) if not layers)
 
 
-def _placed(
+def _kernel_views(
     cut: OrthoCut, keys: Sequence[ViewKey], layers: Sequence[Sequence[_core.OrthoSplats]]
 ) -> list[tuple[Sequence[_core.OrthoSplats], int, tuple[int, int, int], int, bool]]:
     """Views that have layers, in the form that the core takes."""

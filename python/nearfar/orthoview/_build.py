@@ -16,7 +16,7 @@ from nearfar._base.cluster import client_of
 from nearfar._source.protocol import SceneSource, bounds_of, source_of
 from nearfar.orthoview import _on_cluster, _store
 from nearfar.orthoview._directions import COUNTS, directions_of
-from nearfar.orthoview._disocclusion import chosen
+from nearfar.orthoview._disocclusion import choose_directions
 from nearfar.orthoview._files import Local
 from nearfar.orthoview._grid import Grid
 from nearfar.orthoview._layout import FOLDER, Layout, check_zarr
@@ -117,7 +117,9 @@ def build(
     Chaudhuri et al. (2009), Image-Based Exploration of Massive Online Environments, section 4.
     """
     world, target = source_of("source", source), check.path("path", path)
-    grid = Grid.over(_bounds(world, None if aabb is None else check.box("aabb", aabb)), check.positive("cell", cell))
+    grid = Grid.from_bounds(
+        _bounds(world, None if aabb is None else check.box("aabb", aabb)), check.positive("cell", cell)
+    )
     numbers = (
         check.integer("size", size, 4, 4096),
         check.integer("depth_bits", depth_bits, 8, 16),
@@ -165,7 +167,7 @@ def _count(directions: SupportsIndex | str, source: SceneSource, grid: Grid, tar
         attributes = _store.read(Local(target))
         with formats.guarded(target / _store.DOCUMENT):
             return len(Layout.from_described(attributes["layout"]).directions)
-    return chosen(source, grid).count
+    return choose_directions(source, grid).count
 
 
 def _bounds(source: SceneSource, box: NDArray[np.float64] | None) -> NDArray[np.float64]:

@@ -15,7 +15,7 @@ from nearfar.orthoview import _shard
 from nearfar.orthoview._files import Files
 from nearfar.orthoview._layout import Key, Layout
 
-MOST_INDEXES = 2048
+MAX_INDEXES = 2048
 """Maximum number of cached shard indexes, 8 kB each at most."""
 
 
@@ -82,7 +82,7 @@ class Chunks:
         OSError
             A shard that cannot be read.
         """
-        found = self._found(keys)
+        found = self._locate(keys)
         there = {key: place for key, place in zip(keys, found, strict=True) if place is not None}
         parts = self._files.parts([(place.file, place.first, place.length) for place in there.values()])
         chunks = {
@@ -107,9 +107,9 @@ class Chunks:
 
     def lengths(self, keys: Sequence[Key]) -> list[int]:
         """Lengths of chunks, bytes; 0 for missing ones."""
-        return [0 if place is None else place.length for place in self._found(keys)]
+        return [0 if place is None else place.length for place in self._locate(keys)]
 
-    def _found(self, keys: Sequence[Key]) -> list[_Found | None]:
+    def _locate(self, keys: Sequence[Key]) -> list[_Found | None]:
         with self._lock:
             return self._look_up(keys)
 
@@ -127,7 +127,7 @@ class Chunks:
                 first, length = (int(number) for number in index[self._layout.shard_of(*key[:2])[1]])
                 if first != _shard.ABSENT:
                     found[key] = _Found(name, first, length) if length else None
-        while len(self._indexes) > MOST_INDEXES:
+        while len(self._indexes) > MAX_INDEXES:
             self._indexes.popitem(last=False)
         return [found.get(key) for key in keys]
 

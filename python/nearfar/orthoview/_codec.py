@@ -27,7 +27,7 @@ HIDDEN = 0.01
 """Least share of a view's pixels that only its second layer, and no first layer of any view, must show to be kept."""
 
 
-def kept(views: _core.OrthoViews, layout: Layout) -> _core.OrthoViews:
+def drop_unneeded_layers(views: _core.OrthoViews, layout: Layout) -> _core.OrthoViews:
     """Drop second layers that show little that no first layer shows."""
     if layout.layers == 1:
         return views
@@ -36,7 +36,7 @@ def kept(views: _core.OrthoViews, layout: Layout) -> _core.OrthoViews:
 
 def encoded(views: _core.OrthoViews, layout: Layout) -> Encoded:
     """Compress both layers of a cell's views."""
-    first, second = _encoded(views, layout), views.behind()
+    first, second = _encoded(views, layout), views.second_layer()
     if second is None:
         return first
     behind = _encoded(second, layout)

@@ -20,7 +20,7 @@ from nearfar.orthoview._grid import Place, depth_first
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._presence import Presence
 from nearfar.orthoview._shard import ShardWriter
-from nearfar.orthoview._subtree import Described, Held, described, record_of, write_record
+from nearfar.orthoview._subtree import Described, Held, record_of, size_and_hash, write_record
 
 
 def compact(store: Files, attributes: dict[str, Any], target: Path) -> None:
@@ -121,7 +121,7 @@ class _Copy:
         paths = [name for place in places for name in names(self._layout.grid, place) if name in self._geometry]
         for path in paths:
             self._copy(self._geometry[path], path)
-        return {path: described(self._folder / path) for path in paths}
+        return {path: size_and_hash(self._folder / path) for path in paths}
 
     def images(self) -> None:
         """Copy the textures of the geometry."""

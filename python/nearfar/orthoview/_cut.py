@@ -20,7 +20,7 @@ from nearfar.orthoview._guests import Guests
 from nearfar.orthoview._layout import Layout
 from nearfar.orthoview._store import Cells
 
-MOST_VIEWS = 8
+MAX_VIEWS = 8
 """Greatest number of views of a cell."""
 
 BAND = 0.25
@@ -128,7 +128,7 @@ class Cutter:
         return self._layout.grid
 
     @property
-    def known(self) -> int:
+    def subtree_count(self) -> int:
         """Number of subtrees read so far."""
         return len(self._known)
 
@@ -200,10 +200,10 @@ def _cut_of(arrays: dict[str, Any], unknown: list[tuple[int, list[int]]], reach:
 def grid_of(samples: int) -> int:
     """Return the samples along each axis of a pixel; ValueError unless `samples` is a square of at most MOST_GRID²."""
     grid = math.isqrt(samples)
-    if grid * grid != samples or grid > MOST_GRID:
-        raise ValueError(f"samples: expected 1, 4, 9 … {MOST_GRID**2} for orthoviews, got {samples}")
+    if grid * grid != samples or grid > MAX_GRID:
+        raise ValueError(f"samples: expected 1, 4, 9 … {MAX_GRID**2} for orthoviews, got {samples}")
     return grid
 
 
-MOST_GRID = 8
+MAX_GRID = 8
 """Greatest number of samples along each axis of a pixel."""

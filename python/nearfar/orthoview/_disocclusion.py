@@ -79,7 +79,7 @@ class Choice:
     """Number of leaves averaged."""
 
 
-def chosen(source: SceneSource, grid: Grid, *, below: bool = False) -> Choice:
+def choose_directions(source: SceneSource, grid: Grid, *, below: bool = False) -> Choice:
     """Choose the set of directions for a world by what its views hide.
 
     Leaves are sampled at random, and those with the most triangles are rendered. Leaves that the source cannot return
@@ -101,7 +101,7 @@ def chosen(source: SceneSource, grid: Grid, *, below: bool = False) -> Choice:
             report(LOOKED + done, LOOKED + CELLS)
             part = _queried(source, grid, place)
             if part is not None:
-                pixels, holes = _counted(part, grid, place, COUNTS, SIZE, viewers(below=below))
+                pixels, holes = _count_holes(part, grid, place, COUNTS, SIZE, viewers(below=below))
                 hidden.update(holes)
                 seen, cells = seen + pixels, cells + (pixels > 0)
     shares = _shares(seen, hidden, COUNTS) if seen else {}
@@ -159,7 +159,7 @@ def disocclusion(
     below
         Whether viewers look up from below as well.
     """
-    return _shares(*_counted(part, grid, place, sets, size, viewers(below=below)), sets)
+    return _shares(*_count_holes(part, grid, place, sets, size, viewers(below=below)), sets)
 
 
 def _shares(seen: int, hidden: Mapping[int, int], sets: Sequence[int]) -> dict[int, float]:
@@ -184,7 +184,7 @@ def nearest(directions: NDArray[np.float64], viewer: NDArray[np.float64]) -> lis
     return [int(number) for number in order[:DRAWN]]
 
 
-def _counted(
+def _count_holes(
     part: Scene, grid: Grid, place: Place, sets: Sequence[int], size: int, looks: NDArray[np.float64]
 ) -> tuple[int, Counter[int]]:
     """Count the pixels of all viewers that show a leaf, and for each set those that are holes."""

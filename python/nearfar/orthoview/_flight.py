@@ -33,7 +33,7 @@ from nearfar.orthoview._pilot import Ahead, Pilot, Plan
 from nearfar.orthoview._standins import Cell, Piece, Shown, StandIns, Wanted
 from nearfar.orthoview._viewer import Parts, Viewer
 
-MOST_THREADS = 64
+MAX_THREADS = 64
 """Maximum number of reading threads."""
 
 Listener = Callable[[Exception], None]
@@ -60,8 +60,8 @@ class Flight(Pictured):
         self._opened = check.instance("opened", opened, Opened, "what OrthoTree.fly passes")
         own = check.instance("settings", settings, Settings, "what OrthoTree.fly passes")
         if on_error is not None and not callable(on_error):
-            raise TypeError(f"on_error: expected a function or None, got {check.described(on_error)}")
-        count = check.integer("threads", threads, 1, MOST_THREADS)
+            raise TypeError(f"on_error: expected a function or None, got {check.type_and_value(on_error)}")
+        count = check.integer("threads", threads, 1, MAX_THREADS)
         self._on_error = on_error
         self._viewer: Viewer = opened.viewer
         self._pilot = Pilot(
@@ -196,7 +196,7 @@ class Flight(Pictured):
         with self._lock:
             plan = self._plan(shot.cameras, now)
             each = zip(shot.cameras, (plan.wanted, *plan.beside), strict=True)
-            views = [self._shown(number, camera, wanted) for number, (camera, wanted) in enumerate(each)]
+            views = [self._choose_parts(number, camera, wanted) for number, (camera, wanted) in enumerate(each)]
             self._trim(plan)
             parts = [self._parts(shown, movers) for shown in views]
         self._tell()
@@ -221,7 +221,7 @@ class Flight(Pictured):
         bool
             False after a timeout, or if a part cannot be read now.
         """
-        longest = None if seconds is None else check.within("seconds", seconds, 0.0, 1e9)
+        longest = None if seconds is None else check.in_range("seconds", seconds, 0.0, 1e9)
         ends = math.inf if longest is None else clock.monotonic() + longest
         while self._loader.wait(max(ends - clock.monotonic(), 0.0) if longest is not None else None):
             with self._lock:
@@ -269,11 +269,11 @@ class Flight(Pictured):
         self._busy = self._loader.waiting > 0
         return plan
 
-    def _shown(self, number: int, camera: Camera, wanted: Wanted) -> Shown:
+    def _choose_parts(self, number: int, camera: Camera, wanted: Wanted) -> Shown:
         """Parts that one of a shot's pictures is drawn from."""
         while len(self._before) <= number:
             self._before.append(Shown())
-        shown = self._stand_ins.shown(wanted, self._before[number], np.array(camera.position))
+        shown = self._stand_ins.choose_pieces(wanted, self._before[number], np.array(camera.position))
         self._before[number] = shown
         return shown
 
@@ -283,18 +283,18 @@ class Flight(Pictured):
         views = sum(len(pieces) for pieces in shown.cells.values())
         counts: dict[str, float] = {"cells": len(shown.cells), "views": views, "leaves": len(shown.leaves)}
         counts |= {"missing": shown.missing, "empty": shown.empty}
-        return Parts(splats, self._viewer.near.kept(sorted(leaves)), movers, counts)
+        return Parts(splats, self._viewer.near.cached_scene(sorted(leaves)), movers, counts)
 
     def _splats(self, piece: Piece) -> Sequence[_core.OrthoSplats]:
         if piece.within is None:
-            return self._viewer.views.kept(piece.part)
+            return self._viewer.views.cached_layers(piece.part)
         if piece not in self._clipped:
             level, place, _ = piece.part
             (low, high), sides = self._opened.grid.box(*piece.within), self._opened.grid.box(level, place)
             # Rounded depths may lie beyond the view's own sides, so these do not clip.
             low, high = np.where(low == sides[0], -np.inf, low), np.where(high == sides[1], np.inf, high)
             ends = low.tolist(), high.tolist()
-            self._clipped[piece] = [one.within(*ends) for one in self._viewer.views.kept(piece.part)]
+            self._clipped[piece] = [one.crop_to_box(*ends) for one in self._viewer.views.cached_layers(piece.part)]
         return self._clipped[piece]
 
     def _trim(self, plan: Plan) -> None:
@@ -332,7 +332,7 @@ class Flight(Pictured):
         device = self._device
         if device is None:
             return
-        splats = [layer for part in parts for layer in self._viewer.views.kept(part)]
+        splats = [layer for part in parts for layer in self._viewer.views.cached_layers(part)]
         with contextlib.suppress(DeviceError, MemoryError):  # the picture that shows them uploads them itself
             _core.gpu_keep_orthoviews(device, splats)
 

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
 from nearfar.orthoview._flight import Flight
-from nearfar.orthoview._pilot import LEAST_SPEED, Ahead
+from nearfar.orthoview._pilot import MIN_SPEED, Ahead
 from nearfar.orthoview._prefetch import Outlook, PrefetchQueue, offsets, queue, smallest
 from nearfar.orthoview._shown import ShownTree, settings_of
 
@@ -73,9 +73,9 @@ class FlownTree(ShownTree):
         Chaudhuri et al. (2009), Image-Based Exploration of Massive Online Environments, section 4.
         """
         settings = settings_of(views, error_px, geometry, lift_deg=lift_deg)
-        margin = None if margin_deg is None else math.radians(check.within("margin_deg", margin_deg, 0.0, 180.0))
+        margin = None if margin_deg is None else math.radians(check.in_range("margin_deg", margin_deg, 0.0, 180.0))
         ahead = Ahead(check.flag("prefetch", prefetch), margin, check.flag("adapt", adapt))
-        return Flight(self._opened(), settings, ahead, threads, on_error, self._movers)
+        return Flight(self._open_store(), settings, ahead, threads, on_error, self._movers)
 
     def prefetch_queue(
         self,
@@ -124,10 +124,10 @@ class FlownTree(ShownTree):
         model = _paper(eye) if camera is None else check.instance("camera", camera, Camera)
         speed = np.zeros(3) if velocity is None else np.array(check.vector("velocity", velocity))
         length = float(np.linalg.norm(speed))
-        here, cutter = _at(model, np.array(eye)), self._viewer.cutter
+        here, cutter = _camera_at(model, np.array(eye)), self._viewer.cutter
         ahead = smallest(cutter.whole(here, settings, around=True), cutter.grid)
-        places = np.array(eye) + offsets(ahead, speed / length if length > LEAST_SPEED else None)
-        cameras = [_at(model, place) for place in places]
+        places = np.array(eye) + offsets(ahead, speed / length if length > MIN_SPEED else None)
+        cameras = [_camera_at(model, place) for place in places]
         while True:
             found = queue(cutter, settings, here, cameras, Outlook([here], None))
             if not found.unknown:
@@ -141,6 +141,6 @@ def _paper(eye: tuple[float, float, float]) -> Camera:
     return Camera(eye, fov=Fov.symmetric(60.0, 4 / 3), size=(640, 480))
 
 
-def _at(camera: Camera, place: np.ndarray[tuple[int], np.dtype[np.float64]]) -> Camera:
+def _camera_at(camera: Camera, place: np.ndarray[tuple[int], np.dtype[np.float64]]) -> Camera:
     x, y, z = place.tolist()
     return Camera((x, y, z), camera.orientation, fov=camera.fov, size=camera.size)

@@ -23,7 +23,7 @@ the background shows through between pixels, greater ones blur edges."""
 THIN = 0.1
 """Standard deviation along a surfel's normal, as a share of the smaller one in its plane."""
 
-LEAST_COSINE = 0.25
+MIN_COSINE = 0.25
 """Least cosine between a surfel's normal and the direction of its view, as in `tree.render`."""
 
 SUN = (0.526_315_8, 0.789_473_7, 0.315_789_5)
@@ -60,7 +60,7 @@ class Gaussians:
         low, high = (self.middle - reach).min(axis=0), (self.middle + reach).max(axis=0)
         return np.array([low, high], np.float64)
 
-    def moved(self, shift: NDArray[np.float64]) -> Gaussians:
+    def translate(self, shift: NDArray[np.float64]) -> Gaussians:
         """Return the Gaussians translated by a vector (3,), metres."""
         return replace(self, middle=(self.middle + shift).astype(np.float32))
 
@@ -70,7 +70,7 @@ NOTHING = Gaussians(
 )
 
 
-def joined(parts: list[Gaussians]) -> Gaussians:
+def concatenate(parts: list[Gaussians]) -> Gaussians:
     """Concatenate Gaussians of one frame."""
     return Gaussians(
         np.concatenate([part.middle for part in parts]),
@@ -93,7 +93,7 @@ class Surfaces:
     is_surfel: NDArray[np.bool_]
     """Whether each pixel is a surfel (N,); the others are balls."""
 
-    def kept(self, mask: NDArray[np.bool_]) -> Surfaces:
+    def select(self, mask: NDArray[np.bool_]) -> Surfaces:
         """Select surfaces by a mask (N,)."""
         return Surfaces(self.middle[mask], self.normal[mask], self.color[mask], self.is_surfel[mask])
 
@@ -115,7 +115,7 @@ def gaussians_of(
         Unit vector towards the sun; None for colours without light.
     """
     right, up, toward = axes
-    facing = np.maximum(shown.normal @ toward, np.float32(LEAST_COSINE))
+    facing = np.maximum(shown.normal @ toward, np.float32(MIN_COSINE))
     u = np.float32(pitch[0]) * (right - ((shown.normal @ right) / facing)[:, None] * toward)
     v = np.float32(pitch[1]) * (up - ((shown.normal @ up) / facing)[:, None] * toward)
     # Rotating the pixel's axes until their images u and v are perpendicular gives the main axes of u uᵀ + v vᵀ.

@@ -33,7 +33,7 @@ SHARE = 2.0**-14
 _WIDEST = 16383
 """Greatest side of a WebP image; larger textures are halved."""
 
-_LEAST_STEP = 2.0**-40
+_MIN_STEP = 2.0**-40
 """Least step that the exporter takes, metres."""
 
 _MIDDLE = 1024
@@ -49,7 +49,7 @@ IMAGES = "../../../../images"
 def step_of(grid: Grid) -> float:
     """Step of positions in the leaves of a grid, a power of two, metres."""
     _, exponent = math.frexp(min(STEP, SHARE * grid.cell))
-    return max(2.0 ** (exponent - 1), _LEAST_STEP)
+    return max(2.0 ** (exponent - 1), _MIN_STEP)
 
 
 class Images:

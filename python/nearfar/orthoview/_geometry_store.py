@@ -136,7 +136,7 @@ class GeometryStore:
         if len(leaves):
             with files.atomic_folder(self._folder / SUBTREES, marker=_FIRST) as temporary:
                 box = availability.write(temporary, self._grid.levels, leaves, box_of)
-        movers = {self._name(MOVES, place): self._facts(MOVES, place) for place in self._listed(MOVES)}
+        movers = {self._name(MOVES, place): self._facts(MOVES, place) for place in self._listed_leaves(MOVES)}
         self._write_movers(movers)
         document = self._tileset(box, {name: facts.box for name, facts in movers.items()})
         with files.atomic_file(self._folder / TILESET) as temporary:
@@ -207,11 +207,11 @@ class GeometryStore:
 
     def _places(self, folder: str) -> NDArray[np.int64]:
         """Leaves (N, 3) that have a file in a folder."""
-        listed = np.fromiter((number for place in self._listed(folder) for number in place), np.int64)
+        listed = np.fromiter((number for place in self._listed_leaves(folder) for number in place), np.int64)
         places: NDArray[np.int64] = listed.reshape(-1, 3)
         return places
 
-    def _listed(self, folder: str) -> Iterator[Place]:
+    def _listed_leaves(self, folder: str) -> Iterator[Place]:
         """Leaves that have a file in a folder, in ascending order."""
         top = self._folder / folder / str(self._grid.levels - 1)
         for x, column in _numbered(top, ""):

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 Place = tuple[int, int, int]
 """Index of a cell along each axis, from 0."""
 
-MOST_CELLS = 1 << 31
+MAX_CELLS = 1 << 31
 """Maximum number of leaf cells in a tree's box."""
 
 _ROUNDING = 1e-9
@@ -38,7 +38,7 @@ class Grid:
     """Number of leaves along each axis."""
 
     @classmethod
-    def over(cls, bounds: NDArray[np.float64], cell: float) -> Grid:
+    def from_bounds(cls, bounds: NDArray[np.float64], cell: float) -> Grid:
         """Return the grid over a finite world box.
 
         Along the ground, cells begin at multiples of their side, so that trees of the same side fit together. Upwards
@@ -52,8 +52,8 @@ class Grid:
             # A world that ends on a cell's side, up to rounding, needs no further cell: cells include their sides.
             counts = np.maximum(np.ceil((bounds[1] - low) / cell - _ROUNDING), 1)
             total = counts.prod()
-        if not total <= MOST_CELLS:
-            raise ValueError(f"cell: expected a side with at most {MOST_CELLS:,} leaves, got {cell:g} m, {total:.3g}")
+        if not total <= MAX_CELLS:
+            raise ValueError(f"cell: expected a side with at most {MAX_CELLS:,} leaves, got {cell:g} m, {total:.3g}")
         x, y, z = low.tolist()
         columns, layers, rows = counts.astype(np.int64).tolist()
         return cls((x, y, z), cell, (columns, layers, rows))

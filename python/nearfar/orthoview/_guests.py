@@ -20,7 +20,7 @@ from nearfar.orthoview._owned import owners
 Guests = dict[Place, list[Place]]
 """Guests by leaf; leaves without guests may be missing."""
 
-_MOST = 1 << 26
+_MAX = 1 << 26
 """Maximum number of bytes that a text may unpack to."""
 
 
@@ -33,7 +33,7 @@ def guests(part: Scene, grid: Grid, place: Place) -> list[Place]:
     return [(x, y, z) for x, y, z in rows if (x, y, z) != place]
 
 
-def described(known: Mapping[Place, Sequence[Place]]) -> str:
+def encode_guests(known: Mapping[Place, Sequence[Place]]) -> str:
     """Encode guests as text: base64 of zlib of rows of six int32, a leaf and one of its guests."""
     rows = np.array([(*leaf, *guest) for leaf in sorted(known) for guest in known[leaf]], "<i4")
     return base64.b64encode(zlib.compress(rows.tobytes(), 9)).decode()
@@ -43,7 +43,7 @@ def guests_of(text: str, layout: Layout, tier: int, place: Place) -> Guests:
     """Decode the text that `described` returned for a subtree; UnusableError if it is invalid."""
     stream = zlib.decompressobj()
     try:
-        content = stream.decompress(base64.b64decode(text, validate=True), _MOST)
+        content = stream.decompress(base64.b64decode(text, validate=True), _MAX)
     except (ValueError, zlib.error) as error:
         raise UnusableError(f"guests: {error}") from None
     if not stream.eof or stream.unused_data or len(content) % 24:

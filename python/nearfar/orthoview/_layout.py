@@ -18,7 +18,7 @@ import numpy as np
 from nearfar import _core
 from nearfar._base import check
 from nearfar.orthoview._directions import Direction
-from nearfar.orthoview._grid import MOST_CELLS, Grid, Place
+from nearfar.orthoview._grid import MAX_CELLS, Grid, Place
 
 CHANNELS = ("color", "depth", "normal")
 
@@ -173,7 +173,7 @@ class Layout:
 
         return {"serializer": WebpCodec(self.quality, self.quality is None), "compressors": [Crc32cCodec()]}
 
-    def described(self) -> dict[str, Any]:
+    def to_json(self) -> dict[str, Any]:
         """Return the layout as JSON."""
         return {
             "origin": list(self.grid.origin),
@@ -196,7 +196,7 @@ class Layout:
     def from_described(cls, described: dict[str, Any]) -> Layout:
         """Return the layout that `described` encoded; KeyError, TypeError or ValueError for anything else."""
         x, y, z = (check.number("origin", value) for value in described["origin"])
-        columns, layers, rows = (check.integer("counts", value, 1, MOST_CELLS) for value in described["counts"])
+        columns, layers, rows = (check.integer("counts", value, 1, MAX_CELLS) for value in described["counts"])
         grid = Grid((x, y, z), check.positive("cell", described["cell"]), (columns, layers, rows))
         directions = tuple((int(x), int(y), int(z)) for x, y, z in described["directions"])
         quality = described["quality"]
@@ -215,6 +215,6 @@ class Layout:
         for direction in directions:
             _core.orthoview_axes(direction)
         _core.orthoview_steps(layout.format)
-        if described != layout.described():
+        if described != layout.to_json():
             raise ValueError("its layout does not fit together")
         return layout

@@ -18,7 +18,7 @@ from nearfar.orthoview._guests import guests
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._subtree import Outcome, Subtree
 
-MOST_FAILED = 1000
+MAX_FAILED_LEAVES = 1000
 """Number of leaves that a source may fail to return before the build stops."""
 
 LOCKS = "locks"
@@ -91,7 +91,7 @@ class Leaves:
             return self.failure(place, error)
         self.write_geometry(part, place)
         near = guests(part, self.layout.grid, place) if self.layout.geometry else []
-        views = drawn(part, self.layout, place)
+        views = render_leaf(part, self.layout, place)
         return Outcome(views, guests=near, counts=Counter(empty=views is None, drawn=views is not None))
 
     def write_geometry(self, part: Scene, place: Place) -> None:
@@ -108,15 +108,15 @@ class Leaves:
 
     def _count_failures(self, outcome: Outcome) -> None:
         self._failures += len(outcome.failed)
-        if outcome.failed and self._failures >= MOST_FAILED:
+        if outcome.failed and self._failures >= MAX_FAILED_LEAVES:
             reason = list(outcome.failed.values())[-1]
             raise _core.SceneError(f"source: it failed for {self._failures:,} leaves, the last one with {reason}")
 
-    def known(self, level: int, place: Place) -> Outcome | None:
+    def finished_outcome(self, level: int, place: Place) -> Outcome | None:
         """Return an empty outcome for a cell that the source does not touch, else None."""
         return None if may_touch(self.source, self.layout.grid.box(level, place)) else Outcome()
 
-    def before(self, _level: int, _place: Place) -> AbstractSet[tuple[int, str]]:
+    def chunks_before(self, _level: int, _place: Place) -> AbstractSet[tuple[int, str]]:
         """Views of the cell in older generations: none, since a build makes the first generation."""
         return frozenset()
 
@@ -127,11 +127,11 @@ class Leaves:
             self._report(self._passed, self.layout.grid.leaves(self.layout.grid.levels - 1, (0, 0, 0)))
 
 
-def drawn(scene: Scene, layout: Layout, place: Place) -> _core.OrthoViews | None:
+def render_leaf(scene: Scene, layout: Layout, place: Place) -> _core.OrthoViews | None:
     """Render the views of a leaf; None if it shows nothing."""
     if not scene.triangle_count:
         return None
     grid = layout.grid
     cell, behind = (grid.corner(0, place), grid.cell), layout.layers == 2
     views = _core.OrthoViews.of_cell(scene._core, cell, layout.directions, layout.format, behind=behind)
-    return None if all(views.empty()) else _codec.kept(views, layout)
+    return None if all(views.empty()) else _codec.drop_unneeded_layers(views, layout)

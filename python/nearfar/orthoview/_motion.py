@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._camera.camera import Camera
-from nearfar._camera.rotation import turned
+from nearfar._camera.rotation import compose_rotations
 
 WINDOW = 0.25
 """Seconds over which speed is measured."""
@@ -49,13 +49,13 @@ class Motion:
             return np.zeros(3)
         (begin, first), (end, last) = self._seen[0], self._seen[-1]
         i, j, k, real = first.orientation
-        x, y, z, w = turned((-i, -j, -k, real), last.orientation)
+        x, y, z, w = compose_rotations((-i, -j, -k, real), last.orientation)
         axis = np.array([x, y, z]) * (1.0 if w >= 0.0 else -1.0)
         length = float(np.linalg.norm(axis))
         angle = 2.0 * math.atan2(length, abs(w))
         return axis * (angle / length / (end - begin)) if length > 0.0 else np.zeros(3)
 
-    def after(self, seconds: float, offset: NDArray[np.float64]) -> Camera:
+    def extrapolate(self, seconds: float, offset: NDArray[np.float64]) -> Camera:
         """Extrapolate the camera by some seconds of the present turn, and move it by an offset in metres."""
         camera = self._seen[-1][1]
         turn = self.turn * seconds
@@ -66,5 +66,7 @@ class Motion:
         x, y, z = (turn * (math.sin(angle / 2.0) / angle)).tolist() if angle > 0.0 else (0.0, 0.0, 0.0)
         px, py, pz = (np.array(camera.position) + offset).tolist()
         return replace(
-            camera, position=(px, py, pz), orientation=turned(camera.orientation, (x, y, z, math.cos(angle / 2.0)))
+            camera,
+            position=(px, py, pz),
+            orientation=compose_rotations(camera.orientation, (x, y, z, math.cos(angle / 2.0))),
         )

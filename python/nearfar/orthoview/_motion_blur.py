@@ -14,7 +14,7 @@ from nearfar._camera.camera import Camera
 from nearfar._render.frame import Frame
 from nearfar._render.ranged import ranged
 
-MOST_POSES = 64
+MAX_POSES = 64
 
 
 def motion_blur(frame: Frame, before: Camera, *, shutter: SupportsFloat = 0.5, poses: SupportsIndex = 8) -> Frame:
@@ -50,8 +50,8 @@ def motion_blur(frame: Frame, before: Camera, *, shutter: SupportsFloat = 0.5, p
         A value that is not a frame or not a camera.
     """
     picture, earlier = ranged("frame", frame), check.instance("before", before, Camera)
-    share = check.within("shutter", shutter, 0.0, 1.0)
-    count = check.integer("poses", poses, 1, MOST_POSES)
+    share = check.in_range("shutter", shutter, 0.0, 1.0)
+    count = check.integer("poses", poses, 1, MAX_POSES)
     cameras = [pose_between(frame.camera, earlier, share * (n + 0.5) / count) for n in range(count)]
     color = _core.blur_motion(picture, [camera._core for camera in cameras])
     return replace(frame, color=color)

@@ -13,7 +13,7 @@ from nearfar._scene.arrays import origin_for
 from nearfar._scene.budget import Budget
 from nearfar._scene.content import assemble
 from nearfar._scene.gltf.document import read as read_gltf
-from nearfar._scene.joined import joined
+from nearfar._scene.joined import join_scenes
 from nearfar._scene.materials import Materials
 from nearfar._scene.scene import Scene
 from nearfar.orthoview._chunks import Chunks
@@ -22,10 +22,10 @@ from nearfar.orthoview._grid import Grid, Place
 
 _TEXTURE = re.compile("[0-9a-f]+[.]webp")
 
-MOST_LEAVES = 256
+MAX_LEAVES = 256
 """Maximum number of cached leaves besides those that are needed."""
 
-MOST_TEXTURES = 256
+MAX_TEXTURES = 256
 """Maximum number of cached texture files, which leaves share."""
 
 
@@ -74,23 +74,23 @@ class Near:
     def scene(self, places: Sequence[Place]) -> Scene | None:
         """Geometry of leaves as one scene; leaves that are not cached are read. None if all are empty."""
         self.load(places)
-        scene = self.kept(places)
+        scene = self.cached_scene(places)
         self.trim(set(places))
         return scene
 
-    def kept(self, places: Sequence[Place]) -> Scene | None:
+    def cached_scene(self, places: Sequence[Place]) -> Scene | None:
         """Geometry of cached leaves as one scene; None if all are empty."""
         wanted = tuple(sorted(places))
         leaves = [self._leaf(place) for place in wanted]
         if wanted != self._last[0]:
             parts = [leaf for leaf in leaves if leaf is not None]
-            self._last = wanted, joined(parts) if parts else None
+            self._last = wanted, join_scenes(parts) if parts else None
         return self._last[1]
 
     def trim(self, needed: Collection[Place]) -> None:
-        """Evict the least recently used leaves, but none that are needed, down to `MOST_LEAVES` others."""
+        """Evict the least recently used leaves, but none that are needed, down to `MAX_LEAVES` others."""
         with self._lock:
-            surplus = max(len(self._leaves) - len(needed) - MOST_LEAVES, 0)
+            surplus = max(len(self._leaves) - len(needed) - MAX_LEAVES, 0)
             for place in [place for place in self._leaves if place not in needed][:surplus]:
                 del self._leaves[place]
                 self._old.discard(place)
@@ -101,7 +101,7 @@ class Near:
             if place not in self:
                 with formats.guarded(self._place, "orthoviews"):
                     parts = [part for name in names(self._grid, place) if (part := self._file(name)) is not None]
-                leaf = joined(parts) if parts else None
+                leaf = join_scenes(parts) if parts else None
                 with self._lock:
                     self._leaves[place] = leaf
                     self._old.discard(place)
@@ -136,7 +136,7 @@ class Near:
         with self._lock:
             self._images[name] = content
             self._images.move_to_end(name)
-            while len(self._images) > MOST_TEXTURES:
+            while len(self._images) > MAX_TEXTURES:
                 self._images.popitem(last=False)
         return content
 

@@ -18,7 +18,7 @@ from nearfar._camera.shot import Shot
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._reduce.stages import Divided
 from nearfar._render.bake import bake
-from nearfar._scene.joined import joined
+from nearfar._scene.joined import join_scenes
 from nearfar._scene.scene import Scene
 from nearfar.orthoview._cut import OrthoCut, grid_of
 from nearfar.orthoview._flown import FlownTree
@@ -86,7 +86,7 @@ class NearFarTree(FlownTree, Divided):
         self._know(leaves)
         leaves = viewer.cutter.with_guests(leaves)
         parts = [scene for scene in (viewer.near.scene(leaves), self._movers) if scene is not None]
-        return joined(parts) if parts else None
+        return join_scenes(parts) if parts else None
 
     def far_map(
         self,
@@ -166,9 +166,9 @@ class NearFarTree(FlownTree, Divided):
         found: list[_core.OrthoSplats] = []
         for key in keys:
             level, place, _ = key
-            own = views.kept(key)
+            own = views.cached_layers(key)
             if _from_axis(self._layout.grid.box(level, place), center) < radius:
-                own = tuple(splats.beyond(camera.position, radius) for splats in own)
+                own = tuple(splats.outside_cylinder(camera.position, radius) for splats in own)
             found += own
         views.trim(set(keys))
         return found

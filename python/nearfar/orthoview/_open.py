@@ -37,7 +37,7 @@ class Opened:
     viewer: Viewer
 
     @classmethod
-    def of(cls, files: Files, layout: Layout, generation: int, cache_bytes: int) -> Opened:
+    def from_files(cls, files: Files, layout: Layout, generation: int, cache_bytes: int) -> Opened:
         """Open the documents of a generation."""
         listed = _store.Listed(files, layout)
         chunks = Chunks(files, layout, _store.recorded_generations(files, layout, generation, listed))
@@ -85,7 +85,7 @@ class Opened:
             return None
         if not same:
             raise FormatError(f"{self.files.place}: another tree was built in this place, open it anew")
-        made = Opened.of(self.files, self.layout, newest, self.cache_bytes)
+        made = Opened.from_files(self.files, self.layout, newest, self.cache_bytes)
         overlays = _store.generations(self.files, newest)[: newest - self.generation]
         made.viewer.views.take_over(self.viewer.views, _changed_views(self.layout, overlays))
         made.viewer.near.take_over(self.viewer.near, _changed_leaves(self.grid, overlays))

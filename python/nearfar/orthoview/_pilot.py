@@ -36,7 +36,7 @@ SLACK = 1.5
 SHARE = 0.8
 """Share of the link's rate that the parts on a viewer's course may take."""
 
-LEAST_SPEED, SLOW = 1e-3, 1.0
+MIN_SPEED, SLOW = 1e-3, 1.0
 """Metres a second below which a viewer counts as resting, and below which changes of speed are ignored."""
 
 
@@ -129,19 +129,19 @@ class Pilot:
             renewed = self._renew(camera)
             records, soon = [*renewed.unknown], [*renewed.needed, *renewed.soon]
         cut, coming = self._cut(camera, held)
-        wanted = self.wanted(cut)
+        wanted = self.parts_of_cut(cut)
         if not self._base:
             self._base = self._top(camera)
         # A finer picture is read last.
         then = [*soon, *coming] if self._wished < self._error else [*coming, *soon]
         others = [self._cutter.cut(other, self.settings) for other in self._beside]
-        beside = [self.wanted(other) for other in others]
+        beside = [self.parts_of_cut(other) for other in others]
         records += [record for other in others for record in records_of(other)]
         parts = [part for each in (wanted, *beside) for part in chain(*each.values())]
         order = [*records_of(cut), *self._base, *records, *parts, *then]
         return Plan(wanted, list(dict.fromkeys(order)), self._error, beside)
 
-    def wanted(self, cut: OrthoCut) -> Wanted:
+    def parts_of_cut(self, cut: OrthoCut) -> Wanted:
         """Cells of a picture's cut with the parts of each: leaves as geometry, then cells as views, by distance."""
         found: Wanted = {(0, leaf): leaf_parts([leaf], self._cutter) for leaf in cut.leaf_places(in_picture=True)}
         for level, place, direction in cut.keys(in_picture=True):
@@ -158,9 +158,9 @@ class Pilot:
         if self._wished == self._error:
             return now, []
         next_cut = self._cutter.cut(camera, replace(self._settings, error_px=self._wished))
-        coming = [*chain(*self.wanted(next_cut).values())]
+        coming = [*chain(*self.parts_of_cut(next_cut).values())]
         is_there = all(map(held, coming)) and not next_cut.unknown
-        if is_there or (self._wished > self._error and not all(map(held, chain(*self.wanted(now).values())))):
+        if is_there or (self._wished > self._error and not all(map(held, chain(*self.parts_of_cut(now).values())))):
             self._error = self._wished
             return next_cut, []
         return now, coming
@@ -174,7 +174,7 @@ class Pilot:
         """Return the queue; make a new one if the viewer has moved or turned, or if records were unknown."""
         old = self._renewed
         speed = float(np.linalg.norm(self._motion.velocity))
-        if speed <= LEAST_SPEED:
+        if speed <= MIN_SPEED:
             self._wished = self._settings.error_px
         if (
             old is not None
@@ -183,18 +183,18 @@ class Pilot:
             and self._is_near(old, camera, speed)
         ):
             return old.queue
-        course = self._motion.velocity / speed if speed > LEAST_SPEED else None
+        course = self._motion.velocity / speed if speed > MIN_SPEED else None
         settings = self.settings
         ahead = smallest(self._cutter.cut(camera, settings, around=True), self._cutter.grid)
         if course is not None:
             ahead = min(ahead, speed * HORIZON)
-        seconds = min(ahead / speed, LONGEST) if speed > LEAST_SPEED else LONGEST
-        cameras = [self._motion.after(seconds, offset) for offset in offsets(ahead, course)]
+        seconds = min(ahead / speed, LONGEST) if speed > MIN_SPEED else LONGEST
+        cameras = [self._motion.extrapolate(seconds, offset) for offset in offsets(ahead, course)]
         outlook = Outlook([camera, *cameras[:1]], self._ahead.margin)
         made = queue(self._cutter, settings, camera, cameras, outlook)
         self._renewed = _Renewed(made, camera, self._error, speed)
         if self._ahead.adapt and course is not None:
-            self._adapt(speed, (camera, self._motion.after(0.0, ahead * course)), ahead, outlook)
+            self._adapt(speed, (camera, self._motion.extrapolate(0.0, ahead * course)), ahead, outlook)
         return made
 
     def _is_near(self, old: _Renewed, camera: Camera, speed: float) -> bool:

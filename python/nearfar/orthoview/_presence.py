@@ -52,7 +52,7 @@ class Presence:
         if length and channel == "depth":
             mask[within] |= np.uint32(1 << self._layout.names.index(name))
 
-    def described(self) -> list[str]:
+    def to_json(self) -> list[str]:
         """Encode the masks as JSON."""
         return [base64.b64encode(zlib.compress(mask.astype("<u4").tobytes(), 9)).decode() for mask in self._masks]
 

@@ -8,7 +8,7 @@ from typing import SupportsFloat, SupportsIndex
 from nearfar._base import check
 from nearfar.orthoview._directions import directions_of, widest
 
-_MOST = 4096
+_MAX = 4096
 """Greatest size of a view."""
 
 _ROUNDING = 1e-12
@@ -69,8 +69,8 @@ def size_for(
         raise ValueError(f"angle: expected radians from 0 to below π/2, got {lean:g}")
     wide = widest(directions_of(directions))
     shown = 2 * away * math.tan(opening / 2) * math.cos(lean)
-    if not width * wide * side <= _MOST * shown:
-        wanted = f"expected values for which {_MOST} pixels are enough"
+    if not width * wide * side <= _MAX * shown:
+        wanted = f"expected values for which {_MAX} pixels are enough"
         raise ValueError(
             f"pixels, cell, distance, fov, angle: {wanted}, got {width}, {side:g}, {away:g}, {opening:g}, {lean:g}"
         )

@@ -21,7 +21,7 @@ BLIND = 128
 TRIANGLES = 4096
 """Number of triangles sampled from a scene in memory."""
 
-_MOST_TRIANGLES = 100_000_000
+_MAX_TRIANGLES = 100_000_000
 """Greatest triangle count of a scene whose triangles are sampled; each takes a byte meanwhile."""
 
 _SEED = 0
@@ -45,7 +45,7 @@ def leaves(source: SceneSource, grid: Grid) -> Iterator[Place]:
 
 
 def _candidates(source: SceneSource, grid: Grid) -> Iterator[Place]:
-    if isinstance(source, Scene) and 0 < source.triangle_count <= _MOST_TRIANGLES:
+    if isinstance(source, Scene) and 0 < source.triangle_count <= _MAX_TRIANGLES:
         yield from _of_triangles(source, grid)
     if getattr(source, "touches", None) is None:
         yield from _drawn_evenly(grid)

@@ -22,13 +22,13 @@ from nearfar._render.frame import Frame
 from nearfar._render.renderable import Images, Report
 from nearfar._render.renderer import Renderer
 from nearfar._scene.scene import Scene, core_of
-from nearfar.orthoview._cut import MOST_VIEWS, OrthoCut, Settings
+from nearfar.orthoview._cut import MAX_VIEWS, OrthoCut, Settings
 from nearfar.orthoview._open import Opened
 from nearfar.orthoview._pictured import Pictured
 from nearfar.orthoview._stored import StoredTree
 from nearfar.orthoview._viewer import Viewer
 
-MOST_SPLATS = (1 << 32) - 2
+MAX_SPLATS = (1 << 32) - 2
 """Maximum number of splats of a picture."""
 
 CACHE_BYTES = 1 << 30
@@ -51,13 +51,13 @@ class ShownTree(StoredTree, Pictured):
 
     @cached_property
     def _viewer(self) -> Viewer:
-        return self._opened().viewer
+        return self._open_store().viewer
 
-    def _opened(self) -> Opened:
+    def _open_store(self) -> Opened:
         """Open the store for a new viewer."""
         if not self.is_complete:
             raise ValueError(f"path: {self.path} is not complete, build it again")
-        return Opened.of(self._files, self._layout, self.generation, self._cache_bytes)
+        return Opened.from_files(self._files, self._layout, self.generation, self._cache_bytes)
 
     def __getstate__(self) -> dict[str, Any]:
         """Pickle without cached views: another process reads them itself."""
@@ -78,15 +78,15 @@ class ShownTree(StoredTree, Pictured):
             A value that is not a scene.
         """
         core_of(scene)
-        return self._with(scene.with_dynamic(scene.object_names))
+        return self._with_movers(scene.with_dynamic(scene.object_names))
 
     def at(self, poses: Mapping[str, ArrayLike]) -> Self:
         """Return the same tree with moving objects in other poses; `poses` as in `Scene.at`."""
         if self._movers is None:
             return super().at(poses)
-        return self._with(self._movers.at(poses))
+        return self._with_movers(self._movers.at(poses))
 
-    def _with(self, movers: Scene) -> Self:
+    def _with_movers(self, movers: Scene) -> Self:
         shown = copy.copy(self)
         shown.__dict__["_viewer"] = self._viewer  # the views that it reads stay cached for the next picture
         shown._movers = movers
@@ -223,7 +223,7 @@ class ShownTree(StoredTree, Pictured):
         shown.__dict__["_viewer"] = self._viewer  # the views that it reads stay cached for the next picture
         settings = settings_of(views, error_px, geometry, continuous, gaze, lift_deg)
         shown._settings = replace(
-            settings, budget=None if budget is None else check.integer("budget", budget, 1, MOST_SPLATS)
+            settings, budget=None if budget is None else check.integer("budget", budget, 1, MAX_SPLATS)
         )
         renderer = Renderer(shown, channels, samples, argument="tree")
         shot = renderer.shot([camera], None, t_min, t_max, clip)
@@ -244,12 +244,12 @@ def settings_of(
 ) -> Settings:
     """Check the arguments of a cut and return them as settings."""
     return Settings(
-        views=check.integer("views", views, 1, MOST_VIEWS),
+        views=check.integer("views", views, 1, MAX_VIEWS),
         error_px=check.positive("error_px", error_px),
         geometry=check.flag("geometry", geometry),
         continuous=check.flag("continuous", continuous),
         gaze=None if gaze is None else _pixel(gaze),
-        lift_deg=check.within("lift_deg", lift_deg, 0.0, 90.0),
+        lift_deg=check.in_range("lift_deg", lift_deg, 0.0, 90.0),
     )
 
 

@@ -145,10 +145,10 @@ def simulate(
     if not several:
         raise ValueError("cameras: expected at least one, got none")
     check.instance("link", link, Link)
-    frames = check.within("rate", rate, 1.0, 1000.0)
-    margin = None if margin_deg is None else math.radians(check.within("margin_deg", margin_deg, 0.0, 180.0))
+    frames = check.in_range("rate", rate, 1.0, 1000.0)
+    margin = None if margin_deg is None else math.radians(check.in_range("margin_deg", margin_deg, 0.0, 180.0))
     ahead = Ahead(check.flag("prefetch", prefetch), margin, check.flag("adapt", adapt))
-    opened = own._opened()
+    opened = own._open_store()
     cutter = opened.viewer.cutter
     planner = _Planned(Pilot(cutter, settings_of(views, error_px, geometry), ahead), cutter)
     kept = check.integer("cache_bytes", cache_bytes, 0, 1 << 62)

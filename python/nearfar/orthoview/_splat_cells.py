@@ -14,7 +14,7 @@ from nearfar._base import formats
 from nearfar.orthoview import _codec, _store
 from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._files import Files
-from nearfar.orthoview._gaussians import NOTHING, Gaussians, gaussians_of, joined
+from nearfar.orthoview._gaussians import NOTHING, Gaussians, concatenate, gaussians_of
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import BEHIND, CHANNELS, Layout
 from nearfar.orthoview._thinned import Picture, seen_better
@@ -68,7 +68,7 @@ class Cells:
         whole = self.layout.grid.box(self.layout.grid.levels - 1, (0, 0, 0))
         return np.array([np.maximum(whole[0], self._box[0]), np.minimum(whole[1], self._box[1])])
 
-    def shown(self, level: int, place: Place) -> int:
+    def direction_mask(self, level: int, place: Place) -> int:
         """Mask of the directions from which a cell shows something, a bit for each; 0 for a cell outside the box."""
         if not self.layout.grid.touches(level, place, self._box):
             return 0
@@ -80,12 +80,12 @@ class Cells:
         """Cells that show something, from the root down to level `finest`, each after its descendants."""
         yield from self._below(self.layout.grid.levels - 1, (0, 0, 0), finest)
 
-    def at(self, level: int) -> Iterator[tuple[int, Place]]:
+    def cells_of_level(self, level: int) -> Iterator[tuple[int, Place]]:
         """Cells of a level that show something."""
         return (cell for cell in self.below(level) if cell[0] == level)
 
     def _below(self, level: int, place: Place, finest: int) -> Iterator[tuple[int, Place]]:
-        if not self.shown(level, place):
+        if not self.direction_mask(level, place):
             return
         if level > finest:
             for _, child in self.layout.grid.children(level, place):
@@ -94,7 +94,7 @@ class Cells:
 
     def chunks(self, level: int, place: Place) -> list[Chunk]:
         """Read the chunks of all views of a cell, of both layers; not thread-safe."""
-        mask = self.shown(level, place)
+        mask = self.direction_mask(level, place)
         numbers = [number for number in range(len(self.layout.directions)) if mask >> number & 1]
         pairs = [(number, layer) for layer in ("", BEHIND)[: self.layout.layers] for number in numbers]
         keys = [
@@ -107,7 +107,7 @@ class Cells:
             found = [(number, {name: chunk for name in CHANNELS if (chunk := next(contents))}) for number, _ in pairs]
         return [(number, chunks) for number, chunks in found if chunks]  # few views have a second layer
 
-    def made(self, level: int, place: Place, chunks: list[Chunk]) -> Cell:
+    def to_gaussians(self, level: int, place: Place, chunks: list[Chunk]) -> Cell:
         """Convert a cell's chunks to Gaussians."""
         pictures = self._pictures(level, chunks)
         center = self.layout.grid.box(level, place).mean(axis=0)
@@ -118,12 +118,12 @@ class Cells:
             inside = ((low <= shown.middle) & (shown.middle <= high)).all(axis=1)
             pixels += int(inside.sum())
             inside[inside] = ~seen_better(pictures, number, np.flatnonzero(inside))
-            parts.append(gaussians_of(shown.kept(inside), picture.axes, picture.pitch, self._sun))
-        return Cell(level, place, center, joined(parts), pixels)
+            parts.append(gaussians_of(shown.select(inside), picture.axes, picture.pitch, self._sun))
+        return Cell(level, place, center, concatenate(parts), pixels)
 
     def read(self, level: int, place: Place) -> Cell:
         """Read a cell."""
-        return self.made(level, place, self.chunks(level, place))
+        return self.to_gaussians(level, place, self.chunks(level, place))
 
     def _pictures(self, level: int, chunks: list[Chunk]) -> list[Picture]:
         """Decode the views of a cell."""
@@ -133,5 +133,7 @@ class Cells:
                 named = {(number, channel): chunk for channel, chunk in own.items()}
                 views, bits = _codec.decoded(named, self.layout, (number,))
                 axes, extents = _core.orthoview_axes(self.layout.directions[number])
-                pictures.append(Picture.of(views, bits, np.array(axes), side * np.array(extents), self.layout.steps))
+                pictures.append(
+                    Picture.from_views(views, bits, np.array(axes), side * np.array(extents), self.layout.steps)
+                )
         return pictures

@@ -81,5 +81,5 @@ def sun_of(light: str | ArrayLike | None) -> Sun:
     x, y, z = check.vector("light", light)
     length = math.sqrt(x * x + y * y + z * z)
     if not 0.0 < length < math.inf:
-        raise ValueError(f"light: expected a direction that is not 0, got {check.shown(light)}")
+        raise ValueError(f"light: expected a direction that is not 0, got {check.value_or_type(light)}")
     return x / length, y / length, z / length

@@ -107,7 +107,7 @@ def write(
             bits = spz.fraction_bits(float(np.abs(bounds - center).max()), SIGMA * pitch)
             version = 2 if is_gltf else 3
             encode = partial(spz.sections, bits=bits, version=version)
-            gathered = _gather(cells, level, center, folder, spz.SECTIONS, encode, most=spz.MOST)
+            gathered = _gather(cells, level, center, folder, spz.SECTIONS, encode, most=spz.MAX)
             if gathered.count:
                 inner = folder / "spz" if is_gltf else path
                 _compress(inner, spz.Header(version, gathered.count, bits), gathered)
@@ -122,7 +122,7 @@ def _beside(target: Path) -> Iterator[Path]:
     """Temporary folder beside the target, on the same disk; first removes folders that killed processes left."""
     parts = target.with_name(f"{target.name[:100]}.parts")
     aside.clear(parts)
-    with aside.held(parts, folder=True) as folder:
+    with aside.temporary_beside(parts, folder=True) as folder:
         try:
             yield folder
         finally:
@@ -140,14 +140,14 @@ def _gather(
 ) -> _Gathered:
     """Gather the sections of all cells of a level, relative to a common centre."""
 
-    def made(chunks: Any, place: Any) -> tuple[Cell, dict[str, bytes], Gaussians]:
-        cell = cells.made(level, place, chunks)
-        moved = cell.gaussians.moved(cell.center - center)
+    def encode_cell(chunks: Any, place: Any) -> tuple[Cell, dict[str, bytes], Gaussians]:
+        cell = cells.to_gaussians(level, place, chunks)
+        moved = cell.gaussians.translate(cell.center - center)
         return cell, encode(moved), moved
 
     def jobs() -> Iterator[Any]:
-        for _, place in cells.at(level):
-            yield partial(made, cells.chunks(level, place), place)
+        for _, place in cells.cells_of_level(level):
+            yield partial(encode_cell, cells.chunks(level, place), place)
 
     grid, gathered = cells.layout.grid, _Gathered(folder, names)
     total, done = grid.leaves(grid.levels - 1, (0, 0, 0)), 0

@@ -38,7 +38,7 @@ _PLACEHOLDERS: dict[str, tuple[int, str, bool]] = {
 }
 """Accessors without data; a reader fills them from the SPZ file."""
 
-MOST_BYTES = (1 << 32) - 1
+MAX_BYTES = (1 << 32) - 1
 """Greatest size of a GLB."""
 
 _HARMONIC = 0.282_094_791_773_878_1
@@ -167,7 +167,7 @@ def _start(document: dict[str, Any], size: int) -> bytes:
     text = json.dumps(document, separators=(",", ":"), allow_nan=False).encode()
     text += b" " * padding(len(text))
     whole = 12 + 8 + len(text) + 8 + size
-    if whole > MOST_BYTES:
-        raise UnusableError(f"a GLB holds at most {MOST_BYTES:,} bytes, expected fewer than {whole:,}")
+    if whole > MAX_BYTES:
+        raise UnusableError(f"a GLB holds at most {MAX_BYTES:,} bytes, expected fewer than {whole:,}")
     head = struct.pack("<4sII", b"glTF", 2, whole) + struct.pack("<I4s", len(text), b"JSON")
     return head + text + struct.pack("<I4s", size, b"BIN\0")

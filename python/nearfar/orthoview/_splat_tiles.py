@@ -89,7 +89,7 @@ class _Tree:
         name = _name("tilesets", *key, "json")
         path = self._folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
-        document = self._document(_moved(node), node["geometricError"])
+        document = self._document(_with_rewritten_uris(node), node["geometricError"])
         files.write(path, formats.to_json(document, compact=True).encode())
         shared = {part: node[part] for part in ("boundingVolume", "geometricError", "refine")}
         return shared | {"content": {"uri": name}}
@@ -142,7 +142,7 @@ def write(folder: Path, cells: Cells, finest: int, *, packed: bool, extras: Mapp
 
     def jobs() -> Iterator[Callable[[], _Tile]]:
         for level, place in cells.below(finest):
-            yield partial(_made, cells, cells.chunks(level, place), level, place, encode)
+            yield partial(_encode_tile, cells, cells.chunks(level, place), level, place, encode)
 
     with progress.bar("exporting") as report:
         for tile in side_by_side.results(jobs()):
@@ -163,9 +163,9 @@ def write(folder: Path, cells: Cells, finest: int, *, packed: bool, extras: Mapp
     return total
 
 
-def _made(cells: Cells, chunks: list[Chunk], level: int, place: Place, encode: Callable[..., bytes]) -> _Tile:
+def _encode_tile(cells: Cells, chunks: list[Chunk], level: int, place: Place, encode: Callable[..., bytes]) -> _Tile:
     """Make a cell's tile from the chunks of its views."""
-    cell = cells.made(level, place, chunks)
+    cell = cells.to_gaussians(level, place, chunks)
     splats = cell.gaussians
     if not len(splats):
         return _Tile(level, place, None, cell.pixels, 0, b"")
@@ -178,11 +178,11 @@ def _name(folder: str, level: int, place: Place, suffix: str) -> str:
     return f"{folder}/{level}/{x}/{y}/{z}.{suffix}"
 
 
-def _moved(node: dict[str, Any]) -> dict[str, Any]:
+def _with_rewritten_uris(node: dict[str, Any]) -> dict[str, Any]:
     """Copy a tile with URIs rewritten for a document in a subfolder."""
     moved = dict(node)
     if "content" in node:
         moved["content"] = node["content"] | {"uri": _UP + node["content"]["uri"]}
     if "children" in node:
-        moved["children"] = [_moved(child) for child in node["children"]]
+        moved["children"] = [_with_rewritten_uris(child) for child in node["children"]]
     return moved

@@ -23,17 +23,17 @@ MAGIC = 0x5053474E
 HEADER = struct.Struct("<IIIBBBB")
 """Magic number, version, number of Gaussians, degree of spherical harmonics, fraction bits, flags, reserved."""
 
-MOST = 10_000_000
+MAX = 10_000_000
 """Maximum number of Gaussians that the reference implementation reads."""
 
-MOST_SCALE = math.exp(255 / 16 - 10)
+MAX_SCALE = math.exp(255 / 16 - 10)
 """Greatest standard deviation that a scale code can express."""
 
 SECTIONS = ("positions", "alphas", "colors", "scales", "rotations")
 """Sections in file order."""
 
 _LIMIT = (1 << 23) - 1
-_MOST_BITS = 20
+_MAX_BITS = 20
 _FINE = 32
 """Steps of positions per smallest standard deviation along a surface."""
 
@@ -76,10 +76,10 @@ def fraction_bits(reach: float, finest: float) -> int:
     UnusableError
         The integer part alone does not fit into 24 bits.
     """
-    held = math.floor(math.log2(_LIMIT / max(reach, 2.0**-_MOST_BITS)))
+    held = math.floor(math.log2(_LIMIT / max(reach, 2.0**-_MAX_BITS)))
     if held < 0:
         raise UnusableError(f"coordinates up to {reach:.3g} m do not fit into the whole numbers of an SPZ file")
-    return max(0, min(held, math.ceil(math.log2(_FINE / finest)), _MOST_BITS))
+    return max(0, min(held, math.ceil(math.log2(_FINE / finest)), _MAX_BITS))
 
 
 def sections(gaussians: Gaussians, bits: int, version: int) -> dict[str, bytes]:

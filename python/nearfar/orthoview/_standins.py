@@ -73,7 +73,7 @@ class StandIns:
     ) -> None:
         self._grid, self._units, self._held, self._drawable, self._views = grid, directions, held, drawable, views
 
-    def shown(self, wanted: Wanted, before: Shown, eye: NDArray[np.float64]) -> Shown:
+    def choose_pieces(self, wanted: Wanted, before: Shown, eye: NDArray[np.float64]) -> Shown:
         """Choose how wanted cells are drawn from the parts that have been read.
 
         A cell all of whose parts have been read is drawn from them. Otherwise, in this order: it stays as it was drawn

@@ -40,7 +40,7 @@ class Steady:
         self, *, seconds: SupportsFloat = 0.5, moving: SupportsFloat = 0.05, least: SupportsFloat = 0.25
     ) -> None:
         self._times = check.positive("seconds", seconds), check.positive("moving", moving)
-        self._least = check.within("least", least, 0.0, 1.0)
+        self._least = check.in_range("least", least, 0.0, 1.0)
         self.restart()
 
     def restart(self) -> None:

@@ -27,7 +27,7 @@ from nearfar.orthoview._grid import Place
 from nearfar.orthoview._guests import Guests, guests_of
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._presence import AS_BEFORE, Masks, masks_of, newest_of
-from nearfar.orthoview._subtree import DONE, RECORD, VERSION as RECORD_VERSION, Described, described, record_of
+from nearfar.orthoview._subtree import DONE, RECORD, VERSION as RECORD_VERSION, Described, record_of, size_and_hash
 
 KIND, VERSION = "orthoview", 1
 
@@ -97,7 +97,7 @@ def begin(path: Path, layout: Layout) -> None:
         except FileExistsError:
             if not (path / DOCUMENT).is_file():  # else another build has created it meanwhile
                 raise
-    attributes, wanted = read(Local(path)), layout.described()
+    attributes, wanted = read(Local(path)), layout.to_json()
     with formats.guarded(path / DOCUMENT):
         Layout.from_described(attributes["layout"])
     if attributes["layout"] != wanted:
@@ -123,7 +123,7 @@ def new_folder(path: Path) -> Iterator[Path]:
 def create(folder: Path, layout: Layout) -> None:
     """Create a store without chunks in an empty folder."""
     held = {"cells": 0, "leaves": 0, "chunks": 0, "bytes": 0}
-    own = {"layout": layout.described(), "complete": False, "failed": {}, "held": held, "done": {}, "generation": 0}
+    own = {"layout": layout.to_json(), "complete": False, "failed": {}, "held": held, "done": {}, "generation": 0}
     own |= {"geometry": None}
     layout.create(folder, {_KEY: formats.header(KIND, VERSION, color_space="sRGB") | own})
 
@@ -144,7 +144,7 @@ def _end_files(path: Path) -> dict[str, Any]:
     # Files of leaves are listed in the records of their subtrees.
     others = [path / GEOMETRY / name for name in (TILESET, MOVING)]
     others += sorted(file for folder in OTHERS for file in (path / GEOMETRY / folder).glob("*"))
-    listed = {file.relative_to(path).as_posix(): described(file) for file in others if file.is_file()}
+    listed = {file.relative_to(path).as_posix(): size_and_hash(file) for file in others if file.is_file()}
     own = {"records": digests, "geometry": listed}
     formats.write_json(path / _RECORDS_FILE, formats.header(_RECORDS, _RECORDS_VERSION) | own)
     return {"geometry": facts}
@@ -211,7 +211,7 @@ def end_generation(path: Path, number: int, aabb: NDArray[np.float64], held: Map
         shards |= document["shards"]
         geometry |= document["geometry"]
     images = sorted((folder / GEOMETRY / IMAGES).glob("*"))
-    geometry |= {file.relative_to(folder).as_posix(): described(file) for file in images}
+    geometry |= {file.relative_to(folder).as_posix(): size_and_hash(file) for file in images}
     box = [[x if np.isfinite(x) else None for x in corner] for corner in aabb.tolist()]
     own = {"aabb": box, "shards": shards, "geometry": geometry, "held": dict(held), "cells": cells}
     formats.write_json(folder / _GENERATION_FILE, formats.header(_GENERATION, _GENERATION_VERSION) | own)
@@ -239,7 +239,7 @@ def _generation(store: Files, number: int) -> Recorded:
 
 
 def _recorded(folder: str, name: str, document: Mapping[str, Any]) -> Recorded:
-    shards, geometry = _listed(document["shards"], _SHARD), _listed(document["geometry"], _GEOMETRY_FILE)
+    shards, geometry = _parse_listing(document["shards"], _SHARD), _parse_listing(document["geometry"], _GEOMETRY_FILE)
     cells = document["cells"] if folder else {key: document[key] for key in ("views", "guests")}
     return Recorded(folder, name, shards, geometry, document["held"], cells)
 
@@ -256,7 +256,7 @@ def recorded(store: Files, newest: int) -> Iterator[Recorded]:
             found = _recorded("", name.removesuffix(".json"), document)
         yield found
     with formats.guarded(f"{store.place}/{_RECORDS_FILE}"):
-        others = _listed(records["geometry"], _GEOMETRY_FILE)
+        others = _parse_listing(records["geometry"], _GEOMETRY_FILE)
     yield Recorded("", "", {}, others, {})
     for number in range(1, newest + 1):
         yield _generation(store, number)
@@ -306,7 +306,7 @@ def _json(store: Files, name: str, kind: str, version: int, digest: str | None =
         return formats.check(formats.from_json(content), kind, version, place)
 
 
-def _listed(listed: Mapping[str, Any], pattern: re.Pattern[str]) -> Described:
+def _parse_listing(listed: Mapping[str, Any], pattern: re.Pattern[str]) -> Described:
     """Sizes and hashes by path; ValueError for a path that does not belong into a store."""
     wrong = next((path for path in listed if not pattern.fullmatch(path)), None)
     if wrong is not None:

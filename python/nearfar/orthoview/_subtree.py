@@ -75,7 +75,7 @@ class Held:
         return {"cells": len(self._cells), "leaves": leaves, "chunks": self._chunks, "bytes": self._bytes}
 
 
-def described(path: Path) -> tuple[int, str]:
+def size_and_hash(path: Path) -> tuple[int, str]:
     """Size and SHA-256 of a file."""
     content = path.read_bytes()
     return len(content), hashlib.sha256(content).hexdigest()
@@ -86,8 +86,8 @@ def write_record(
 ) -> None:
     """Write the record of a complete subtree."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    own = {"shards": shards, "geometry": geometry, "held": held.counts(), "views": presence.described()}
-    own["guests"] = _guests.described(guests)
+    own = {"shards": shards, "geometry": geometry, "held": held.counts(), "views": presence.to_json()}
+    own["guests"] = _guests.encode_guests(guests)
     formats.write_json(path, formats.header(RECORD, VERSION) | own)
 
 
@@ -100,10 +100,10 @@ class Below(Protocol):
     def base(self, tier: int, place: Place) -> Outcome:
         """Return the outcome of a cell of a tier's lowest level: of a rendered leaf, or of a subtree below."""
 
-    def known(self, level: int, place: Place) -> Outcome | None:
+    def finished_outcome(self, level: int, place: Place) -> Outcome | None:
         """Return the outcome of a cell that needs no work; None if it must be visited."""
 
-    def before(self, level: int, place: Place) -> AbstractSet[tuple[int, str]]:
+    def chunks_before(self, level: int, place: Place) -> AbstractSet[tuple[int, str]]:
         """Chunks of a cell in an older generation of the store."""
 
     def pass_over(self, level: int, place: Place) -> None:
@@ -147,7 +147,7 @@ class Subtree:
             _, self._outcome.is_complete = self._views(self._root, (0, 0, 0))
         else:
             self._outcome.views, self._outcome.is_complete = self._composed(self._top, self._place)
-        shards = self._named()
+        shards = self._finish_shards()
         if self._outcome.is_complete:
             self._note(shards)
         return self._outcome
@@ -168,7 +168,7 @@ class Subtree:
         if (level, place) in self._journal.cells:
             self._below.pass_over(level, place)
             return self._reread(level, place), True
-        if (known := self._below.known(level, place)) is not None:
+        if (known := self._below.finished_outcome(level, place)) is not None:
             self._below.pass_over(level, place)
             self._outcome.counts += known.counts
             return known.views, True
@@ -195,7 +195,7 @@ class Subtree:
         if parent is None or not is_complete:
             return None, is_complete
         self._outcome.counts["composed"] += 1
-        return _codec.kept(parent.finish(), self._layout), True
+        return _codec.drop_unneeded_layers(parent.finish(), self._layout), True
 
     def _parent(self) -> _core.OrthoParent:
         return _core.OrthoParent(self._layout.directions, self._layout.format, behind=self._layout.layers == 2)
@@ -204,7 +204,7 @@ class Subtree:
         """Write the views of a cell and record its guests; return the views as readers decode them."""
         shard, within = self._layout.shard_of(level, place)
         encoded = _codec.encoded(views, self._layout) if views else {}
-        gone = dict.fromkeys(self._below.before(level, place) - encoded.keys(), b"")
+        gone = dict.fromkeys(self._below.chunks_before(level, place) - encoded.keys(), b"")
         chunks = {}
         for (direction, channel), chunk in (encoded | gone).items():
             array = self._layout.array(level, direction, channel)
@@ -238,7 +238,7 @@ class Subtree:
         self._outcome.counts["reloaded"] += len(shown)
         return _codec.both(shown, self._layout) if shown else None
 
-    def _named(self) -> Described:
+    def _finish_shards(self) -> Described:
         """Write the index of all shards and rename them; return sizes and SHA-256 by path.
 
         Shards of an incomplete subtree become `PART` again when it resumes; until then readers find its cells.
@@ -268,7 +268,7 @@ class Subtree:
             return {}
         leaves = sorted(place for level, place in self._journal.cells if level == 0)
         paths = [name for place in leaves for name in names(self._layout.grid, place)]
-        return {path: described(self._store / path) for path in paths if (self._store / path).exists()}
+        return {path: size_and_hash(self._store / path) for path in paths if (self._store / path).exists()}
 
     def _reloaded(self) -> Outcome:
         """Outcome of a complete subtree: its views are composed again from those of its highest level."""
@@ -283,7 +283,7 @@ class Subtree:
             if views is not None:
                 parent = parent or self._parent()
                 parent.add(octant, views)
-        self._outcome.views = _codec.kept(parent.finish(), self._layout) if parent else None
+        self._outcome.views = _codec.drop_unneeded_layers(parent.finish(), self._layout) if parent else None
         return self._outcome
 
     def _check(self, shards: dict[str, Any]) -> None:

@@ -53,7 +53,7 @@ class Picture:
     """Pixels per square metre of surface; 0 for balls, −1 for empty pixels."""
 
     @classmethod
-    def of(
+    def from_views(
         cls,
         views: _core.OrthoViews,
         bits: NDArray[np.uint8],
@@ -164,7 +164,7 @@ def _has_plane(picture: Picture, middle: Floats, normal: Floats) -> NDArray[np.b
     """Whether the pixels of a picture at points (N,) are surfels of planes with the given normals."""
     has = np.zeros(len(middle), bool)
     at = np.flatnonzero(normal @ picture.axes[2] > 0)
-    column, row, depth = _placed(picture, middle[at])
+    column, row, depth = _project(picture, middle[at])
     size, (width, height) = len(picture.depth), picture.pitch
     is_inside = (column >= 0) & (column < size) & (row >= 0) & (row < size)
     at, column, row, depth = at[is_inside], column[is_inside], row[is_inside], depth[is_inside]
@@ -179,7 +179,7 @@ def _has_plane(picture: Picture, middle: Floats, normal: Floats) -> NDArray[np.b
     return has
 
 
-def _placed(picture: Picture, middle: Floats) -> tuple[Floats, Floats, Floats]:
+def _project(picture: Picture, middle: Floats) -> tuple[Floats, Floats, Floats]:
     """Project points into a picture: columns and rows in pixels, depths in metres."""
     width, height, depth = picture.extents
     size = np.float32(len(picture.depth))
@@ -195,7 +195,7 @@ def _same_surfel(
     picture: Picture, middle: Floats, normal: Floats, fineness: Floats, is_before: bool
 ) -> NDArray[np.bool_]:
     """Whether surfels (N,) lie between four finer surfels of a picture that are in their plane."""
-    column, row, depth = _placed(picture, middle)
+    column, row, depth = _project(picture, middle)
     size, (width, height) = len(picture.depth), picture.pitch
     same = (column >= 0) & (column < size) & (row >= 0) & (row < size)
     near = np.float32(NEAR * max(width, height))
@@ -231,7 +231,7 @@ def _off_plane(
 
 def _same_ball(picture: Picture, middle: Floats, own: Picture, is_before: bool) -> NDArray[np.bool_]:
     """Whether balls (N,) lie at places where another picture shows a surfel, or an earlier one a ball."""
-    column, row, depth = _placed(picture, middle)
+    column, row, depth = _project(picture, middle)
     size = len(picture.depth)
     same = (column >= 0) & (column < size) & (row >= 0) & (row < size)
     at = np.flatnonzero(same)

@@ -100,7 +100,7 @@ class Changed(Leaves):
         """Abort the update: the store stays as it was."""
         raise error
 
-    def known(self, level: int, place: Place) -> Outcome | None:
+    def finished_outcome(self, level: int, place: Place) -> Outcome | None:
         """Read the views of a cell that the change does not touch; None if it must be rendered again."""
         keys = self.layout.keys(level, place)
         if not self.layout.grid.touches(level, place, self._aabb):
@@ -113,7 +113,7 @@ class Changed(Leaves):
             had_views = any(self._chunks.lengths(list(keys.values())))
         if had_views or self._had_geometry(level, place):
             return None
-        return super().known(level, place)
+        return super().finished_outcome(level, place)
 
     def _had_geometry(self, level: int, place: Place) -> bool:
         """Whether leaves of a cell may have geometry in the store: some triangles are too small for any pixel."""
@@ -123,7 +123,7 @@ class Changed(Leaves):
         leaves = (tuple(a + b for a, b in zip(first, within, strict=True)) for within in depth_first(1 << level))
         return any(self._chunks.has_geometry(name) for x, y, z in leaves for name in names(self.layout.grid, (x, y, z)))
 
-    def before(self, level: int, place: Place) -> AbstractSet[tuple[int, str]]:
+    def chunks_before(self, level: int, place: Place) -> AbstractSet[tuple[int, str]]:
         """Chunks of a cell in the store."""
         keys = self.layout.keys(level, place)
         lengths = dict(zip(keys, self._chunks.lengths(list(keys.values())), strict=True))

@@ -14,7 +14,7 @@ from nearfar import _core
 from nearfar._camera.camera import Camera
 from nearfar._camera.shot import Shot
 from nearfar._render.renderable import Images
-from nearfar._scene.joined import joined
+from nearfar._scene.joined import join_scenes
 from nearfar._scene.scene import Scene
 from nearfar.orthoview._budget import Fitter
 from nearfar.orthoview._cut import Cutter, Settings, grid_of
@@ -143,7 +143,7 @@ def _geometry(
     several = [scene for scene in (parts.near, parts.movers) if scene is not None]
     if not several:
         return None
-    scene = joined(several) if len(several) > 1 else several[0]
+    scene = join_scenes(several) if len(several) > 1 else several[0]
     width, height = camera.size
     finer = replace(camera, size=(width * grid, height * grid))
     mask = None if shot.mask is None else np.repeat(np.repeat(shot.mask, grid, axis=0), grid, axis=1)

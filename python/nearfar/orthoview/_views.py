@@ -71,7 +71,7 @@ class Views:
     def layers(self, keys: Sequence[ViewKey]) -> list[tuple[_core.OrthoSplats, ...]]:
         """Splats of views layer by layer; views that are not cached are read."""
         self.load(keys)
-        found = [self.kept(key) for key in keys]
+        found = [self.cached_layers(key) for key in keys]
         self.trim(set(keys))
         return found
 
@@ -93,7 +93,7 @@ class Views:
         for first in range(0, len(missing), _AT_ONCE):
             self._read(missing[first : first + _AT_ONCE])
 
-    def kept(self, key: ViewKey) -> tuple[_core.OrthoSplats, ...]:
+    def cached_layers(self, key: ViewKey) -> tuple[_core.OrthoSplats, ...]:
         """Layers of a view, which becomes the most recently used; empty if it is not cached."""
         with self._lock:
             if key not in self._kept:
@@ -156,7 +156,7 @@ class Views:
         ]
         with formats.guarded(self._place, "orthoviews"):
             contents = iter(self._chunks.read(chunks))
-            taken = [self._taken(key, contents, len(layers)) for key in keys]
+            taken = [self._take_chunks(key, contents, len(layers)) for key in keys]
             jobs = [partial(self._decoded, key, channels) for key, channels in zip(keys, taken, strict=True)]
             for key, channels, splats in zip(keys, taken, side_by_side.results(jobs), strict=True):
                 self._keep(key, splats, sum(len(chunk) for layer in channels for chunk in layer.values()))
@@ -168,7 +168,7 @@ class Views:
                 total, views = self._of_level.get(level, (0, 0))
                 self._of_level[level] = total + splats, views + 1
 
-    def _taken(self, key: ViewKey, contents: Iterator[bytes | None], layers: int) -> list[dict[str, bytes]]:
+    def _take_chunks(self, key: ViewKey, contents: Iterator[bytes | None], layers: int) -> list[dict[str, bytes]]:
         """Chunks by channel of the next view's layers that show something; the first layer always does."""
         taken = [{channel: chunk for channel in CHANNELS if (chunk := next(contents))} for _ in range(layers)]
         if any(len(layer) not in (0, len(CHANNELS)) for layer in taken) or not taken[0]:

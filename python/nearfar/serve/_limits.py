@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 from nearfar._base import check
 
-_MOST_SECONDS = 86400.0
-_MOST = 2**20
+_MAX_SECONDS = 86400.0
+_MAX = 2**20
 
 
 @dataclass(frozen=True)
@@ -58,11 +58,11 @@ class Limits:
 
     def __post_init__(self) -> None:
         for name in ("connections", "per_client", "regions", "regions_per_client"):
-            check.integer(name, getattr(self, name), 1, _MOST)
+            check.integer(name, getattr(self, name), 1, _MAX)
         # Smaller limits would reject the headers that browsers send.
-        check.integer("header_bytes", self.header_bytes, 1 << 13, _MOST)
+        check.integer("header_bytes", self.header_bytes, 1 << 13, _MAX)
         for name in ("header_seconds", "silent_seconds"):
-            check.within(name, getattr(self, name), 0.01, _MOST_SECONDS)
-        check.within("grace_seconds", self.grace_seconds, 0.0, _MOST_SECONDS)
+            check.in_range(name, getattr(self, name), 0.01, _MAX_SECONDS)
+        check.in_range("grace_seconds", self.grace_seconds, 0.0, _MAX_SECONDS)
         check.integer("threads", self.threads, 1, 256)
         check.integer("memory_bytes", self.memory_bytes, 0, 1 << 62)

@@ -15,10 +15,10 @@ KEY_BYTES = 16
 """Least size of a key, bytes."""
 
 _MADE_BYTES = 32
-_MOST = 2**20
-_MOST_RATE = 1e9
-_MOST_SECONDS = 86400.0
-_MOST_HOURS = 24.0 * 366
+_MAX = 2**20
+_MAX_RATE = 1e9
+_MAX_SECONDS = 86400.0
+_MAX_HOURS = 24.0 * 366
 
 
 @dataclass(frozen=True)
@@ -88,22 +88,22 @@ class Rooms:
     datagrams: bool = True
 
     def __post_init__(self) -> None:
-        check.integer("rooms", self.rooms, 1, _MOST)
+        check.integer("rooms", self.rooms, 1, _MAX)
         # Numbers of users have 16 bits, and one must stay free.
         check.integer("users", self.users, 1, 2**16 - 2)
         for name in ("sockets_per_client", "rooms_per_client"):
-            check.integer(name, getattr(self, name), 1, _MOST)
+            check.integer(name, getattr(self, name), 1, _MAX)
         # Smaller limits would reject the largest signal.
         check.integer("message_bytes", self.message_bytes, 1 << 15, 1 << 24)
         check.integer("queue_bytes", self.queue_bytes, 1 << 15, 1 << 24)
         for name in ("messages_per_second", "bytes_per_second", "said_bytes_per_second", "poses_per_second"):
-            check.within(name, getattr(self, name), 1.0, _MOST_RATE)
+            check.in_range(name, getattr(self, name), 1.0, _MAX_RATE)
         for name in ("burst_seconds", "hello_seconds", "ping_seconds", "silent_seconds", "linger_seconds"):
-            check.within(name, getattr(self, name), 0.01, _MOST_SECONDS)
+            check.in_range(name, getattr(self, name), 0.01, _MAX_SECONDS)
         for name in ("peers", "datagrams"):
             check.flag(name, getattr(self, name))
         if self.key is not None:
-            _checked("key", self.key)
+            _check_key("key", self.key)
         if check.flag("needs_token", self.needs_token) and self.key is None:
             raise ValueError("needs_token: expected a key beside it")
 
@@ -127,8 +127,8 @@ def token(room: str, key: bytes, *, hours: float = 24.0) -> str:
     TypeError
         If an argument has another type.
     """
-    name, secret = _room_names.room("room", room), _checked("key", key)
-    if check.within("hours", hours, 0.0, _MOST_HOURS) == 0.0:
+    name, secret = _room_names.room("room", room), _check_key("key", key)
+    if check.in_range("hours", hours, 0.0, _MAX_HOURS) == 0.0:
         raise ValueError("hours: expected more than 0, got 0")
     # Rounded up to whole seconds, so that a short validity does not expire at once.
     ends = int(time.time() + 3600.0 * hours) + 1
@@ -161,7 +161,7 @@ def kept_key(path: str | os.PathLike[str]) -> bytes:
     return read_key(place)
 
 
-def _checked(name: str, key: bytes) -> bytes:
+def _check_key(name: str, key: bytes) -> bytes:
     secret = check.instance(name, key, bytes, "bytes")
     if len(secret) < KEY_BYTES:
         raise ValueError(f"{name}: expected {KEY_BYTES} bytes or more, got {len(secret)}")

@@ -123,9 +123,9 @@ class LoadedScene:
         """
         name = f"{FOLDER}/{secrets.token_hex(8)}.json"
         manifest = formats.header(SITE, VERSION, title=self.title, grid=self.grid, scene=name)
-        return {MANIFEST: _encoded(manifest), name: lambda: _encoded(self._described())}
+        return {MANIFEST: _encoded(manifest), name: lambda: _encoded(self._scene_document())}
 
-    def _described(self) -> dict[str, Any]:
+    def _scene_document(self) -> dict[str, Any]:
         """Return the scene document; if loading failed, it has the reason."""
         try:
             made, start = self._result(self._loaded), self._result(self._start)
@@ -141,7 +141,7 @@ class LoadedScene:
             start={"position": list(start.eye), "yaw": math.atan2(-x, -z)},
             face_size=made._stages[-1].face_size,
             near_share=NEAR_SHARE,
-            growth=Growth((1.0,), speed=made._speed).described(),
+            growth=Growth((1.0,), speed=made._speed).to_manifest(),
             is_static=not scene.poses,
             notes=list(scene._notes),
         )

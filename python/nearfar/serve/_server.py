@@ -85,7 +85,7 @@ class Server:
     ) -> None:
         if rooms is not None:
             check.instance("rooms", rooms, Rooms)
-        found = _checked(sites, RESERVED if rooms is None else (*RESERVED, ROOMS))
+        found = _check_sites(sites, RESERVED if rooms is None else (*RESERVED, ROOMS))
         listened, number = _addresses.address(host), check.integer("port", port, 0, 65535)
         if certificate is not None:
             check.instance("certificate", certificate, Certificate)
@@ -155,7 +155,7 @@ class Server:
         return f"Server({self.url!r})"
 
 
-def _checked(sites: Mapping[str, Site], reserved: Sequence[str]) -> dict[str, Site]:
+def _check_sites(sites: Mapping[str, Site], reserved: Sequence[str]) -> dict[str, Site]:
     found = dict(check.mapping("sites", sites, "a mapping of names to sites"))
     for name, site in found.items():
         check.instance("sites", site, Site)

@@ -13,7 +13,7 @@ from nearfar._base.remote import is_url
 from nearfar.serve._scene import LoadedScene
 from nearfar.stream._on_demand import OnDemand, next_part
 from nearfar.stream._store import FOLDER, MANIFEST
-from nearfar.view._content import of_bundle, opened, reduced_folder
+from nearfar.view._content import of_bundle, open_files, reduced_folder
 from nearfar.view._page import INDEX, TYPES, page_files
 from nearfar.view._tree import tree_files, tree_folder, tree_page
 
@@ -49,7 +49,7 @@ class Site:
         if (tree := tree_folder(path)) is not None:
             return cls({**tree_files(tree), **tree_page()}, title="orthoviews", has_page=False)
         if reduced_folder(path) is not None:
-            return cls(opened(path), title="reduced scene")
+            return cls(open_files(path), title="reduced scene")
         _check_folder(path)
         bundle = stream.open(path)
         content: dict[str, Source] = dict(of_bundle(bundle, bundle._reader.read))

@@ -47,7 +47,7 @@ class AdaptivePlane:
     ) -> None:
         self._hmd, self._size = check.instance("hmd", hmd, Hmd, "an Hmd"), size
         self._error = check.positive("error_px", error_px)
-        self._nearest = check.within("nearest", nearest, NEAREST, FARTHEST)
+        self._nearest = check.in_range("nearest", nearest, NEAREST, FARTHEST)
         self._hysteresis, self._rate = check.at_least_zero("hysteresis", hysteresis), check.positive("rate", rate)
         # For an infinite depth, the plane of the closed form: e = E/m.
         self._far = mono_plane_for(hmd=hmd, error_px=error_px, size=size)

@@ -15,7 +15,7 @@ from nearfar._base import check, memory
 from nearfar._base.pickling import WithTwin
 from nearfar._camera.camera import Camera, Fov, quaternion
 from nearfar._camera.clip import Clip
-from nearfar._camera.rotation import rotation, turned
+from nearfar._camera.rotation import compose_rotations, rotation
 from nearfar.hmd._eye import Eye
 from nearfar.hmd._hmd import EYES, Hmd
 from nearfar.stereo._kink import kink_angles
@@ -110,7 +110,7 @@ class RigGeometry(WithTwin):
         views = []
         for eye in (self.left, self.right):
             x, y, z = place + turn @ np.array(eye.position)
-            way = turned(eye.orientation, head)
+            way = compose_rotations(eye.orientation, head)
             views.append(Camera((float(x), float(y), float(z)), way, fov=eye.fov, size=self.size))
         return views[0], views[1], center
 
@@ -226,9 +226,11 @@ class RigGeometry(WithTwin):
         """
         plain = check.plain("at", at)
         if plain.shape != (2,):
-            raise ValueError(f"at: expected two tangents, got {check.shown(at)}")
+            raise ValueError(f"at: expected two tangents, got {check.value_or_type(at)}")
         place = check.array("at", plain[None], columns=2, dtype=np.float64, finite=True)[0]
-        x, y = self._core.shown(check.choice("eye", eye, EYES), (float(place[0]), float(place[1])), _depth(depth))
+        x, y = self._core.displayed_tangents(
+            check.choice("eye", eye, EYES), (float(place[0]), float(place[1])), _depth(depth)
+        )
         return x, y
 
     def max_error(self, depth: float = math.inf, axis: str = "horizontal") -> float:

@@ -40,7 +40,7 @@ def moment_before(source: Renderable, before: object, at: Mapping[str, ArrayLike
             raise ValueError("before_at: expected None without the pose `before`")
         return None
     if not isinstance(before, (tuple, list)) or len(before) != 2:
-        raise TypeError(f"before: expected a pair (position, orientation), got {check.described(before)}")
+        raise TypeError(f"before: expected a pair (position, orientation), got {check.type_and_value(before)}")
     place, way = check.vector("before", before[0]), quaternion(before[1], "before")
     return Moment(place, way, source if at is None else posed_at(source, at, "before_at"))
 

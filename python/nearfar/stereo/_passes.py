@@ -88,7 +88,7 @@ class Passes:
             with self._timed("culling"):
                 samples = self.view.shot.samples if self.assembly == "resolved" else 1
                 mask = self._core.needed(eyes[0]["coverage"], eyes[1]["coverage"], samples)
-        images = self._pass("center", camera, self._beyond, mask=mask, faces=self.assembly == "resolved")
+        images = self._pass("center", camera, self._far_clip, mask=mask, faces=self.assembly == "resolved")
         if mask is not None and "color" in images:
             images["color"][~mask] = 0.0
         drawn = camera.width * camera.height if mask is None else int(mask.sum())
@@ -173,7 +173,7 @@ class Passes:
         if "color" in images:
             if self.assembly == "resolved":
                 settings = Shot(
-                    cameras=(center,), channels=("color",), samples=self.view.shot.samples, clip=self._beyond
+                    cameras=(center,), channels=("color",), samples=self.view.shot.samples, clip=self._far_clip
                 ).settings
                 scene = self.view.drawn
                 assert isinstance(scene, Scene)
@@ -287,7 +287,7 @@ class Passes:
         return max(self.near, min(self.rig.planes[1], self.far) - self.rig.overlap)
 
     @property
-    def _beyond(self) -> Clip:
+    def _far_clip(self) -> Clip:
         return self._between(self._begin, self.far)
 
     def _between(self, begin: float, end: float) -> Clip:

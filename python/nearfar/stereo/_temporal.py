@@ -50,7 +50,7 @@ class TemporalAntialiasing:
     """
 
     def __init__(self, *, share: float = 0.1, offsets: int = 8) -> None:
-        self._share = check.within("share", share, 1e-6, 1.0)
+        self._share = check.in_range("share", share, 1e-6, 1.0)
         self._offsets = _in_turn(check.integer("offsets", offsets, 1, 1024))
         self.restart()
 

@@ -18,7 +18,7 @@ from nearfar._scene.scene import Scene, core_of
 RULES = ("object", "vertex")
 """Points of an object that are compared with a radius: all points of its triangles, or only their vertices."""
 
-MOST_RINGS = 1000
+MAX_RINGS = 1000
 """Greatest number of rings."""
 
 
@@ -158,11 +158,11 @@ def object_radii(
 
 def ascending(name: str, radii: Iterable[float]) -> tuple[float, ...]:
     """Convert radii to numbers; ValueError unless they are positive and ascending."""
-    listed = islice(check.iterable(name, radii, "radii"), MOST_RINGS + 1)
+    listed = islice(check.iterable(name, radii, "radii"), MAX_RINGS + 1)
     bounds = tuple(check.positive(f"{name}[{n}]", radius) for n, radius in enumerate(listed))
-    if not 1 <= len(bounds) <= MOST_RINGS:
-        got = len(bounds) if len(bounds) <= MOST_RINGS else "more"
-        raise ValueError(f"{name}: expected 1 to {MOST_RINGS} radii, got {got}")
+    if not 1 <= len(bounds) <= MAX_RINGS:
+        got = len(bounds) if len(bounds) <= MAX_RINGS else "more"
+        raise ValueError(f"{name}: expected 1 to {MAX_RINGS} radii, got {got}")
     for before, after in pairwise(bounds):
         if after <= before:
             raise ValueError(f"{name}: expected ascending radii, got {after:g} after {before:g}")

@@ -16,7 +16,7 @@ from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._render.showing import View, show as make_view
 from nearfar._scene.report import count
 from nearfar.stream import _manifest, _store
-from nearfar.stream._decode import Layout, decode_map, joined, ring_scene
+from nearfar.stream._decode import Layout, decode_map, join_rings, ring_scene
 from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import NEAR_SHARE, layout_of, names_of
 from nearfar.stream._moving import moving_scene
@@ -85,8 +85,8 @@ class Bundle(InRegions):
         return sum(entry["bytes"] for entry in self._manifest["files"].values())
 
     @property
-    def _listed(self) -> dict[str, dict[str, Any]]:
-        return _manifest.listed(self._manifest)
+    def _file_entries(self) -> dict[str, dict[str, Any]]:
+        return _manifest.file_entries(self._manifest)
 
     @property
     def _rings(self) -> list[dict[str, Any]]:
@@ -135,7 +135,7 @@ class Bundle(InRegions):
         FormatError
             For a file that is missing or differs; the message names it.
         """
-        if check.text("name", name) not in self._listed:
+        if check.text("name", name) not in self._file_entries:
             raise ValueError(f"name: expected a file of the manifest, got {check.shortened(name)}")
         if name not in self._kept:
             self._kept[name] = self._fetched(name)
@@ -149,7 +149,7 @@ class Bundle(InRegions):
         FormatError
             For the first file that is missing or differs; the message names it.
         """
-        for name in self._listed:
+        for name in self._file_entries:
             self._fetched(name)
 
     def map(self, ring: int) -> EnvMap:
@@ -201,13 +201,13 @@ class Bundle(InRegions):
         """
         number = check.integer("ring", ring, 0, self.count)
         greatest = self.radii[max(number, 1) - 1]
-        shown = (greatest if number else 0.0) if radius is None else check.within("radius", radius, 0.0, greatest)
+        shown = (greatest if number else 0.0) if radius is None else check.in_range("radius", radius, 0.0, greatest)
         rings = []
         for place, entry in enumerate(self._rings[1 : number + 1], 1):
             if entry["geometry"] is not None:
                 name = entry["geometry"]
                 rings.append((f"ring {place}", ring_scene(name, entry["parts"], self.read, self._place(name))))
-        scene = joined(self._moving, rings)
+        scene = join_rings(self._moving, rings)
         zones = partition(scene, center=self.center, r1=NEAR_SHARE * greatest, r2=greatest)
         counts = {**zones.summary(), "triangles": self._manifest["triangles"], "rays": 0}
         kept: dict[str, Any] = {"morph": "cylinder", "boundary": "r2", "counts": counts, "is_whole": False}
@@ -264,7 +264,7 @@ class Bundle(InRegions):
             data = self._reader.read(name)
         except FileNotFoundError:
             raise _store.missing(place, name) from None
-        return _store.checked(place, name, data, self._listed[name])
+        return _store.verify(place, name, data, self._file_entries[name])
 
     def _decoded(self, name: str, decode: Callable[[bytes], Any]) -> Any:
         data = self.read(name)
@@ -325,5 +325,5 @@ def open(path: str | os.PathLike[str]) -> Bundle:  # noqa: A001
     """
     reader = _store.reader(path)
     manifest = _manifest.read(reader)
-    _store.check_presence(reader, _manifest.listed(manifest))
+    _store.check_presence(reader, _manifest.file_entries(manifest))
     return Bundle(reader, manifest)

@@ -37,7 +37,7 @@ class Portions:
     """Number of portions."""
 
     @classmethod
-    def of(cls, rings: Rings, *, scene: Scene) -> Portions:
+    def from_rings(cls, rings: Rings, *, scene: Scene) -> Portions:
         """Divide the near objects of rings into portions; `scene` holds the objects as they are sent.
 
         Faces without an object have no footprint, so they belong to the last portion.

@@ -13,7 +13,7 @@ from nearfar._reduce.walk.regions import Regions
 Point = tuple[float, float, float]
 Floats = NDArray[np.float64]
 
-MOST_CENTERS = 1000
+MAX_CENTERS = 1000
 """Greatest number of centres in a bundle; the manifest describes each centre's rings and tiles."""
 
 APART = 1e-3
@@ -54,7 +54,7 @@ def snap(center: ArrayLike, grid: SupportsFloat) -> Point:
     "Client locality" of CloVR (2024): clients near each other are served the same rings and maps.
     """
     x, y, z = check.vector("center", center)
-    spacing = check.within("grid", grid, 1e-3, 1e6)
+    spacing = check.in_range("grid", grid, 1e-3, 1e6)
     return spacing * round(x / spacing), y, spacing * round(z / spacing)
 
 
@@ -70,8 +70,8 @@ def centers_of(center: ArrayLike | Regions, grid: SupportsFloat | None) -> Float
         if values.ndim == 1
         else check.array("center", values, dtype=np.float64, finite=True)
     )
-    if not 1 <= len(points) <= MOST_CENTERS:
-        raise ValueError(f"center: expected 1 to {MOST_CENTERS} centres, got {len(points)}")
+    if not 1 <= len(points) <= MAX_CENTERS:
+        raise ValueError(f"center: expected 1 to {MAX_CENTERS} centres, got {len(points)}")
     if np.abs(points).max() > check.FARTHEST:
         raise ValueError(f"center: expected numbers up to {check.FARTHEST:g}, got {np.abs(points).max():g}")
     if grid is not None:

@@ -56,7 +56,7 @@ class SceneParts:
     portions: Portions | None = None
 
     @classmethod
-    def of(cls, scene: Scene, bundle: Bundle, camera: Camera | None, size: int) -> SceneParts:
+    def bake(cls, scene: Scene, bundle: Bundle, camera: Camera | None, size: int) -> SceneParts:
         """Bake the maps of a bundle's region anew; without a camera the views are six cube faces of `size`² pixels."""
         rings = assign(scene, center=bundle.center, radii=bundle.radii)
         if rings.rest <= rings.count:
@@ -80,19 +80,19 @@ class SceneParts:
 
     def _ring(self, number: int) -> ReducedScene:
         names = [name for ring in range(number + 1) for name in self.rings.objects(ring)]
-        return self._before(names, number, self.rings.radii[max(number, 1) - 1])
+        return self._whole_objects(names, number, self.rings.radii[max(number, 1) - 1])
 
     def _portion(self, number: int) -> ReducedScene:
         """Return all objects up to a portion; after the last portion also the map."""
         scene, rings = self.rings.scene, self.rings
         if self.portions is None:
-            self.portions = Portions.of(rings, scene=scene)
+            self.portions = Portions.from_rings(rings, scene=scene)
         there = np.flatnonzero(self.portions.portion <= min(number, self.portions.count))
         names = [scene.object_names[place] for place in there]
         ring = rings.count if number > self.portions.count else None
-        return self._before(names, ring, rings.radii[-1])
+        return self._whole_objects(names, ring, rings.radii[-1])
 
-    def _before(self, names: list[str], ring: int | None, radius: float) -> ReducedScene:
+    def _whole_objects(self, names: list[str], ring: int | None, radius: float) -> ReducedScene:
         """Return whole objects in front of a ring's map, or without a map."""
         zones = partition(
             self.rings.scene.subset(objects=names),
@@ -115,7 +115,7 @@ class Pictures:
     renders: int = 0
     _kept: OrderedDict[tuple[Shown | None, Eye], Picture] = field(default_factory=OrderedDict)
 
-    def shown(self, shown: Shown, eye: Eye) -> Picture:
+    def client_picture(self, shown: Shown, eye: Eye) -> Picture:
         """Return the picture of a client in a state."""
         return self._find(shown, eye)
 

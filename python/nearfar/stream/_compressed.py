@@ -5,7 +5,7 @@ from __future__ import annotations
 import zlib
 from collections.abc import Callable
 
-LEAST, MOST = 1 << 10, 1 << 26
+MIN, MAX = 1 << 10, 1 << 26
 """Sizes in bytes outside of which files are sent uncompressed."""
 WORTH = 0.95
 """Greatest ratio of compressed to original size for which the compressed copy is sent."""
@@ -18,9 +18,9 @@ _known: dict[str, int] = {}
 """Compressed sizes by file name; a name identifies the content."""
 
 
-def sent(name: str, size: int, read: Callable[[str], bytes]) -> int:
+def transfer_size(name: str, size: int, read: Callable[[str], bytes]) -> int:
     """Return the transfer size of a file in bytes."""
-    if name.endswith(COMPRESSED) or not LEAST <= size <= MOST:
+    if name.endswith(COMPRESSED) or not MIN <= size <= MAX:
         return size
     if name not in _known:
         _known[name] = _copy(read(name))
@@ -30,7 +30,7 @@ def sent(name: str, size: int, read: Callable[[str], bytes]) -> int:
 def sent_now(content: bytes) -> int:
     """Return the transfer size in bytes of a document whose name does not identify its content."""
     packed = _copy(content)
-    return packed if len(content) >= LEAST and packed < WORTH * len(content) else len(content)
+    return packed if len(content) >= MIN and packed < WORTH * len(content) else len(content)
 
 
 def _copy(content: bytes) -> int:

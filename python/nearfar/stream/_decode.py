@@ -40,13 +40,13 @@ class Layout:
     scale: RangeScale
 
     @classmethod
-    def of(cls, described: dict[str, Any]) -> Layout:
+    def parse(cls, described: dict[str, Any]) -> Layout:
         """Read the layout from a manifest; ValueError for impossible values."""
-        size = check.integer("face_size", described["face_size"], 1, codec.MOST_PIXELS)
+        size = check.integer("face_size", described["face_size"], 1, codec.MAX_PIXELS)
         tile = check.integer("tile", described["tile"], 1, size)
         if size % tile:
             raise ValueError(f"tile: expected a divisor of {size}, got {tile}")
-        across = check.integer("across", described["across"], 1, codec.MOST_PIXELS // tile)
+        across = check.integer("across", described["across"], 1, codec.MAX_PIXELS // tile)
         least, step = (check.positive(name, described["range"][name]) for name in ("least", "step"))
         if not math.isfinite(least * math.exp(min(codec.NOTHING * step, 700.0))) or codec.NOTHING * step > 700.0:
             raise ValueError(f"step: expected ranges that are finite, got {step:g}")
@@ -150,7 +150,7 @@ def assembled(name: str, parts: Sequence[str], read: Read, place: str, *, moves:
             raise FormatError(str(error).replace(str(paths[name]), place)) from None
 
 
-def joined(moving: Scene | None, rings: Sequence[tuple[str, Scene]]) -> Scene:
+def join_rings(moving: Scene | None, rings: Sequence[tuple[str, Scene]]) -> Scene:
     """Join dynamic objects and named rings into one scene; each ring becomes one object that is drawn whole."""
     if not rings:
         return Scene(empty_core((0.0, 0.0, 0.0)), Names(())) if moving is None else moving

@@ -18,7 +18,7 @@ from nearfar._scene.scene import Scene
 from nearfar.stream._assign import Rings
 from nearfar.stream._manifest import NEAR_SHARE
 
-MOST_HALVINGS = 32
+MAX_HALVINGS = 32
 """Halvings that reduce any texture to one texel."""
 
 SHARPEST = 60.0
@@ -42,7 +42,7 @@ class Detail:
     """Greatest horizontal distance between a user and a centre, metres."""
 
     @classmethod
-    def of(cls, scene: Scene, lod: Lod | None, pixels_per_degree: float | None, reach: float) -> Detail:
+    def from_options(cls, scene: Scene, lod: Lod | None, pixels_per_degree: float | None, reach: float) -> Detail:
         """Check the rule for levels; ValueError if one is given and the scene has no levels."""
         if lod is None:
             return cls(scene, None, pixels_per_degree, reach)
@@ -51,7 +51,7 @@ class Detail:
             raise ValueError("lod: expected a scene whose objects have levels, got one without; see Scene.with_levels")
         return cls(scene, rule_of(lod, leveled), pixels_per_degree, reach)
 
-    def shown(self, rings: Rings) -> Rings:
+    def select_levels(self, rings: Rings) -> Rings:
         """Return the rings with each static object at the level for the nearest user position within `reach`.
 
         Selectors see all objects straight ahead, where they look largest through a lens and to the eye.
@@ -81,14 +81,14 @@ class Detail:
                 np.minimum(texels, _core.texels_per_radian(scene._core, distances, report=report), out=texels)
         with np.errstate(divide="ignore"):
             times = np.floor(np.log2(texels / math.degrees(self.pixels_per_degree)))
-        return np.clip(times, 0, MOST_HALVINGS).astype(np.uint32)
+        return np.clip(times, 0, MAX_HALVINGS).astype(np.uint32)
 
     def _views(self, divided: Sequence[Rings]) -> Iterator[tuple[Scene, NDArray[np.float64]]]:
         """Yield scenes with the least distances of their objects; one scene if no region shows other levels."""
         if self.rule is None:
             yield self.scene, np.min([least_distances(rings, self.reach) for rings in divided], axis=0)
         else:
-            yield from ((self.shown(rings).scene, least_distances(rings, self.reach)) for rings in divided)
+            yield from ((self.select_levels(rings).scene, least_distances(rings, self.reach)) for rings in divided)
 
     def _camera(self) -> Camera:
         """Return the client's view straight ahead."""

@@ -18,7 +18,7 @@ from nearfar._scene.texture_file import encode_texture
 from nearfar.stream import _map_files as codec
 from nearfar.stream._map_files import RangeScale
 from nearfar.stream._maps import TILE, RingMaps
-from nearfar.stream._store import FOLDER, described, named
+from nearfar.stream._store import FOLDER, content_name, file_entry
 
 ACROSS = 16
 """Tiles in a row of an image of changed tiles."""
@@ -26,7 +26,7 @@ ACROSS = 16
 BETTER = 2
 """Quality of changes minus that of map 0: unchanged texels keep errors beside objects that left the map."""
 
-LEAST_SHARED = 4096
+MIN_SHARED_BYTES = 4096
 """Bytes from which a mesh with several placements gets its own file even if one group has it: regions share it."""
 
 Textures = list[tuple[str, bytes]]
@@ -41,19 +41,19 @@ class Files:
 
     def add(self, data: bytes, kind: str) -> str:
         """Add a file and return its name."""
-        name = named(data, kind)
+        name = content_name(data, kind)
         self.content[name] = data
         return name
 
-    def listed(self) -> dict[str, Any]:
+    def file_entries(self) -> dict[str, Any]:
         """Return size and hash of each file by name, sorted by name."""
-        return {name: described(self.content[name]) for name in sorted(self.content)}
+        return {name: file_entry(self.content[name]) for name in sorted(self.content)}
 
 
 def scale_of(maps: RingMaps, error: float) -> RangeScale:
     """Return the scale of codes for all ranges of all maps."""
     ranges: list[Any] = [maps.first.range, *(change["range"] for change in maps.changes if "range" in change)]
-    return RangeScale.of(np.concatenate([np.ravel(values) for values in ranges]), error)
+    return RangeScale.fit(np.concatenate([np.ravel(values) for values in ranges]), error)
 
 
 def encode_maps(maps: RingMaps, files: Files, *, quality: int | None, scale: RangeScale) -> Iterator[dict[str, Any]]:
@@ -141,7 +141,7 @@ class TextureFiles:
             texels, is_cut_out = self._texels[number], number in self._cut_out
             shown = _core.halved_texture(texels, times=times, cutout=is_cut_out) if times else texels
             data = encode_texture(shown, self._quality)
-            self._known[number, times] = named(data, "webp"), data
+            self._known[number, times] = content_name(data, "webp"), data
         return self._known[number, times]
 
 
@@ -177,7 +177,7 @@ class Geometry:
         self._uris: list[str | None] = []
         for data, of_groups, _ in self._export.shared():
             users = sum(group <= groups.count for group in of_groups)
-            is_file = users > 1 or (users == 1 and len(data) >= LEAST_SHARED)
+            is_file = users > 1 or (users == 1 and len(data) >= MIN_SHARED_BYTES)
             self._uris.append(_beside(files.add(data, "bin")) if is_file else None)
 
     def groups(self, kind: str) -> Iterator[dict[str, Any]]:

@@ -21,7 +21,7 @@ from nearfar.stream._detail import Detail
 from nearfar.stream._encode import TextureFiles
 from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import NAME
-from nearfar.stream._radii import chosen
+from nearfar.stream._radii import choose_radii
 from nearfar.stream._region import Writer, manifest_of
 from nearfar.stream._settings import Settings
 from nearfar.stream._split import Splitting
@@ -131,17 +131,17 @@ def export(
     from nearfar.stream import _tileset
 
     core_of(scene)
-    settings = Settings.checked(
+    settings = Settings.validate(
         face_size, samples, quality, range_error, step, compression, pixels_per_degree, by_footprint, split_px
     )
     centers, given = centers_of(center, grid), None if radii is None else ascending("radii", radii)
     near = neighbours(centers)
     moved = 0.0 if grid is None else math.sqrt(0.5) * float(grid)
     reach = max(Growth.reach, halfway(centers, near)) + moved
-    detail = Detail.of(scene, lod, settings.pixels_per_degree, reach)
+    detail = Detail.from_options(scene, lod, settings.pixels_per_degree, reach)
     _store.check_target(path, f"nearfar.{NAME}")
-    bounds = chosen(scene, centers) if given is None else [given] * len(centers)
-    splitting = Splitting.of(settings.split_px, detail)
+    bounds = choose_radii(scene, centers) if given is None else [given] * len(centers)
+    splitting = Splitting.from_pixels(settings.split_px, detail)
     if splitting is not None:
         for place, own in zip(centers, bounds, strict=True):
             splitting.check(tuple(place.tolist()), own)
@@ -150,13 +150,13 @@ def export(
     writer = Writer(settings, TextureFiles(scene, settings.quality).halved(detail.halvings(divided)))
     files, regions, dynamic = writer.files, list[dict[str, Any]](), None
     for rings, beside in zip(divided, near, strict=True):
-        shown = detail.shown(rings)
+        shown = detail.select_levels(rings)
         geometry = writer.geometry(shown if splitting is None else splitting.split(shown))
         if not regions:
             dynamic = geometry.moving()
         regions.append({**writer.region(rings, shown, geometry), "neighbours": beside})
     tileset = _tileset.encode(regions[0]["center"], regions[0]["rings"], dynamic, files.content)
-    described = _store.described(tileset)
+    described = _store.file_entry(tileset)
     manifest = manifest_of(
         scene, settings, growth=growth, regions=regions, dynamic=dynamic, tileset=described, files=files
     )

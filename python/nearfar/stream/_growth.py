@@ -74,7 +74,7 @@ class Growth:
         """Return the speed in pixels per second in the middle of a picture with a focal length in pixels."""
         return math.radians(self.speed) * check.positive("focal", focal)
 
-    def described(self) -> dict[str, Any]:
+    def to_manifest(self) -> dict[str, Any]:
         """Return the manifest entry."""
         return {"first": "strength", "speed": self.speed, "reach": self.reach, "fade": self.fade}
 

@@ -23,7 +23,7 @@ class HeadPath:
     """The centre O."""
 
     @classmethod
-    def of(cls, given: ArrayLike | None, center: tuple[float, float, float]) -> HeadPath:
+    def parse(cls, given: ArrayLike | None, center: tuple[float, float, float]) -> HeadPath:
         """Check the caller's positions; None stands for the centre."""
         values = np.array(center) if given is None else check.plain("head_path", given)
         if values.ndim == 1:
@@ -41,14 +41,14 @@ class HeadPath:
             )
         return cls(times, rows[:, 1:], center)
 
-    def at(self, time: float) -> tuple[float, float, float]:
+    def position(self, time: float) -> tuple[float, float, float]:
         """Return the position of the eye at a time."""
         x, y, z = (float(np.interp(time, self.times, column)) for column in self.places.T)
         return x, y, z
 
     def away(self, time: float) -> float:
         """Return the distance in metres from the vertical axis through the centre at a time."""
-        x, _, z = self.at(time)
+        x, _, z = self.position(time)
         return math.hypot(x - self.center[0], z - self.center[2])
 
     def moves_after(self, time: float) -> bool:

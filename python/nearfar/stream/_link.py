@@ -14,11 +14,11 @@ from nearfar._base import check, formats
 
 SEGMENT = 1460
 """Payload bytes of a TCP segment on Ethernet."""
-MOST_MBPS = 1e6
+MAX_MBPS = 1e6
 """Greatest rate, megabits per second."""
-MOST_RTT = 60_000.0
+MAX_RTT = 60_000.0
 """Greatest round-trip time, milliseconds."""
-MOST_POINTS = 10_000_000
+MAX_POINTS = 10_000_000
 """Greatest number of points of a trace."""
 
 Trace = tuple[ArrayLike, ArrayLike] | str | os.PathLike[str]
@@ -58,11 +58,11 @@ class Link:
         if self.mbps is not None:
             object.__setattr__(self, "mbps", _rate(self.mbps))
         else:
-            object.__setattr__(self, "trace", _checked(self.trace))
-        object.__setattr__(self, "rtt_ms", check.within("rtt_ms", self.rtt_ms, 0.0, MOST_RTT))
-        object.__setattr__(self, "loss", check.within("loss", self.loss, 0.0, 0.5))
+            object.__setattr__(self, "trace", _parse_trace(self.trace))
+        object.__setattr__(self, "rtt_ms", check.in_range("rtt_ms", self.rtt_ms, 0.0, MAX_RTT))
+        object.__setattr__(self, "loss", check.in_range("loss", self.loss, 0.0, 0.5))
         object.__setattr__(self, "http", check.integer("http", self.http, 1, 2))
-        object.__setattr__(self, "handshake", check.within("handshake", self.handshake, 0.0, 10.0))
+        object.__setattr__(self, "handshake", check.in_range("handshake", self.handshake, 0.0, 10.0))
 
     @property
     def rtt(self) -> float:
@@ -84,7 +84,7 @@ class Clock:
         self._counts = np.concatenate([[0.0], np.cumsum(np.diff(times) * rates[:-1])])
         """Bytes that can have been transferred up to each time."""
 
-    def after(self, time: float, count: int) -> float:
+    def end_of_transfer(self, time: float, count: int) -> float:
         """Return the end of a transfer of `count` bytes that starts at `time`."""
         if len(self._times) == 1:
             return time + count / float(self._rates[0])
@@ -99,29 +99,29 @@ def _rate(value: Any) -> float:
     rate = check.number("mbps", value)
     if rate == 0.0:
         raise ValueError("mbps: expected a positive number, got 0: nothing would ever arrive")
-    if not 0.0 < rate <= MOST_MBPS:
-        raise ValueError(f"mbps: expected a positive number up to {MOST_MBPS:g}, got {rate:g}")
+    if not 0.0 < rate <= MAX_MBPS:
+        raise ValueError(f"mbps: expected a positive number up to {MAX_MBPS:g}, got {rate:g}")
     return rate
 
 
-def _checked(trace: Any) -> tuple[tuple[float, ...], tuple[float, ...]]:
+def _parse_trace(trace: Any) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Check the times and rates of a trace, whose first time must be 0."""
     if isinstance(trace, str | os.PathLike):
         trace = _from_csv(trace)
     if not isinstance(trace, tuple | list) or len(trace) != 2:
-        raise TypeError(f"trace: expected times and rates, or a CSV file, got {check.described(trace)}")
+        raise TypeError(f"trace: expected times and rates, or a CSV file, got {check.type_and_value(trace)}")
     times = check.array("trace", trace[0], columns=None, dtype=np.float64, finite=True)
     rates = check.array("trace", trace[1], columns=None, dtype=np.float64, finite=True)
-    if times.ndim != 1 or times.shape != rates.shape or not 1 <= len(times) <= MOST_POINTS:
+    if times.ndim != 1 or times.shape != rates.shape or not 1 <= len(times) <= MAX_POINTS:
         raise ValueError(f"trace: expected as many times as rates, got shapes {times.shape} and {rates.shape}")
     if times[0] != 0.0:
         raise ValueError(f"trace: expected times from 0 on, got {times[0]:g} first")
     falls = np.flatnonzero(np.diff(times) <= 0.0)
     if len(falls):
         raise ValueError(f"trace: expected ascending times, got {times[falls[0] + 1]:g} after {times[falls[0]]:g}")
-    wrong = np.flatnonzero((rates < 0.0) | (rates > MOST_MBPS))
+    wrong = np.flatnonzero((rates < 0.0) | (rates > MAX_MBPS))
     if len(wrong):
-        raise ValueError(f"trace: expected rates from 0 to {MOST_MBPS:g}, got {rates[wrong[0]]:g}")
+        raise ValueError(f"trace: expected rates from 0 to {MAX_MBPS:g}, got {rates[wrong[0]]:g}")
     if rates[-1] == 0.0:
         raise ValueError("trace: expected a last rate above 0, got 0: what is left then would never arrive")
     return tuple(times.tolist()), tuple(rates.tolist())

@@ -10,7 +10,7 @@ from nearfar.stream._stage import BLANK, Rates, Shown, Stage
 from nearfar.stream._strategies import Plan, Step
 from nearfar.stream._transport import Transport
 
-MOST_AHEAD = 16 * 2**20
+MAX_PREFETCH_BYTES = 16 * 2**20
 """Greatest number of bytes that the page requests ahead."""
 MANIFEST = "manifest.json"
 
@@ -90,7 +90,7 @@ class Loader:
         step = steps[self.place]
         self._map = None if step.map is None else _Work(step.map)
         self._geometry = _Work(step.geometry) if step.geometry else None
-        for name in step.asked:
+        for name in step.requests:
             self._ahead.discard(name)
             self.transport.ask(name, self.sizes[name][0])
         if self.place + 1 < len(steps) and steps[self.place + 1].is_ahead:
@@ -99,7 +99,7 @@ class Loader:
     def _ask_ahead(self, step: Step) -> None:
         for name in step.files:
             held = sum(self.sizes[other][1] for other in self._ahead)
-            if name in self.transport.arrived or name in self._ahead or held + self.sizes[name][1] > MOST_AHEAD:
+            if name in self.transport.arrived or name in self._ahead or held + self.sizes[name][1] > MAX_PREFETCH_BYTES:
                 continue
             self._ahead.add(name)
             self.transport.ask(name, self.sizes[name][0])
@@ -176,9 +176,9 @@ def _triangles_by_ring(plan: Plan) -> Callable[[Shown], int]:
     moving = own.pop(None, 0)
     totals = [moving + sum(own.get(ring, 0) for ring in range(last + 1)) for last in range(len(plan.radii) + 1)]
 
-    def drawn(shown: Shown) -> int:
+    def triangle_count(shown: Shown) -> int:
         if shown.ring < 0:
             return 0
         return totals[shown.ring] + (totals[shown.ring + 1] if shown.share > 0.0 else 0)
 
-    return drawn
+    return triangle_count

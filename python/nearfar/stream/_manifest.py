@@ -23,7 +23,7 @@ _HASH = re.compile("[0-9a-f]{64}")
 ORIENTATION = "Vulkan/WebGPU cube faces"
 """Order and directions of the maps' faces."""
 
-MOST = 2**62
+MAX = 2**62
 """Greatest number of triangles and objects."""
 
 NEAR_SHARE = 0.7
@@ -42,7 +42,7 @@ def read(reader: _store.Reader) -> dict[str, Any]:
     return manifest
 
 
-def listed(manifest: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
+def file_entries(manifest: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
     """Return size and hash of every file of a bundle except the manifest, by name."""
     return {**manifest["files"], _store.TILESET: manifest["tileset"]}
 
@@ -56,12 +56,12 @@ def names_of(value: Any) -> list[str]:
 
 def layout_of(manifest: Mapping[str, Any], region: Mapping[str, Any]) -> Layout:
     """Return the division of a region's maps into files; ValueError for impossible values."""
-    return Layout.of({**manifest["map"], "range": region["range"]})
+    return Layout.parse({**manifest["map"], "range": region["range"]})
 
 
 def _check(manifest: dict[str, Any]) -> None:
     """Raise an error for a manifest that cannot be used; the caller converts it to FormatError."""
-    check.integer("triangles", manifest["triangles"], 0, MOST)
+    check.integer("triangles", manifest["triangles"], 0, MAX)
     check.texts("notes", manifest["notes"])
     low, high = manifest["bounds"]
     check.vector("bounds", low), check.vector("bounds", high)
@@ -139,13 +139,13 @@ def _check_by_footprint(entry: dict[str, Any], layout: Layout, files: dict[str, 
 
 def _check_counts(entry: dict[str, Any]) -> None:
     for name in ("objects", "triangles", "stored"):
-        check.integer(name, entry[name], 0, MOST)
+        check.integer(name, entry[name], 0, MAX)
 
 
 def _check_dynamic(dynamic: dict[str, Any] | None, files: dict[str, Any]) -> None:
     if dynamic is None:
         return
-    check.integer("triangles", dynamic["triangles"], 0, MOST)
+    check.integer("triangles", dynamic["triangles"], 0, MAX)
     check.items("instances", dynamic["instances"], dict, "descriptions of instances")
     check.text("geometry", dynamic["geometry"])
     _check_geometry(dynamic, files)
@@ -168,7 +168,7 @@ def _check_geometry(described: dict[str, Any], files: dict[str, Any]) -> None:
     """Check the file names of a GLB: the GLB, its buffers and its images."""
     name = described["geometry"]
     if not (name is None or isinstance(name, str)):
-        raise TypeError(f"geometry: expected the name of a file, got {check.described(name)}")
+        raise TypeError(f"geometry: expected the name of a file, got {check.type_and_value(name)}")
     _check_listed(name, files, "geometry")
     _check_listed(check.texts("parts", described["parts"]), files, "parts")
     if "error" in described:

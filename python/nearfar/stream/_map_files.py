@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._scene.srgb import to_linear
 
-MOST_PIXELS = 16383
+MAX_PIXELS = 16383
 """Greatest width and height of a WebP image."""
 
 NOTHING = 65535
@@ -30,7 +30,7 @@ _LINEAR = to_linear(np.arange(256) / 255.0).astype(np.float32)
 PLANES = 9
 """Number of byte planes that ranges are divided into."""
 
-MOST_BYTES = 4
+MAX_BYTES = 4
 """Greatest number of bytes per texel in all planes: two flags, a pair of bits, a byte and a word."""
 
 Codes = NDArray[np.uint16]
@@ -80,7 +80,7 @@ class RangeScale:
     """Natural logarithm of the ratio of two consecutive codes' ranges."""
 
     @classmethod
-    def of(cls, ranges: NDArray[np.float32], error: float) -> RangeScale:
+    def fit(cls, ranges: NDArray[np.float32], error: float) -> RangeScale:
         """Make the scale whose relative error is at most `error`, or the finest scale of 16 bits."""
         finite = ranges[np.isfinite(ranges)]
         if not len(finite):
@@ -135,7 +135,7 @@ def decode_ranges(
     texels = count * size * size if before is None else len(tiles) * tile * tile
     head = 4 * PLANES
     # Each plane may end with a partly filled byte.
-    raw = _decompressed(data, head + PLANES + MOST_BYTES * texels)
+    raw = _decompressed(data, head + PLANES + MAX_BYTES * texels)
     ends = head + np.cumsum(np.frombuffer(raw[: len(raw) // 4 * 4][:head], "<u4"), dtype=np.int64)
     if len(ends) != PLANES or ends[-1] != len(raw):
         raise ValueError("expected ranges of planes whose lengths are listed, got others")

@@ -16,7 +16,7 @@ from nearfar.stream._assign import Rings
 TILE = 64
 """Side of the tiles in which changes are sent, texels."""
 
-MOST_SAMPLES = 1024
+MAX_SAMPLES = 1024
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -130,7 +130,7 @@ def bake_maps(rings: Rings, *, face_size: int = 1024, samples: int = 1, object_i
     """
     check.instance("rings", rings, Rings)
     size = check.integer("face_size", face_size, 1, check.MAX_SIZE)
-    count = check.integer("samples", samples, 1, MOST_SAMPLES)
+    count = check.integer("samples", samples, 1, MAX_SAMPLES)
     check.flag("object_id", object_id)
     settings: dict[str, Any] = {"center": rings.center, "size": size, "samples": count, "rings": rings.codes()}
     settings |= {"range": True, "object_id": object_id}

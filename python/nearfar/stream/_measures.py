@@ -27,10 +27,10 @@ def measured(
     rows = []
     with progress.bar("client pictures") as report:
         for number, time in enumerate(moments, 1):
-            eye, shown = path.at(time), _shown_at(line, time)
-            now = pictures.shown(shown, eye)
+            eye, shown = path.position(time), _shown_at(line, time)
+            now = pictures.client_picture(shown, eye)
             ovc, ofc = object_completion(pictures.truth(eye).objects, now.objects)
-            before = pictures.shown(_shown_at(line, time - 1.0 / rate), path.at(time - 1.0 / rate))
+            before = pictures.client_picture(_shown_at(line, time - 1.0 / rate), path.position(time - 1.0 / rate))
             rows.append((time, ovc, ofc, next(visual_continuity([before.luma, now.luma], data_range=1.0))))
             report(number, len(moments))
     columns = np.array(rows, np.float64).reshape(-1, 4).T

@@ -21,14 +21,14 @@ RAYS = 256
 SEEN = 0.25
 """Share of the rays that must hit back faces for the centre to count as inside a solid."""
 
-MOST_NAMED = 3
+MAX_NAMED = 3
 """Greatest number of objects or rings that a sentence names."""
 
 
 def findings_of(rings: Rings) -> list[str]:
     """Describe why the bundle of a scene's rings may show little: units, centre, empty rings, endless objects."""
     note = extent_note(rings.scene.bounds)
-    found = [_outside(rings), _inside(rings), _empty(rings), _endless(rings)]
+    found = [_outside(rings), _note_enclosed_center(rings), _empty(rings), _endless(rings)]
     return [note] * bool(note) + [sentence for sentence in found if sentence]
 
 
@@ -50,7 +50,7 @@ def _outside(rings: Rings) -> str:
     return f"the centre lies {shown} m {where}"
 
 
-def _inside(rings: Rings) -> str:
+def _note_enclosed_center(rings: Rings) -> str:
     """Report a centre within a solid, such as a wall, or under the ground, where rays hit back faces."""
     reach, directions = rings.radii[-1], _sphere(RAYS)
     hits = cast_rays(rings.scene, rings.center, directions, t_max=reach)
@@ -81,7 +81,7 @@ def _empty(rings: Rings) -> str:
         return ""
     named = [f"ring {number} ({bounds[number - 1][0]:g} to {bounds[number - 1][1]:g} m)" for number in empty]
     verb = "is" if len(named) == 1 else "are"
-    return f"{_listed(named)} {verb} empty: no object begins there, so that the map before stays"
+    return f"{_enumerate_names(named)} {verb} empty: no object begins there, so that the map before stays"
 
 
 def _endless(rings: Rings) -> str:
@@ -91,14 +91,13 @@ def _endless(rings: Rings) -> str:
         return ""
     total = sum(found.values())
     named = [
-        f"{_named(rings, number)} ({count(size, 'triangle')})"
+        f"{_object_label(rings, number)} ({count(size, 'triangle')})"
         for number, size in sorted(found.items(), key=lambda item: (-item[1], item[0]))
     ]
     verb, them, noun = ("is", "it", "reaches") if len(named) == 1 else ("are", "they", "reach")
     whole = "" if len(named) == 1 else f", {count(total, 'triangle')} together"
-    return (
-        f"{_listed(named)} {noun} from within ring 1 beyond the last ring{whole}: {them} {verb} sent whole with ring 1"
-    )
+    names = _enumerate_names(named)
+    return f"{names} {noun} from within ring 1 beyond the last ring{whole}: {them} {verb} sent whole with ring 1"
 
 
 def _endless_objects(rings: Rings) -> dict[int, int]:
@@ -144,12 +143,12 @@ def _sphere(number: int) -> NDArray[np.float64]:
     return np.column_stack([flat * np.cos(turn), height, flat * np.sin(turn)])
 
 
-def _named(rings: Rings, number: int) -> str:
+def _object_label(rings: Rings, number: int) -> str:
     return "faces without an object" if number < 0 else f"'{rings.scene.object_names[number]}'"
 
 
-def _listed(names: list[str]) -> str:
+def _enumerate_names(names: list[str]) -> str:
     """Join names to a phrase; only the first few are listed."""
-    more = len(names) - MOST_NAMED
-    shown = names if more <= 0 else [*names[:MOST_NAMED], f"{more} more"]
+    more = len(names) - MAX_NAMED
+    shown = names if more <= 0 else [*names[:MAX_NAMED], f"{more} more"]
     return shown[0] if len(shown) == 1 else f"{', '.join(shown[:-1])} and {shown[-1]}"

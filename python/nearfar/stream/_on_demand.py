@@ -20,7 +20,7 @@ from nearfar.stream._detail import Detail
 from nearfar.stream._encode import Files, Geometry, TextureFiles
 from nearfar.stream._growth import Growth
 from nearfar.stream._notes import findings_of
-from nearfar.stream._radii import REACH, chosen
+from nearfar.stream._radii import REACH, choose_radii
 from nearfar.stream._region import NOTHING, Writer, manifest_of
 from nearfar.stream._settings import Settings
 from nearfar.stream._tiles import Tiles
@@ -91,16 +91,16 @@ class OnDemand:
         speed: SupportsFloat = 0.7,
     ) -> None:
         core_of(scene)
-        self.grid = check.within("grid", grid, 1e-3, 1e6)
+        self.grid = check.in_range("grid", grid, 1e-3, 1e6)
         self._radii = None if radii is None else ascending("radii", radii)
-        fine = Settings.checked(face_size, samples, quality, range_error, step, compression, pixels_per_degree, False)
+        fine = Settings.validate(face_size, samples, quality, range_error, step, compression, pixels_per_degree, False)
         coarse = replace(fine, face_size=min(COARSE, fine.face_size), samples=1)
         self._stages = (coarse, fine)
         # Built after the settings are checked, because it takes seconds.
-        self._tiles = Tiles.of(scene)
+        self._tiles = Tiles.divide(scene)
         self.scene = scene = self._tiles.scene
         reach = Growth.reach + math.sqrt(0.5) * self.grid
-        self._detail = Detail.of(scene, lod, fine.pixels_per_degree, reach)
+        self._detail = Detail.from_options(scene, lod, fine.pixels_per_degree, reach)
         self._speed = check.positive("speed", speed)
         self._textures = TextureFiles(scene, fine.quality)
         self._moving = Files()
@@ -131,7 +131,7 @@ class OnDemand:
         """
         place = self.snapped(center)
         scene = self._tiles.about(place, REACH if self._radii is None else self._radii[-1])
-        radii = chosen(scene, np.array([place]))[0] if self._radii is None else self._radii
+        radii = choose_radii(scene, np.array([place]))[0] if self._radii is None else self._radii
         rings = assign(scene, center=place, radii=radii)
         geometry, sent = Files(dict(self._moving.content)), set[str]()
         near: Iterable[dict[str, Any]] = self._near(rings, geometry)
@@ -162,7 +162,9 @@ class OnDemand:
         """Encode the geometry of the rings in order."""
         textures = self._textures.halved(self._detail.halvings([rings]))
         step, compressed = self._stages[0].step, self._stages[0].compressed
-        yield from Geometry(self._detail.shown(rings), files, textures, step=step, compressed=compressed).groups("ring")
+        yield from Geometry(
+            self._detail.select_levels(rings), files, textures, step=step, compressed=compressed
+        ).groups("ring")
 
     def _manifest(
         self, settings: Settings, radii: tuple[float, ...], region: dict[str, Any], files: Files, tileset: bytes
@@ -173,7 +175,7 @@ class OnDemand:
             growth=Growth(radii, speed=self._speed),
             regions=[region],
             dynamic=self._dynamic,
-            tileset=_store.described(tileset),
+            tileset=_store.file_entry(tileset),
             files=files,
         )
 
@@ -211,7 +213,7 @@ def _part(stage: int, then: int, told: dict[str, Any], *files: Files, sent: set[
     """Make a part with the files that were not sent yet, and a line that describes them."""
     new = {name: data for each in files for name, data in each.content.items() if name not in sent}
     sent.update(new)
-    described = {name: _store.described(data) for name, data in new.items()}
+    described = {name: _store.file_entry(data) for name, data in new.items()}
     return Part(stage, _line({**told, "stage": stage, "files": described}), new, then)
 
 

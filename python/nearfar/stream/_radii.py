@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check
 from nearfar._scene.scene import Scene, core_of
-from nearfar.stream._assign import MOST_RINGS, object_radii
+from nearfar.stream._assign import MAX_RINGS, object_radii
 from nearfar.stream._centers import Floats
 from nearfar.stream._footprints import footprints
 
@@ -90,8 +90,11 @@ def rings(
     middle = check.vector("center", center)
     reach = check.positive("r_max", r_max)
     base = min(PUBLISHED[0], reach) if base_radius is None else check.positive("base_radius", base_radius)
-    rate, wait = check.within("bandwidth", bandwidth, 1e-6, 1e9) * 1e6 / 8.0, check.within("latency", latency, 0.0, 1e6)
-    size = check.within("map_bytes", map_bytes, 0.0, 1e15)
+    rate, wait = (
+        check.in_range("bandwidth", bandwidth, 1e-6, 1e9) * 1e6 / 8.0,
+        check.in_range("latency", latency, 0.0, 1e6),
+    )
+    size = check.in_range("map_bytes", map_bytes, 0.0, 1e15)
     check.choice("policy", policy, POLICIES)
     if base > reach:
         raise ValueError(f"base_radius: expected at most r_max = {reach:g} m, got {base:g}")
@@ -105,11 +108,9 @@ def rings(
 
 def equal_areas(base: float, reach: float) -> tuple[float, ...]:
     """Return the radii base √i below the reach, and the reach; ValueError for too many."""
-    count = math.ceil((reach / base) ** 2 * (1.0 - 1e-12)) if reach / base < MOST_RINGS else MOST_RINGS + 1
-    if count > MOST_RINGS:
-        raise ValueError(
-            f"base_radius: expected at most {MOST_RINGS} rings of equal area, got {base:g} for {reach:g} m"
-        )
+    count = math.ceil((reach / base) ** 2 * (1.0 - 1e-12)) if reach / base < MAX_RINGS else MAX_RINGS + 1
+    if count > MAX_RINGS:
+        raise ValueError(f"base_radius: expected at most {MAX_RINGS} rings of equal area, got {base:g} for {reach:g} m")
     return (*(base * math.sqrt(n) for n in range(1, count)), reach)
 
 
@@ -173,7 +174,7 @@ def merged(
     return ends[::-1]
 
 
-def chosen(scene: Scene, centers: Floats) -> list[tuple[float, ...]]:
+def choose_radii(scene: Scene, centers: Floats) -> list[tuple[float, ...]]:
     """Choose radii about each centre, before baking; ValueError that names a centre without objects around it."""
     found = []
     for place in centers:

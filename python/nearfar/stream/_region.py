@@ -74,7 +74,7 @@ class Writer:
         listed = list(self.rings(baked, geometry.groups("ring")))
         by_footprint = None
         if self.settings.by_footprint:
-            portions = list(self.geometry(Portions.of(rings, scene=shown.scene)).groups("portion"))
+            portions = list(self.geometry(Portions.from_rings(rings, scene=shown.scene)).groups("portion"))
             last = encode_whole(baked.maps.map(rings.count), self.files, self.settings.quality, baked.scale)
             by_footprint = {"portions": portions, "map": last}
         return {**baked.head(findings_of(rings)), "rings": listed, "by_footprint": by_footprint}
@@ -87,12 +87,12 @@ def manifest_of(scene: Scene, settings: Settings, *, growth: Growth, files: File
         VERSION,
         color_space="sRGB",
         morph={"kind": "cylinder", "near_share": NEAR_SHARE},
-        growth=growth.described(),
+        growth=growth.to_manifest(),
         triangles=scene.triangle_count,
         bounds=scene.bounds.tolist(),
         display={"pixels_per_degree": settings.pixels_per_degree, "split_px": settings.split_px},
         map={"face_size": settings.face_size, "orientation": ORIENTATION, "tile": TILE, "across": ACROSS},
         **parts,
         notes=list(scene._notes),
-        files=files.listed(),
+        files=files.file_entries(),
     )

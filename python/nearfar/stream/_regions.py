@@ -63,7 +63,7 @@ class InRegions:
         ----------
         Gabriel, Sokal (1969): A new statistical approach to geographic variation analysis.
         """
-        return tuple(self._regions[self._checked(region)]["neighbours"])
+        return tuple(self._regions[self._check_index(region)]["neighbours"])
 
     def nearest(self, point: ArrayLike) -> int:
         """Return the region with the nearest centre; the first of equally near ones.
@@ -95,7 +95,7 @@ class InRegions:
         ValueError, TypeError
             For invalid region numbers.
         """
-        return replace(self, number=self._checked(region))  # type: ignore[type-var]
+        return replace(self, number=self._check_index(region))  # type: ignore[type-var]
 
     @property
     def _regions(self) -> list[dict[str, Any]]:
@@ -106,7 +106,7 @@ class InRegions:
     def _region(self) -> dict[str, Any]:
         return self._regions[self.number]
 
-    def _checked(self, region: SupportsIndex) -> int:
+    def _check_index(self, region: SupportsIndex) -> int:
         return check.integer("region", region, 0, len(self._regions) - 1)
 
 

@@ -67,7 +67,7 @@ class Room:
         certificate: str | os.PathLike[str] | None = None,
     ) -> None:
         require()
-        self._address = Address.of(url, room, token, certificate)
+        self._address = Address.build(url, room, token, certificate)
         self._name, self._group = _room_names.user("name", name), check.integer("group", group, 0, 2**16 - 1)
         self._reconnects = check.flag("reconnect", reconnect)
         self._users: dict[int, User] = {}
@@ -148,7 +148,7 @@ class Room:
         int
             Sequence number of the pose, which `Settled` reports.
         """
-        head = poses.placed(("position", "rotation"), position, rotation)
+        head = poses.parse_pose(("position", "rotation"), position, rotation)
         hands = poses.hand("left", left), poses.hand("right", right)
         ray = poses.pointer(pointer, *hands)
         flags = check.flag("acknowledged", acknowledged), check.flag("stops", stops)
@@ -172,12 +172,12 @@ class Room:
             If the connection breaks, so that the message may be lost, or has ended.
         """
         check.choice("to", to, ("group", "room"))
-        await self._send_inside(frames.say(to, _payload(data, frames.MOST_SAID)))
+        await self._send_inside(frames.say(to, _payload(data, frames.MAX_SAY_BYTES)))
 
     async def signal(self, user: int, data: Payload) -> None:
         """Send at most 16,384 bytes to one user; the server ignores unknown users. Otherwise like `say`."""
         number = check.integer("user", user, 0, 2**16 - 1)
-        await self._send_inside(frames.signal(number, _payload(data, frames.MOST_SIGNALLED)))
+        await self._send_inside(frames.signal(number, _payload(data, frames.MAX_SIGNAL_BYTES)))
 
     async def __aenter__(self) -> Self:
         if self._was_entered:
@@ -373,7 +373,7 @@ def _outside() -> RoomError:
 
 def _payload(data: Payload, most: int) -> bytes:
     if not isinstance(data, bytes | bytearray | memoryview):
-        raise TypeError(f"data: expected bytes, such as text.encode() makes, got {check.described(data)}")
+        raise TypeError(f"data: expected bytes, such as text.encode() makes, got {check.type_and_value(data)}")
     payload = bytes(data)
     if len(payload) > most:
         raise ValueError(f"data: expected at most {most:,} bytes, got {len(payload):,}")

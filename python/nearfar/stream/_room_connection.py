@@ -24,7 +24,7 @@ HEARTBEAT = 15.0
 CLOSING = 5.0
 """Timeout for the server to close after bye, seconds. When it closes, the user's seat is free."""
 
-MOST_MESSAGE = 1 << 23
+MAX_MESSAGE = 1 << 23
 """Greatest size of a message in bytes: a user's full queue and one pose of each other user."""
 
 _AGAIN = range(500, 600)
@@ -39,7 +39,7 @@ class Address:
     certificates: ssl.SSLContext | None
 
     @classmethod
-    def of(cls, url: str, room: str, token: str | None, certificate: str | os.PathLike[str] | None) -> Address:
+    def build(cls, url: str, room: str, token: str | None, certificate: str | os.PathLike[str] | None) -> Address:
         """Build the address of a server's room; errors name the argument."""
         base = _server(url)
         query = "" if token is None else f"?token={quote(check.text('token', token), safe='.')}"
@@ -65,7 +65,7 @@ class Connection:
         trusted: ssl.SSLContext | bool = self._address.certificates or True
         try:
             self._socket = await self._session.ws_connect(
-                yarl.URL(self._address.url, encoded=True), heartbeat=HEARTBEAT, max_msg_size=MOST_MESSAGE, ssl=trusted
+                yarl.URL(self._address.url, encoded=True), heartbeat=HEARTBEAT, max_msg_size=MAX_MESSAGE, ssl=trusted
             )
         except aiohttp.WSServerHandshakeError as error:
             raise _unwelcome(error.status) from None

@@ -24,15 +24,15 @@ from nearfar.stream._room_events import (
 )
 
 VERSION = 1
-MOST_SAID = 1 << 12
+MAX_SAY_BYTES = 1 << 12
 """Greatest payload of `say`, bytes."""
-MOST_SIGNALLED = 1 << 14
+MAX_SIGNAL_BYTES = 1 << 14
 """Greatest payload of `signal`, bytes."""
 ONE = 32767
 """Integer that represents 1 in a rotation."""
 FARTHEST = 1e6
 """Greatest coordinate, and greatest length of a pointer, metres."""
-LEAST_LENGTH, MOST_LENGTH = 0.9, 1.1
+MIN_LENGTH, MAX_LENGTH = 0.9, 1.1
 """Range of quaternion lengths that are accepted as rotations."""
 
 REASONS = (
@@ -88,7 +88,7 @@ Frame: TypeAlias = Welcome | Posed | SettledUpTo | Said | Signalled | Joined | L
 def hello(group: int, name: str, ticket: bytes) -> bytes:
     """Encode the first frame: the user, with the ticket of the previous connection, or an empty one."""
     text = name.encode()
-    return _frame(1, _HELLO.pack(VERSION, group) + _counted(text) + _counted(ticket))
+    return _frame(1, _HELLO.pack(VERSION, group) + _with_length(text) + _with_length(ticket))
 
 
 def pose(moved: Pose) -> bytes:
@@ -151,10 +151,10 @@ def _read(kind: int, body: bytes) -> Frame:
             return SettledUpTo(*_SEQUENCE.unpack(body))
         case 132:
             (user,) = _USER.unpack_from(body)
-            return Said(user, _at_most(MOST_SAID, body[_USER.size + 1 :]), _TO[body[_USER.size]])
+            return Said(user, _at_most(MAX_SAY_BYTES, body[_USER.size + 1 :]), _TO[body[_USER.size]])
         case 133:
             (user,) = _USER.unpack_from(body)
-            return Signalled(user, _at_most(MOST_SIGNALLED, body[_USER.size :]))
+            return Signalled(user, _at_most(MAX_SIGNAL_BYTES, body[_USER.size :]))
         case 134:
             user, group = _TWO.unpack_from(body)
             return Joined(user, _rest_of(body, _TWO.size).decode(), group)
@@ -171,7 +171,7 @@ def _pose(body: bytes) -> Pose:
     at = _POSE.size
     places: list[Placed | None] = []
     for is_there in (True, flags & _LEFT, flags & _RIGHT):
-        places.append(_placed(body, at) if is_there else None)
+        places.append(_read_placed(body, at) if is_there else None)
         at += _PLACED.size * bool(is_there)
     pointer = None
     if flags >> _POINTER:
@@ -187,13 +187,13 @@ def _pose(body: bytes) -> Pose:
     return Pose(sequence, clock, bool(flags & _ACKNOWLEDGED), bool(flags & _STOPS), head, left, right, pointer)
 
 
-def _placed(body: bytes, at: int) -> Placed:
+def _read_placed(body: bytes, at: int) -> Placed:
     *position, x, y, z, w = _PLACED.unpack_from(body, at)
     placed = Placed(np.array(position, np.float32), np.array([x, y, z, w]) / ONE)
     # NaN fails the comparison.
     if not all(abs(value) <= FARTHEST for value in position):
         raise _fault("a position is none")
-    if not LEAST_LENGTH <= np.linalg.norm(placed.rotation) <= MOST_LENGTH:
+    if not MIN_LENGTH <= np.linalg.norm(placed.rotation) <= MAX_LENGTH:
         raise _fault("a rotation is no unit quaternion")
     placed.position.flags.writeable = placed.rotation.flags.writeable = False
     return placed
@@ -207,7 +207,7 @@ def _frame(kind: int, body: bytes) -> bytes:
     return _HEAD.pack(kind, len(body)) + body
 
 
-def _counted(data: bytes) -> bytes:
+def _with_length(data: bytes) -> bytes:
     return bytes([len(data)]) + data
 
 

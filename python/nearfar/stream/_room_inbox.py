@@ -8,8 +8,8 @@ from itertools import count
 
 from nearfar.stream._room_events import Event, Left, Posed, Said, Signalled
 
-MOST_EVENTS = 4096
-MOST_BYTES = 1 << 20
+MAX_EVENTS = 4096
+MAX_BYTES = 1 << 20
 """Limits of the queue: number of events, and payload bytes; the oldest events are discarded."""
 
 
@@ -34,7 +34,7 @@ class Inbox:
                 self._waiting.pop(("pose", event.user), None)
             self._waiting[("event", next(self._numbers))] = event
             self._bytes += _payload(event)
-        while len(self._waiting) > MOST_EVENTS or self._bytes > MOST_BYTES:
+        while len(self._waiting) > MAX_EVENTS or self._bytes > MAX_BYTES:
             self._first()
             self.dropped += 1
         self._wake.set()

@@ -6,7 +6,7 @@ import unicodedata
 
 from nearfar._base import check
 
-MOST_BYTES = 64
+MAX_BYTES = 64
 """Greatest size of a name, bytes."""
 
 
@@ -16,7 +16,7 @@ def room(argument: str, value: str) -> str:
     # Clients and proxies resolve dots as folders.
     if not name or "/" in name or name in (".", ".."):
         got = check.shortened(value)
-        raise ValueError(f"{argument}: expected 1 to {MOST_BYTES} bytes without a slash, but not . or .., got {got}")
+        raise ValueError(f"{argument}: expected 1 to {MAX_BYTES} bytes without a slash, but not . or .., got {got}")
     return name
 
 
@@ -30,8 +30,8 @@ def user(argument: str, value: str) -> str:
 
 def _name(argument: str, value: str) -> str:
     name = check.text(argument, value)
-    if len(name.encode()) > MOST_BYTES:
-        raise ValueError(f"{argument}: expected at most {MOST_BYTES} bytes of UTF-8, got {check.shortened(value)}")
+    if len(name.encode()) > MAX_BYTES:
+        raise ValueError(f"{argument}: expected at most {MAX_BYTES} bytes of UTF-8, got {check.shortened(value)}")
     if any(unicodedata.category(letter) == "Cc" for letter in name):
         raise ValueError(f"{argument}: expected no control characters, got {check.shortened(value)}")
     return name

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from nearfar.stream._room_events import Settled
 
-MOST = 10_000
+MAX = 10_000
 """Greatest number of stored round-trip times, and of poses that await acknowledgement."""
 
 
@@ -17,8 +17,8 @@ class RoundTrips:
     """Poses that await acknowledgement, and the time until all users have acknowledged them."""
 
     def __init__(self) -> None:
-        self._sent: deque[tuple[int, float]] = deque(maxlen=MOST)
-        self._seconds: deque[float] = deque(maxlen=MOST)
+        self._sent: deque[tuple[int, float]] = deque(maxlen=MAX)
+        self._seconds: deque[float] = deque(maxlen=MAX)
 
     def send(self, sequence: int, now: float) -> None:
         """Record a sent pose that others acknowledge."""

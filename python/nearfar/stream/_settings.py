@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import SupportsFloat, SupportsIndex
 
 from nearfar._base import check
-from nearfar.stream._maps import MOST_SAMPLES, TILE
+from nearfar.stream._maps import MAX_SAMPLES, TILE
 
-MOST_FACE_SIZE = 4096
+MAX_FACE_SIZE = 4096
 
 
 @dataclass(frozen=True)
@@ -26,7 +26,7 @@ class Settings:
     split_px: float | None
 
     @classmethod
-    def checked(
+    def validate(
         cls,
         face_size: SupportsIndex,
         samples: SupportsIndex,
@@ -39,21 +39,23 @@ class Settings:
         split_px: SupportsFloat | None = None,
     ) -> Settings:
         """Check the arguments; ValueError or TypeError for invalid ones."""
-        size = check.integer("face_size", face_size, TILE, MOST_FACE_SIZE)
+        size = check.integer("face_size", face_size, TILE, MAX_FACE_SIZE)
         if size % TILE:
             raise ValueError(f"face_size: expected a multiple of {TILE}, got {size}")
         if compression is not None:
             check.choice("compression", compression, ("meshopt",))
         return cls(
             face_size=size,
-            samples=check.integer("samples", samples, 1, MOST_SAMPLES),
+            samples=check.integer("samples", samples, 1, MAX_SAMPLES),
             quality=None if quality is None else check.integer("quality", quality, 0, 100),
-            range_error=check.within("range_error", range_error, 1e-6, 0.1),
-            step=check.within("step", step, 1e-6, 1.0),
+            range_error=check.in_range("range_error", range_error, 1e-6, 0.1),
+            step=check.in_range("step", step, 1e-6, 1.0),
             compressed=compression is not None,
             pixels_per_degree=(
-                None if pixels_per_degree is None else check.within("pixels_per_degree", pixels_per_degree, 1.0, 500.0)
+                None
+                if pixels_per_degree is None
+                else check.in_range("pixels_per_degree", pixels_per_degree, 1.0, 500.0)
             ),
             by_footprint=check.flag("by_footprint", by_footprint),
-            split_px=None if split_px is None else check.within("split_px", split_px, 1e-3, 1e3),
+            split_px=None if split_px is None else check.in_range("split_px", split_px, 1e-3, 1e3),
         )

@@ -13,7 +13,7 @@ from nearfar._scene.scene import Scene
 from nearfar.stream import _store
 from nearfar.stream._bundle import Bundle
 from nearfar.stream._client_pictures import SceneParts
-from nearfar.stream._compressed import sent, sent_now
+from nearfar.stream._compressed import sent_now, transfer_size
 from nearfar.stream._head_path import HeadPath
 from nearfar.stream._link import Link
 from nearfar.stream._loading import MANIFEST, Course, Loader, follow
@@ -25,7 +25,7 @@ from nearfar.stream._transport import Transport
 
 RATE = 72.0
 """Frames per second of the headset in CloVR (2024)."""
-MOST_SECONDS = 1e6
+MAX_SECONDS = 1e6
 """Greatest duration, seconds."""
 
 
@@ -106,14 +106,14 @@ def simulate(
     check.instance("bundle", bundle, Bundle)
     check.instance("link", link, Link)
     check.choice("strategy", strategy, STRATEGIES)
-    path = HeadPath.of(head_path, bundle.center)
-    ends = math.inf if duration is None else check.within("duration", duration, 0.0, MOST_SECONDS)
-    frames = check.within("rate", rate, 1.0, 1000.0)
-    per_byte = 0.0 if decode_mbs is None else 1e-6 / check.within("decode_mbs", decode_mbs, 1e-6, 1e9)
-    frame = check.within("frame_ms", frame_ms, 0.0, 1e9) / 1e3
+    path = HeadPath.parse(head_path, bundle.center)
+    ends = math.inf if duration is None else check.in_range("duration", duration, 0.0, MAX_SECONDS)
+    frames = check.in_range("rate", rate, 1.0, 1000.0)
+    per_byte = 0.0 if decode_mbs is None else 1e-6 / check.in_range("decode_mbs", decode_mbs, 1e-6, 1e9)
+    frame = check.in_range("frame_ms", frame_ms, 0.0, 1e9) / 1e3
     pace = triangles_per_second
-    each = 0.0 if pace is None else 1.0 / check.within("triangles_per_second", pace, 1.0, 1e15)
-    pixels, gap = check.integer("size", size, 16, 4096), check.within("every", every, 1e-3, MOST_SECONDS)
+    each = 0.0 if pace is None else 1.0 / check.in_range("triangles_per_second", pace, 1.0, 1e15)
+    pixels, gap = check.integer("size", size, 16, 4096), check.in_range("every", every, 1e-3, MAX_SECONDS)
     if scene is not None:
         check.instance("scene", scene, Scene)
     if camera is not None:
@@ -122,10 +122,10 @@ def simulate(
     transport = Transport(link, seed=check.integer("seed", seed, 0, 2**63 - 1))
     sizes = _sizes(bundle, check.flag("gzip", gzip))
     course = _course(bundle, plan, transport, path, sizes, rate=frames, duration=ends, seconds_per_byte=per_byte)
-    line = Timeline._of(strategy, plan, course, transport.curve, frame_seconds=frame, triangle_seconds=each)
+    line = Timeline._build(strategy, plan, course, transport.curve, frame_seconds=frame, triangle_seconds=each)
     if scene is None:
         return line
-    parts = SceneParts.of(scene, bundle, camera, pixels)
+    parts = SceneParts.bake(scene, bundle, camera, pixels)
     return measured(line, parts, path, every=gap, rate=frames, duration=ends)
 
 
@@ -155,7 +155,7 @@ def radius_for(bundle: Bundle, *, link: Link, seconds: SupportsFloat, gzip: bool
         For arguments of another type, and seconds that are not positive.
     """
     limit = check.positive("seconds", seconds)
-    line = simulate(bundle, link=link, strategy="clovrd", gzip=gzip, duration=min(limit, MOST_SECONDS))
+    line = simulate(bundle, link=link, strategy="clovrd", gzip=gzip, duration=min(limit, MAX_SECONDS))
     times = line.ring_times
     return max((radius for radius, time in zip(bundle.radii, times[1:], strict=True) if time <= limit), default=0.0)
 
@@ -167,7 +167,7 @@ def _sizes(bundle: Bundle, gzip: bool) -> dict[str, tuple[int, int]]:
     sizes[MANIFEST] = (len(manifest),) * 2
     if gzip:
         read = bundle._reader.read
-        sizes = {name: (sent(name, size, read), size) for name, (size, _) in sizes.items() if name != MANIFEST}
+        sizes = {name: (transfer_size(name, size, read), size) for name, (size, _) in sizes.items() if name != MANIFEST}
         sizes[MANIFEST] = sent_now(manifest), len(manifest)
     return sizes
 

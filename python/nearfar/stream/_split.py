@@ -14,10 +14,10 @@ from nearfar.stream._assign import Rings
 from nearfar.stream._detail import SHARPEST, Detail
 from nearfar.stream._manifest import NEAR_SHARE
 
-MOST_REACH = 0.348
+MAX_REACH = 0.348
 """Greatest distance of users from a centre, as a share of the first radius, for which the error is bounded."""
 
-MOST_ADDED = 10_000_000
+MAX_ADDED_TRIANGLES = 10_000_000
 """Triangles that splitting may add to a region; several times as many as the rings of the largest scenes have."""
 
 COARSEST = 8
@@ -34,7 +34,7 @@ class Splitting:
     """Greatest distance of a user from a centre, metres."""
 
     @classmethod
-    def of(cls, split_px: float | None, detail: Detail) -> Splitting | None:
+    def from_pixels(cls, split_px: float | None, detail: Detail) -> Splitting | None:
         """Convert an error in pixels of the client's display; None if nothing is to be split."""
         if split_px is None:
             return None
@@ -43,9 +43,9 @@ class Splitting:
 
     def check(self, center: tuple[float, float, float], radii: tuple[float, ...]) -> None:
         """Raise ValueError if the rings about a centre cannot be split within the tolerance."""
-        if self.reach > MOST_REACH * radii[0]:
+        if self.reach > MAX_REACH * radii[0]:
             raise ValueError(
-                f"radii: expected a first radius of at least {self.reach / MOST_REACH:.3f} m with split_px, for users "
+                f"radii: expected a first radius of at least {self.reach / MAX_REACH:.3f} m with split_px, for users "
                 f"up to {self.reach:g} m from a centre, got {radii[0]:g} m"
             )
         nothing: Any = {"vertices": np.zeros((0, 3)), "faces": np.zeros((0, 3), np.uint32)}
@@ -60,7 +60,7 @@ class Splitting:
 
         ValueError for a ring that cannot be split finely enough, or that would add too many triangles.
         """
-        room = MOST_ADDED
+        room = MAX_ADDED_TRIANGLES
         core, codes = rings.scene._core, rings.codes()
         with progress.bar("splitting") as report:
             for ring in range(1, rings.count + 1):
@@ -91,7 +91,7 @@ def _split_within(room: int, core: Any, settings: dict[str, Any]) -> tuple[Any, 
         added = counts["after"] - counts["before"]
         if added > room:
             raise ValueError(
-                f"it would add more than {MOST_ADDED:,} triangles to the rings; choose more pixels, fewer "
+                f"it would add more than {MAX_ADDED_TRIANGLES:,} triangles to the rings; choose more pixels, fewer "
                 "pixels_per_degree or a greater first radius, or leave splitting to the client"
             )
         if times == 1:

@@ -20,12 +20,12 @@ FOLDER = "files"
 """Folder of the files with content-based names."""
 
 
-def named(data: bytes, kind: str) -> str:
+def content_name(data: bytes, kind: str) -> str:
     """Name a file by its content: a quarter of its SHA-256, which is unique in practice, and its suffix."""
     return f"{FOLDER}/{hashlib.sha256(data).hexdigest()[:16]}.{kind}"
 
 
-def described(data: bytes) -> dict[str, Any]:
+def file_entry(data: bytes) -> dict[str, Any]:
     """Return size and hash of a file in the format of manifests."""
     return {"bytes": len(data), "sha256": hashlib.sha256(data).hexdigest()}
 
@@ -158,9 +158,9 @@ def _sizes_at(system: Any, folder: str) -> dict[str, int]:
     return {f"{FOLDER}/{entry['name'].rpartition('/')[2]}": entry["size"] for entry in entries}
 
 
-def checked(place: str, name: str, data: bytes, expected: Mapping[str, Any]) -> bytes:
+def verify(place: str, name: str, data: bytes, expected: Mapping[str, Any]) -> bytes:
     """Return a file's bytes if they have the listed size and hash; FormatError otherwise."""
-    found = described(data)
+    found = file_entry(data)
     for field in ("bytes", "sha256"):
         if found[field] != expected[field]:
             raise differs(place, name, field, expected[field], found[field])

@@ -35,7 +35,7 @@ class Step:
         return self.geometry + (self.map or ())
 
     @property
-    def asked(self) -> tuple[str, ...]:
+    def requests(self) -> tuple[str, ...]:
         """Files in the order of the step's own requests."""
         return (self.map or ()) + self.geometry
 

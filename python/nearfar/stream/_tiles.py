@@ -12,16 +12,16 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._scene.scene import Scene
 
-LEAST_FACES = 1_000_000
+MIN_FACES = 1_000_000
 """Least number of faces of a divided mesh; smaller meshes are searched in milliseconds."""
 
 TILE_FACES = 10_000
 """Mean number of faces per tile if they are spread evenly over the mesh's extent."""
 
-LEAST_SIDE = 128.0
+MIN_SIDE = 128.0
 """Least side of a tile, metres: about the diameter of most rings."""
 
-MOST_ACROSS = 250
+MAX_TILES_PER_SIDE = 250
 """Greatest number of tiles per side, so that tile numbers fit 16 bits, which numpy sorts by radix."""
 
 REST = np.iinfo(np.uint16).max
@@ -53,8 +53,8 @@ class Tiles:
     """Number of one object of each tile, (T,)."""
 
     @classmethod
-    def of(cls, scene: Scene) -> Tiles:
-        """Divide the largest static mesh with per-face objects, if it has at least `LEAST_FACES`.
+    def divide(cls, scene: Scene) -> Tiles:
+        """Divide the largest static mesh with per-face objects, if it has at least `MIN_FACES`.
 
         Objects that also have parts in other meshes, and faces without an object, stay together. Scenes with levels
         stay as they are, because their objects have separate meshes.
@@ -100,7 +100,7 @@ class Tiles:
 def _largest(parts: dict[str, Any]) -> int | None:
     """Return the row of the instance to divide: untransformed, with per-face objects; None if there is none."""
     rows = range(parts.get("standing_count", 0))
-    chosen = [row for row in rows if parts["objects"][row] < 0 and parts["meshes"][row].face_count >= LEAST_FACES]
+    chosen = [row for row in rows if parts["objects"][row] < 0 and parts["meshes"][row].face_count >= MIN_FACES]
     chosen = [row for row in chosen if np.array_equal(parts["placements"][row], np.eye(4)[:3])]
     return max(chosen, key=lambda row: parts["meshes"][row].face_count, default=None)
 
@@ -142,9 +142,9 @@ def _tiles_of(place: NDArray[np.float32], faces: int) -> NDArray[np.int64]:
     if not len(place):
         return np.zeros(0, np.int64)
     low, size = place.min(axis=0), np.ptp(place, axis=0).astype(np.float64)
-    side = max(LEAST_SIDE, math.sqrt(size.prod() * TILE_FACES / faces), size.max() / MOST_ACROSS)
+    side = max(MIN_SIDE, math.sqrt(size.prod() * TILE_FACES / faces), size.max() / MAX_TILES_PER_SIDE)
     column, row = ((place - low) / side).astype(np.int64).T
-    numbers: NDArray[np.int64] = row * (MOST_ACROSS + 1) + column
+    numbers: NDArray[np.int64] = row * (MAX_TILES_PER_SIDE + 1) + column
     return numbers
 
 

@@ -55,7 +55,7 @@ class Timeline:
     """Number of pictures rendered for the measures; all views together count as one."""
 
     @classmethod
-    def _of(
+    def _build(
         cls,
         strategy: str,
         plan: Plan,

@@ -151,7 +151,7 @@ class Transport:
             return
         flow = first.flows.popleft()
         size = self._spend(first, min(flow.left, PIECE))
-        began, ends = self.now, self._clock.after(self.now, size)
+        began, ends = self.now, self._clock.end_of_transfer(self.now, size)
         self._is_busy = True
         lost = self._lost(size)
         flow.left -= size - lost

@@ -18,7 +18,7 @@ from nearfar.view import _reduced
 Read = Callable[[], bytes]
 
 
-def opened(path: str | os.PathLike[str]) -> Mapping[str, Read]:
+def open_files(path: str | os.PathLike[str]) -> Mapping[str, Read]:
     """Return a reader for each file of the bundle or reduced scene at a path; the latter is converted in memory."""
     saved = reduced_folder(path)
     if saved is None:
@@ -46,7 +46,7 @@ def of_bundle(bundle: Bundle, read: Callable[[str], bytes]) -> dict[str, Read]:
 def of_reduced(reduced: ReducedScene) -> dict[str, Read]:
     """Convert a reduced scene to a bundle and return readers for its files."""
 
-    def made(content: bytes) -> Read:
+    def reader_of(content: bytes) -> Read:
         return lambda: content
 
-    return {name: made(content) for name, content in _reduced.files_of(reduced).items()}
+    return {name: reader_of(content) for name, content in _reduced.files_of(reduced).items()}

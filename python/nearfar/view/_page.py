@@ -82,7 +82,7 @@ def write_page(path: str | os.PathLike[str]) -> None:
     if saved is None:
         (folder / _store.MANIFEST).stat()
     else:
-        made = {name: read() for name, read in _content.opened(folder).items()}
+        made = {name: read() for name, read in _content.open_files(folder).items()}
         (folder / _store.FOLDER).mkdir(exist_ok=True)
     _write(folder, {**made, **page_files()})
 

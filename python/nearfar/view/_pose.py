@@ -13,7 +13,7 @@ from nearfar._camera.camera import Camera, Fov
 STEEPEST = 1.5
 """Greatest absolute pitch, radians."""
 
-LEAST_ANGLE, MOST_ANGLE = 10.0, 150.0
+MIN_ANGLE, MAX_ANGLE = 10.0, 150.0
 """Range of the vertical field of view, degrees."""
 
 LEVEL = 1e-6
@@ -48,7 +48,7 @@ def pose_of(camera: Camera) -> Pose:
     if abs(pitch) > STEEPEST:
         raise ValueError(f"camera: expected one that looks up or down by at most {STEEPEST} radians, got {pitch:.4g}")
     angle = math.degrees(2.0 * math.atan(fov.up))
-    check.within("camera: vertical field of view", angle, LEAST_ANGLE, MOST_ANGLE)
+    check.in_range("camera: vertical field of view", angle, MIN_ANGLE, MAX_ANGLE)
     return Pose(camera.position, math.atan2(-ahead[0], -ahead[2]), pitch, angle)
 
 

@@ -27,7 +27,7 @@ from nearfar.stream._manifest import NAME, ORIENTATION, VERSION
 from nearfar.stream._map_files import with_neighbours
 from nearfar.stream._maps import TILE, RingMaps
 from nearfar.stream._region import NOTHING
-from nearfar.stream._settings import MOST_FACE_SIZE
+from nearfar.stream._settings import MAX_FACE_SIZE
 
 SAMPLES = 4
 """Colour samples per texel of map 0 where it shows the near part."""
@@ -78,15 +78,15 @@ def files_of(reduced: ReducedScene) -> dict[str, bytes]:
         color_space="sRGB",
         morph={"kind": reduced.morph, "near_share": reduced.r1 / reduced.r2},
         unit="triangle",
-        growth=Growth((reduced.r2,)).described(),
+        growth=Growth((reduced.r2,)).to_manifest(),
         triangles=reduced.stats["triangles"],
         bounds=bounds.tolist(),
         map={"face_size": maps.first.face_size, "orientation": ORIENTATION, "tile": TILE, "across": ACROSS},
         regions=[region],
         dynamic=dynamic,
-        tileset=_store.described(tileset),
+        tileset=_store.file_entry(tileset),
         notes=list(near.report.notes),
-        files=files.listed(),
+        files=files.file_entries(),
     )
     text = formats.to_json(manifest, compact=True).encode()
     return {**files.content, _store.TILESET: tileset, _store.MANIFEST: text}
@@ -121,7 +121,7 @@ def _far(reduced: ReducedScene) -> EnvMap:
     if env is None:
         shape = (6, BLANK, BLANK)
         return EnvMap(reduced.center, color=np.zeros((*shape, 3), np.float32), range=np.full(shape, np.inf, np.float32))
-    size = min(-(-env.face_size // TILE) * TILE, MOST_FACE_SIZE)
+    size = min(-(-env.face_size // TILE) * TILE, MAX_FACE_SIZE)
     if size == env.face_size:
         color, ranges = env.color, env.range
     else:

@@ -19,7 +19,7 @@ from nearfar._camera.camera import Camera
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar.stream._bundle import Bundle
 from nearfar.view import _content
-from nearfar.view._pose import LEAST_ANGLE, MOST_ANGLE, STEEPEST, Pose, camera_of, pose_of
+from nearfar.view._pose import MAX_ANGLE, MIN_ANGLE, STEEPEST, Pose, camera_of, pose_of
 
 ANGLE = 75.0
 """Vertical field of view at the start, degrees, as in the page."""
@@ -30,7 +30,7 @@ PIECE = 4 << 20
 STRATEGIES = ("clovr", "clovrd", "vis0", "vis1")
 """Loading strategies, compared in docs/view.md."""
 
-LEAST_SIDE, MOST_SIDE = 16, 8192
+MIN_SIDE, MAX_SIDE = 16, 8192
 
 
 @cache
@@ -65,7 +65,7 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
     ) -> None:
         width, height = check.size("size", size)
         for name, side in (("size[0]", width), ("size[1]", height)):
-            check.integer(name, side, LEAST_SIDE, MOST_SIDE)
+            check.integer(name, side, MIN_SIDE, MAX_SIDE)
         _check_strategy(shown, strategy)
         start = Pose(center, 0.0, 0.0, ANGLE) if camera is None else pose_of(camera)
         self._shown = shown
@@ -100,11 +100,11 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
 
     @traitlets.validate("pitch")
     def _check_pitch(self, proposal: Mapping[str, Any]) -> float:
-        return check.within("pitch", proposal["value"], -STEEPEST, STEEPEST)
+        return check.in_range("pitch", proposal["value"], -STEEPEST, STEEPEST)
 
     @traitlets.validate("angle")
     def _check_angle(self, proposal: Mapping[str, Any]) -> float:
-        return check.within("angle", proposal["value"], LEAST_ANGLE, MOST_ANGLE)
+        return check.in_range("angle", proposal["value"], MIN_ANGLE, MAX_ANGLE)
 
     def _answer(self, _: Any, asked: Any, __: Any) -> None:
         """Send a piece of a file to the browser, or an error message."""

@@ -148,7 +148,7 @@ impl<S: Seek> Seek for Watched<'_, S> {
 /// Fails for headers that declare more data than their file can contain, before memory is allocated.
 fn check_size(bytes: &[u8]) -> base::Result<()> {
     /// Maximum ratio of data to file size: deflate's maximum of 1032, plus a margin.
-    const MOST_EXPANSION: u128 = 1100;
+    const MAX_EXPANSION: u128 = 1100;
     let meta = MetaData::read_from_buffered(Cursor::new(bytes), false).map_err(unreadable)?;
     let promised: u128 = meta
         .headers
@@ -158,7 +158,7 @@ fn check_size(bytes: &[u8]) -> base::Result<()> {
             pixels * header.channels.bytes_per_pixel as u128
         })
         .sum();
-    if promised > bytes.len() as u128 * MOST_EXPANSION {
+    if promised > bytes.len() as u128 * MAX_EXPANSION {
         return Err(base::Error::Format(format!(
             "no readable OpenEXR image: {} bytes cannot hold the {promised} bytes that its header promises",
             bytes.len()

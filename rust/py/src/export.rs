@@ -46,7 +46,7 @@ impl Export {
     fn shared<'py>(&self, py: Python<'py>) -> PyResult<Vec<SharedMesh<'py>>> {
         let described = |mesh: &export::SharedMesh| {
             let bytes = run::short(py, || Ok(mesh.bytes()))?;
-            Ok((PyBytes::new(py, &bytes), mesh.groups().to_vec(), named(py, mesh.statistics())?))
+            Ok((PyBytes::new(py, &bytes), mesh.groups().to_vec(), statistics_dict(py, mesh.statistics())?))
         };
         self.0.shared().iter().map(described).collect()
     }
@@ -62,11 +62,11 @@ impl Export {
         report: Option<Py<PyAny>>,
     ) -> PyResult<(Bound<'py, PyBytes>, Bound<'py, PyDict>)> {
         let glb = run::long(py, report, |progress| self.0.glb(group, &uris, progress))?;
-        Ok((PyBytes::new(py, &glb.bytes), named(py, &glb.statistics)?))
+        Ok((PyBytes::new(py, &glb.bytes), statistics_dict(py, &glb.statistics)?))
     }
 }
 
-fn named<'py>(py: Python<'py>, statistics: &Statistics) -> PyResult<Bound<'py, PyDict>> {
+fn statistics_dict<'py>(py: Python<'py>, statistics: &Statistics) -> PyResult<Bound<'py, PyDict>> {
     let (named, bytes) = (PyDict::new(py), PyDict::new(py));
     for kind in Kind::ALL {
         bytes.set_item(kind.name(), statistics.bytes(kind))?;

@@ -219,10 +219,10 @@ fn site(listed: Vec<Listed>, made: Option<OnDemand>, limits: demand::Limits) -> 
 
 fn document((name, media, is_named, source): Listed) -> (String, Document) {
     let document = match source {
-        Source::Bytes(data) if !is_named => Document::changing(Bytes::from_owner(data), &media),
-        Source::Bytes(data) => Document::named(&name, Content::Bytes(Bytes::from_owner(data)), &media),
-        Source::File(path, bytes) => Document::named(&name, Content::File(path, bytes), &media),
-        Source::Read(read) => Document::named(&name, Content::Elsewhere(Arc::new(move || called(&read))), &media),
+        Source::Bytes(data) if !is_named => Document::mutable(Bytes::from_owner(data), &media),
+        Source::Bytes(data) => Document::immutable(&name, Content::Bytes(Bytes::from_owner(data)), &media),
+        Source::File(path, bytes) => Document::immutable(&name, Content::File(path, bytes), &media),
+        Source::Read(read) => Document::immutable(&name, Content::Elsewhere(Arc::new(move || called(&read))), &media),
     };
     (name, document)
 }
@@ -230,7 +230,7 @@ fn document((name, media, is_named, source): Listed) -> (String, Document) {
 fn called(read: &Py<PyAny>) -> io::Result<Bytes> {
     Python::attach(|py| {
         let data = read.call0(py).and_then(|data| Ok(data.extract::<PyBackedBytes>(py)?));
-        data.map(Bytes::from_owner).map_err(|error| io::Error::other(told(py, &error)))
+        data.map(Bytes::from_owner).map_err(|error| io::Error::other(error_message(py, &error)))
     })
 }
 
@@ -266,7 +266,7 @@ struct Region {
 impl Maker for Regions {
     fn begin(&self, Place(center): Place) -> Result<Box<dyn Making>, String> {
         Python::attach(|py| {
-            let parts = self.begin.call1(py, (center.to_vec(),)).map_err(|error| told(py, &error))?;
+            let parts = self.begin.call1(py, (center.to_vec(),)).map_err(|error| error_message(py, &error))?;
             Ok(Box::new(Region { parts, next: Arc::clone(&self.next) }) as Box<dyn Making>)
         })
     }
@@ -290,7 +290,7 @@ impl Making for Region {
             });
             let made = look.and_then(|look| self.next.call1(py, (&self.parts, look)));
             let made = made.and_then(|made| made.extract::<Made>(py));
-            let Made { stage, line, files, next } = made.map_err(|error| told(py, &error))?;
+            let Made { stage, line, files, next } = made.map_err(|error| error_message(py, &error))?;
             let files = files.into_iter().map(|(name, data)| (name, Bytes::from_owner(data))).collect();
             Ok(Part { stage, line: Bytes::from_owner(line), files, next })
         })
@@ -298,7 +298,7 @@ impl Making for Region {
 }
 
 /// Message of an error.
-fn told(py: Python<'_>, error: &PyErr) -> String {
+fn error_message(py: Python<'_>, error: &PyErr) -> String {
     let sentence = error.value(py).to_string();
     let name = error.get_type(py).name().map_or_else(|_| "an error".into(), |name| name.to_string());
     if error.is_instance_of::<PyValueError>(py) { sentence } else { format!("{name}: {sentence}") }

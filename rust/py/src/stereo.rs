@@ -94,8 +94,8 @@ impl HybridRig {
     }
 
     /// Tangents at which an eye is shown a point that it would see at the tangents `at`.
-    fn shown(&self, eye: &str, at: [f64; 2], depth: f64) -> PyResult<[f64; 2]> {
-        Ok(self.0.shown(side(eye)?, DVec2::from_array(at), depth).to_array())
+    fn displayed_tangents(&self, eye: &str, at: [f64; 2], depth: f64) -> PyResult<[f64; 2]> {
+        Ok(self.0.displayed_tangents(side(eye)?, DVec2::from_array(at), depth).to_array())
     }
 
     /// Greatest error over both eyes, pixels.

@@ -21,7 +21,7 @@ pub struct Entered {
 const NETWORK: u32 = 64;
 
 /// Address under which a client is counted.
-pub fn counted(address: IpAddr) -> IpAddr {
+pub fn client_key(address: IpAddr) -> IpAddr {
     match address.to_canonical() {
         IpAddr::V6(own) if !own.is_loopback() => Ipv6Addr::from_bits(own.to_bits() >> NETWORK << NETWORK).into(),
         other => other,
@@ -97,7 +97,7 @@ impl Gate {
 
     /// Like `enter`, with a slot from `wait`.
     pub fn enter_at(&self, client: IpAddr, place: OwnedSemaphorePermit) -> Option<Entry> {
-        Some((Clients::enter(&self.clients, counted(client), self.per_client)?, place))
+        Some((Clients::enter(&self.clients, client_key(client), self.per_client)?, place))
     }
 }
 
@@ -107,7 +107,7 @@ mod tests {
 
     #[test]
     fn addresses_of_one_network_are_one_client() {
-        let of = |text: &str| counted(text.parse().expect("an address"));
+        let of = |text: &str| client_key(text.parse().expect("an address"));
         assert_eq!(of("2001:db8::1:2:3:4"), of("2001:db8::9"));
         assert_ne!(of("2001:db8::1"), of("2001:db8:0:1::1"));
         assert_ne!(of("10.0.0.1"), of("10.0.0.2"));

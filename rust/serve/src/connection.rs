@@ -203,7 +203,7 @@ where
 async fn to_https(shared: &Shared, stream: Limited, ends: Ends) -> Result<(), &'static str> {
     let router = Arc::clone(&shared.router);
     let answer = service_fn(move |request: Request<Incoming>| {
-        let answer = moved(&router, &request);
+        let answer = redirect_to_https(&router, &request);
         async move { Ok::<_, Infallible>(answer) }
     });
     let mut builder = http1_within(shared.limits);
@@ -211,7 +211,7 @@ async fn to_https(shared: &Shared, stream: Limited, ends: Ends) -> Result<(), &'
     watched(connection, ends, http1::Connection::graceful_shutdown).await.map_err(|_| "error")
 }
 
-fn moved<B>(router: &Router, request: &Request<B>) -> Response<Body> {
+fn redirect_to_https<B>(router: &Router, request: &Request<B>) -> Response<Body> {
     let host = router.host(request).filter(|_| router.is_called_by_its_name(request)).map(str::to_owned);
     let target = host.and_then(|host| {
         let path = request.uri().path_and_query()?.as_str();

@@ -54,12 +54,12 @@ pub struct Answer {
 
 impl Answer {
     /// Records that bytes are waiting for the client.
-    pub fn given(&self) {
+    pub fn mark_pending(&self) {
         self.flow.state().answers.insert(self.number, Some(Instant::now()));
     }
 
     /// Records that the client has read them.
-    pub fn asked(&self) {
+    pub fn mark_read(&self) {
         self.flow.state().answers.insert(self.number, None);
     }
 }
@@ -85,12 +85,12 @@ mod tests {
         assert_eq!(flow.end(LONG, Duration::ZERO), None);
         let (first, second) = (flow.begin(), flow.begin());
         assert_eq!(flow.end(Duration::ZERO, Duration::ZERO), None, "bytes are being made");
-        first.given();
+        first.mark_pending();
         assert_eq!(flow.end(Duration::ZERO, Duration::ZERO), Some("silence"));
         assert_eq!(flow.end(Duration::ZERO, LONG), None);
-        first.asked();
+        first.mark_read();
         assert_eq!(flow.end(Duration::ZERO, Duration::ZERO), None);
-        second.given();
+        second.mark_pending();
         drop(second);
         assert_eq!(flow.end(Duration::ZERO, Duration::ZERO), None);
         drop(first);

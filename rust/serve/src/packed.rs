@@ -10,9 +10,9 @@ use flate2::write::GzEncoder;
 use tokio::sync::{OnceCell, Semaphore};
 
 /// Larger documents, in bytes, are sent uncompressed: compression would take too long.
-pub const MOST: u64 = 1 << 26;
+pub const MAX: u64 = 1 << 26;
 /// Smaller documents, in bytes, are sent uncompressed: they fit into one packet.
-pub const LEAST: u64 = 1 << 10;
+pub const MIN: u64 = 1 << 10;
 /// Greatest ratio of compressed to original size for which the copy is used.
 const WORTH: f64 = 0.95;
 /// Greatest number of concurrent compressions.

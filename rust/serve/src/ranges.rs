@@ -14,7 +14,7 @@ pub enum Wanted {
 }
 
 /// Parses a `Range` header for a file of `bytes` bytes.
-pub fn wanted(header: Option<&str>, bytes: u64) -> Wanted {
+pub fn parse(header: Option<&str>, bytes: u64) -> Wanted {
     let Some(text) = header.and_then(|text| text.trim().strip_prefix("bytes=")) else { return Wanted::Whole };
     let Some((first, last)) = text.trim().split_once('-') else { return Wanted::Whole };
     match (number(first), number(last)) {
@@ -72,10 +72,10 @@ mod tests {
             ("items=0-1", Wanted::Whole),
             ("", Wanted::Whole),
         ] {
-            assert_eq!(wanted(Some(header), 10), expected, "{header}");
+            assert_eq!(parse(Some(header), 10), expected, "{header}");
         }
-        assert_eq!(wanted(None, 10), Wanted::Whole);
-        assert_eq!(wanted(Some("bytes=0-"), 0), Wanted::Nothing);
-        assert_eq!(wanted(Some("bytes=-5"), 0), Wanted::Nothing);
+        assert_eq!(parse(None, 10), Wanted::Whole);
+        assert_eq!(parse(Some("bytes=0-"), 0), Wanted::Nothing);
+        assert_eq!(parse(Some("bytes=-5"), 0), Wanted::Nothing);
     }
 }

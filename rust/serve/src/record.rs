@@ -33,7 +33,7 @@ pub async fn answer<B>(
     let answer = Arc::clone(&router).answer(client, request).await;
     let code = answer.status().as_u16();
     answer.map(|body| {
-        waits.given();
+        waits.mark_pending();
         let is_whole = body.is_end_stream();
         let exchange = Exchange { router, client, method, path, version, code, started, sent: 0, is_whole };
         Recorded { body, rest: Bytes::new(), piece, exchange, waits }
@@ -59,7 +59,7 @@ impl HttpBody for Recorded {
         context: &mut Context<'_>,
     ) -> Poll<Option<Result<Frame<Bytes>, axum::Error>>> {
         let this = &mut *self;
-        this.waits.asked();
+        this.waits.mark_read();
         if this.rest.is_empty() {
             match ready!(Pin::new(&mut this.body).poll_frame(context)) {
                 Some(Ok(frame)) => match frame.into_data() {
@@ -77,7 +77,7 @@ impl HttpBody for Recorded {
         let piece = this.rest.split_to(this.piece.min(this.rest.len()));
         this.exchange.sent += piece.len() as u64;
         this.exchange.is_whole = this.is_end_stream();
-        this.waits.given();
+        this.waits.mark_pending();
         Poll::Ready(Some(Ok(Frame::data(piece))))
     }
 

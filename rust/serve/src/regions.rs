@@ -9,7 +9,7 @@ use axum::http::header;
 use axum::http::{Response, StatusCode};
 use futures_util::stream;
 
-use crate::clients::counted;
+use crate::clients::client_key;
 use crate::demand::{Answer, Demand, Event, Kept, Outcome, Place, Refusal, Ticket, Whole};
 use crate::respond::{self, Asked};
 use crate::site::{Content, Document};
@@ -56,7 +56,7 @@ async fn parts(demand: &Arc<Demand>, client: IpAddr, place: Place) -> Response<B
 /// Requests a region in a blocking thread, because it may wait for the disk.
 async fn ask(demand: &Arc<Demand>, client: IpAddr, place: Place) -> Result<Answer, Refusal> {
     let demand = Arc::clone(demand);
-    let asked = tokio::task::spawn_blocking(move || demand.ask(counted(client), place));
+    let asked = tokio::task::spawn_blocking(move || demand.ask(client_key(client), place));
     asked.await.unwrap_or(Err(Refusal::Closing))
 }
 
@@ -104,10 +104,10 @@ async fn document(demand: &Arc<Demand>, place: Place, name: &str, asked: &Asked<
         Whole::Manifest(data) => look(demand, move |demand| demand.tileset(&data)).await,
     };
     let document = match content {
-        Some(Kept::Content(data)) => Document::changing(data, media_of(name)),
+        Some(Kept::Content(data)) => Document::mutable(data, media_of(name)),
         Some(Kept::OnDisk(path, bytes)) => {
             let tag = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-            let found = Document::named(&tag, Content::File(path, bytes), media_of(name));
+            let found = Document::immutable(&tag, Content::File(path, bytes), media_of(name));
             Document { is_immutable: false, ..found }
         }
         None => return respond::refusal(StatusCode::NOT_FOUND, "no such file"),
@@ -122,7 +122,7 @@ async fn file(demand: &Arc<Demand>, name: &str, asked: &Asked<'_>) -> Response<B
         Some(Kept::OnDisk(path, bytes)) => Content::File(path, bytes),
         None => return respond::refusal(StatusCode::NOT_FOUND, "no such file"),
     };
-    respond::document(asked, &Document::named(name, content, media_of(name))).await
+    respond::document(asked, &Document::immutable(name, content, media_of(name))).await
 }
 
 fn refused(refusal: Refusal) -> Response<Body> {

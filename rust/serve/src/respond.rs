@@ -12,7 +12,7 @@ use bytes::Bytes;
 
 use crate::file;
 use crate::packed::Packed;
-use crate::ranges::{Wanted, wanted};
+use crate::ranges::{Wanted, parse};
 use crate::site::{Content, Document};
 
 /// Cache-Control of documents that are named by their content.
@@ -51,7 +51,7 @@ async fn answer(asked: &Asked<'_>, document: &Document) -> io::Result<Response<B
     if may_pack && document.is_worth_packing() {
         let read = async {
             let (bytes, opened) = open(&document.content).await?;
-            opened.all(bytes).await
+            opened.read_all(bytes).await
         };
         if let Some(copy) = asked.packed.get(&document.tag, read).await? {
             let head = head(document, &copy_tag)
@@ -79,7 +79,7 @@ async fn whole_or_part(asked: &Asked<'_>, document: &Document) -> io::Result<Res
     let is_same = asked.headers.get(header::IF_RANGE).is_none_or(|value| value.as_bytes() == document.tag.as_bytes());
     let range = asked.headers.get(header::RANGE).and_then(|value| value.to_str().ok()).filter(|_| is_same);
     let head = head(document, &document.tag).header(header::CONTENT_TYPE, &document.media);
-    let (head, part) = match wanted(range, bytes) {
+    let (head, part) = match parse(range, bytes) {
         Wanted::Whole => (head.status(StatusCode::OK), 0..bytes),
         Wanted::Part(part) => {
             let told = format!("bytes {}-{}/{bytes}", part.start, part.end - 1);
@@ -152,7 +152,7 @@ async fn open(content: &Content) -> io::Result<(u64, Opened)> {
 }
 
 impl Opened {
-    async fn all(self, bytes: u64) -> io::Result<Bytes> {
+    async fn read_all(self, bytes: u64) -> io::Result<Bytes> {
         match self {
             Opened::Bytes(data) => Ok(data),
             Opened::File(file) => file.bytes(0..bytes).await,

@@ -70,7 +70,7 @@ impl Router {
     }
 
     /// Reserves some of `connections` for files, and sets the names of the certificate and the WebTransport offer.
-    pub(crate) fn within(self, connections: usize, certified: Vec<String>, offer: Option<Offer>) -> Self {
+    pub(crate) fn configure(self, connections: usize, certified: Vec<String>, offer: Option<Offer>) -> Self {
         Router { sockets: connections - connections / FILES, certified, offer, ..self }
     }
 
@@ -86,7 +86,7 @@ impl Router {
 
     /// Responds to a client's request.
     pub async fn answer<B>(self: Arc<Self>, client: IpAddr, request: Request<B>) -> Response<Body> {
-        let mut answer = self.found(client, &request).await;
+        let mut answer = self.dispatch(client, &request).await;
         let is_head = request.method() == Method::HEAD;
         for (name, value) in &self.answering.headers {
             answer.headers_mut().entry(name).or_insert_with(|| value.clone());
@@ -100,7 +100,7 @@ impl Router {
         if is_head { answer.map(|_| Body::empty()) } else { answer }
     }
 
-    async fn found<B>(&self, client: IpAddr, request: &Request<B>) -> Response<Body> {
+    async fn dispatch<B>(&self, client: IpAddr, request: &Request<B>) -> Response<Body> {
         if !self.is_called_by_its_name(request) {
             return respond::refusal(StatusCode::FORBIDDEN, "the server is not called by this name");
         }
@@ -120,7 +120,7 @@ impl Router {
             "metrics" => {
                 let text = self.metrics.text();
                 // The text changes every time, so a cached compressed copy would be useless.
-                let document = Document { is_compressible: false, ..Document::changing(text.into(), metrics::MEDIA) };
+                let document = Document { is_compressible: false, ..Document::mutable(text.into(), metrics::MEDIA) };
                 return respond::document(&asked, &document).await;
             }
             _ => {}

@@ -63,7 +63,8 @@ impl Server {
         let offered = offered.and_then(|limits| datagrams(listener.local_addr().ok()?, limits, current.as_ref()));
         let (quic, offer) = offered.unzip();
         let certified = current.as_ref().map_or_else(Vec::new, |current| current.identity().names.clone());
-        let (address, router) = (listener.local_addr()?, Arc::new(router.within(limits.connections, certified, offer)));
+        let (address, router) =
+            (listener.local_addr()?, Arc::new(router.configure(limits.connections, certified, offer)));
         let (end, ended) = oneshot::channel();
         let shared = Arc::new(Shared { router: Arc::clone(&router), limits, tls });
         let thread = std::thread::Builder::new().name("nearfar serve".into()).spawn(move || {

@@ -49,7 +49,7 @@ pub struct Document {
 impl Document {
     /// Creates a document whose name identifies its content. The tag is the full path, because leaves of a tree have
     /// files of the same name in different folders.
-    pub fn named(name: &str, content: Content, media: &str) -> Self {
+    pub fn immutable(name: &str, content: Content, media: &str) -> Self {
         let last = name.rsplit('/').next().unwrap_or(name);
         let tag = format!("\"{name}\"");
         let is_compressible = last.contains('.') && !COMPRESSED.iter().any(|end| name.ends_with(end));
@@ -57,7 +57,7 @@ impl Document {
     }
 
     /// Creates a document that may change.
-    pub fn changing(data: Bytes, media: &str) -> Self {
+    pub fn mutable(data: Bytes, media: &str) -> Self {
         let mut tag = String::from("\"");
         for byte in &Sha256::digest(&data)[..DIGITS / 2] {
             let _ = write!(tag, "{byte:02x}");
@@ -78,9 +78,9 @@ impl Document {
             Content::Bytes(data) => data.len() as u64,
             Content::File(_, bytes) => *bytes,
             // The size is unknown before reading.
-            Content::Elsewhere(_) => packed::LEAST,
+            Content::Elsewhere(_) => packed::MIN,
         };
-        self.is_compressible && (packed::LEAST..=packed::MOST).contains(&bytes)
+        self.is_compressible && (packed::MIN..=packed::MAX).contains(&bytes)
     }
 }
 
@@ -123,17 +123,17 @@ mod tests {
     #[test]
     fn tags_tell_content_apart() {
         let [first, second] =
-            ["one", "two"].map(|text| Document::changing(Bytes::from_static(text.as_bytes()), "text/plain"));
+            ["one", "two"].map(|text| Document::mutable(Bytes::from_static(text.as_bytes()), "text/plain"));
         assert_ne!(first.tag, second.tag);
         assert_eq!(first.tag.len(), DIGITS + 2);
-        let named = Document::named("files/0123.glb", first.content, "model/gltf-binary");
+        let named = Document::immutable("files/0123.glb", first.content, "model/gltf-binary");
         assert_eq!(named.tag, "\"files/0123.glb\"");
         assert!(named.is_compressible);
         let [one, other] =
-            ["0/7.glb", "1/7.glb"].map(|name| Document::named(name, named.content.clone(), "model/gltf-binary"));
+            ["0/7.glb", "1/7.glb"].map(|name| Document::immutable(name, named.content.clone(), "model/gltf-binary"));
         assert_ne!(one.tag, other.tag);
         // Compressed copies are cached by tag, which all versions of a shard's path share.
-        let shard = Document::named("0/py/depth/c/0/0/0/0/0/0", named.content, "application/octet-stream");
+        let shard = Document::immutable("0/py/depth/c/0/0/0/0/0/0", named.content, "application/octet-stream");
         assert!(!shard.is_compressible);
     }
 }

@@ -192,7 +192,7 @@ class Valid:
     @property
     def device(self) -> Any:
         """The adapter that is selected."""
-        return backends.opened()
+        return backends.open_device()
 
     @functools.cached_property
     def selection(self) -> nf.lod.Selection:

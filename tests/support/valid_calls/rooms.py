@@ -27,7 +27,7 @@ class Told(client.Room):
 def room(kind: type[client.Room] = client.Room) -> client.Room:
     """A user who is in a room."""
     made = kind(URL, room="hall")
-    made._connection = _Nowhere(Address.of(URL, "hall", None, None))
+    made._connection = _Nowhere(Address.build(URL, "hall", None, None))
     made._was_entered = True
     made._user = 1
     made._there.set()

@@ -56,7 +56,7 @@ STREAMS: dict[str, Make] = {
     },
     "lod.simplify": lambda v: {"mesh": v.mesh, "ratios": (1.0, 0.5)},
     "orthoview.Flight": lambda v: {
-        "opened": v.orthotree._opened(), "settings": Settings(), "ahead": Ahead(), "on_error": None,
+        "opened": v.orthotree._open_store(), "settings": Settings(), "ahead": Ahead(), "on_error": None,
     },
     "orthoview.Flight.wait": lambda v: {"seconds": 0.0},
     "orthoview.OrthoTree": lambda v: {"path": v.store},

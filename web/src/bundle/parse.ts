@@ -17,14 +17,14 @@ import type {
 
 const FORMAT = 'nearfar.bundle';
 const VERSION = 1;
-const MOST_FACE = 4096;
+const MAX_FACE = 4096;
 /** Greatest width and height of a WebP picture. */
-const MOST_PIXELS = 16383;
-const [FACES, MOST_REGIONS, MOST_RINGS] = [6, 1000, 1000] as const;
+const MAX_PIXELS = 16383;
+const [FACES, MAX_REGIONS, MAX_RINGS] = [6, 1000, 1000] as const;
 /** Greatest size of a file in bytes, limited by browsers' arrays. */
-const MOST_BYTES = 2 ** 31 - 1;
+const MAX_BYTES = 2 ** 31 - 1;
 /** Code of the greatest range, and greatest exponent of a finite range. */
-const [LAST_CODE, MOST_EXPONENT] = [65534, 600] as const;
+const [LAST_CODE, MAX_EXPONENT] = [65534, 600] as const;
 /** Greatest coordinate, and greatest radius, metres. */
 const FARTHEST = 1e12;
 
@@ -54,17 +54,17 @@ export function readManifest(parsed: unknown, readRing: ReadRing = ring): Manife
     throw new BundleError(`this bundle was written by a newer nearfar (${versions}): update the page`, 'newer');
   }
   const [morph, growth, map] = (['morph', 'growth', 'map'] as const).map((name) => object(name, all[name]));
-  const face = integer('map.face_size', map?.['face_size'], 1, MOST_FACE);
+  const face = integer('map.face_size', map?.['face_size'], 1, MAX_FACE);
   const tile = integer('map.tile', map?.['tile'], 1, face);
   if (face % tile !== 0) throw new BundleError(`manifest.json: map.tile: expected a divisor of ${face}, got ${tile}`);
   const kind = choice('morph.kind', morph?.['kind'], ['blend', 'cylinder'] as const);
   const unit = choice('unit', all['unit'] ?? 'object', ['object', 'triangle'] as const);
-  const across = integer('map.across', map?.['across'], 1, Math.floor(MOST_PIXELS / tile));
+  const across = integer('map.across', map?.['across'], 1, Math.floor(MAX_PIXELS / tile));
   const tiles = tilesOf({ face_size: face, tile, across });
   const files = object('files', all['files']);
   const entries = list('regions', all['regions'], object);
-  if (entries.length === 0 || entries.length > MOST_REGIONS) {
-    throw new BundleError(`manifest.json: regions: expected 1 to ${MOST_REGIONS}, got ${entries.length}`);
+  if (entries.length === 0 || entries.length > MAX_REGIONS) {
+    throw new BundleError(`manifest.json: regions: expected 1 to ${MAX_REGIONS}, got ${entries.length}`);
   }
   const manifest: Manifest = {
     version,
@@ -92,7 +92,7 @@ export function readManifest(parsed: unknown, readRing: ReadRing = ring): Manife
 /** Files that a document lists. */
 export function readFiles(files: Fields): Record<string, Described> {
   return Object.fromEntries(
-    Object.entries(files).map(([name, value]) => [fileName('files', name), described(name, value)]),
+    Object.entries(files).map(([name, value]) => [fileName('files', name), parseFileEntry(name, value)]),
   );
 }
 
@@ -101,10 +101,10 @@ export function tilesOf({ face_size: face, tile }: MapLayout): number {
   return FACES * (face / tile) ** 2;
 }
 
-function described(place: string, value: unknown): Described {
+function parseFileEntry(place: string, value: unknown): Described {
   const entry = object(place, value);
   return {
-    bytes: integer(`${place}.bytes`, entry['bytes'], 0, MOST_BYTES),
+    bytes: integer(`${place}.bytes`, entry['bytes'], 0, MAX_BYTES),
     sha256: hash(`${place}.sha256`, entry['sha256']),
   };
 }
@@ -141,7 +141,7 @@ function region(
   const rings = list(`${place}.rings`, value['rings'], (name, item, number) => readRing(name, item, number, tiles));
   const radii = rings.map(({ radius }) => radius);
   const doAscend = radii[0] === 0 && radii.every((radius, number) => number === 0 || radius > (radii[number - 1] ?? 0));
-  if (rings.length < 2 || rings.length > MOST_RINGS || !doAscend) {
+  if (rings.length < 2 || rings.length > MAX_RINGS || !doAscend) {
     throw new BundleError(`manifest.json: ${place}.rings: expected radii that ascend from 0`);
   }
   const other = (name: string, item: unknown): number => integer(name, item, 0, count - 1);
@@ -150,7 +150,7 @@ function region(
   const [least, step] = (['least', 'step'] as const).map((name) => {
     return number(`${place}.range.${name}`, range[name], Number.MIN_VALUE);
   }) as [number, number];
-  if (!(Math.abs(Math.log(least)) + LAST_CODE * step <= MOST_EXPONENT)) {
+  if (!(Math.abs(Math.log(least)) + LAST_CODE * step <= MAX_EXPONENT)) {
     throw new BundleError(`manifest.json: ${place}.range: expected ranges that are finite`);
   }
   return {

@@ -13,7 +13,7 @@ const AT_ONCE = 6;
 /** Name of the document that a page loads first. */
 const DOCUMENT = 'manifest.json';
 /** Greatest size of a manifest, bytes; a thousand regions take a fifth of it. */
-export const MOST_MANIFEST = 64 * 2 ** 20;
+export const MAX_MANIFEST = 64 * 2 ** 20;
 
 /** Receives the number of new bytes; negative when a transfer breaks and its bytes no longer count. */
 export type Received = (bytes: number) => void;
@@ -52,7 +52,7 @@ export async function readDocument(
   signal: AbortSignal,
   network: Network = NETWORK,
 ): Promise<string> {
-  const limits = { name: DOCUMENT, bytes: null, most: MOST_MANIFEST };
+  const limits = { name: DOCUMENT, bytes: null, most: MAX_MANIFEST };
   const content = await withTrials(DOCUMENT, signal, network, (again) =>
     transfer(new URL(DOCUMENT, base), limits, received, signal, again, network),
   );

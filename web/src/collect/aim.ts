@@ -1,7 +1,7 @@
 /** Target point beside or on a sphere for a picture position, so that a hand beside the eyes points there, too. */
 import { directionTo } from '../control/places';
 import type { Pose } from '../control/pose';
-import { minus, moved, type Vector } from '../control/vector';
+import { minus, addScaled, type Vector } from '../control/vector';
 import type { Place } from '../rooms/hold';
 import { shownAt } from '../rooms/unmorph';
 import type { Viewer } from '../show/viewer';
@@ -25,5 +25,5 @@ export function pointBeside(
   const [dx, dy, dz] = directionTo(pose, place, Math.tan((camera.fov * Math.PI) / 360), camera.aspect);
   const along = seen[0] * dx + seen[1] * dy + seen[2] * dz;
   const aside = minus([along * dx, along * dy, along * dz], seen);
-  return along > 0 && Math.hypot(...aside) <= MEANT * along ? moved(sphere, aside, 1) : null;
+  return along > 0 && Math.hypot(...aside) <= MEANT * along ? addScaled(sphere, aside, 1) : null;
 }

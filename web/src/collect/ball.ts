@@ -4,7 +4,7 @@ import type { Point } from '../bundle/manifest';
 import { minus, type Vector } from '../control/vector';
 import { NEAR_VERTEX } from '../shaders/near';
 import type { Shared } from '../show/materials';
-import { type Drawn, drawn } from '../rooms/drawn';
+import { type Drawn, createMesh } from '../rooms/drawn';
 import { RING_VERTEX } from './shaders';
 
 /** Colours for no aiming user, some, all, and for the remaining part of the ring. */
@@ -24,12 +24,12 @@ export interface Ball {
 export function createBall(shared: Shared): Ball {
   const color = new Vector4(1, 1, 1, 1);
   const size = { value: 1 };
-  const body = drawn(new SphereGeometry(1, 40, 28), shared, NEAR_VERTEX, { SMOOTH: '' }, {
+  const body = createMesh(new SphereGeometry(1, 40, 28), shared, NEAR_VERTEX, { SMOOTH: '' }, {
     base_color: { value: color },
     placement: { value: new Matrix4() },
   });
   const ring = (base: Color | undefined): Drawn =>
-    drawn(turn(), shared, RING_VERTEX, { UNLIT: '' }, {
+    createMesh(turn(), shared, RING_VERTEX, { UNLIT: '' }, {
       base_color: { value: new Vector4(base?.r, base?.g, base?.b, 1) },
       begin: { value: new Vector3() },
       radius: size,

@@ -8,9 +8,9 @@ const [MARK, VERSION] = [0xc5, 1] as const;
 const [FARTHEST, FASTEST, LARGEST] = [1e6, 100, 1000] as const;
 export const LONGEST = 86400;
 /** Greatest number of seated users in a group. */
-export const MOST_USERS = 64;
+export const MAX_USERS = 64;
 /** Greatest number of spheres and of misses that messages can hold. */
-export const MOST_COUNTED = 0xffff;
+export const MAX_COUNT = 0xffff;
 
 /** Levels and reasons in the order of their codes; `told` for all reasons without an event. */
 export const LEVELS = ['easy', 'intermediate', 'hard'] as const;
@@ -211,8 +211,8 @@ function readTrial(body: Reader, stage: Stage): Trial {
   const count = body.u8();
   const seats = Array.from({ length: count }, (): Seat => ({ user: body.u16(), position: corner() }));
   const isOrdered = [box, area].every(([least, most]) => least.every((low, axis) => low <= (most[axis] ?? low)));
-  const isPossible = stage.trial >= 1 && stage.trial <= trials && users >= 1 && users <= MOST_USERS;
-  if (!isPossible || count > MOST_USERS || radius === 0 || duration === 0 || !isOrdered) {
+  const isPossible = stage.trial >= 1 && stage.trial <= trials && users >= 1 && users <= MAX_USERS;
+  if (!isPossible || count > MAX_USERS || radius === 0 || duration === 0 || !isOrdered) {
     throw new FrameError('a trial is none that there can be');
   }
   const rules = { trials, users, seed, duration, hold, pause, rest, radius, speeds, box, area };
@@ -223,10 +223,10 @@ function readAims(body: Reader, stage: Stage): Aims {
   const [number, event, user, misses] = [body.u16(), readName(body, EVENTS), body.u16(), body.u16()];
   const time = body.f32();
   const users = Array.from({ length: body.u8() }, () => body.u16());
-  if (users.length > MOST_USERS || users.some((each, at) => at > 0 && each <= (users[at - 1] ?? 0))) {
+  if (users.length > MAX_USERS || users.some((each, at) => at > 0 && each <= (users[at - 1] ?? 0))) {
     throw new FrameError('who aims is not in order');
   }
-  const held = time === -1 ? null : within(time, 0, LONGEST);
+  const held = time === -1 ? null : checkRange(time, 0, LONGEST);
   return { kind: 'aims', ...stage, number, event, user, misses, held, users };
 }
 
@@ -245,10 +245,10 @@ function readVector(body: Reader, most: number): Vector {
 }
 
 function readWithin(body: Reader, low: number, high: number): number {
-  return within(body.f32(), low, high);
+  return checkRange(body.f32(), low, high);
 }
 
-function within(value: number, low: number, high: number): number {
+function checkRange(value: number, low: number, high: number): number {
   // NaN fails the comparison.
   if (!(value >= low && value <= high)) throw new FrameError('a number is out of its range');
   return value;

@@ -1,6 +1,6 @@
 /** Rules of a trial: the published ones, changed by the page's address parameters. */
 import type { Vector } from '../control/vector';
-import { type Box, LONGEST, MOST_USERS, type Rules } from './messages';
+import { type Box, LONGEST, MAX_USERS, type Rules } from './messages';
 
 /** Sizes of the seats along and across the view, and of the box across, up and along it, metres. */
 const [SEATS, BOX] = [[5, 2], [8, 4, 4]] as const;
@@ -10,7 +10,7 @@ const SPEEDS = [0, 0.5, 1.5] as const;
 
 /** Parameters of the address: default value, least and greatest value. */
 const ASKED = {
-  users: [4, 1, MOST_USERS],
+  users: [4, 1, MAX_USERS],
   trials: [3, 1, 255],
   seed: [0, 0, 0xffffffff],
   duration: [180, 1, LONGEST],
@@ -49,11 +49,11 @@ export function rulesAt(asked: Asked, [x, y, z]: Vector, yaw: number): Rules {
   return {
     ...asked,
     speeds: SPEEDS,
-    box: around(middle, [across, high, along]),
-    area: around([x, y, z], [wide, 0, deep]),
+    box: boxAround(middle, [across, high, along]),
+    area: boxAround([x, y, z], [wide, 0, deep]),
   };
 }
 
-function around([x, y, z]: Vector, [wide, high, deep]: Vector): Box {
+function boxAround([x, y, z]: Vector, [wide, high, deep]: Vector): Box {
   return [[x - wide / 2, y - high / 2, z - deep / 2], [x + wide / 2, y + high / 2, z + deep / 2]];
 }

@@ -14,7 +14,7 @@ const vec2 RING = vec2(1.25, 1.45);
 
 void main() {
   v_point = begin;
-  vec3 at = shown(v_point);
+  vec3 at = displayed(v_point);
   mat3 axes = facing(at);
   float angle = 6.2831853 * mix(shares[0], shares[1], position.x);
   float size = radius * mix(RING.x, RING.y, position.y);

@@ -22,7 +22,7 @@ import { Task } from './task';
 /** Interval of the card's updates, seconds. */
 const CARD_EVERY = 0.1;
 /** Greatest number of other groups whose scores the card shows. */
-const MOST_GROUPS = 8;
+const MAX_GROUPS = 8;
 /** Least seconds between two moves to a seat, and metres that a seat may lie outside of the rectangle. */
 const [SEAT_EVERY, ASIDE] = [3, 2] as const;
 
@@ -123,14 +123,14 @@ function collect(room: Room, host: Host, asked: Asked): Collecting {
     ball.show(of.place(now), trial.radius, of.aims.length / of.needed, Math.min(held, 1));
   }
 
-  function told(now: number): Told {
+  function cardState(now: number): Told {
     const isHere = room.connection.state.kind === 'here';
     if (!task || !isHere) return { words: 'Not in the room', canStart: false, trial: null, others: '' };
     const { group } = task;
     const others = [...task.scores]
       .filter(([other]) => other !== group)
       .sort(([a], [b]) => a - b)
-      .slice(0, MOST_GROUPS)
+      .slice(0, MAX_GROUPS)
       .map(([other, { spheres, misses }]) => `Group ${other}: ${spheres} spheres, ${misses} misses`);
     const { roundTrips } = room.connection;
     const trial = task.trial && trialTold(task, task.trial, now, frames.rate, roundTrips.median);
@@ -172,7 +172,7 @@ function collect(room: Room, host: Host, asked: Asked): Collecting {
       show(task, now);
       if (now - toldAt < CARD_EVERY) return;
       toldAt = now;
-      panel.update(told(now));
+      panel.update(cardState(now));
     },
     targetAt(from: Pose, place: Place): Vector | null {
       const sphere = task?.place(CLOCK.now());

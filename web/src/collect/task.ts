@@ -8,8 +8,8 @@ import {
   LEVELS,
   LONGEST,
   type Message,
-  MOST_COUNTED,
-  MOST_USERS,
+  MAX_COUNT,
+  MAX_USERS,
   type Rules,
   type Score,
   type Sphere,
@@ -20,9 +20,9 @@ import {
 import { isAimed, placeOf, type Ray, seatsOf, sphereOf } from './spheres';
 
 /** Least seconds from a collected sphere to the next sphere; bounds the conductor's message rate for any rules. */
-const LEAST_PAUSE = 0.05;
+const MIN_PAUSE = 0.05;
 /** Least seconds between two judgements, less than between two poses: each pose may ask for one. */
-const LEAST_JUDGED = 1 / 80;
+const MIN_JUDGEMENT_INTERVAL = 1 / 80;
 /** Rate of `aims` in bytes per second, half of the room's limit, and burst size in bytes. */
 const [AIMS_RATE, AIMS_AT_ONCE] = [1 << 14, 1 << 13] as const;
 /** Bytes of `aims` without users, at least the room's minimum charge, and additional bytes per user. */
@@ -94,7 +94,7 @@ export class Task {
 
   /** Misses of the trial's collected spheres. */
   get missed(): number {
-    return Math.min(this.trial?.tallies.reduce((sum, { misses }) => sum + misses, 0) ?? 0, MOST_COUNTED);
+    return Math.min(this.trial?.tallies.reduce((sum, { misses }) => sum + misses, 0) ?? 0, MAX_COUNT);
   }
 
   /** Elapsed seconds of the trial. */
@@ -136,7 +136,7 @@ export class Task {
 
   /** Begins the first trial of a run for all users who are present; returns the conductor's messages. */
   start(rules: Rules, now: number): Message[] {
-    const run = this.trial ? (this.trial.run + 1) % (MOST_COUNTED + 1) : 1;
+    const run = this.trial ? (this.trial.run + 1) % (MAX_COUNT + 1) : 1;
     return this.said(this.begun(rules, { run, trial: 1 }), now);
   }
 
@@ -145,7 +145,7 @@ export class Task {
     this.enteredUntil ??= now + ENTERING;
     const said = this.isToTell ? this.told(now) : [];
     this.isToTell = false;
-    const isDue = now - this.judgedAt >= LEAST_JUDGED;
+    const isDue = now - this.judgedAt >= MIN_JUDGEMENT_INTERVAL;
     if (isDue) this.judgedAt = now;
     while (this.user === this.conductor) {
       const message = this.decide(now, isDue ? rays : null);
@@ -195,7 +195,7 @@ export class Task {
     const isCollected = this.sphere !== null && this.sphere.number < countOf(trial);
     if (isOther || isCollected) {
       this.sphere = null;
-      this.nextAt = trial.elapsed === 0 ? now : now + Math.max(trial.pause, LEAST_PAUSE);
+      this.nextAt = trial.elapsed === 0 ? now : now + Math.max(trial.pause, MIN_PAUSE);
       this.rest();
     }
     this.trial = trial;
@@ -206,7 +206,7 @@ export class Task {
     const known = this.sphere?.number ?? -1;
     if (message.kind === 'sphere') {
       // The count must leave room for the sphere's collection.
-      if (message.number === known || message.number !== this.count || message.number >= MOST_COUNTED) return false;
+      if (message.number === known || message.number !== this.count || message.number >= MAX_COUNT) return false;
       this.sphere = message;
       this.appeared = now - message.age;
       this.rest();
@@ -216,7 +216,7 @@ export class Task {
       this.misses = message.misses;
       this.heldSince = message.held === null ? null : now - message.held;
     } else {
-      if (message.number !== this.count || message.number >= MOST_COUNTED) return false;
+      if (message.number !== this.count || message.number >= MAX_COUNT) return false;
       this.hearCollected(message, trial, now);
     }
     return true;
@@ -227,13 +227,13 @@ export class Task {
       if (LEVELS[at] !== level) return tally;
       return {
         spheres: tally.spheres + 1,
-        misses: Math.min(tally.misses + misses, MOST_COUNTED),
+        misses: Math.min(tally.misses + misses, MAX_COUNT),
         seconds: Math.min(tally.seconds + seconds, LONGEST),
       };
     });
     this.trial = { ...trial, tallies: tallies as unknown as Tallies };
     this.sphere = null;
-    this.nextAt = now + Math.max(trial.pause, LEAST_PAUSE);
+    this.nextAt = now + Math.max(trial.pause, MIN_PAUSE);
     this.rest();
   }
 
@@ -252,7 +252,7 @@ export class Task {
     if (!this.hear(message, now)) return [];
     if (!this.trial || (message.kind !== 'trial' && message.kind !== 'collected')) return [message];
     const { run, trial, over } = this.trial;
-    const score: Score = { kind: 'score', run, trial, over, spheres: Math.min(this.count, MOST_COUNTED), misses: this.missed };
+    const score: Score = { kind: 'score', run, trial, over, spheres: Math.min(this.count, MAX_COUNT), misses: this.missed };
     this.hear(score, now);
     return [message, score];
   }
@@ -269,7 +269,7 @@ export class Task {
   }
 
   private begun(rules: Rules, stage: Stage): Trial {
-    const users = [...this.present].sort((a, b) => a - b).slice(0, MOST_USERS);
+    const users = [...this.present].sort((a, b) => a - b).slice(0, MAX_USERS);
     const seats = seatsOf(rules, stage, this.group, users);
     return { ...rules, ...stage, kind: 'trial', over: false, elapsed: 0, tallies: NOTHING, seats };
   }
@@ -285,7 +285,7 @@ export class Task {
     }
     if (elapsed >= trial.duration) return { ...trial, over: true, elapsed: Math.min(elapsed, LONGEST) };
     if (sphere) return rays && this.judge(trial, sphere, now, rays);
-    return now >= this.nextAt && this.count < MOST_COUNTED ? sphereOf(trial, trial, this.group, this.count) : null;
+    return now >= this.nextAt && this.count < MAX_COUNT ? sphereOf(trial, trial, this.group, this.count) : null;
   }
 
   private judge(trial: Trial, sphere: Sphere, now: number, rays: Rays): Message | null {
@@ -318,7 +318,7 @@ export class Task {
   private aiming(sphere: Sphere, event: Event, user: number, users: readonly number[], now: number): Aims {
     const { run, trial, number } = sphere;
     const held = users.length >= this.needed ? Math.min(now - (this.heldSince ?? now), LONGEST) : null;
-    const misses = Math.min(this.misses + Number(event === 'lost'), MOST_COUNTED);
+    const misses = Math.min(this.misses + Number(event === 'lost'), MAX_COUNT);
     return { kind: 'aims', run, trial, number, event, user, misses, held, users };
   }
 }
@@ -334,8 +334,8 @@ function countOf({ tallies }: Trial): number {
 /** Whether a message about a trial is older than another one. */
 function isEarlier(a: Trial, b: Trial): boolean {
   // Run numbers are cyclic.
-  const ahead = (a.run - b.run) & MOST_COUNTED;
-  if (ahead !== 0) return ahead > MOST_COUNTED / 2;
+  const ahead = (a.run - b.run) & MAX_COUNT;
+  if (ahead !== 0) return ahead > MAX_COUNT / 2;
   const age = (trial: Trial): number[] => [trial.trial, Number(trial.over), countOf(trial)];
   const [own, other] = [age(a), age(b)];
   const at = own.findIndex((value, place) => value !== other[place]);

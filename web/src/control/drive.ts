@@ -15,13 +15,13 @@ export const REST: Drive = { right: 0, ahead: 0, turn: 0, look: 0, isHasty: fals
 /** Sum of commands, limited to full speed. */
 export function together(...wishes: readonly Drive[]): Drive {
   const sum = (part: (wish: Drive) => number): number => wishes.reduce((total, wish) => total + part(wish), 0);
-  const [right, ahead] = within(sum((wish) => wish.right), sum((wish) => wish.ahead));
-  const [turn, look] = within(sum((wish) => wish.turn), sum((wish) => wish.look));
+  const [right, ahead] = clampLength(sum((wish) => wish.right), sum((wish) => wish.ahead));
+  const [turn, look] = clampLength(sum((wish) => wish.turn), sum((wish) => wish.look));
   return { right, ahead, turn, look, isHasty: wishes.some((wish) => wish.isHasty) };
 }
 
 /** Vector limited to length 1. */
-export function within(x: number, y: number): readonly [number, number] {
+export function clampLength(x: number, y: number): readonly [number, number] {
   const length = Math.max(Math.hypot(x, y), 1);
   return [x / length, y / length];
 }

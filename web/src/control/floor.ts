@@ -1,5 +1,5 @@
 /** Floor of the user in the world, and the head above it; independent of a headset. */
-import { type Bounds, within } from './limit';
+import { type Bounds, clampToLimit } from './limit';
 import type { Pose } from './pose';
 import { type Vector, wrapped } from './vector';
 
@@ -41,23 +41,23 @@ export function floorUnder(ground: Vector, yaw: number, head: Head): Floor {
 }
 
 /** Floor after a turn to the left around the head, which stays in place. */
-export function turned(floor: Floor, head: Head, angle: number): Floor {
+export function turnFloor(floor: Floor, head: Head, angle: number): Floor {
   const { position, yaw } = inWorld(floor, head);
   return floorUnder([position[0], floor.position[1], position[2]], yaw + angle, head);
 }
 
 /** Floor for which the head is above another point of the world; the floor's height stays. */
-export function moved(floor: Floor, head: Head, [x, , z]: Vector): Floor {
+export function moveFloor(floor: Floor, head: Head, [x, , z]: Vector): Floor {
   const [headX, , headZ] = worldOf(floor, head.position);
   const [floorX, floorY, floorZ] = floor.position;
   return { ...floor, position: [floorX + x - headX, floorY, floorZ + z - headZ] };
 }
 
 /** Point moved into all walls, approximately. */
-export function inside(point: Vector, bounds: Bounds | null): Vector {
+export function clampToBounds(point: Vector, bounds: Bounds | null): Vector {
   const walls = bounds?.shown ?? [];
   // Moving into one wall may leave another one, so each is applied twice.
-  return [...walls, ...walls].reduce((place: Vector, wall) => within(place, wall), point);
+  return [...walls, ...walls].reduce((place: Vector, wall) => clampToLimit(place, wall), point);
 }
 
 /** Bounds for the head's centre such that its eyes stay within the given bounds. */

@@ -1,5 +1,5 @@
 /** Keys that move the user while held. */
-import { type Drive, within } from './drive';
+import { type Drive, clampLength } from './drive';
 
 /** Steps to the right and ahead, turns to the left and up, by physical key code. */
 const AXES: Readonly<Record<string, readonly [number, number, number, number]>> = {
@@ -67,7 +67,7 @@ export function createKeys(source: EventTarget): Keys {
       const sums = [0, 0, 0, 0];
       for (const code of held) AXES[code]?.forEach((value, axis) => (sums[axis] = (sums[axis] ?? 0) + value));
       const [right = 0, ahead = 0, turn = 0, look = 0] = sums;
-      const [across, along] = within(right, ahead);
+      const [across, along] = clampLength(right, ahead);
       return { right: across, ahead: along, turn: Math.sign(turn), look: Math.sign(look), isHasty };
     },
     dispose: () => stop.abort(),

@@ -63,7 +63,7 @@ export function distance([x, , z]: Vector, { center }: Limit): number {
 }
 
 /** The place, moved towards the centre's axis if it is beyond the limit. */
-export function within(place: Vector, limit: Limit): Vector {
+export function clampToLimit(place: Vector, limit: Limit): Vector {
   const far = distance(place, limit);
   return far <= limit.metres ? place : atDistance(place, limit.metres, far, limit);
 }

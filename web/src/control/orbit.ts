@@ -2,7 +2,7 @@
 import type { Drive } from './drive';
 import { allowedShare, type Bounds, confine, settle } from './limit';
 import type { Pose } from './pose';
-import { ahead, bounded, moved, rightOf, STEEPEST, upOf, type Vector } from './vector';
+import { ahead, bounded, addScaled, rightOf, STEEPEST, upOf, type Vector } from './vector';
 
 /** Least and greatest distance from the point, and the default distance, metres. */
 const [NEAREST, FARTHEST, USUAL] = [0.3, 2000, 4] as const;
@@ -27,11 +27,11 @@ export function createOrbit(start: Pose, bounds: () => Bounds | null): Orbit {
   let view: Pose = start;
   let away: number = USUAL;
 
-  const target = (): Vector => moved(view.position, ahead(view), away);
+  const target = (): Vector => addScaled(view.position, ahead(view), away);
 
   /** Places the eye and lets it look at a point. */
   function put(eye: Vector, point: Vector): void {
-    const [x, y, z] = moved(point, eye, -1);
+    const [x, y, z] = addScaled(point, eye, -1);
     const level = Math.hypot(x, z);
     away = bounded(Math.hypot(level, y), NEAREST, FARTHEST);
     const yaw = level > 1e-9 ? nearest(Math.atan2(-x, -z), view.yaw) : view.yaw;
@@ -42,7 +42,7 @@ export function createOrbit(start: Pose, bounds: () => Bounds | null): Orbit {
     if (left === 0 && up === 0) return;
     const point = target();
     const turned = { yaw: view.yaw + left, pitch: bounded(view.pitch + up, -STEEPEST, STEEPEST) };
-    const eye = moved(point, ahead(turned), -away);
+    const eye = addScaled(point, ahead(turned), -away);
     const allowed = confine(view.position, eye, bounds());
     if (allowed === eye) view = { ...turned, position: eye };
     else put(allowed, point);
@@ -51,17 +51,17 @@ export function createOrbit(start: Pose, bounds: () => Bounds | null): Orbit {
   function zoom(factor: number): void {
     if (!(factor > 0) || factor === 1) return;
     const wanted = bounded(away * factor, NEAREST, FARTHEST);
-    const eye = moved(target(), ahead(view), -wanted);
+    const eye = addScaled(target(), ahead(view), -wanted);
     const share = allowedShare(view.position, eye, bounds());
-    const position = moved(view.position, ahead(view), share * (away - wanted));
+    const position = addScaled(view.position, ahead(view), share * (away - wanted));
     away += share * (wanted - away);
     view = { ...view, position };
   }
 
   function pan(right: number, up: number): void {
-    const shift = moved(moved([0, 0, 0], rightOf(view.yaw), right * away), upOf(view), up * away);
-    const share = allowedShare(view.position, moved(view.position, shift, 1), bounds());
-    view = { ...view, position: moved(view.position, shift, share) };
+    const shift = addScaled(addScaled([0, 0, 0], rightOf(view.yaw), right * away), upOf(view), up * away);
+    const share = allowedShare(view.position, addScaled(view.position, shift, 1), bounds());
+    view = { ...view, position: addScaled(view.position, shift, share) };
   }
 
   return {

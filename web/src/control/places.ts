@@ -1,6 +1,6 @@
 /** Destination of a user who wants to go to something in the picture. */
 import type { Pose } from './pose';
-import { ahead, moved, rightOf, upOf, type Vector } from './vector';
+import { ahead, addScaled, rightOf, upOf, type Vector } from './vector';
 
 /** Eye height above the ground, and greatest height above the ground of a surface to stand on, metres. */
 const [EYE_HEIGHT, STEP] = [1.7, 0.5] as const;
@@ -14,8 +14,8 @@ const LEAP = 15;
  * of half the vertical field of view, `ratio` is width divided by height.
  */
 export function directionTo(pose: Pose, [x, y]: readonly [number, number], height: number, ratio: number): Vector {
-  const across = moved(ahead(pose), rightOf(pose.yaw), (2 * x - 1) * height * ratio);
-  const [dx, dy, dz] = moved(across, upOf(pose), (1 - 2 * y) * height);
+  const across = addScaled(ahead(pose), rightOf(pose.yaw), (2 * x - 1) * height * ratio);
+  const [dx, dy, dz] = addScaled(across, upOf(pose), (1 - 2 * y) * height);
   const size = Math.hypot(dx, dy, dz);
   return [dx / size, dy / size, dz / size];
 }

@@ -31,7 +31,7 @@ export function upOf({ yaw, pitch }: Pick<Pose, 'yaw' | 'pitch'>): Vector {
 }
 
 /** a + share · b. */
-export function moved(a: Vector, b: Vector, share: number): Vector {
+export function addScaled(a: Vector, b: Vector, share: number): Vector {
   return [a[0] + share * b[0], a[1] + share * b[1], a[2] + share * b[2]];
 }
 

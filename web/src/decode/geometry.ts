@@ -1,7 +1,7 @@
 /** Decodes the geometry of a ring, or of dynamic objects, into pieces, each drawn by one call. */
 import type { Point } from '../bundle/manifest';
 import { contentOf, reasonOf } from './files';
-import { at, entries, type Glb, openGlb } from './glb';
+import { entryAt, entries, type Glb, openGlb } from './glb';
 import { pictureOf } from './images';
 import type { FileData, GeometryRequest, Piece, Triangles } from './messages';
 import { chopped } from './pieces';
@@ -12,9 +12,9 @@ import { type Budget, splitArrays } from './split/triangles';
 import { type Arrays, FOLDER, pictureName, primitiveOf, sameOf } from './surfaces';
 
 /** Greatest number of pieces of a file; each needs a draw call. */
-const MOST_PIECES = 2 ** 18;
+const MAX_PIECES = 2 ** 18;
 /** Greatest number of triangles that splitting may add to a file: some tens of megabytes. */
-const MOST_MADE = 2 ** 19;
+const MAX_ADDED_TRIANGLES = 2 ** 19;
 
 /** Files of the bundle by their URIs in other files: buffers, and the GLB of dynamic objects. */
 export type Buffers = Map<string, Uint8Array<ArrayBuffer>>;
@@ -134,7 +134,7 @@ async function surfacesOf(glb: Glb, { glb: file, center, isDynamic }: GeometryRe
       const isPlain = !isDynamic && rows.length === 1 && rows.every(isIdentity);
       return { name, placements: isPlain ? null : rounded(rows, offset) };
     });
-    for (const primitive of entries(at(glb.document.meshes, mesh, 'mesh').primitives, 'primitives')) {
+    for (const primitive of entries(entryAt(glb.document.meshes, mesh, 'mesh').primitives, 'primitives')) {
       surfaces.push({ arrays: await primitiveOf(glb, primitive), same: sameOf(glb, primitive, file.name), placed });
     }
   }
@@ -144,7 +144,7 @@ async function surfacesOf(glb: Glb, { glb: file, center, isDynamic }: GeometryRe
 /** Pieces whose large triangles are split as finely as the budget allows. */
 function splitPieces(surfaces: readonly Surface[], offset: Point, { growth, isDynamic }: GeometryRequest): Piece[] {
   for (let tolerance = TOLERANCE; ; tolerance *= 2) {
-    const budget = { left: MOST_MADE };
+    const budget = { left: MAX_ADDED_TRIANGLES };
     // Dynamic objects may be posed, which changes which triangles are large.
     const pieces = piecesOf(surfaces, offset, createRule(isDynamic ? NOTHING_GROWS : growth, tolerance), budget);
     if (budget.left >= 0) return pieces;
@@ -155,7 +155,7 @@ function piecesOf(surfaces: readonly Surface[], offset: Point, rule: Rule, budge
   const pieces: Piece[] = [];
   for (const { arrays, same, placed } of surfaces) {
     for (const { name, placements } of placed) {
-      const lying = (): Arrays => ({ ...arrays, positions: moved(arrays.positions, offset) });
+      const lying = (): Arrays => ({ ...arrays, positions: translate(arrays.positions, offset) });
       const parts = placements
         ? splitPlaced(arrays, placements, rule, budget)
         : [{ arrays: splitArrays(lying(), rule, budget), placements }];
@@ -164,7 +164,7 @@ function piecesOf(surfaces: readonly Surface[], offset: Point, rule: Rule, budge
           // Split triangles, and positions without placements, belong to this region only.
           const own = part.arrays === arrays ? `${same} ${number}` : null;
           if (part.placements?.length !== 0) pieces.push({ ...piece, name, same: own, placements: part.placements });
-          if (pieces.length > MOST_PIECES) throw new Error(`expected at most ${MOST_PIECES} pieces of geometry`);
+          if (pieces.length > MAX_PIECES) throw new Error(`expected at most ${MAX_PIECES} pieces of geometry`);
         }
       }
     }
@@ -181,6 +181,6 @@ function offsetOf(translation: readonly number[] | undefined, center: Point): Po
 }
 
 /** Sums are computed in float64 and rounded once. */
-function moved(positions: Float32Array, offset: Point): Float32Array {
+function translate(positions: Float32Array, offset: Point): Float32Array {
   return positions.map((value, n) => value + (offset[n % 3] as number));
 }

@@ -69,7 +69,7 @@ const WIDTHS: Readonly<Record<string, number>> = { SCALAR: 1, VEC2: 2, VEC3: 3, 
 /**
  * Greatest number of rows of an array, and of bytes of all arrays of a file; the largest rings have a fraction of them.
  */
-const [MOST_ROWS, MOST_BYTES] = [2 ** 26, 2 ** 30] as const;
+const [MAX_ROWS, MAX_BYTES] = [2 ** 26, 2 ** 30] as const;
 
 const TYPES = {
   5120: Int8Array,
@@ -93,7 +93,7 @@ export interface Glb {
 export function openGlb(
   bytes: Uint8Array<ArrayBuffer>,
   parts: ReadonlyMap<string, Uint8Array>,
-  most: number = MOST_BYTES,
+  most: number = MAX_BYTES,
 ): Glb {
   const { document, chunk } = chunksOf(bytes);
   const decoded = new Map<number, Promise<Uint8Array>>();
@@ -106,14 +106,14 @@ export function openGlb(
   }
 
   function bufferOf(number: number): Uint8Array {
-    const entry = at(document.buffers, number, 'buffer');
+    const entry = entryAt(document.buffers, number, 'buffer');
     const found = entry.uri === undefined ? chunk : parts.get(entry.uri);
     if (!found) throw new Error(`the buffer ${entry.uri ?? number} is not there`);
     return found;
   }
 
   async function viewOf(number: number): Promise<Uint8Array> {
-    const view = at(document.bufferViews, number, 'view');
+    const view = entryAt(document.bufferViews, number, 'view');
     const packed = view.extensions?.EXT_meshopt_compression;
     if (!packed) return slice(bufferOf(view.buffer), view.byteOffset ?? 0, view.byteLength);
     const source = slice(bufferOf(packed.buffer), packed.byteOffset ?? 0, packed.byteLength);
@@ -125,13 +125,13 @@ export function openGlb(
   return {
     document,
     async read(number, width) {
-      const accessor = at(document.accessors, number, 'accessor');
+      const accessor = entryAt(document.accessors, number, 'accessor');
       const { count, byteOffset: start = 0 } = accessor;
       const Type = TYPES[accessor.componentType as keyof typeof TYPES];
-      if (!Type || WIDTHS[accessor.type] !== width || !isCount(count) || count > MOST_ROWS || !isCount(start)) {
+      if (!Type || WIDTHS[accessor.type] !== width || !isCount(count) || count > MAX_ROWS || !isCount(start)) {
         throw new Error(`accessor ${number}: expected rows of ${width} columns, got ${accessor.type}`);
       }
-      const view = at(document.bufferViews, accessor.bufferView, 'view');
+      const view = entryAt(document.bufferViews, accessor.bufferView, 'view');
       let whole = decoded.get(accessor.bufferView);
       if (!whole) {
         whole = viewOf(accessor.bufferView);
@@ -155,16 +155,16 @@ export function openGlb(
       return new Type(packed.buffer);
     },
     placeOf(number) {
-      const { bufferView, byteOffset = 0, count } = at(document.accessors, number, 'accessor');
-      const view = at(document.bufferViews, bufferView, 'view');
+      const { bufferView, byteOffset = 0, count } = entryAt(document.accessors, number, 'accessor');
+      const view = entryAt(document.bufferViews, bufferView, 'view');
       const { buffer, byteOffset: start = 0 } = view.extensions?.EXT_meshopt_compression ?? view;
-      return `${at(document.buffers, buffer, 'buffer').uri ?? ''}:${start}:${byteOffset}:${count}`;
+      return `${entryAt(document.buffers, buffer, 'buffer').uri ?? ''}:${start}:${byteOffset}:${count}`;
     },
   };
 }
 
 /** Entry of a list; throws an error that says what is missing. */
-export function at<T>(list: readonly T[] | undefined, number: number | undefined, what: string): T {
+export function entryAt<T>(list: readonly T[] | undefined, number: number | undefined, what: string): T {
   if (number === undefined) throw new Error(`the ${what}'s number is missing`);
   const found = Array.isArray(list) && isCount(number) ? (list as readonly T[])[number] : undefined;
   if (typeof found !== 'object' || found === null) throw new Error(`${what} ${number} is not there`);

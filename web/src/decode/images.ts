@@ -3,7 +3,7 @@ import { contentOf } from './files';
 import type { Band, FileData } from './messages';
 
 /** Greatest number of texels of a picture: 8192². */
-const MOST_TEXELS = 2 ** 26;
+const MAX_TEXELS = 2 ** 26;
 
 /** Greatest size of a band of a picture in bytes, unless a single row is larger. */
 const BAND_BYTES = 2 ** 18;
@@ -13,7 +13,7 @@ const AS_IT_IS = { colorSpaceConversion: 'none', premultiplyAlpha: 'none', image
 /** A picture as the GPU takes it. */
 export async function pictureOf(name: string, data: Uint8Array<ArrayBuffer>): Promise<ImageBitmap> {
   const [width, height] = sizeOf(name, data);
-  if (width * height > MOST_TEXELS) {
+  if (width * height > MAX_TEXELS) {
     throw new Error(`${name}: expected a smaller picture, got ${width} × ${height} pixels`);
   }
   try {

@@ -6,9 +6,9 @@ import { decodeRanges } from './ranges';
 
 const FACES = 6;
 /** Greatest number of texels along a face. */
-const MOST_SIDE = 4096;
+const MAX_SIDE = 4096;
 /** Size limits of a range file: nine lengths, then per texel at most two flags, a pair of bits, a byte and a word. */
-const [HEAD, MOST_BYTES, PLANES] = [36, 4, 9] as const;
+const [HEAD, MAX_BYTES, PLANES] = [36, 4, 9] as const;
 
 /** Applies the changes of rings; keeps the last ring's map. */
 export interface Maps {
@@ -55,8 +55,8 @@ export function createMaps(): Maps {
 
 function checkLayout(size: number, tile: number, across: number): void {
   const areCounts = [size, tile, across].every((value) => Number.isInteger(value) && value > 0);
-  const isLayout = areCounts && size <= MOST_SIDE && size % tile === 0;
-  if (!isLayout) throw new Error(`map: expected faces of up to ${MOST_SIDE} texels in tiles, got ${size} in ${tile}`);
+  const isLayout = areCounts && size <= MAX_SIDE && size % tile === 0;
+  if (!isLayout) throw new Error(`map: expected faces of up to ${MAX_SIDE} texels in tiles, got ${size} in ${tile}`);
 }
 
 async function apply(state: State, { ring, tiles, color, range }: NextMapRequest): Promise<void> {
@@ -94,10 +94,10 @@ async function firstCodes(state: State, tiles: readonly number[], range: readonl
   const changed = new Uint8Array(FACES * area);
   await Promise.all(
     range.map(async (file, face) => {
-      const raw = await inflated(file.name, await contentOf(file), HEAD + PLANES + MOST_BYTES * area);
+      const raw = await inflated(file.name, await contentOf(file), HEAD + PLANES + MAX_BYTES * area);
       const own = tiles.filter((number) => Math.floor(number / perFace) === face).map((number) => number % perFace);
       const place = codes.subarray(face * area, (face + 1) * area);
-      changed.set(named(file, () => decodeRanges(raw, place, null, own, state)), face * area);
+      changed.set(withFileName(file, () => decodeRanges(raw, place, null, own, state)), face * area);
     }),
   );
   return { codes, changed };
@@ -116,13 +116,13 @@ async function laterCodes(
     throw new Error(`map: expected ranges exactly where tiles change, got ${range.length} files`);
   }
   if (!file) return { codes: before, changed: new Uint8Array(before.length) };
-  const raw = await inflated(file.name, await contentOf(file), HEAD + PLANES + MOST_BYTES * tiles.length * tile * tile);
+  const raw = await inflated(file.name, await contentOf(file), HEAD + PLANES + MAX_BYTES * tiles.length * tile * tile);
   const codes = before.slice();
-  return { codes, changed: named(file, () => decodeRanges(raw, codes, before, tiles, state)) };
+  return { codes, changed: withFileName(file, () => decodeRanges(raw, codes, before, tiles, state)) };
 }
 
 /** Runs a function; its errors name a file. */
-function named<T>(file: FileData, work: () => T): T {
+function withFileName<T>(file: FileData, work: () => T): T {
   try {
     return work();
   } catch (error) {

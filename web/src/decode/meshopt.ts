@@ -15,20 +15,20 @@ export interface Compression {
 }
 
 /** Greatest size of a decompressed array in bytes; the largest ring of a bundle has a fraction of it. */
-const MOST_BYTES = 2 ** 28;
+const MAX_BYTES = 2 ** 28;
 /**
  * Greatest number of bytes that a compressed byte decodes to: version 0 of the vertex codec spends at least two bits on
  * 16 bytes of a column, the index codecs spend at least a byte on a triangle, or on an index.
  */
-const MOST_GROWTH = 64;
+const MAX_GROWTH = 64;
 /** Allowed size of short arrays in any case, bytes, because their last block may be padded. */
-const LEAST_BYTES = 2 ** 16;
-const MOST_STRIDE = 256;
+const MIN_BYTES = 2 ** 16;
+const MAX_STRIDE = 256;
 
 type Strides = (stride: number) => boolean;
 const isCorner: Strides = (stride) => stride === 2 || stride === 4;
 const MODES: ReadonlyMap<string, Strides> = new Map([
-  ['ATTRIBUTES', (stride: number) => stride % 4 === 0 && stride <= MOST_STRIDE],
+  ['ATTRIBUTES', (stride: number) => stride % 4 === 0 && stride <= MAX_STRIDE],
   ['TRIANGLES', isCorner],
   ['INDICES', isCorner],
 ]);
@@ -42,7 +42,7 @@ const FILTERS: ReadonlyMap<string, Strides> = new Map([
 export async function decompressed(source: Uint8Array, { count, byteStride, mode, filter = 'NONE' }: Compression) {
   const isSized = isCount(count) && isCount(byteStride) && byteStride > 0;
   const size = count * byteStride;
-  if (!isSized || size > Math.min(MOST_BYTES, LEAST_BYTES + MOST_GROWTH * source.length)) {
+  if (!isSized || size > Math.min(MAX_BYTES, MIN_BYTES + MAX_GROWTH * source.length)) {
     throw new Error(`${source.length} compressed bytes claim ${count} rows of ${byteStride} bytes`);
   }
   if (!MODES.get(mode)?.(byteStride) || (mode === 'TRIANGLES' && count % 3 !== 0)) {

@@ -2,9 +2,9 @@
 import type { Band, Part, Piece } from './messages';
 
 /** Greatest number of pieces and bands of a part; deserialising one takes about 20 µs. */
-const MOST_PIECES = 32;
+const MAX_PIECES = 32;
 /** Greatest size of a part in bytes, unless a single piece is larger; bounds the memory of waiting messages. */
-const MOST_BYTES = 2 ** 22;
+const MAX_BYTES = 2 ** 22;
 
 /** Packs all bands and pieces into parts, in order. */
 export function parcelled(bands: readonly Band[], pieces: readonly Piece[]): Part[] {
@@ -12,7 +12,7 @@ export function parcelled(bands: readonly Band[], pieces: readonly Piece[]): Par
   let [count, bytes] = [0, 0];
   const place = (size: number): { bands: Band[]; pieces: Piece[] } => {
     let last = parts.at(-1);
-    if (!last || count === MOST_PIECES || bytes + size > MOST_BYTES) {
+    if (!last || count === MAX_PIECES || bytes + size > MAX_BYTES) {
       last = { bands: [], pieces: [] };
       parts.push(last);
       [count, bytes] = [0, 0];

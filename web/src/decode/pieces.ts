@@ -2,13 +2,13 @@
 import type { Arrays } from './surfaces';
 
 /** Greatest number of triangles of a piece: about a megabyte. */
-const MOST_TRIANGLES = 32_768;
+const MAX_TRIANGLES = 32_768;
 /** Number of vertices that 16-bit indices can address. */
 const SHORT = 65_536;
 
 /** The same triangles in pieces of bounded size, each with the vertices that it uses. */
 export function chopped(whole: Arrays): Arrays[] {
-  const corners = 3 * MOST_TRIANGLES;
+  const corners = 3 * MAX_TRIANGLES;
   if (whole.indices.length === 0) return [];
   if (whole.indices.length <= corners) return [whole];
   const renamed = new Int32Array(whole.positions.length / 3).fill(-1);

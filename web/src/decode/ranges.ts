@@ -15,7 +15,7 @@ export interface Layout {
 /**
  * Least texels of a line that predicts, least texels of a line that is trusted; greatest texels that a line remembers.
  */
-const [LEAST, LONG, MEMORY] = [3, 8, 128] as const;
+const [MIN, LONG, MEMORY] = [3, 8, 128] as const;
 /**
  * Greatest differences in codes: of a texel from its line, of the second texel from the first, of two calm neighbours.
  */
@@ -143,7 +143,7 @@ function texel(
     let guess = neighbour;
     let trust: (typeof TRUST)[keyof typeof TRUST] =
       left !== NOTHING && above !== NOTHING && Math.abs(left - above) <= CALM ? TRUST.calm : TRUST.low;
-    if (n >= LEAST && m >= LEAST) {
+    if (n >= MIN && m >= MIN) {
       if (Math.abs(byRow - byColumn) <= FIT) {
         guess = scale.code((next(row, 0) * n + next(columns, x) * m) / (n + m), distance, byRow);
         trust = n + m > 2 * LONG ? TRUST.high : TRUST.some;
@@ -151,10 +151,10 @@ function texel(
         guess = Math.abs(byRow - neighbour) <= Math.abs(byColumn - neighbour) ? byRow : byColumn;
         trust = TRUST.some;
       }
-    } else if (n >= LEAST && Math.abs(byRow - neighbour) <= FIT) {
+    } else if (n >= MIN && Math.abs(byRow - neighbour) <= FIT) {
       guess = byRow;
       trust = n > LONG ? TRUST.high : TRUST.some;
-    } else if (n < LEAST && m >= LEAST && Math.abs(byColumn - neighbour) <= FIT) {
+    } else if (n < MIN && m >= MIN && Math.abs(byColumn - neighbour) <= FIT) {
       guess = byColumn;
       trust = m > LONG ? TRUST.high : TRUST.some;
     }

@@ -1,5 +1,5 @@
 /** Arrays and materials of the primitives of a GLB. */
-import { at, type Glb, type MaterialEntry, type Numbers, type Primitive } from './glb';
+import { entryAt, type Glb, type MaterialEntry, type Numbers, type Primitive } from './glb';
 import type { Material, Piece } from './messages';
 
 /** Folder of the files of a bundle; URIs within files are relative to it. */
@@ -34,7 +34,7 @@ export async function primitiveOf(glb: Glb, { attributes = {}, indices, material
     uvs: uvs && finite(uvs, 'texture coordinates'),
     colors,
     indices: corners,
-    material: materialOf(glb, at(glb.document.materials, material, 'material')),
+    material: materialOf(glb, entryAt(glb.document.materials, material, 'material')),
   };
 }
 
@@ -106,8 +106,8 @@ function emissionOf({ emissiveFactor = [0, 0, 0], extensions }: MaterialEntry): 
 }
 
 function imageOf({ document }: Glb, texture: number): string {
-  const entry = at(document.textures, texture, 'texture');
-  return pictureName(at(document.images, entry.extensions?.EXT_texture_webp?.source ?? entry.source, 'image'));
+  const entry = entryAt(document.textures, texture, 'texture');
+  return pictureName(entryAt(document.images, entry.extensions?.EXT_texture_webp?.source ?? entry.source, 'image'));
 }
 
 /** Name of a picture in the bundle. */

@@ -9,7 +9,7 @@ const [LATER, LATEST] = [2, 60] as const;
 /** Status codes of a busy server: too many requests of this client, or of all clients. */
 const BUSY = [429, 503];
 /** Greatest length of a displayed reason. */
-const MOST_REASON = 300;
+const MAX_REASON_LENGTH = 300;
 
 /** Response of a server; throws a BundleError of `kind` if it refuses. `busy` receives the seconds of each pause. */
 export async function ask(
@@ -45,6 +45,6 @@ function pauseOf({ headers }: Response): number {
 
 /** Reason in an error response, without the status in front. */
 async function reasonOf(response: Response): Promise<string> {
-  const text = (await response.text()).trim().slice(0, MOST_REASON);
+  const text = (await response.text()).trim().slice(0, MAX_REASON_LENGTH);
   return text.replace(/^\d{3} [^:]*: /, '') || `the server answers ${response.status} ${response.statusText}`.trim();
 }

@@ -1,6 +1,6 @@
 /** World whose regions a server makes on demand, for any place. */
 import type { Described } from '../bundle/manifest';
-import { createFiles, type Files, MOST_MANIFEST, type Received } from '../bundle/source';
+import { createFiles, type Files, MAX_MANIFEST, type Received } from '../bundle/source';
 import type { Network } from '../bundle/transfer';
 import type { World } from '../show/world';
 import { ask } from './ask';
@@ -46,7 +46,7 @@ export function createDemandWorld({ base, site, scene, last, received, network }
       told({ stage: 'asked' });
       signal.addEventListener('abort', () => makings.delete(region), { once: true });
       const answer = await ask(new URL(name, base), 'place', (seconds) => told({ stage: 'busy', seconds }), signal, network);
-      const coming = await readPlace(linesOf('parts', answer, MOST_MANIFEST), last, {
+      const coming = await readPlace(linesOf('parts', answer, MAX_MANIFEST), last, {
         listed(files) {
           for (const [file, described] of Object.entries(files)) listed.set(file, described);
         },

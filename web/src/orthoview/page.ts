@@ -69,7 +69,7 @@ function main(): void {
     bytes: number(query, 'megabytes', (isSmall ? BYTES / 4 : BYTES) >> 20, 1, 1 << 14) * 2 ** 20,
     workers: Math.min(Math.max((navigator.hardwareConcurrency || 2) - 1, 1), 4),
     received: meter.receive,
-    opened,
+    opened: onOpen,
     failed(failure, isFatal) {
       if (isFatal) {
         fatal(failure);
@@ -90,7 +90,7 @@ function main(): void {
   window.addEventListener('hashchange', () => fly.setPose(readLink(location.hash) ?? fly.pose));
   canvas.addEventListener('webglcontextlost', () => fatal({ kind: 'other', message: LOST }));
 
-  function opened(layout: Layout): void {
+  function onOpen(layout: Layout): void {
     ground = layout.origin[1];
     home = startOf(layout);
     if (!begun) fly.setPose(home);

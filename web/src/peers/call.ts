@@ -38,7 +38,7 @@ export function createCall({ opened, ended, refuse }: CallEvents, later: Clock['
   };
 
   /** Returns the description with all addresses, so that one signal suffices. */
-  async function described(): Promise<string> {
+  async function localDescription(): Promise<string> {
     await connection.setLocalDescription();
     if (connection.iceGatheringState !== 'complete') {
       await new Promise<void>((done) => {
@@ -54,10 +54,10 @@ export function createCall({ opened, ended, refuse }: CallEvents, later: Clock['
   }
 
   return {
-    offer: described,
+    offer: localDescription,
     async answer(offer) {
       await connection.setRemoteDescription({ type: 'offer', sdp: offer });
-      return described();
+      return localDescription();
     },
     take: (answer) => connection.setRemoteDescription({ type: 'answer', sdp: answer }),
     close() {

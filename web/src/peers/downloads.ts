@@ -7,7 +7,7 @@ import { type Message, PART } from './messages';
 /** Seconds per tick. */
 export const TICK = 0.25;
 /** Greatest number of concurrent requests to one page. */
-const MOST_OPEN = 32;
+const MAX_OPEN = 32;
 
 /** Content of a file, or why it is missing: the page lacks it, has stopped sending, or has sent wrong data. */
 export type Answer = ArrayBuffer | 'none' | 'silent' | 'wrong';
@@ -97,7 +97,7 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
       return downloads.size;
     },
     get isFree() {
-      return downloads.size < MOST_OPEN && ![...downloads.values()].some(({ isOver }) => isOver);
+      return downloads.size < MAX_OPEN && ![...downloads.values()].some(({ isOver }) => isOver);
     },
     ask(file, signal, received) {
       signal.throwIfAborted();

@@ -9,9 +9,9 @@ import type { Line } from './peer';
 import { readSignal, type Signal } from './signals';
 
 /** Neighbours on each side in the circle of numbers; greatest number of connections. */
-const [REACH, MOST_CALLS] = [6, 16] as const;
+const [REACH, MAX_CALLS] = [6, 16] as const;
 /** Greatest number of answered offers per user. */
-const MOST_OFFERS = 8;
+const MAX_OFFERS = 8;
 /** Rate per second and burst of new connections, to any users. */
 const [RATE, BURST] = [1, 16] as const;
 /** Timeout for a connection, seconds. */
@@ -159,7 +159,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     if (!isOn || own === null || untold === null || untold > 0) return;
     for (const user of neighbours()) {
       const isOther = user > own && !places.has(user) && !failed.has(user) && !dropped.has(user);
-      if (!isOther || places.size >= MOST_CALLS) continue;
+      if (!isOther || places.size >= MAX_CALLS) continue;
       if (!calls.take(1)) {
         offerLater();
         return;
@@ -180,7 +180,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
 
   /** Whether an offer is answered: only neighbours get this page's addresses and one of its connections. */
   function isAnswered(user: number): boolean {
-    const hasPlace = places.has(user) || places.size < MOST_CALLS;
+    const hasPlace = places.has(user) || places.size < MAX_CALLS;
     return isOn === true && user < (own ?? 0) && hasPlace && neighbours().includes(user);
   }
 
@@ -203,7 +203,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
   function answer(user: number, said: Signal, before: Place | undefined): void {
     const count = (offers.get(user) ?? 0) + 1;
     offers.set(user, count);
-    if (count > MOST_OFFERS) {
+    if (count > MAX_OFFERS) {
       drop(user, 'it offers too often');
       return;
     }

@@ -5,13 +5,13 @@ import { FrameError, Reader, Writer } from '../rooms/bytes';
 /** Bytes per part of a file; the last part may be shorter. */
 export const PART = 16_384;
 /** Greatest number of files per `tell` message. */
-export const MOST_TOLD = 500;
+export const MAX_FILES_PER_MESSAGE = 500;
 /** Bytes of a key, which is the SHA-256 of a file's content. */
 const KEY = 32;
 /** Bytes of the header: message kind and request number. */
 const HEAD = 5;
 /** Greatest size of a message, bytes. */
-export const MOST_BYTES = HEAD + PART;
+export const MAX_BYTES = HEAD + PART;
 
 /** State of a file on a page: present, being received from the server, or neither. */
 export type Holding = 'here' | 'coming' | 'gone';
@@ -31,7 +31,7 @@ export type Message =
 
 /** Parses a message; throws `FrameError` if it is malformed. */
 export function readMessage(bytes: Uint8Array): Message {
-  if (bytes.length > MOST_BYTES) throw new FrameError('a message is too long');
+  if (bytes.length > MAX_BYTES) throw new FrameError('a message is too long');
   const reader = new Reader(bytes);
   const message = readBody(reader.u8(), reader);
   reader.end('a message is too long');
@@ -44,7 +44,7 @@ function readBody(kind: number, reader: Reader): Message {
       const holding = HOLDINGS[reader.u8()];
       if (!holding) throw new FrameError('a file is held in no way that there is');
       const keys: string[] = [];
-      while (!reader.isAtEnd && keys.length <= MOST_TOLD) keys.push(hexOf(reader.take(KEY)));
+      while (!reader.isAtEnd && keys.length <= MAX_FILES_PER_MESSAGE) keys.push(hexOf(reader.take(KEY)));
       return { kind: 'tell', holding, keys };
     }
     case KINDS.want:

@@ -3,9 +3,9 @@ import type { Clock } from '../rooms/clock';
 import { createBucket } from './bucket';
 
 /** Bytes per second and burst, below the limits of docs/rooms.md; least bytes that a signal counts for. */
-const [RATE, BURST, LEAST] = [24_576, 12_288, 64] as const;
+const [RATE, BURST, MIN] = [24_576, 12_288, 64] as const;
 /** Greatest number of queued signals. */
-const MOST_WAITING = 64;
+const MAX_WAITING = 64;
 
 export interface Outbox {
   send(user: number, payload: Uint8Array): void;
@@ -21,7 +21,7 @@ export function createOutbox(send: (user: number, payload: Uint8Array) => void, 
   function flush(): void {
     for (let next = waiting[0]; next; next = waiting[0]) {
       const [user, payload] = next;
-      const size = Math.min(Math.max(payload.length, LEAST), BURST);
+      const size = Math.min(Math.max(payload.length, MIN), BURST);
       if (!bucket.take(size)) {
         isWaiting = true;
         clock.later(bucket.secondsTo(size) + 0.01, () => {
@@ -37,7 +37,7 @@ export function createOutbox(send: (user: number, payload: Uint8Array) => void, 
 
   return {
     send(user, payload) {
-      if (waiting.length >= MOST_WAITING) return;
+      if (waiting.length >= MAX_WAITING) return;
       waiting.push([user, payload]);
       if (!isWaiting) flush();
     },

@@ -4,17 +4,17 @@ import { FrameError } from '../rooms/bytes';
 import type { Clock } from '../rooms/clock';
 import { type Bucket, createBucket } from './bucket';
 import { type Answer, createDownloads, type Wanted } from './downloads';
-import { type Holding, type Message, MOST_TOLD, readMessage, writeMessage } from './messages';
+import { type Holding, type Message, MAX_FILES_PER_MESSAGE, readMessage, writeMessage } from './messages';
 import { createUploads, type Shelf } from './uploads';
 
 /** Rate per second and burst of messages except parts; number of listed files that count as one message. */
 const [RATE, BURST, TOLD] = [512, 2048, 50] as const;
 /** Number of times with unanswered requests before a page gets no more; simultaneous ones count once. */
-const MOST_SILENT = 3;
+const MAX_TIMEOUTS = 3;
 /** Rate per second and burst of this page's requests: below the limits of those who answer. */
 const [ASKED_RATE, ASKED_BURST] = [80, 300] as const;
 /** Greatest number of files remembered per page; more are ignored. */
-const MOST_KNOWN = 8192;
+const MAX_KNOWN_FILES = 8192;
 /** Threshold of buffered bytes below which the browser asks for more. */
 const LOW = 1 << 17;
 
@@ -88,7 +88,7 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
   function learn(holding: Holding, keys: readonly string[]): void {
     for (const key of keys) {
       if (holding === 'gone') known.delete(key);
-      else if (known.has(key) || known.size < MOST_KNOWN) known.set(key, holding);
+      else if (known.has(key) || known.size < MAX_KNOWN_FILES) known.set(key, holding);
     }
   }
 
@@ -134,14 +134,14 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
       return downloads.open;
     },
     get isFree() {
-      return !isOver && silences.size < MOST_SILENT && downloads.isFree && asked.secondsTo(1) === 0;
+      return !isOver && silences.size < MAX_TIMEOUTS && downloads.isFree && asked.secondsTo(1) === 0;
     },
     holds: (key) => known.get(key) ?? 'gone',
     tell(holding, keys) {
       let at = 0;
       do {
-        send({ kind: 'tell', holding, keys: keys.slice(at, at + MOST_TOLD) });
-        at += MOST_TOLD;
+        send({ kind: 'tell', holding, keys: keys.slice(at, at + MAX_FILES_PER_MESSAGE) });
+        at += MAX_FILES_PER_MESSAGE;
       } while (at < keys.length);
     },
     async ask(file, signal, received) {

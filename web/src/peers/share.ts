@@ -19,7 +19,7 @@ import { isBefore } from './weights';
 const FIRST = { patience: 3, longest: 5, slowest: 1e6 } as const;
 const LATER = { patience: 4, longest: 10, slowest: 65_536 } as const;
 /** Number of users that time out during the first picture before it is loaded from the server alone. */
-const MOST_LATE = 2;
+const MAX_TIMED_OUT_USERS = 2;
 
 export interface ShareSettings {
   readonly store: Store;
@@ -62,10 +62,10 @@ export function createShare(settings: ShareSettings): Share {
   const late = new Set<number>();
 
   /** Returns the page to request a file from; null for the server. */
-  function chosen(key: string, tried: ReadonlySet<number>): Peer | null {
+  function choosePeer(key: string, tried: ReadonlySet<number>): Peer | null {
     const number = own();
     const isHasty = isFirst();
-    if (number === null || (isHasty && late.size >= MOST_LATE)) return null;
+    if (number === null || (isHasty && late.size >= MAX_TIMED_OUT_USERS)) return null;
     const isPassed = (user: number): boolean => tried.has(user) || (isHasty && late.has(user));
     const free = peers().filter((peer) => peer.isFree && !peer.awaits(key) && !isPassed(peer.number));
     const byLoad = (a: Peer, b: Peer): number => a.open - b.open || (isBefore(a.number, b.number, key) ? -1 : 1);
@@ -79,9 +79,9 @@ export function createShare(settings: ShareSettings): Share {
 
   async function fromOthers(file: Described, signal: AbortSignal, received: Received): Promise<ArrayBuffer | null> {
     const { sha256: key } = file;
-    if (!peers().some((peer) => peer.holds(key) !== 'gone')) await within(ready, signal);
+    if (!peers().some((peer) => peer.holds(key) !== 'gone')) await waitFor(ready, signal);
     const tried = new Set<number>();
-    for (let peer = chosen(key, tried); peer; peer = chosen(key, tried)) {
+    for (let peer = choosePeer(key, tried); peer; peer = choosePeer(key, tried)) {
       tried.add(peer.number);
       const answer: Answer = await peer.ask({ ...file, ...(isFirst() ? FIRST : LATER) }, signal, received);
       if (answer instanceof ArrayBuffer) return answer;
@@ -181,7 +181,7 @@ export function createShare(settings: ShareSettings): Share {
 }
 
 /** Waits for a promise, or until the signal aborts. */
-async function within(awaited: Promise<void>, signal: AbortSignal): Promise<void> {
+async function waitFor(awaited: Promise<void>, signal: AbortSignal): Promise<void> {
   signal.throwIfAborted();
   let stop = (): void => undefined;
   const stopped = new Promise<never>((_, failed) => {

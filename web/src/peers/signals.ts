@@ -3,7 +3,7 @@ import { FrameError, Reader, Writer } from '../rooms/bytes';
 
 const VERSION = 1;
 /** Greatest number of bytes of a description, and of its addresses that are used. */
-const [MOST_BYTES, MOST_ADDRESSES] = [8192, 8] as const;
+const [MAX_BYTES, MAX_ADDRESSES] = [8192, 8] as const;
 /** Lines with addresses; lines with a device's own UDP addresses: without a STUN server there are no others. */
 const ADDRESS = /^\s*a=candidate:/i;
 const OWN = /^a=candidate:\S+ \d+ udp \d+ \S+ \d+ typ host(?:\s|$)/i;
@@ -23,7 +23,7 @@ export function readSignal(payload: Uint8Array): Signal {
   const kind = KINDS[reader.u8()];
   if (!kind) throw new FrameError('a signal is of no kind that there is');
   const attempt = reader.u32();
-  const sdp = textOf(reader.rest(MOST_BYTES));
+  const sdp = textOf(reader.rest(MAX_BYTES));
   if (kind === 'no' ? sdp !== '' : !isDescription(sdp)) throw new FrameError('a signal describes no channel for data');
   return { kind, attempt, sdp: withFewAddresses(sdp) };
 }
@@ -31,7 +31,7 @@ export function readSignal(payload: Uint8Array): Signal {
 /** Writes a payload; throws `FrameError` for a description that others would reject. */
 export function writeSignal({ kind, attempt, sdp }: Signal): Uint8Array<ArrayBuffer> {
   const text = new TextEncoder().encode(sdp);
-  if (text.length > MOST_BYTES) throw new FrameError('a description is too long');
+  if (text.length > MAX_BYTES) throw new FrameError('a description is too long');
   const out = new Writer();
   out.u8(VERSION);
   out.u8(KINDS.indexOf(kind));
@@ -51,7 +51,7 @@ function withFewAddresses(sdp: string): string {
   let count = 0;
   const lines = sdp.split('\n').filter((line) => {
     if (!ADDRESS.test(line)) return true;
-    return OWN.test(line) && ++count <= MOST_ADDRESSES;
+    return OWN.test(line) && ++count <= MAX_ADDRESSES;
   });
   return lines.join('\n');
 }

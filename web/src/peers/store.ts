@@ -1,7 +1,7 @@
 /** Least recently used cache of file contents that a page can give to others, by key. */
 
 /** Greatest number of stored bytes. */
-const MOST_BYTES = 64 * 2 ** 20;
+const MAX_BYTES = 64 * 2 ** 20;
 
 export interface Store {
   readonly keys: readonly string[];
@@ -13,7 +13,7 @@ export interface Store {
 }
 
 /** Creates a store of blobs, which browsers may keep on disk. */
-export function createStore(most: number = MOST_BYTES): Store {
+export function createStore(most: number = MAX_BYTES): Store {
   const kept = new Map<string, Blob>();
   let bytes = 0;
 

@@ -6,11 +6,11 @@ import { type Message, PART } from './messages';
 /** Limit of buffered bytes in the browser; bytes of a file that are read at once. */
 const [WAITING, READ] = [1 << 18, 4 * PART] as const;
 /** Greatest number of concurrent requests of one page. */
-const MOST_OPEN = 64;
+const MAX_OPEN = 64;
 /** Rate per second and burst of requests that are answered with a file. */
 const [RATE, BURST] = [100, 400] as const;
 /** Number of times that one page gets a file: once, and again after an interruption. */
-const MOST_TIMES = 2;
+const MAX_SENDS_PER_PAGE = 2;
 /** Bytes per second and burst for all other pages together; the burst is the size of a page's store. */
 const [BYTES_RATE, BYTES_BURST] = [4 * 2 ** 20, 64 * 2 ** 20] as const;
 
@@ -65,7 +65,7 @@ export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now:
   /** Returns the file if the limits of the page and the budget allow it, else null. */
   function granted(key: string, found: Blob | null): Blob | null {
     const count = (times.get(key) ?? 0) + 1;
-    if (!found || count > MOST_TIMES || !budget.take(found.size)) return null;
+    if (!found || count > MAX_SENDS_PER_PAGE || !budget.take(found.size)) return null;
     times.set(key, count);
     return found;
   }
@@ -112,7 +112,7 @@ export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now:
     want(request, key) {
       if (request <= last) return 'a request has a number that was used';
       last = request;
-      if (ready.size + waiting.size >= MOST_OPEN) return 'too much is asked for at once';
+      if (ready.size + waiting.size >= MAX_OPEN) return 'too much is asked for at once';
       const isFast = !rate.take(1);
       const found = isFast ? null : shelf.find(key);
       if (found) {

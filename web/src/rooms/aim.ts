@@ -1,7 +1,7 @@
 /** World point at which the user points. */
 import { directionTo } from '../control/places';
 import type { Pose } from '../control/pose';
-import { minus, moved, type Vector } from '../control/vector';
+import { minus, addScaled, type Vector } from '../control/vector';
 import type { Viewer } from '../show/viewer';
 import type { Place } from './hold';
 import { rangeIn } from './ranges';
@@ -25,10 +25,10 @@ export function targetAt(viewer: Viewer, nearShare: number, pose: Pose, [x, y]: 
   if (seen) {
     const morph = { user: minus(pose.position, center), inner: nearShare * radius, radius, strength };
     const found = pointShownAt(minus(seen, pose.position), morph);
-    return found ? moved(center, found, 1) : seen;
+    return found ? addScaled(center, found, 1) : seen;
   }
   const { camera, renderer, shared } = viewer;
   const direction = directionTo(pose, [x, y], Math.tan((camera.fov * Math.PI) / 360), camera.aspect);
   const range = rangeIn(renderer, shared, direction) ?? Math.max(NOTHING_HIT, BEYOND * radius);
-  return moved(center, direction, range);
+  return addScaled(center, direction, range);
 }

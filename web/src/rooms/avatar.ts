@@ -5,7 +5,7 @@ import { minus } from '../control/vector';
 import { NEAR_VERTEX } from '../shaders/near';
 import type { Shared } from '../show/materials';
 import { colorOf } from './color';
-import { type Drawn, drawn, paint, setPoint } from './drawn';
+import { type Drawn, createMesh, paint, setPoint } from './drawn';
 import { createLabel } from './label';
 import type { Body, Placed } from './pose';
 import { createRay } from './ray';
@@ -33,7 +33,7 @@ export function createAvatar(shapes: Shapes, shared: Shared): Avatar {
   const own = new Vector4();
   const solid = (shape: BufferGeometry, base: Vector4): Drawn => {
     const uniforms = { base_color: { value: base }, placement: { value: new Matrix4() } };
-    return drawn(shape, shared, NEAR_VERTEX, { SMOOTH: '' }, uniforms);
+    return createMesh(shape, shared, NEAR_VERTEX, { SMOOTH: '' }, uniforms);
   };
   const parts = {
     head: solid(shapes.head, own),
@@ -43,7 +43,7 @@ export function createAvatar(shapes: Shapes, shared: Shared): Avatar {
   };
   const ray = createRay(shapes, shared, own);
   const [image, ratio] = [{ value: null as Texture | null }, { value: 1 }];
-  const title = drawn(shapes.name, shared, NAME_VERTEX, { TEXTURED: '', CUTOUT: '', UNLIT: '' }, {
+  const title = createMesh(shapes.name, shared, NAME_VERTEX, { TEXTURED: '', CUTOUT: '', UNLIT: '' }, {
     base_color: { value: new Vector4(1, 1, 1, 1) },
     image,
     cutoff: { value: 0.5 },

@@ -43,7 +43,7 @@ export function createAvatars(shared: Shared): Avatars {
   // three.js deletes a program with its last material, and would recompile it for the next user.
   const spare: Avatar[] = [createAvatar(shapes, common)];
 
-  function of(number: number, name: string): Avatar {
+  function avatarOf(number: number, name: string): Avatar {
     const found = kept.get(number);
     if (found?.name === name) return found.avatar;
     const avatar = found?.avatar ?? spare.pop() ?? createAvatar(shapes, common);
@@ -69,7 +69,7 @@ export function createAvatars(shared: Shared): Avatars {
     show(seen, own, pixel) {
       common.pixel.value = pixel;
       forget(new Set(seen.map(({ number }) => number)));
-      for (const { number, name, body } of seen) of(number, shownName(name, number)).show(body);
+      for (const { number, name, body } of seen) avatarOf(number, shownName(name, number)).show(body);
       pointing = own?.body.pointer ? own : null;
       if (pointing) paint(color, pointing.number);
     },

@@ -22,7 +22,7 @@ export async function openDatagrams(relay: string, to: Datagrams, listener: List
     () => BROKEN,
   );
   try {
-    const stream = await within(READY, openStream(transport));
+    const stream = await withTimeout(READY, openStream(transport));
     // Nothing is reported of a session that fails, as in browsers with another version of WebTransport.
     const socket = sending(transport, stream.writable, closed);
     void closed.then((code) => listener.closed(code));
@@ -76,7 +76,7 @@ function sending(transport: WebTransport, writable: WritableStream, closed: Prom
       }
       // The server ends the session at the stream's end. If the page did, the last bytes of the stream could be lost.
       stream.close().catch(ignore);
-      within(CLOSING, closed).catch(() => transport.close());
+      withTimeout(CLOSING, closed).catch(() => transport.close());
     },
   };
 }
@@ -140,7 +140,7 @@ export async function readAll(readable: ReadableStream, take: (bytes: Uint8Array
   }
 }
 
-async function within<T>(seconds: number, promise: Promise<T>): Promise<T> {
+async function withTimeout<T>(seconds: number, promise: Promise<T>): Promise<T> {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const late = new Promise<never>((_, reject) => {
     timer = setTimeout(() => reject(new Error('the server does not answer')), 1000 * seconds);

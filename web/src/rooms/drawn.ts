@@ -8,7 +8,7 @@ import { colorOf } from './color';
 export type Drawn = Mesh<BufferGeometry, RawShaderMaterial>;
 
 /** Creates a mesh that its vertex shader places. */
-export function drawn(
+export function createMesh(
   shape: BufferGeometry,
   shared: Shared,
   vertexShader: string,

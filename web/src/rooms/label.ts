@@ -4,7 +4,7 @@ import { CanvasTexture, type Color, LinearFilter, LinearMipmapLinearFilter, SRGB
 /** Height of the label, height of the letters and horizontal padding, pixels. */
 const [HEIGHT, LETTERS, BESIDE] = [64, 40, 22] as const;
 /** Greatest number of letters, and greatest width in pixels: some letters are as wide as words. */
-const [MOST, WIDEST] = [24, 640] as const;
+const [MAX, WIDEST] = [24, 640] as const;
 
 export interface Label {
   readonly texture: CanvasTexture;
@@ -16,7 +16,7 @@ export function createLabel(name: string, color: Color): Label {
   const canvas = document.createElement('canvas');
   const pen = canvas.getContext('2d');
   const letters = [...name];
-  const text = letters.length > MOST ? `${letters.slice(0, MOST - 1).join('')}…` : name;
+  const text = letters.length > MAX ? `${letters.slice(0, MAX - 1).join('')}…` : name;
   const font = `600 ${LETTERS}px system-ui, sans-serif`;
   if (pen) pen.font = font;
   const width = Math.min(Math.ceil(pen?.measureText(text).width ?? 0), WIDEST);

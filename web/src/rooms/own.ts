@@ -1,6 +1,6 @@
 /** The user's body as others see it. */
 import type { Pose } from '../control/pose';
-import { ahead, minus, moved, rightOf, type Vector } from '../control/vector';
+import { ahead, minus, addScaled, rightOf, type Vector } from '../control/vector';
 import type { HandRay } from '../xr/hands';
 import { type Body, FARTHEST, type Placed } from './pose';
 import { rotationAlong, rotationOf } from './rotation';
@@ -12,8 +12,8 @@ const [RIGHT, DOWN, AHEAD] = [0.22, 0.28, 0.4] as const;
 export function atScreen(pose: Pose, target: Vector | null): Body {
   const head: Placed = { position: pose.position, rotation: rotationOf(pose.yaw, pose.pitch) };
   if (!target) return { head, left: null, right: null, pointer: null };
-  const side = moved(pose.position, rightOf(pose.yaw), RIGHT);
-  const position = moved(moved(side, ahead({ yaw: pose.yaw, pitch: 0 }), AHEAD), [0, -1, 0], DOWN);
+  const side = addScaled(pose.position, rightOf(pose.yaw), RIGHT);
+  const position = addScaled(addScaled(side, ahead({ yaw: pose.yaw, pitch: 0 }), AHEAD), [0, -1, 0], DOWN);
   const way = minus(target, position);
   const right: Placed = { position, rotation: rotationAlong(way) };
   return { head, left: null, right, pointer: { begin: 'right', length: Math.min(Math.hypot(...way), FARTHEST) } };

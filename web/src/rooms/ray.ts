@@ -3,7 +3,7 @@ import { Vector3, type Vector4 } from 'three';
 import type { Point } from '../bundle/manifest';
 import { minus, type Vector } from '../control/vector';
 import type { Shared } from '../show/materials';
-import { type Drawn, drawn, setPoint } from './drawn';
+import { type Drawn, createMesh, setPoint } from './drawn';
 import type { Body } from './pose';
 import { rotated } from './rotation';
 import { POINTER_VERTEX } from './shaders';
@@ -16,7 +16,7 @@ export interface Ray {
 }
 
 export function createRay(shapes: Shapes, shared: Shared, color: Vector4): Ray {
-  const mesh = drawn(shapes.pointer, shared, POINTER_VERTEX, { UNLIT: '' }, {
+  const mesh = createMesh(shapes.pointer, shared, POINTER_VERTEX, { UNLIT: '' }, {
     base_color: { value: color },
     begin: { value: new Vector3() },
     end: { value: new Vector3() },

@@ -1,7 +1,7 @@
 /** Round trips by the paper's Eq. 3: from the sending of a pose until all others of the group have acknowledged it. */
 
 /** Seconds between two poses to be acknowledged; greatest number of open ones. */
-const [EVERY, MOST_OPEN] = [0.25, 64] as const;
+const [EVERY, MAX_OPEN] = [0.25, 64] as const;
 /** Number of round trips for the median. */
 const KEPT = 32;
 
@@ -33,7 +33,7 @@ export function createRoundTrips(): RoundTrips {
       if (now - last < EVERY && !(isLast && open.size > 0)) return false;
       last = now;
       const [oldest] = open.keys();
-      if (open.size >= MOST_OPEN && oldest !== undefined) open.delete(oldest);
+      if (open.size >= MAX_OPEN && oldest !== undefined) open.delete(oldest);
       open.set(sequence, now);
       return true;
     },

@@ -43,7 +43,7 @@ void main() {
   bool is_spot = position.x > 1.5;
   float share = min(position.x, 1.0);
   v_point = mix(begin, end, share);
-  vec3 at = shown(v_point);
+  vec3 at = displayed(v_point);
   float away = length(at);
   if (is_spot) {
     mat3 axes = facing(at);
@@ -52,7 +52,7 @@ void main() {
     v_shown = BEFORE * at;
     v_shown += (axes[0] * position.y + axes[1] * position.z) * max(SPOT.x, max(SPOT.y * pixel, SPOT.z) * away);
   } else {
-    vec3 side = cross(shown(mix(begin, end, share + ONWARDS)) - at, at);
+    vec3 side = cross(displayed(mix(begin, end, share + ONWARDS)) - at, at);
     side = dot(side, side) > 0.0 ? normalize(side) : vec3(0.0, 1.0, 0.0);
     v_shown = at + side * position.y * max(RIBBON.x, RIBBON.y * pixel * away);
   }
@@ -75,7 +75,7 @@ const vec2 HEIGHT = vec2(0.08, 0.032);
 void main() {
   v_point = begin;
   v_uv = uv;
-  vec3 at = shown(v_point);
+  vec3 at = displayed(v_point);
   mat3 axes = facing(at);
   v_shown = at + (axes[0] * position.x * ratio + axes[1] * position.y) * max(HEIGHT.x, HEIGHT.y * length(at));
   gl_Position = projectionMatrix * vec4(mat3(viewMatrix) * v_shown, 1.0);

@@ -15,7 +15,7 @@ const [ONWARDS, FASTEST] = [0.1, 20] as const;
 /** Initial interval between poses; greatest gap that counts as an interval. */
 const [INTERVAL, PAUSE] = [1 / 72, 0.1] as const;
 /** Greatest jitter that is compensated; time constant of its exponential decay. */
-const [MOST_LATE, FORGET] = [0.25, 3] as const;
+const [MAX_LATE, FORGET] = [0.25, 3] as const;
 /** Greatest relative change of playback speed, which is imperceptible; difference above which playback jumps. */
 const [SLEW, STEP] = [0.1, 0.5] as const;
 
@@ -112,7 +112,7 @@ export function createTrack(): Track {
     },
     at(now) {
       if (samples.length === 0) return null;
-      const wanted = offset() + interval + Math.min(late, MOST_LATE);
+      const wanted = offset() + interval + Math.min(late, MAX_LATE);
       const change = wanted - (subtracted ?? wanted);
       const most = SLEW * Math.max(now - drawn, 0);
       const isDrift = subtracted !== null && Math.abs(change) < STEP;

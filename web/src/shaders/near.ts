@@ -46,7 +46,7 @@ void main() {
   mat4 placement = transpose(mat4(row_x, row_y, row_z, vec4(0.0, 0.0, 0.0, 1.0)));
 #endif
   v_point = (placement * vec4(position, 1.0)).xyz;
-  v_shown = shown(v_point);
+  v_shown = displayed(v_point);
 #ifdef SMOOTH
   // Normals go by the cofactors of the matrix, whatever its scale and handedness.
   mat3 m = mat3(placement);

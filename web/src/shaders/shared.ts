@@ -24,7 +24,7 @@ export const SHARED = PRECISION + MORPH + SHOWN;
 
 /** Computes the shown position of a point relative to the eye in a vertex shader. */
 export const SHOWN_AT = /* glsl */ `
-vec3 shown(vec3 p) {
+vec3 displayed(vec3 p) {
   vec3 from_user = p - cameraPosition;
   float rho = length(p.xz);
   if (!is_morphed() || (radii.w == 1.0 && rho <= radii.x)) {

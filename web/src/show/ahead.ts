@@ -2,7 +2,7 @@
 import type { Fetch } from '../bundle/source';
 
 /** Greatest number of prefetched bytes that are not requested yet. */
-const MOST_AHEAD = 16 * 2 ** 20;
+const MAX_PREFETCH_BYTES = 16 * 2 ** 20;
 
 export interface Ahead {
   /** Returns the content of a file, possibly prefetched. */
@@ -14,7 +14,7 @@ export interface Ahead {
 }
 
 /** Creates the prefetcher; `sizeOf` returns the bytes of a file. */
-export function createAhead(fetch: Fetch, sizeOf: (name: string) => number, most: number = MOST_AHEAD): Ahead {
+export function createAhead(fetch: Fetch, sizeOf: (name: string) => number, most: number = MAX_PREFETCH_BYTES): Ahead {
   const held = new Map<string, Promise<ArrayBuffer>>();
   let bytes = 0;
 

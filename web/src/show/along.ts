@@ -7,7 +7,7 @@ import type { Picker } from './pick';
 const [ANGLE, NEAR, FAR] = [0.5, 0.05, 30_000] as const;
 
 /** Returns the distance along a ray in metres, in the frame of `draw`; null without a hit. */
-export function along(
+export function castRay(
   renderer: WebGLRenderer,
   picker: Picker,
   origin: Vector,

@@ -113,7 +113,7 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
         if (signal.aborted) return;
         pendings.delete(number);
         begin(number, coming, pending.stop);
-        if (pending.from) found(number).stage.enter(pending.from);
+        if (pending.from) requireOpen(number).stage.enter(pending.from);
       },
       (reason: unknown) => {
         if (signal.aborted) return;
@@ -195,7 +195,7 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
     if (pending) pending.from = from;
   }
 
-  function found(region: number): Open {
+  function requireOpen(region: number): Open {
     const open = opens.get(region);
     if (!open) throw new Error(`region ${region} is not open`);
     return open;
@@ -225,7 +225,7 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
         pending.from = from;
         return;
       }
-      const open = found(region);
+      const open = requireOpen(region);
       open.stage.enter(from);
       open.shown = null;
     },

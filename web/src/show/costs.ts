@@ -22,7 +22,7 @@ const FIRST: Readonly<Record<StepKind, number>> = { map: 0.2, picture: 0.2, arra
 /** Learning rate of the estimate. */
 const LEARNT = 0.15;
 /** Greatest ratio to the estimate that is learned: longer steps were interrupted. */
-const MOST = 4;
+const MAX = 4;
 
 export function createCosts(): Costs {
   const known = new Map<StepKind, number>();
@@ -32,7 +32,7 @@ export function createCosts(): Costs {
     expected: ({ kind, bytes }) => unit(kind) * units(bytes),
     learn({ kind, bytes }, milliseconds) {
       const before = unit(kind);
-      const seen = Math.min(milliseconds / units(bytes), MOST * before);
+      const seen = Math.min(milliseconds / units(bytes), MAX * before);
       known.set(kind, before + LEARNT * (seen - before));
     },
   };

@@ -4,7 +4,7 @@
  */
 
 /** Greatest number of bytes in flight; Chromium blocks from 16 MiB on. */
-export const MOST_IN_FLIGHT = 2 ** 23;
+export const MAX_IN_FLIGHT = 2 ** 23;
 
 export interface Flight {
   /** Adds sent bytes. */
@@ -40,7 +40,7 @@ export function createFlight(gl: WebGL2RenderingContext | null): Flight {
       settle(gl);
       const flying = marks.reduce((sum, mark) => sum + mark.bytes, sent);
       // An idle GPU takes any amount.
-      return flying === 0 || flying + bytes <= MOST_IN_FLIGHT;
+      return flying === 0 || flying + bytes <= MAX_IN_FLIGHT;
     },
     mark() {
       if (gl && sent > 0) {

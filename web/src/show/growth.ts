@@ -23,7 +23,7 @@ export interface Grown {
 }
 
 /** Least near share for the growth of the strength: nearer points turn faster. */
-const LEAST_SHARE = 0.05;
+const MIN_SHARE = 0.05;
 
 /** State before ring 1. */
 export const NOTHING_NEAR: Grown = { radius: 0, strength: 0 };
@@ -42,7 +42,7 @@ export function grow(now: Grown, ring: number, seconds: number, settings: Growth
   if (strength === 0 && begins > goal) return { radius: goal, strength };
   const radius = strength === 0 ? begins : now.radius;
   if (strength < 1) {
-    const whole = 1 / (Math.max(settings.nearShare, LEAST_SHARE) * radius * rate);
+    const whole = 1 / (Math.max(settings.nearShare, MIN_SHARE) * radius * rate);
     const needed = (1 - strength) * whole;
     strength = left >= needed ? 1 : strength + left / whole;
     left = Math.max(0, left - needed);

@@ -3,14 +3,14 @@
  * replaces another one by a cross-fade, and only where neither picture folds; until then the user is confined to the
  * area where the current picture does not fold.
  */
-import { type Bounds, distance, FREE, type Limit, within } from '../control/limit';
+import { type Bounds, distance, FREE, type Limit, clampToLimit } from '../control/limit';
 import type { Pose } from '../control/pose';
 import type { Vector } from '../control/vector';
 import { type Grown, NOTHING_NEAR } from './growth';
 import { apartOf, type Places } from './places';
 
 /** Hysteresis: another centre must be nearer by this share of the centres' distance, at most this many metres. */
-const [GAP_SHARE, GAP_MOST] = [0.1, 2] as const;
+const [GAP_SHARE, GAP_MAX] = [0.1, 2] as const;
 /** Share of its limit that a nearer region must have left to take over, so that it is not left at once. */
 const ROOM_SHARE = 0.3;
 /** Margin in metres beyond the user's position at which a radius may begin to fold. */
@@ -111,7 +111,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
   function mayCross(next: number, place: Vector): boolean {
     const [from, offer] = [regions.grown(current), offered(next)];
     if (!from || !offer) return false;
-    const gap = Math.min(GAP_SHARE * far(next, places.of(current).center), GAP_MOST);
+    const gap = Math.min(GAP_SHARE * far(next, places.of(current).center), GAP_MAX);
     const [here, there] = [limitOf(current, from), limitOf(next, offer)];
     const isNearer = far(next, place) + gap <= far(current, place);
     const isAsLarge = offer.radius >= from.radius && !regions.isCoarse(next);
@@ -133,7 +133,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
   /** Returns the pose at which the user lands if the region begins with a state. */
   function landing(region: number, grown: Grown, target: Pose): Pose {
     const { center, metres } = limitOf(region, grown);
-    return { ...target, position: within(target.position, { center, metres: LANDING * metres }) };
+    return { ...target, position: clampToLimit(target.position, { center, metres: LANDING * metres }) };
   }
 
   /** Moves the user if the region of the place can be shown. */

@@ -4,7 +4,7 @@ import type { Limit } from '../control/limit';
 import type { Vector } from '../control/vector';
 
 /** Distance to the border that triggers preloading: share of the way, least metres, greatest share of the way. */
-const [AHEAD_SHARE, AHEAD_METRES, AHEAD_MOST] = [0.5, 4, 0.9] as const;
+const [AHEAD_SHARE, AHEAD_METRES, AHEAD_MAX] = [0.5, 4, 0.9] as const;
 /** Additional share of the way for which a preloaded region is kept. */
 const KEPT_SHARE = 0.25;
 
@@ -62,7 +62,7 @@ export function knownPlaces(spots: readonly Spot[]): Places {
       const from = of(current).center;
       const far = (region: number): number => apartOf(of(region).center, place);
       const { apart, border } = borderOf(from, of(other).center, place);
-      const lead = Math.max((AHEAD_SHARE * apart) / 2, Math.min((AHEAD_MOST * apart) / 2, AHEAD_METRES));
+      const lead = Math.max((AHEAD_SHARE * apart) / 2, Math.min((AHEAD_MAX * apart) / 2, AHEAD_METRES));
       if (ahead !== null && ahead !== current) {
         const isAsNear = far(ahead) < far(other) + KEPT_SHARE * apart;
         const near = borderOf(from, of(ahead).center, place).border;

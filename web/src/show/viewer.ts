@@ -8,7 +8,7 @@ import type { Bounds } from '../control/limit';
 import type { Pose } from '../control/pose';
 import { minus, type Vector } from '../control/vector';
 import type { Triangles } from '../decode/messages';
-import { along } from './along';
+import { castRay } from './along';
 import { createAtlas, type Holding } from './atlas';
 import { createComposer, type MapLayer } from './composer';
 import { createCube } from './cubes';
@@ -251,7 +251,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       const open = leg && atlas.find(leg.region);
       if (!open?.shown) return null;
       const { region, shown } = open;
-      return along(renderer, picker, minus(origin, region.entry.center), direction, (eye) => {
+      return castRay(renderer, picker, minus(origin, region.entry.center), direction, (eye) => {
         painter.draw({ region, ring: shown.ring, radius: shown.grown.radius, strength: null }, eye, 1, NEAR_ALONE);
       });
     },

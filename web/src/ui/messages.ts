@@ -3,7 +3,7 @@ import { icon, make } from './dom';
 import { ICONS } from './icons';
 
 /** Greatest number of problems in a banner; the others are counted. */
-const MOST = 3;
+const MAX = 3;
 
 export interface FatalOptions {
   /** Exact error, for those who can fix it. */
@@ -75,8 +75,8 @@ export function showFatal(title: string, text: string, { detail, retry }: FatalO
 export function showProblems(problems: readonly string[], retry: () => void): void {
   const place = message();
   if (place.dataset['kind'] === 'fatal') return;
-  const list = make('ul', {}, ...problems.slice(0, MOST).map((problem) => make('li', {}, problem)));
-  if (problems.length > MOST) list.append(make('li', {}, `and ${problems.length - MOST} more`));
+  const list = make('ul', {}, ...problems.slice(0, MAX).map((problem) => make('li', {}, problem)));
+  if (problems.length > MAX) list.append(make('li', {}, `and ${problems.length - MAX} more`));
   const close = make('button', { type: 'button', class: 'button-icon', 'aria-label': 'Dismiss', title: 'Dismiss' });
   close.append(icon(ICONS.close));
   close.addEventListener('click', clearMessage);

@@ -6,11 +6,11 @@ import {
   type Head,
   headBounds,
   headOf,
-  inside,
+  clampToBounds,
   inWorld,
   localOf,
-  moved,
-  turned,
+  moveFloor,
+  turnFloor,
   worldOf,
 } from '../control/floor';
 import type { Bounds } from '../control/limit';
@@ -138,13 +138,13 @@ export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSet
     let floor = of.floor && !of.isMoved ? of.floor : floorUnder(ground, yaw, head);
     of.isMoved = false;
     const { drive, turn } = of.steering.read(stickOf(inputs, 'left'), stickOf(inputs, 'right'));
-    if (turn !== 0) floor = turned(floor, head, turn);
+    if (turn !== 0) floor = turnFloor(floor, head, turn);
     of.walk.follow(inWorld(floor, head));
     of.walk.update(seconds, drive);
-    floor = moved(floor, head, of.goal ?? of.walk.pose.position);
+    floor = moveFloor(floor, head, of.goal ?? of.walk.pose.position);
     of.goal = null;
     // A body that moves beyond the bounds drags the floor along.
-    return moved(floor, head, inside(worldOf(floor, head.position), bounds));
+    return moveFloor(floor, head, clampToBounds(worldOf(floor, head.position), bounds));
   }
 
   return {
@@ -176,7 +176,7 @@ export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSet
       visit.pose = inWorld(floor, head);
       viewer.stand(floor);
       hands = visit.hands.update(inputs, floor);
-      const allowed = (wanted: Vector): Vector => localOf(floor, inside(worldOf(floor, wanted), bounds));
+      const allowed = (wanted: Vector): Vector => localOf(floor, clampToBounds(worldOf(floor, wanted), bounds));
       visit.look.update(inputs, visit.aiming.update(inputs, allowed));
       return visit.pose;
     },

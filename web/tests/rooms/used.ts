@@ -92,13 +92,13 @@ class Fake {
 
   private welcome(): void {
     socket = this;
-    const others = guests.map(joined);
+    const others = guests.map(joinedFrame);
     this.comes([{ kind: 'welcome', user: 60_001, others: others.length, ticket: new Uint8Array(26) }, ...others]);
   }
 }
 window.WebSocket = Fake as unknown as typeof WebSocket;
 
-function joined({ number }: Guest): FromServer {
+function joinedFrame({ number }: Guest): FromServer {
   return { kind: 'joined', user: number, group: 0, name: `User ${number}` };
 }
 
@@ -153,7 +153,7 @@ function news(seconds: number): FromServer[] {
     const one = enter();
     guests = [...stay, one];
     if (gone) frames.push({ kind: 'left', user: gone.number });
-    frames.push(joined(one));
+    frames.push(joinedFrame(one));
   }
   const who = oneOf(guests);
   if (who && happens(EVERY.say)) frames.push({ kind: 'say', user: who.number, to: 'room', payload: SAID });
@@ -199,7 +199,7 @@ window.used = {
     window.nearfar?.viewer.renderer.setAnimationLoop(null);
     guests = Array.from({ length: OTHERS }, enter);
     time = real.now();
-    socket?.comes(guests.map(joined));
+    socket?.comes(guests.map(joinedFrame));
   },
   async run(seconds) {
     for (let number = 0; number < seconds * RATE; number++) {

@@ -102,12 +102,12 @@ export function wired(): [Wire, Wire] {
 }
 
 /** Content of some size, and how a manifest lists it. */
-export function made(size: number, fill: number): { readonly data: ArrayBuffer; readonly listed: Described } {
+export function makeContent(size: number, fill: number): { readonly data: ArrayBuffer; readonly listed: Described } {
   const data = new Uint8Array(size).fill(fill);
   return { data: data.buffer, listed: { bytes: size, sha256: createHash('sha256').update(data).digest('hex') } };
 }
 
-export type World = Readonly<Record<string, ReturnType<typeof made>>>;
+export type World = Readonly<Record<string, ReturnType<typeof makeContent>>>;
 
 export interface Page {
   readonly number: number;

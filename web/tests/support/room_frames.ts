@@ -21,7 +21,7 @@ export function served(frame: FromServer): Uint8Array {
     case 'welcome':
       body.u16(frame.user);
       body.u16(frame.others);
-      counted(body, frame.ticket);
+      writePrefixed(body, frame.ticket);
       break;
     case 'pose':
       body.u16(frame.user);
@@ -42,7 +42,7 @@ export function served(frame: FromServer): Uint8Array {
     case 'joined':
       body.u16(frame.user);
       body.u16(frame.group);
-      counted(body, new TextEncoder().encode(frame.name));
+      writePrefixed(body, new TextEncoder().encode(frame.name));
       break;
     case 'left':
       body.u16(frame.user);
@@ -63,7 +63,7 @@ export function framed(kind: number, body: Uint8Array): Uint8Array {
   return out.done();
 }
 
-function counted(out: Writer, bytes: Uint8Array): void {
+function writePrefixed(out: Writer, bytes: Uint8Array): void {
   out.u8(bytes.length);
   out.put(bytes);
 }

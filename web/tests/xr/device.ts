@@ -108,7 +108,7 @@ function read(): Captured {
 }
 
 /** Frames after which nobody waits any longer; those for which a floor rests; and metres that are no step. */
-const [MOST, RESTING, STILL] = [2000, 20, 1e-4] as const;
+const [MAX, RESTING, STILL] = [2000, 20, 1e-4] as const;
 
 window.emulated = {
   device,
@@ -120,7 +120,7 @@ window.emulated = {
         const shown = window.nearfar?.viewer.facts.shown;
         // The first of the frames may have been begun before.
         if (++frames > 2 && shown && isWanted(shown)) done(read());
-        else if (frames > MOST) failed(new Error(`no frame is wanted: ${JSON.stringify([shown, found])}`));
+        else if (frames > MAX) failed(new Error(`no frame is wanted: ${JSON.stringify([shown, found])}`));
         else {
           told.clear();
           session().requestAnimationFrame(look);
@@ -138,7 +138,7 @@ window.emulated = {
     const { viewer } = window.nearfar as NonNullable<typeof window.nearfar>;
     let before = viewer.rig.position.clone();
     for (let [resting, all] = [0, 0]; resting < RESTING; all++) {
-      if (all > MOST) throw new Error('the user does not come to rest');
+      if (all > MAX) throw new Error('the user does not come to rest');
       await window.emulated.frames(1);
       resting = viewer.rig.position.distanceTo(before) < STILL ? resting + 1 : 0;
       before = viewer.rig.position.clone();

@@ -1,19 +1,19 @@
 """Checks of arguments: each error message names the argument, the expected value and the actual one."""
 
 from nearfar._base.check.arrays import FARTHEST, array, box, not_finite, output, plain, spheres, vector
-from nearfar._base.check.describe import described, one_line, printable, shortened, shown
+from nearfar._base.check.describe import one_line, printable, shortened, type_and_value, value_or_type
 from nearfar._base.check.names import choice, instance, items, iterable, mapping, path, text, texts
 from nearfar._base.check.numbers import (
     MAX_SIZE,
     at_least_zero,
     flag,
+    in_range,
     integer,
     number,
     pair,
     positive,
     radii,
     size,
-    within,
 )
 
 __all__ = [
@@ -23,8 +23,8 @@ __all__ = [
     "at_least_zero",
     "box",
     "choice",
-    "described",
     "flag",
+    "in_range",
     "instance",
     "integer",
     "items",
@@ -41,11 +41,11 @@ __all__ = [
     "printable",
     "radii",
     "shortened",
-    "shown",
     "size",
     "spheres",
     "text",
     "texts",
+    "type_and_value",
+    "value_or_type",
     "vector",
-    "within",
 ]

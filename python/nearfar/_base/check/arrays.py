@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from nearfar._base import memory
-from nearfar._base.check.describe import described
+from nearfar._base.check.describe import type_and_value
 from nearfar._base.check.numbers import is_masked
 
 FARTHEST = 1e30
@@ -92,7 +92,7 @@ def not_finite(name: str, values: NDArray[Any]) -> ValueError | None:
 def output(name: str, value: NDArray[Any], source: NDArray[Any]) -> NDArray[Any]:
     """Check a caller's output array: shape and type of `source`, and no memory shared with it."""
     if not isinstance(value, np.ndarray):
-        raise TypeError(f"{name}: expected an array, got {described(value)}")
+        raise TypeError(f"{name}: expected an array, got {type_and_value(value)}")
     if value.shape != source.shape or value.dtype != source.dtype:
         raise ValueError(f"{name}: expected {source.shape} of {source.dtype}, got {value.shape} of {value.dtype}")
     if not (value.flags.c_contiguous and value.flags.aligned and value.flags.writeable):
@@ -139,7 +139,7 @@ def _numbers(name: str, value: ArrayLike) -> NDArray[Any]:
     values = plain(name, value)
     if values.dtype.kind not in "iuf":
         # Empty lists pass: NumPy makes them float64.
-        raise TypeError(f"{name}: expected real numbers, got {described(value)} of type {values.dtype}")
+        raise TypeError(f"{name}: expected real numbers, got {type_and_value(value)} of type {values.dtype}")
     return values
 
 

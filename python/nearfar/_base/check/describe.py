@@ -7,29 +7,29 @@ import numpy as np
 _LONGEST = 60
 """Greatest number of characters of a value in a message."""
 
-_MOST_ITEMS = 4
+_MAX_ITEMS = 4
 """Greatest length of number sequences that are written out."""
 
-_MOST_BITS = 192
+_MAX_BITS = 192
 """Greatest bit length of integers that are written out; with thousands of digits, conversion to text fails."""
 
 
-def described(value: object) -> str:
+def type_and_value(value: object) -> str:
     """Return the type of a value, with the value itself if it is text or a number."""
     kind = type(value).__name__
     return f"{kind} {shortened(value)}" if isinstance(value, str | bool | int | float) else kind
 
 
-def shown(value: object) -> str:
+def value_or_type(value: object) -> str:
     """Return the value itself if it is text, a number or a few of them, else its type."""
     plain = str | bool | int | float
-    items = value if isinstance(value, tuple | list) and len(value) <= _MOST_ITEMS else (value,)
+    items = value if isinstance(value, tuple | list) and len(value) <= _MAX_ITEMS else (value,)
     is_short = all(isinstance(item, plain) and not _is_long(item) for item in items)
     return shortened(value) if is_short or isinstance(value, plain) else type(value).__name__
 
 
 def _is_long(value: object) -> bool:
-    return isinstance(value, int) and value.bit_length() > _MOST_BITS
+    return isinstance(value, int) and value.bit_length() > _MAX_BITS
 
 
 def shortened(value: object) -> str:
@@ -41,7 +41,7 @@ def shortened(value: object) -> str:
     try:
         text = repr(value[: _LONGEST + 1] if isinstance(value, str) else value)
     except RecursionError:
-        return f"{described(value)} of many levels"
+        return f"{type_and_value(value)} of many levels"
     return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 1]}…"
 
 

@@ -9,7 +9,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from nearfar._base.check.describe import described, shortened
+from nearfar._base.check.describe import shortened, type_and_value
 
 Kind = TypeVar("Kind")
 Value = TypeVar("Value")
@@ -25,7 +25,7 @@ def instance(name: str, value: object, kind: type[Kind], expected: str = "") -> 
 def choice(name: str, value: str, options: Collection[str]) -> str:
     """Return one of the named options; ValueError or TypeError otherwise."""
     if not isinstance(value, str):
-        raise TypeError(f"{name}: expected a string, got {described(value)}")
+        raise TypeError(f"{name}: expected a string, got {type_and_value(value)}")
     if value not in options:
         listed = ", ".join(repr(option) for option in options)
         raise ValueError(f"{name}: expected one of {listed}, got {shortened(value)}")
@@ -35,7 +35,7 @@ def choice(name: str, value: str, options: Collection[str]) -> str:
 def text(name: str, value: str) -> str:
     """Check a text that files can hold; ValueError for a lone surrogate, TypeError for anything but a string."""
     if not isinstance(value, str):
-        raise TypeError(f"{name}: expected a string, got {described(value)}")
+        raise TypeError(f"{name}: expected a string, got {type_and_value(value)}")
     try:
         value.encode()
     except UnicodeEncodeError:
@@ -48,7 +48,7 @@ def path(name: str, value: str | os.PathLike[str]) -> Path:
     """Check a path that the file system can hold; ValueError otherwise, TypeError for anything but text or a path."""
     written = os.fspath(value) if isinstance(value, str | os.PathLike) else None
     if not isinstance(written, str):
-        raise TypeError(f"{name}: expected a string or a path, got {described(value)}")
+        raise TypeError(f"{name}: expected a string or a path, got {type_and_value(value)}")
     if not written:
         raise ValueError(f"{name}: expected a path, got an empty string")
     try:
@@ -63,10 +63,10 @@ def path(name: str, value: str | os.PathLike[str]) -> Path:
 def mapping(name: str, value: Mapping[str, Value], expected: str) -> Mapping[str, Value]:
     """Check a mapping with string keys; TypeError otherwise."""
     if not isinstance(value, Mapping):
-        raise TypeError(f"{name}: expected {expected}, got {described(value)}")
+        raise TypeError(f"{name}: expected {expected}, got {type_and_value(value)}")
     for key in value:
         if not isinstance(key, str):
-            raise TypeError(f"{name}: expected {expected}, got the key {described(key)}")
+            raise TypeError(f"{name}: expected {expected}, got the key {type_and_value(key)}")
     return value
 
 
@@ -77,7 +77,7 @@ def iterable(name: str, value: Iterable[Value], expected: str) -> Iterable[Value
     """
     is_single = isinstance(value, str | bytes | Mapping) or (isinstance(value, np.ndarray) and value.ndim == 0)
     if is_single or not isinstance(value, Iterable):
-        raise TypeError(f"{name}: expected {expected}, got {described(value)}")
+        raise TypeError(f"{name}: expected {expected}, got {type_and_value(value)}")
     return value
 
 
@@ -87,7 +87,7 @@ def items(name: str, value: Iterable[object], kind: type[Kind], expected: str) -
     for number, item in enumerate(iterable(name, value, expected)):
         # Stops at the first wrong item: an iterable may be endless.
         if not isinstance(item, kind):
-            raise TypeError(f"{name}: expected {expected}, got {described(item)} at index {number}")
+            raise TypeError(f"{name}: expected {expected}, got {type_and_value(item)} at index {number}")
         found.append(item)
     return found
 

@@ -9,7 +9,7 @@ from typing import SupportsFloat, SupportsIndex
 
 import numpy as np
 
-from nearfar._base.check.describe import described, shortened, shown
+from nearfar._base.check.describe import shortened, type_and_value, value_or_type
 
 MAX_SIZE = 1 << 16
 """Greatest width or height of an image in pixels."""
@@ -23,7 +23,7 @@ def number(name: str, value: SupportsFloat, *, finite: bool = True) -> float:
     return result
 
 
-def within(name: str, value: SupportsFloat, low: float, high: float) -> float:
+def in_range(name: str, value: SupportsFloat, low: float, high: float) -> float:
     """Return one number within [low, high]; ValueError or TypeError otherwise."""
     result = number(name, value)
     if not low <= result <= high:
@@ -78,28 +78,28 @@ def radii(r1: SupportsFloat, r2: SupportsFloat) -> tuple[float, float]:
 def flag(name: str, value: bool) -> bool:
     """Check a bool; TypeError for anything else, since texts and most arrays would count as true."""
     if not isinstance(value, bool | np.bool_):
-        raise TypeError(f"{name}: expected True or False, got {described(value)}")
+        raise TypeError(f"{name}: expected True or False, got {type_and_value(value)}")
     return bool(value)
 
 
 def _float(name: str, value: SupportsFloat) -> float:
     if not _is_number(value) or not hasattr(type(value), "__float__"):
-        raise TypeError(f"{name}: expected a number, got {described(value)}")
+        raise TypeError(f"{name}: expected a number, got {type_and_value(value)}")
     try:
         return float(value)
     except OverflowError:
-        raise ValueError(f"{name}: expected a number up to 1.8e308, got {described(value)}") from None
+        raise ValueError(f"{name}: expected a number up to 1.8e308, got {type_and_value(value)}") from None
     except (TypeError, ValueError):
-        raise TypeError(f"{name}: expected a number, got {described(value)}") from None
+        raise TypeError(f"{name}: expected a number, got {type_and_value(value)}") from None
 
 
 def _index(name: str, value: SupportsIndex) -> int:
     if not _is_number(value) or not hasattr(type(value), "__index__"):
-        raise TypeError(f"{name}: expected a whole number, got {described(value)}")
+        raise TypeError(f"{name}: expected a whole number, got {type_and_value(value)}")
     try:
         return operator.index(value)
     except (TypeError, ValueError):
-        raise TypeError(f"{name}: expected a whole number, got {described(value)}") from None
+        raise TypeError(f"{name}: expected a whole number, got {type_and_value(value)}") from None
 
 
 def _is_number(value: object) -> bool:
@@ -118,5 +118,5 @@ def is_masked(value: object) -> bool:
 def _pair(name: str, value: tuple[int, int], low: int, high: int, expected: str) -> tuple[int, int]:
     is_row = value.ndim == 1 if isinstance(value, np.ndarray) else isinstance(value, Sequence)
     if not is_row or isinstance(value, str | bytes) or len(value) != 2:
-        raise TypeError(f"{name}: expected {expected}, got {shown(value)}")
+        raise TypeError(f"{name}: expected {expected}, got {value_or_type(value)}")
     return integer(f"{name}[0]", value[0], low, high), integer(f"{name}[1]", value[1], low, high)

@@ -111,7 +111,7 @@ class Grid:
         ends = self.nearest(np.array([[x, z] for x in (low[0], high[0]) for z in (low[1], high[1])]))
         rows, columns = (np.arange(a - 1, b + 2) for a, b in zip(ends.min(axis=0), ends.max(axis=0), strict=True))
         cells = np.stack(np.meshgrid(rows, columns, indexing="ij"), axis=-1).reshape(-1, 2)
-        return np.unique(np.concatenate([border, cells[_inside(self.places(cells), corners)]]), axis=0)
+        return np.unique(np.concatenate([border, cells[_in_polygon(self.places(cells), corners)]]), axis=0)
 
 
 def grids(outline: Floats, spacing: float) -> list[Grid]:
@@ -163,7 +163,7 @@ def _merged(cells: Cells, facts: Floats) -> tuple[Cells, Floats]:
     return unique, joined
 
 
-def _inside(points: Floats, corners: Floats) -> NDArray[np.bool_]:
+def _in_polygon(points: Floats, corners: Floats) -> NDArray[np.bool_]:
     """Whether points (M, 2) lie within a polygon (N, 2), by the parity of ray crossings."""
     inside = np.zeros(len(points), bool)
     x, z = points.T

@@ -22,10 +22,10 @@ from nearfar._scene.scene import Scene, core_of
 
 Floats = NDArray[np.float64]
 
-MOST_REGIONS = 100_000
+MAX_REGIONS = 100_000
 """Approximate maximum number of regions of a walk."""
 
-MOST_CORNERS = 1000
+MAX_CORNERS = 1000
 """Maximum number of corners of an area."""
 
 
@@ -103,7 +103,7 @@ def regions(
     band = checked_hysteresis(hysteresis, walked)
     check.positive("shear", shear)
     check.choice("morph", morph, MORPHS)
-    baking = Baking.checked(face_size, samples, channels, backend, range_dtype)
+    baking = Baking.check_settings(face_size, samples, channels, backend, range_dtype)
     checked_keep(keep)
     if r2 is not None and walked >= (outer := check.positive("r2", r2)):
         raise ValueError(f"reach: expected less than r2 = {outer:g} m, beyond which all is in the map, got {walked:g}")
@@ -142,8 +142,8 @@ def _corners(scene: Scene, area: ArrayLike | None) -> Floats:
     """Corners (N, 2) of an area within the scene, N ≥ 3."""
     assert area is not None
     corners: Floats = check.array("area", area, columns=2, dtype=np.float64, finite=True)
-    if not 2 <= len(corners) <= MOST_CORNERS:
-        raise ValueError(f"area: expected 2 to {MOST_CORNERS} corners, got {len(corners)}")
+    if not 2 <= len(corners) <= MAX_CORNERS:
+        raise ValueError(f"area: expected 2 to {MAX_CORNERS} corners, got {len(corners)}")
     _check_within("area", scene, corners)
     if len(corners) == 2:
         (x0, z0), (x1, z1) = corners
@@ -187,9 +187,9 @@ def _on_ground(scene: Scene, corners: Floats, spacing: float, height: float) -> 
 
 
 def _check_number(count: float) -> None:
-    if not count <= MOST_REGIONS:
+    if not count <= MAX_REGIONS:
         raise ValueError(
-            f"reach: expected a reach less hysteresis with which about {MOST_REGIONS:,} regions are enough, got one "
+            f"reach: expected a reach less hysteresis with which about {MAX_REGIONS:,} regions are enough, got one "
             f"that needs {count:.2g}"
         )
 

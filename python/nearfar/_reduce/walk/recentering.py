@@ -30,7 +30,7 @@ class Recentering(Generic[Made]):
     def __init__(self, center: ArrayLike, make: Callable[[], Made]) -> None:
         self._center = check.vector("center", center)
         if not callable(make):
-            raise TypeError(f"make: expected a function without arguments, got {check.described(make)}")
+            raise TypeError(f"make: expected a function without arguments, got {check.type_and_value(make)}")
         self._later = background.Later(make)
 
     @property

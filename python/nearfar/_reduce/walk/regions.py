@@ -22,7 +22,7 @@ from nearfar._reduce.walk.recentering import Recentering
 from nearfar._reduce.walk.walker import Walk
 from nearfar._scene.scene import Scene, core_of
 
-MOST_KEPT = 1 << 16
+MAX_CACHED = 1 << 16
 """Maximum number of cached reduced scenes."""
 
 
@@ -286,7 +286,7 @@ def checked_hysteresis(hysteresis: SupportsFloat, reach: float) -> float:
 
 def checked_keep(keep: int) -> int:
     """Check the number of cached reduced scenes: at least the present, the previous and the next one."""
-    return check.integer("keep", keep, 3, MOST_KEPT)
+    return check.integer("keep", keep, 3, MAX_CACHED)
 
 
 def spacing_for(reach: float, hysteresis: float) -> float:

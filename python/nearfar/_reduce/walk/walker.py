@@ -64,8 +64,8 @@ class Walk:
     def __init__(self, regions: Source, *, fade: float = 0.5, transition: str = "fade", ahead: bool = True) -> None:
         for name in ("index", "ready", "reduced", "prefetch", "jump"):
             if not callable(getattr(regions, name, None)):
-                raise TypeError(f"regions: expected Regions, got {check.described(regions)}")
-        self._regions, self._fade = regions, check.within("fade", fade, 0.0, LONGEST_FADE)
+                raise TypeError(f"regions: expected Regions, got {check.type_and_value(regions)}")
+        self._regions, self._fade = regions, check.in_range("fade", fade, 0.0, LONGEST_FADE)
         self._transition = check.choice("transition", transition, TRANSITIONS)
         self._ahead = check.flag("ahead", ahead)
         self._now: _Shown | None = None

@@ -52,17 +52,17 @@ class Appearance:
         semantics = entry(geometry, "semantics", dict, place, {})
         surfaces = entry(semantics, "surfaces", list, f"{place}semantics.", [])
         types = [item.get("type") if isinstance(item, dict) else None for item in surfaces]
-        classed = [classes.of(name if isinstance(name, str) else None, kind) for name in types]
-        plain = classes.of(None, kind)
+        classed = [classes.color_of_surface(name if isinstance(name, str) else None, kind) for name in types]
+        plain = classes.color_of_surface(None, kind)
         labels = _labels(semantics.get("values"), boundaries, depth)
-        chosen = [_at(classed, label, plain) for label in labels]
+        chosen = [_index_or_default(classed, label, plain) for label in labels]
         if not self._materials:
             return chosen
         given = self._theme_of(entry(geometry, "material", dict, place, {}))
         if isinstance(given.get("value"), int):
-            return [_at(self._materials, given["value"], color) for color in chosen]
+            return [_index_or_default(self._materials, given["value"], color) for color in chosen]
         labels = _labels(given.get("values"), boundaries, depth)
-        return [_at(self._materials, label, color) for label, color in zip(labels, chosen, strict=True)]
+        return [_index_or_default(self._materials, label, color) for label, color in zip(labels, chosen, strict=True)]
 
     def _theme_of(self, themes: dict[str, Any]) -> dict[str, Any]:
         """Return the default theme's materials, else those of the first theme."""
@@ -71,7 +71,7 @@ class Appearance:
         return chosen if isinstance(chosen, dict) else {}
 
 
-def _at(items: list[BaseColor], number: int | None, default: BaseColor) -> BaseColor:
+def _index_or_default(items: list[BaseColor], number: int | None, default: BaseColor) -> BaseColor:
     return items[number] if number is not None and 0 <= number < len(items) else default
 
 

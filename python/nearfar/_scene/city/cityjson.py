@@ -81,16 +81,16 @@ class _Reader:
         own, lost = self._collector.shapes(drop=self._drop)
         templates, lost_too = self._templates.shapes(drop=self._drop)
         for name, (shape, base) in own.items():
-            nodes.append((name, _moved(base), name))
+            nodes.append((name, _translation(base), name))
             shapes[name] = shape
         for owner, (shape, base) in templates.items():
             key = f"{owner} of geometry-templates"
             shapes[key] = shape
-            nodes += [(name, matrix @ _moved(base), key) for name, matrix, used in self._placed if used == owner]
+            nodes += [(name, matrix @ _translation(base), key) for name, matrix, used in self._placed if used == owner]
         if lost + lost_too:
             self._left["surface", "with rings of fewer than three corners left out"] += lost + lost_too
         used = [f"CityJSON {self._header['version']}", *self._system]
-        return Content(self._label, _named(shapes), _nodes(nodes), self._notes(), used)
+        return Content(self._label, _unique_names(shapes), _nodes(nodes), self._notes(), used)
 
     def _read_part(self, part: dict[str, Any]) -> None:
         place = "" if part is self._header else f"feature {check.shortened(part.get('id', ''))}: "
@@ -101,7 +101,7 @@ class _Reader:
             for name, item in entry(part, "CityObjects", dict, place).items()
         }
         appearance = Appearance(part if "appearance" in part else self._header)
-        for name, (number, geometry) in self._levels.chosen(objects, DRAWN):
+        for name, (number, geometry) in self._levels.select_geometries(objects, DRAWN):
             place_of = f"CityObjects {check.shortened(name)}: geometry[{number}]"
             kind = geometry["type"]
             if kind == _INSTANCE:
@@ -188,13 +188,13 @@ def _system(header: dict[str, Any]) -> list[str]:
     return notes
 
 
-def _moved(base: NDArray[np.float64]) -> NDArray[np.float64]:
+def _translation(base: NDArray[np.float64]) -> NDArray[np.float64]:
     matrix = np.eye(4)
     matrix[:3, 3] = base
     return matrix
 
 
-def _named(shapes: dict[str, Shape]) -> dict[str, Shape]:
+def _unique_names(shapes: dict[str, Shape]) -> dict[str, Shape]:
     return {name: shape for name, shape in shapes.items() if len(shape.faces)}
 
 

@@ -68,6 +68,6 @@ OBJECTS = {
 """Colours of surfaces without semantics by type of city object; other types have the plain colour."""
 
 
-def of(surface: str | None, kind: str) -> BaseColor:
+def color_of_surface(surface: str | None, kind: str) -> BaseColor:
     """Return the colour of a surface by its class, else by the type of its object."""
     return SURFACES.get(surface or "", OBJECTS.get(kind, PLAIN))

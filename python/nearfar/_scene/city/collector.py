@@ -68,7 +68,7 @@ class Collector:
         Axes are turned from z up to y up. Surfaces with rings of fewer than three corners are left out with `drop`,
         else an UnusableError names the first one.
         """
-        surfaces, kept, lost = self._checked(drop)
+        surfaces, kept, lost = self._usable_surfaces(drop)
         faces, of_surface = surfaces.triangles()
         colors = {id(color): color for color in self._colors}
         numbers = {key: number for number, key in enumerate(colors)}
@@ -85,7 +85,7 @@ class Collector:
             shapes[owner] = _shape(surfaces, faces, of_surface, chosen, color, palette)
         return shapes, lost
 
-    def _checked(self, drop: bool) -> tuple[Surfaces, NDArray[np.int64], int]:
+    def _usable_surfaces(self, drop: bool) -> tuple[Surfaces, NDArray[np.int64], int]:
         """Usable surfaces, their numbers, and the number of unusable ones."""
         ring_sizes = np.array(self._ring_sizes, np.int64)
         surface_rings = np.array(self._surface_rings, np.int64)
@@ -133,14 +133,14 @@ def _shape(
     base = np.rint(corners.min(axis=0) / 2 + corners.max(axis=0) / 2) if len(corners) else np.zeros(3)
     used, face_material = np.unique(color[chosen].repeat(counts), return_inverse=True)
     shape = Shape(
-        turned(corners - base),
+        z_up_to_y_up(corners - base),
         own,
         materials=[palette[number] for number in used.tolist()],
         face_material=face_material.astype(np.int32) if len(used) > 1 else None,
     )
-    return shape, turned(base)
+    return shape, z_up_to_y_up(base)
 
 
-def turned(points: NDArray[np.float64]) -> NDArray[np.float64]:
+def z_up_to_y_up(points: NDArray[np.float64]) -> NDArray[np.float64]:
     """Turn points (…, 3) from x east, y north, z up to x east, y up, z south."""
     return np.stack([points[..., 0], points[..., 2], -points[..., 1]], axis=-1)

@@ -55,7 +55,7 @@ class Footprints:
 
     def __init__(self, label: str, table: Table, how: Extrusion, *, drop: bool) -> None:
         self.label = label
-        self._outlines, lost = table.outlines.checked(drop=drop, degrees=table.degrees)
+        self._outlines, lost = table.outlines.validate(drop=drop, degrees=table.degrees)
         self.count = len(self._outlines.features) - 1
         """Number of features, including those without polygons."""
         self.ground = _ground(table, self._outlines.points, how.origin)
@@ -88,7 +88,7 @@ class Footprints:
 
     def content(self, rows: NDArray[np.int64] | None = None) -> Content:
         """Triangulate some features, or all; the selection may be empty. Features keep their names."""
-        outlines = self._outlines if rows is None else self._outlines.chosen(rows)
+        outlines = self._outlines if rows is None else self._outlines.select(rows)
         chosen = np.arange(self.count) if rows is None else rows
         owner = np.arange(len(chosen)).repeat(np.diff(outlines.point_starts))
         polygon_owner = np.arange(len(chosen)).repeat(np.diff(outlines.features))
@@ -139,7 +139,7 @@ class Footprints:
 def _ground(table: Table, points: NDArray[np.float64], origin: tuple[float, float, float] | None) -> Ground:
     if not table.degrees:
         return Projected(table.system, table.metres)
-    return Geodetic.around(points) if origin is None else Geodetic(*origin)
+    return Geodetic.frame_centred_on(points) if origin is None else Geodetic(*origin)
 
 
 def _extents(table: Table, how: Extrusion, number: int) -> tuple[NDArray[np.float64], NDArray[np.float64], int]:

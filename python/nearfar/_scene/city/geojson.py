@@ -99,7 +99,7 @@ class _Collector:
     def feature(self, geometry: dict[str, Any], place: str) -> None:
         """Add the polygons of a feature, which may have none."""
         before = len(self._polygon_rings)
-        for polygons, where in self._of(geometry, place, 0) if geometry else ():
+        for polygons, where in self._polygons_of(geometry, place, 0) if geometry else ():
             self._add(polygons, where)
         self._feature_polygons.append(len(self._polygon_rings) - before)
 
@@ -108,14 +108,14 @@ class _Collector:
         self._add(polygons, place)
         self._feature_polygons.append(len(polygons))
 
-    def _of(self, geometry: dict[str, Any], place: str, depth: int) -> Iterator[tuple[list[Any], str]]:
+    def _polygons_of(self, geometry: dict[str, Any], place: str, depth: int) -> Iterator[tuple[list[Any], str]]:
         kind = geometry.get("type")
         if kind == "GeometryCollection":
             if depth == _DEEPEST:
                 raise UnusableError(f"{place}: expected geometries nested less than {_DEEPEST} deep")
             for number, item in enumerate(entry(geometry, "geometries", list, f"{place}.")):
                 where = f"{place}.geometries[{number}]"
-                yield from self._of(typed(item, dict, where), where, depth + 1)
+                yield from self._polygons_of(typed(item, dict, where), where, depth + 1)
         elif kind in ("Polygon", "MultiPolygon"):
             coordinates = entry(geometry, "coordinates", list, f"{place}.")
             yield ([coordinates] if kind == "Polygon" else coordinates), f"{place}.coordinates"
@@ -142,7 +142,7 @@ class _Collector:
         except OverflowError:
             raise UnusableError(f"a coordinate is beyond {check.FARTHEST:g}") from None
         levels = (offsets(counts) for counts in (self._ring_sizes, self._polygon_rings, self._feature_polygons))
-        return Outlines(points, *levels).opened()
+        return Outlines(points, *levels).without_closing_points()
 
 
 def _is_position(point: Any) -> bool:

@@ -14,7 +14,7 @@ from nearfar._base import check
 from nearfar._base.errors import SceneError, UnusableError
 from nearfar._scene.budget import Budget
 from nearfar._scene.city import crs, heights
-from nearfar._scene.city.outlines import Outlines, joined
+from nearfar._scene.city.outlines import Outlines, concatenate
 from nearfar._scene.city.table import Table
 
 _BATCH = 1 << 16
@@ -80,7 +80,7 @@ def _outlines(file: Any, name: str, budget: Budget) -> tuple[Outlines, int]:
         # A page of equal rows compresses to a few bytes, however many rows it has.
         budget.hold(len(outlines.points) * _POINT + batch.num_rows * _ROW)
         parts.append(outlines)
-    return joined(parts), skipped
+    return concatenate(parts), skipped
 
 
 def _batch(column: Any, before: int) -> tuple[Outlines, int]:

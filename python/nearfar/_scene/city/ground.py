@@ -64,7 +64,7 @@ class Geodetic:
     """Height of the origin above the ellipsoid, metres; longitude and latitude are degrees."""
 
     @classmethod
-    def around(cls, points: NDArray[np.float64]) -> Geodetic:
+    def frame_centred_on(cls, points: NDArray[np.float64]) -> Geodetic:
         """Return the frame at the centre of points (N, 2)."""
         if not len(points):
             return cls(0.0, 0.0)

@@ -34,7 +34,7 @@ def level_of(value: Any, place: str) -> float:
 def greatest(lod: str | float) -> float:
     """Greatest level to draw for an argument: 2 includes all of 2.x; ValueError or TypeError for invalid ones."""
     if not isinstance(lod, str | int | float) or isinstance(lod, bool):
-        raise TypeError(f"lod: expected a level of detail such as '2.2', got {check.described(lod)}")
+        raise TypeError(f"lod: expected a level of detail such as '2.2', got {check.type_and_value(lod)}")
     try:
         level = level_of(lod, "lod")
     except UnusableError as error:
@@ -56,7 +56,7 @@ class Levels:
         self._known = Counter[str]()
         self._left = Counter[tuple[str, str]]()
 
-    def chosen(
+    def select_geometries(
         self, objects: dict[str, dict[str, Any]], drawn: Collection[str]
     ) -> Iterator[tuple[str, tuple[int, dict[str, Any]]]]:
         """Yield object names with the number and the entry of each geometry to draw."""

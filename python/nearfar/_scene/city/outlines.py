@@ -31,7 +31,7 @@ class Outlines:
         """Offsets (F + 1,) of the features into the points."""
         return self.rings[self.polygons[self.features]]
 
-    def chosen(self, rows: NDArray[np.int64]) -> Outlines:
+    def select(self, rows: NDArray[np.int64]) -> Outlines:
         """Select some features."""
         polygon_counts = np.diff(self.features)[rows]
         polygons = rows_of(self.features[rows], polygon_counts)
@@ -41,7 +41,7 @@ class Outlines:
         points = self.points[rows_of(self.rings[rings], sizes)]
         return Outlines(points, offsets(sizes), offsets(ring_counts), offsets(polygon_counts))
 
-    def opened(self) -> Outlines:
+    def without_closing_points(self) -> Outlines:
         """Remove the last point of rings where it repeats the first one."""
         sizes = np.diff(self.rings)
         rings = np.flatnonzero(sizes > 1)
@@ -52,7 +52,7 @@ class Outlines:
         before = np.concatenate([[0], np.cumsum(keep)])
         return Outlines(self.points[keep], before[self.rings], self.polygons, self.features)
 
-    def checked(self, *, drop: bool, degrees: bool) -> tuple[Outlines, int]:
+    def validate(self, *, drop: bool, degrees: bool) -> tuple[Outlines, int]:
         """Reject rings of fewer than three points, and points out of range.
 
         With `drop` such polygons are left out instead. Return the others and the number of polygons left out.
@@ -72,7 +72,7 @@ class Outlines:
         lost = np.zeros(len(self.polygons) - 1, bool)
         lost[polygon_of[bad]] = True
         kept = np.flatnonzero(~lost)
-        whole = Outlines(self.points, self.rings, self.polygons, np.arange(len(self.polygons))).chosen(kept)
+        whole = Outlines(self.points, self.rings, self.polygons, np.arange(len(self.polygons))).select(kept)
         before = np.concatenate([[0], np.cumsum(~lost)])
         return Outlines(whole.points, whole.rings, whole.polygons, before[self.features]), int(lost.sum())
 
@@ -91,7 +91,7 @@ class Outlines:
         raise UnusableError(f"feature {feature}: {flaw}; on_invalid='drop' leaves such polygons out")
 
 
-def joined(parts: Sequence[Outlines]) -> Outlines:
+def concatenate(parts: Sequence[Outlines]) -> Outlines:
     """Concatenate the features of several parts."""
     levels = [
         offsets(np.concatenate([np.zeros(0, np.int64), *(np.diff(getattr(part, name)) for part in parts)]))

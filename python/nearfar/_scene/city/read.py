@@ -35,7 +35,7 @@ class CityOptions:
     extrusion: Extrusion = field(default_factory=Extrusion)
 
     @classmethod
-    def checked(
+    def check_options(
         cls, lod: str | float | None, height: str | None, origin: tuple[float, float, float] | None
     ) -> CityOptions:
         """Check arguments of `nearfar.Scene.load`; the origin must have been checked."""

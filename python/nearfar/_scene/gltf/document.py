@@ -59,7 +59,7 @@ def read(
     shapes = _shapes(header, primitives, {number: own for number, own in names.items() if number in others})
     if kept is not None:
         kept = replace(kept, names=[names[number][0] for number in whole])
-    placed = nodes.placed(header, names, instances.transforms(header, buffers, budget))
+    placed = nodes.place_nodes(header, names, instances.transforms(header, buffers, budget))
     return Content(label, shapes, placed, notes, used=inventory.used(header), stored=kept)
 
 

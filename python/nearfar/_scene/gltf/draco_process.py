@@ -31,7 +31,7 @@ def main() -> None:
         data = requests.read(request["bytes"])
         try:
             with _Limits(request["seconds"], request["memory"]):
-                header, arrays = _described(DracoPy.decode(data))
+                header, arrays = _header_and_arrays(DracoPy.decode(data))
         except MemoryError:
             header, arrays = {"error": "it takes too much memory"}, []
         except Exception as error:  # DracoPy raises errors of several types
@@ -80,7 +80,7 @@ class _Limits:
             return  # not Linux, or the system's own limit is lower
 
 
-def _described(mesh: Any) -> tuple[dict[str, Any], list[Any]]:
+def _header_and_arrays(mesh: Any) -> tuple[dict[str, Any], list[Any]]:
     import numpy as np
 
     faces = np.ascontiguousarray(getattr(mesh, "faces", np.zeros((0, 3))), np.uint32)

@@ -79,13 +79,17 @@ def choose_images(header: dict[str, Any]) -> bool:
 
 def ignored(header: dict[str, Any]) -> list[str]:
     """Notes on ignored extensions."""
-    return [f"extension {name} ignored" for name in _named(header) if name not in _SILENT]
+    return [f"extension {name} ignored" for name in _extension_names(header) if name not in _SILENT]
 
 
 def used(header: dict[str, Any]) -> list[str]:
     """Supported extensions, for the list of features that a scene uses."""
-    return [f"extension {name}" for name in _named(header) if name in {*_READ, *IMAGE_EXTENSIONS, BASISU, TRANSFORM}]
+    return [
+        f"extension {name}"
+        for name in _extension_names(header)
+        if name in {*_READ, *IMAGE_EXTENSIONS, BASISU, TRANSFORM}
+    ]
 
 
-def _named(header: dict[str, Any]) -> list[str]:
+def _extension_names(header: dict[str, Any]) -> list[str]:
     return [*dict.fromkeys([*header.get("extensionsUsed", []), *header.get("extensionsRequired", [])])]

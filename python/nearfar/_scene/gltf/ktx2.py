@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from nearfar._base.errors import UnusableError
 from nearfar._scene.budget import Budget
-from nearfar._scene.materials import MOST_TEXELS
+from nearfar._scene.materials import MAX_TEXELS
 from nearfar._scene.srgb import to_srgb
 
 BASISU = "KHR_texture_basisu"
@@ -22,7 +22,7 @@ SIGNATURE = b"\xabKTX 20\xbb\r\n\x1a\n"
 
 _START = struct.Struct("<12s9I4I2Q")
 _LEVEL = struct.Struct("<3Q")
-_MOST_LEVELS = 32
+_MAX_LEVELS = 32
 _LEVELS = slice(40, 44)
 """Byte range of the number of levels."""
 
@@ -86,9 +86,9 @@ def _header(data: bytes) -> _Header:
     (_, kind, _, width, height, depth, layers, faces, levels, scheme, *places) = _START.unpack_from(data)
     if not (width and height) or depth or layers or faces != 1:
         raise UnusableError("is no single picture of two dimensions")
-    if width * height > MOST_TEXELS:
-        raise UnusableError(f"has {width} × {height} texels, and at most {MOST_TEXELS:,} are read")
-    if levels > _MOST_LEVELS or len(data) < _START.size + max(levels, 1) * _LEVEL.size:
+    if width * height > MAX_TEXELS:
+        raise UnusableError(f"has {width} × {height} texels, and at most {MAX_TEXELS:,} are read")
+    if levels > _MAX_LEVELS or len(data) < _START.size + max(levels, 1) * _LEVEL.size:
         raise UnusableError(f"is cut off before its {levels} levels, or they are too many")
     start, length, unpacked = _LEVEL.unpack_from(data, _START.size)
     described = _part(data, places[0], places[1])

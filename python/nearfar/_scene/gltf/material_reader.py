@@ -66,8 +66,8 @@ class MaterialReader:
     def material(self, number: int) -> list[BaseColor]:
         """Return the material of an index, in a list."""
         described = entry(self._header, "materials", number)
-        return self._materials.of(
-            self._opened(number, described), described=Described(described, self._buffers.texture)
+        return self._materials.base_colors(
+            self._material_with_images(number, described), described=Described(described, self._buffers.texture)
         )
 
     def decode(self, numbers: Iterable[int]) -> None:
@@ -78,17 +78,17 @@ class MaterialReader:
         described = entry(self._header, "materials", number)
         if _GLOSS in (described.get("extensions") or ()):
             return []
-        opened = self._opened(number, described)
+        opened = self._material_with_images(number, described)
         images = [opened.baseColorTexture] + ([] if emission_of(described) == DARK else [opened.emissiveTexture])
         return [image for image in images if image is not None]
 
     def coordinates(self, number: int) -> Coordinates | None:
         """Texture coordinates that a material uses, if any; also valid for `NONE`."""
         if number not in self._coordinates:
-            self._coordinates[number] = coordinates.drawn(entry(self._header, "materials", number))
+            self._coordinates[number] = coordinates.drawn_texture_coordinates(entry(self._header, "materials", number))
         return self._coordinates[number]
 
-    def _opened(self, number: int, described: dict[str, Any]) -> Any:
+    def _material_with_images(self, number: int, described: dict[str, Any]) -> Any:
         """Material whose images are open, but not decoded."""
         if number not in self._surfaces:
             self._surfaces[number] = self._surface(number, described)

@@ -39,7 +39,7 @@ def check_trees(header: dict[str, Any]) -> None:
             raise UnusableError(f"its scene {number} lists node {below}, which is a child of node {parents[below]}")
 
 
-def placed(header: dict[str, Any], shapes: Mapping[int, Sequence[str]], instances: Mapping[int, Floats]) -> Nodes:
+def place_nodes(header: dict[str, Any], shapes: Mapping[int, Sequence[str]], instances: Mapping[int, Floats]) -> Nodes:
     """Return the placed shapes in the file's order, children before their parents.
 
     Parameters
@@ -112,11 +112,11 @@ def _traversed(header: dict[str, Any]) -> tuple[list[int], list[int]]:
 def _local(nodes: list[dict[str, Any]]) -> Floats:
     """Transforms node→parent (N, 4, 4): a matrix, or translation · rotation · scale (glTF 2.0, 3.5.3)."""
     count = len(nodes)
-    matrix = _given(nodes, "matrix", np.eye(4).ravel()).reshape(count, 4, 4).transpose(0, 2, 1).copy()
+    matrix = _values_or_default(nodes, "matrix", np.eye(4).ravel()).reshape(count, 4, 4).transpose(0, 2, 1).copy()
     parts = composed(
-        _given(nodes, "translation", np.zeros(3)),
-        _given(nodes, "rotation", np.array([0.0, 0.0, 0.0, 1.0])),
-        _given(nodes, "scale", np.ones(3)),
+        _values_or_default(nodes, "translation", np.zeros(3)),
+        _values_or_default(nodes, "rotation", np.array([0.0, 0.0, 0.0, 1.0])),
+        _values_or_default(nodes, "scale", np.ones(3)),
     )
     has_parts = np.array([not _PARTS.isdisjoint(node) for node in nodes], bool)
     has_matrix = np.array(["matrix" in node for node in nodes], bool)
@@ -137,7 +137,7 @@ def composed(translations: Floats, rotations: Floats, scales: Floats) -> Floats:
 _PARTS = {"translation", "rotation", "scale"}
 
 
-def _given(nodes: list[dict[str, Any]], key: str, default: Floats) -> Floats:
+def _values_or_default(nodes: list[dict[str, Any]], key: str, default: Floats) -> Floats:
     """Values (N, K) that nodes state, else the default."""
     stated = [row for row, node in enumerate(nodes) if key in node]
     values = np.tile(default, (len(nodes), 1))

@@ -56,12 +56,12 @@ class Primitives:
         if is_shared and "indices" in primitive and decoded is None:
             used, triangles = _used(triangles, count)
 
-        def of(number: int) -> NDArray[Any]:
+        def used_rows(number: int) -> NDArray[Any]:
             rows = self._buffers.raw(number)
             return rows[used] if len(rows) == count else rows
 
         rows = {
-            name: self._attribute(name, width, numbers[name], of(numbers[name]))
+            name: self._attribute(name, width, numbers[name], used_rows(numbers[name]))
             for name, width in _WIDTHS.items()
             if name in numbers
         }
@@ -75,12 +75,12 @@ class Primitives:
             shown = self._materials.coordinates(primitive["material"])
             name = "" if shown is None else f"TEXCOORD_{shown.number}"
             if shown is not None and name in numbers:
-                uvs = self._attribute(name, _UV_WIDTH, numbers[name], of(numbers[name]))
+                uvs = self._attribute(name, _UV_WIDTH, numbers[name], used_rows(numbers[name]))
                 # v points down in files.
                 shape.uvs = np.column_stack([uvs[:, 0], 1 - uvs[:, 1]]) if shown.is_plain else shown.upwards(uvs)
         if "COLOR_0" in numbers:
             # COLOR_0 is linear (glTF 2.0, 3.7.2.1).
-            shape.colors = colors_of(of(numbers["COLOR_0"]), len(vertices), linear=True)
+            shape.colors = colors_of(used_rows(numbers["COLOR_0"]), len(vertices), linear=True)
         arrays = (shape.vertices, shape.faces, shape.normals, shape.uvs, shape.colors)
         self._budget.hold(sum(rows.nbytes for rows in arrays if rows is not None))
         return shape

@@ -16,7 +16,7 @@ _NONE = -1
 _FIRST, _FLOAT = 5120, 5126
 """Least and greatest code of a component type."""
 
-_MOST_WIDTH = max(WIDTHS.values())
+_MAX_WIDTH = max(WIDTHS.values())
 _SIZES = {code: np.dtype(kind).itemsize for code, kind in COMPONENTS.items()}
 _EMPTY = (0, 0, 4, 0, 1, _FLOAT, 0)
 """Row of an accessor that cannot be used unchanged."""
@@ -42,7 +42,7 @@ class Table:
 
     def allows(self, widths: tuple[int, ...], kinds: Iterable[int] = COMPONENTS) -> NDArray[np.bool_]:
         """Whether each accessor is plain, with one of the widths and one of the component types (A,)."""
-        has_width, has_kind = np.zeros(_MOST_WIDTH + 1, bool), np.zeros(_FLOAT - _FIRST + 1, bool)
+        has_width, has_kind = np.zeros(_MAX_WIDTH + 1, bool), np.zeros(_FLOAT - _FIRST + 1, bool)
         has_width[[*widths]] = True
         has_kind[[kind - _FIRST for kind in kinds]] = True
         return self.is_plain & has_width[self.rows[:, 4]] & has_kind[self.rows[:, 5] - _FIRST]

@@ -27,7 +27,7 @@ _OTHERS = {b"pnts": "points", b"vctr": "vectors", b"geom": "geometries"}
 _RTC = "CESIUM_RTC"
 """glTF extension that states the origin's position in the tile's frame."""
 
-_MOST_NESTED = 32
+_MAX_NESTED = 32
 """Maximum nesting depth of composite tiles."""
 
 _INSTANCE_BYTES = 512
@@ -142,10 +142,10 @@ class Reader:
         return TileContent(content, parts.has_properties, instances.turns_with_the_earth(parts.features))
 
     def _composite(self, name: str, data: bytes, up: str, to_earth: Floats, depth: int) -> TileContent:
-        if depth >= _MOST_NESTED:
+        if depth >= _MAX_NESTED:
             raise UnusableError("its parts are nested too deeply")
         inner = [self.read(name, part, up, to_earth, depth + 1) for part in _tiles(tables.framed(data))]
-        content = joined(name, [(str(n), f"{n}/", part.content) for n, part in enumerate(inner)])
+        content = join_contents(name, [(str(n), f"{n}/", part.content) for n, part in enumerate(inner)])
         return TileContent(
             content,
             any(part.has_properties for part in inner),
@@ -220,7 +220,7 @@ def _check_vertices(content: Content) -> None:
                 raise UnusableError(f"mesh {check.shortened(name)} has coordinates beyond 1e10")
 
 
-def joined(label: str, parts: Sequence[tuple[str, str, Content]]) -> Content:
+def join_contents(label: str, parts: Sequence[tuple[str, str, Content]]) -> Content:
     """Join contents; each part has a prefix for its objects' names and a prefix for its shapes' names.
 
     Parts with the same shape prefix are the same content, so that their shapes are shared.

@@ -56,7 +56,7 @@ class Documents:
 
     def root(self) -> Tile:
         """Root tile of the top document; NamedError if it is unusable."""
-        with self._named(self._files.top):
+        with self._errors_named(self._files.top):
             return self._root_of(Source(self._files.top, "Y"), IDENTITY, replaces=False)
 
     def _root_of(self, source: Source, transform: Floats, *, replaces: bool) -> StatedTile:
@@ -111,11 +111,11 @@ class Documents:
         return StatedTile(place, source, tile.volume, tile.error, replaces, tile.transform, (), root, refers=True)
 
     def _implicit_root(self, tiling: Implicit, tile: StatedTile) -> list[Tile]:
-        with self._named(tile.source.name):
+        with self._errors_named(tile.source.name):
             return tiling.root()
 
     def _children(self, children: list[Any], tilesets: tuple[str, ...], tile: StatedTile) -> list[Tile]:
-        with self._named(tile.source.name):
+        with self._errors_named(tile.source.name):
             found: list[Tile] = [
                 self._tile(f"{tile.place}.children[{n}]", tile.source, child, tile.transform, tile.replaces)
                 for n, child in enumerate(children)
@@ -130,9 +130,9 @@ class Documents:
         name = self._files.resolve(source.name, uri)
         above = (*source.above, source.name)
         if name in above:
-            through = " and ".join(map(self._files.shown, above[above.index(name) :]))
+            through = " and ".join(map(self._files.display_name, above[above.index(name) :]))
             raise UnusableError(f"{tile.place}: it refers to itself, through {through}")
-        with self._named(name):
+        with self._errors_named(name):
             try:
                 return [self._root_of(Source(name, "Y", above), tile.transform, replaces=tile.replaces)]
             except FileNotFoundError:
@@ -153,14 +153,14 @@ class Documents:
         except FileNotFoundError:
             self.missing[name] = None
             return None
-        with self._named(name):
+        with self._errors_named(name):
             return subtree.read(data, tiling.axes, tiling.subtree_levels, partial(self._beside, name), tiling.boxes)
 
     def _beside(self, name: str, uri: str) -> bytes:
         return self.read(self._files.resolve(name, uri))
 
     @contextmanager
-    def _named(self, name: str) -> Iterator[None]:
+    def _errors_named(self, name: str) -> Iterator[None]:
         """Convert any exception caused by a damaged document to an error that names it."""
         try:
             yield
@@ -168,7 +168,7 @@ class Documents:
             raise
         except Exception as error:
             reason = check.one_line(sentence(error), LONGEST)
-            where = "" if name == self._files.top else f"{self._files.shown(name)}: "
+            where = "" if name == self._files.top else f"{self._files.display_name(name)}: "
             raise NamedError(f"{where}{reason}") from error
 
 

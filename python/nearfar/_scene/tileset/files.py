@@ -37,14 +37,14 @@ class Files(Protocol):
     def resolve(self, base: str, uri: str) -> str:
         """Resolve a reference in the file `base` to a name; OutsideError if it leads outside."""
 
-    def shown(self, name: str) -> str:
+    def display_name(self, name: str) -> str:
         """Name of a file for messages, relative to the top file's folder."""
 
     def read(self, name: str, budget: Budget) -> bytes:
         """Bytes of a file; FileNotFoundError if it does not exist."""
 
 
-def opened(path: str | os.PathLike[str]) -> Files:
+def open_files(path: str | os.PathLike[str]) -> Files:
     """Return the reader for a local path or a URL."""
     return Remote(str(path)) if remote.is_url(path) else Local(remote.local(path))
 
@@ -88,7 +88,7 @@ class Local:
             raise OutsideError(f"it refers to {check.shortened(uri)}, which lies outside its folder")
         return real
 
-    def shown(self, name: str) -> str:
+    def display_name(self, name: str) -> str:
         """Path relative to the top file's folder."""
         return os.path.relpath(name, self._folder)
 
@@ -114,7 +114,7 @@ class Remote:
     def resolve(self, base: str, uri: str) -> str:
         """Resolve a reference in the file `base` to a URL."""
         try:
-            name = _joined(base, uri)
+            name = _resolve_uri(base, uri)
             origin = _origin(name)
         except ValueError:
             raise UnusableError(f"it refers to {check.shortened(uri)}, which names no file") from None
@@ -122,7 +122,7 @@ class Remote:
             raise OutsideError(f"it refers to {check.shortened(uri)}, which lies at another origin")
         return name
 
-    def shown(self, name: str) -> str:
+    def display_name(self, name: str) -> str:
         """Path relative to the top file's folder, without the query, which may contain a key."""
         return unquote(posixpath.relpath(urlsplit(name).path or "/", self._folder or "/"))
 
@@ -132,7 +132,7 @@ class Remote:
             path = self._system._strip_protocol(name)
             stated = self._stated(path)
             key = cache.key("tile", 1, name, stated)
-            data = _kept(key) if stated else None
+            data = _cached_content(key) if stated else None
             if data is None:
                 data = bytes(self._system.cat_file(path))
                 if stated:
@@ -152,7 +152,7 @@ class Remote:
         return [*stated, f"size {described.get('size')}"] if stated else []
 
 
-def _kept(key: str) -> bytes | None:
+def _cached_content(key: str) -> bytes | None:
     """Content of a key's cached file; None if there is none."""
     path = cache.find(key, ".tile")
     try:
@@ -181,7 +181,7 @@ def _origin(url: str) -> tuple[str, str, int | None]:
     return parts.scheme, (parts.hostname or "").lower(), port
 
 
-def _joined(base: str, uri: str) -> str:
+def _resolve_uri(base: str, uri: str) -> str:
     """Resolve a reference against a URL of any scheme: urljoin only supports known schemes."""
     scheme = urlsplit(base).scheme
     if urlsplit(uri).scheme:

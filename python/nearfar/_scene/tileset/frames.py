@@ -74,7 +74,7 @@ def local(origin: Sequence[float]) -> Frame:
     return Frame(earth_to_local(np.radians(longitude), np.radians(latitude), height), (longitude, latitude, height))
 
 
-def around(middle: Floats) -> Frame | None:
+def local_frame_at(middle: Floats) -> Frame | None:
     """Return the local frame at a point near the Earth's surface, rounded as in `note`; None for other points."""
     longitude, latitude, height = geodetic(middle).tolist()
     if not LOWEST <= height <= HIGHEST:

@@ -14,11 +14,11 @@ from nearfar._base.errors import UnusableError
 from nearfar._scene.tileset import values
 from nearfar._scene.tileset.frames import Floats
 from nearfar._scene.tileset.metadata import BoxProperty
-from nearfar._scene.tileset.subtree import MOST_LEVELS, Subtree, start_of
+from nearfar._scene.tileset.subtree import MAX_LEVELS, Subtree, start_of
 from nearfar._scene.tileset.tile import Source, StatedTile, Tile
 from nearfar._scene.tileset.volumes import Box, Region, Sphere, Volume
 
-_MOST_LEVELS = 64
+_MAX_LEVELS = 64
 """Maximum depth of a tree: the Earth's cells are then far smaller than atoms."""
 
 EXTENSION = "3DTILES_implicit_tiling"
@@ -69,7 +69,7 @@ class Implicit:
     def first_of_subtree(self, level: int, cell: Cell) -> list[Tile]:
         """Top tile of a subtree, if it is available."""
         subtree = self.open_subtree(self, filled(self.subtrees, level, cell))
-        is_there = subtree is not None and subtree.tiles.at(0)
+        is_there = subtree is not None and subtree.tiles.bit(0)
         return [ImplicitTile(self, subtree, level, cell, 0, 0)] if subtree is not None and is_there else []
 
 
@@ -87,7 +87,7 @@ class ImplicitTile(Tile):
             tiling.error * 0.5**level,
             tiling.replaces,
             tiling.transform,
-            has_content=any(bits.at(bit) for bits in subtree.contents[: len(tiling.contents)]),
+            has_content=any(bits.bit(bit) for bits in subtree.contents[: len(tiling.contents)]),
             is_leaf=level + 1 >= tiling.levels,
         )
 
@@ -96,7 +96,7 @@ class ImplicitTile(Tile):
         """Box stated by its metadata, else its part of the tiling's volume."""
         subtree = self._subtree
         if subtree.boxes is not None:
-            middle, *axes = subtree.boxes[subtree.tiles.before(self._bit)]
+            middle, *axes = subtree.boxes[subtree.tiles.rank(self._bit)]
             return Box(middle, np.array(axes))
         return self._tiling.volume.part(self._level, self._cell)
 
@@ -104,7 +104,7 @@ class ImplicitTile(Tile):
     def contents(self) -> tuple[str, ...]:
         """URIs of the available contents."""
         there = zip(self._tiling.contents, self._subtree.contents, strict=False)
-        return tuple(filled(template, self._level, self._cell) for template, bits in there if bits.at(self._bit))
+        return tuple(filled(template, self._level, self._cell) for template, bits in there if bits.bit(self._bit))
 
     def expand(self) -> list[Tile]:
         """Make the available children."""
@@ -115,7 +115,7 @@ class ImplicitTile(Tile):
         for corner, step in enumerate(_CORNERS[tiling.axes]):
             number = (self._number << tiling.axes) + corner
             is_inside = depth < tiling.subtree_levels
-            if not (subtree.tiles.at(first + number) if is_inside else subtree.children.at(number)):
+            if not (subtree.tiles.bit(first + number) if is_inside else subtree.children.bit(number)):
                 continue
             below = tuple(map(add, twice, step))
             if is_inside:
@@ -151,11 +151,11 @@ def read(
     if isinstance(volume, Sphere):
         raise UnusableError(f"{place}: expected a box or a region, which can be divided, got a sphere")
     if "maximumLevel" in stated and "availableLevels" not in stated:  # drafts of the extension
-        levels = values.whole(f"{place}.maximumLevel", stated["maximumLevel"], 0, _MOST_LEVELS - 1) + 1
+        levels = values.whole(f"{place}.maximumLevel", stated["maximumLevel"], 0, _MAX_LEVELS - 1) + 1
     else:
-        levels = values.whole(f"{place}.availableLevels", stated.get("availableLevels"), 1, _MOST_LEVELS)
+        levels = values.whole(f"{place}.availableLevels", stated.get("availableLevels"), 1, _MAX_LEVELS)
     axes = 2 if scheme == "QUADTREE" else 3
-    most = MOST_LEVELS[axes]
+    most = MAX_LEVELS[axes]
     subtree_levels = values.whole(f"{place}.subtreeLevels", stated.get("subtreeLevels"), 1, most)
     template = values.entries(f"{place}.subtrees", stated.get("subtrees")).get("uri")
     return Implicit(

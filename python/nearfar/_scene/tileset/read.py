@@ -24,7 +24,7 @@ class Detail:
     origin: tuple[float, float, float] | None = None
 
     @classmethod
-    def checked(cls, error: Any, triangles: Any, origin: Any) -> Detail:
+    def from_arguments(cls, error: Any, triangles: Any, origin: Any) -> Detail:
         """Check arguments; ValueError or TypeError if they are invalid."""
         if error is not None and triangles is not None:
             raise ValueError("triangles: expected none beside an error, got both")

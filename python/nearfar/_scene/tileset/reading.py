@@ -15,7 +15,7 @@ from nearfar._scene.budget import Budget, TooLargeError
 from nearfar._scene.content import Content, Nodes
 from nearfar._scene.materials import Materials
 from nearfar._scene.reasons import LONGEST, sentence
-from nearfar._scene.tileset.content import Reader, TileContent, joined
+from nearfar._scene.tileset.content import Reader, TileContent, join_contents
 from nearfar._scene.tileset.files import Files, OutsideError, read_all
 from nearfar._scene.tileset.frames import Floats
 from nearfar._scene.tileset.tile import Tile
@@ -135,7 +135,7 @@ class Reading:
             try:
                 content = self._reader.read(key.name, data, key.up, tile.transform)
             except (TooLargeError, OutsideError) as error:
-                raise type(error)(f"{self._files.shown(key.name)}: {error}") from error
+                raise type(error)(f"{self._files.display_name(key.name)}: {error}") from error
             except Exception as error:  # damage may raise anything
                 reason = f"cannot be used: {check.one_line(sentence(error), LONGEST)}"
         if content is None:
@@ -147,9 +147,9 @@ class Reading:
     @property
     def failures(self) -> dict[str, str]:
         """Reasons by name for messages, for files that cannot be read."""
-        return {self._files.shown(key.name): reason for key, reason in self._failed.items()}
+        return {self._files.display_name(key.name): reason for key, reason in self._failed.items()}
 
-    def placed(self, tiles: Sequence[Tile], to_scene: Floats, label: str) -> tuple[Content, int]:
+    def place_contents(self, tiles: Sequence[Tile], to_scene: Floats, label: str) -> tuple[Content, int]:
         """Content of tiles whose `sizes` were requested, and the number of files with feature properties.
 
         Parameters
@@ -171,8 +171,8 @@ class Reading:
                 nodes = found.content.nodes
                 with np.errstate(over="ignore", invalid="ignore"):
                     placed = Nodes(nodes.objects, to_scene @ tile.transform @ nodes.transforms, nodes.shapes)
-                name = self._files.shown(key.name)
+                name = self._files.display_name(key.name)
                 content = Content(key.name, found.content.shapes, placed, found.content.notes)
                 parts.append((os.path.splitext(name)[0], f"{name}#", content))
                 properties += found.has_properties
-        return joined(label, parts), properties
+        return join_contents(label, parts), properties

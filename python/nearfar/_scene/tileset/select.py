@@ -13,7 +13,7 @@ from nearfar._base.errors import UnusableError
 from nearfar._scene.tileset.frames import Floats
 from nearfar._scene.tileset.tile import Tile
 
-MOST_TILES = 100_000
+MAX_TILES = 100_000
 """Maximum number of visited tiles; a whole planet has more."""
 
 _REFERENCE = 10
@@ -36,7 +36,7 @@ class Selection:
 class Visits:
     """Counts tiles before they are visited."""
 
-    def __init__(self, most: int = MOST_TILES) -> None:
+    def __init__(self, most: int = MAX_TILES) -> None:
         self._most, self._count = most, 0
 
     def children(self, tile: Tile) -> list[Tile]:
@@ -47,7 +47,7 @@ class Visits:
         return tile.children
 
 
-def within(box: Floats | None, to_scene: Floats) -> Touches:
+def box_test(box: Floats | None, to_scene: Floats) -> Touches:
     """Return a test whether a tile's volume touches a box (2, 3) of the scene; without a box all tiles do."""
     if box is None:
         return lambda tile: True

@@ -16,7 +16,7 @@ from nearfar._scene.tileset import metadata, values
 from nearfar._scene.tileset.frames import Floats
 from nearfar._scene.tileset.metadata import BoxProperty
 
-MOST_LEVELS = {2: 16, 3: 10}
+MAX_LEVELS = {2: 16, 3: 10}
 """Maximum number of levels of a subtree by number of axes; it then has about a thousand million tiles."""
 
 _CHECKED = 1 << 26
@@ -35,13 +35,13 @@ class Bits:
     stored: bytes | None
     constant: bool = False
 
-    def at(self, number: int) -> bool:
+    def bit(self, number: int) -> bool:
         """Bit at an index."""
         if self.stored is None:
             return self.constant
         return bool(self.stored[number >> 3] >> (number & 7) & 1)
 
-    def before(self, number: int) -> int:
+    def rank(self, number: int) -> int:
         """Number of set bits before an index."""
         if self.stored is None:
             return number if self.constant else 0
@@ -101,7 +101,7 @@ def read(
         tiles,
         tuple(views.bits(f"contentAvailability[{n}]", entry, inner) for n, entry in enumerate(listed)),
         views.bits("childSubtreeAvailability", document.get("childSubtreeAvailability"), leaves),
-        metadata.boxes(document, properties, tiles.before(inner), views.view) if properties else None,
+        metadata.boxes(document, properties, tiles.rank(inner), views.view) if properties else None,
     )
     _check(subtree, axes, levels)
     return subtree
@@ -148,11 +148,11 @@ class _Views:
 
     def view(self, place: str, number: Any) -> bytes:
         """Bytes of a buffer view that an entry refers to."""
-        return self._bytes(f"bufferViews[{number}]", values.entries(place, _at(place, self._views, number)))
+        return self._bytes(f"bufferViews[{number}]", values.entries(place, _item(place, self._views, number)))
 
     def _bytes(self, place: str, view: dict[str, Any]) -> bytes:
         number = view.get("buffer")
-        buffer = values.entries(place, _at(f"{place}.buffer", self._buffers, number))
+        buffer = values.entries(place, _item(f"{place}.buffer", self._buffers, number))
         assert isinstance(number, int)
         if number not in self._loaded:
             uri = buffer.get("uri")
@@ -163,7 +163,7 @@ class _Views:
         return data[start : start + length]
 
 
-def _at(place: str, listed: list[Any], number: Any) -> Any:
+def _item(place: str, listed: list[Any], number: Any) -> Any:
     if type(number) is not int or not 0 <= number < len(listed):
         raise UnusableError(f"{place}: expected the number of one of {len(listed)}, got {check.shortened(number)}")
     return listed[number]

@@ -16,7 +16,7 @@ from nearfar._scene.names import distinct
 from nearfar._scene.report import count
 from nearfar._scene.tileset import frames, select
 from nearfar._scene.tileset.document import Documents
-from nearfar._scene.tileset.files import Files, Local, opened
+from nearfar._scene.tileset.files import Files, Local, open_files
 from nearfar._scene.tileset.frames import Floats, Frame
 from nearfar._scene.tileset.reading import Kept, Reading
 from nearfar._scene.tileset.tile import IDENTITY, Source, StatedTile, Tile
@@ -25,7 +25,7 @@ from nearfar._scene.tileset.volumes import Box, Region
 KINDS = ("b3dm", "i3dm", "cmpt")
 """Suffixes of single tiles."""
 
-_MOST_NAMED = 3
+_MAX_NAMED = 3
 """Maximum number of files named in a note."""
 
 
@@ -80,7 +80,7 @@ class Tileset:
             A file that cannot be opened.
         """
         place = frames.checked_origin(origin)
-        files, kept = opened(path), Kept(cache_bytes)
+        files, kept = open_files(path), Kept(cache_bytes)
         label = os.fspath(path) if isinstance(files, Local) else str(path).partition("?")[0]
         try:
             if suffix(path) in KINDS:
@@ -129,7 +129,7 @@ class Tileset:
             A URL that does not respond.
         """
         reading = Reading(self._files, self._kept, Budget() if budget is None else budget)
-        touches = select.within(box, self.frame.to_scene)
+        touches = select.box_test(box, self.frame.to_scene)
         try:
             if triangles is None:
                 selection = self._by_error(reading, error, touches)
@@ -141,7 +141,7 @@ class Tileset:
             raise SceneError(
                 f"{self.label}: its coarsest tiles have {selection.triangles:,} triangles, more than {triangles:,}"
             )
-        content, properties = reading.placed(selection.tiles, self.frame.to_scene, self.label)
+        content, properties = reading.place_contents(selection.tiles, self.frame.to_scene, self.label)
         shown = sum(size is not None for size in reading.sizes(selection.tiles))
         content.nodes = Nodes(distinct(content.nodes.objects), content.nodes.transforms, content.nodes.shapes)
         content.notes[:0] = self._notes(shown, selection.error, reading.failures, properties)
@@ -164,10 +164,10 @@ class Tileset:
         if self._documents is not None:
             coarse = f" with a geometric error of up to {error:g} m" if error else ""
             notes.append(f"{count(shown, 'tile')} of 3D Tiles read{coarse}")
-            failures = failures | {self._files.shown(name): "is missing" for name in self._documents.missing}
+            failures = failures | {self._files.display_name(name): "is missing" for name in self._documents.missing}
         if failures:
-            named = ", ".join(f"{name} {reason}" for name, reason in list(failures.items())[:_MOST_NAMED])
-            more = f", and {len(failures) - _MOST_NAMED:,} more" if len(failures) > _MOST_NAMED else ""
+            named = ", ".join(f"{name} {reason}" for name, reason in list(failures.items())[:_MAX_NAMED])
+            more = f", and {len(failures) - _MAX_NAMED:,} more" if len(failures) > _MAX_NAMED else ""
             notes.append(f"{count(len(failures), 'file')} of tiles left out: {named}{more}")
         if properties:
             notes.append(f"{count(properties, 'file')} of tiles with properties of features, which are ignored")
@@ -185,7 +185,7 @@ def _frame(root: Tile, origin: tuple[float, float, float] | None) -> Frame:
     """The scene's frame: at the origin, else at the centre of a tileset on the Earth, else the tileset's own."""
     box = root.bounds(IDENTITY)
     is_earth = bool((box[0] < -frames.RADIUS).all() and (box[1] > frames.RADIUS).all())
-    found = None if is_earth else frames.around(root.middle)
+    found = None if is_earth else frames.local_frame_at(root.middle)
     if origin is not None:
         if found is None and not is_earth and not isinstance(root.volume, Region):
             raise UnusableError("it does not lie on the Earth, where an origin has a meaning")
@@ -206,7 +206,7 @@ def _of_tile(
         if reason == "is missing":
             raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), label)
         raise UnusableError(reason.removeprefix("cannot be used: "))
-    box = _bounds(reading.placed([tile], IDENTITY, label)[0])
+    box = _bounds(reading.place_contents([tile], IDENTITY, label)[0])
     if np.isfinite(box).all():
         tile = _alone(files, Box(box.mean(axis=0), np.diag(np.ptp(box, axis=0) / 2)))
     return Tileset(label, files, tile, None, _frame(tile, origin), kept)

@@ -21,7 +21,7 @@ def build(stage: Stage, seed: int, detail: int) -> list[str]:
     for number, (x, z, quarter) in enumerate(_PARKED):
         soup = forklift(detail)
         if number % 2 == 0:
-            soup = join([soup, storage.pallet(Draw(seed, 95, number), detail).moved([0.0, 0.26, 1.72])])
+            soup = join([soup, storage.pallet(Draw(seed, 95, number), detail).translate([0.0, 0.26, 1.72])])
         names.append(f"forklift_{number}")
         stage.many(soup, placements(x, 0.0, z, quarter), names[-1:], moves=True)
     return names
@@ -49,17 +49,17 @@ def forklift(detail: int) -> Soup:
     soups += _mast(detail)
     wheel = _wheel(0.3, detail)
     for x, quarter in ((-0.45, 0.5), (0.45, 0.0)):
-        soups.append(wheel.rotated(quarter).moved([x, 0.3, 0.5]))
-        soups.append(wheel.rotated(quarter).scaled([0.9, 0.85, 0.85]).moved([x, 0.255, -0.75]))
+        soups.append(wheel.rotated(quarter).translate([x, 0.3, 0.5]))
+        soups.append(wheel.rotated(quarter).scaled([0.9, 0.85, 0.85]).translate([x, 0.255, -0.75]))
     if detail >= 1:
         column = parts.rod((0.0, 1.05, 0.55), (0.0, 1.32, 0.36), 0.025, dark, detail)
-        wheel_ = parts.pitched(parts.handwheel(0.17, dark, detail), -0.1).moved([0.0, 1.34, 0.34])
+        wheel_ = parts.pitched(parts.handwheel(0.17, dark, detail), -0.1).translate([0.0, 1.34, 0.34])
         soups += [column, wheel_]
     if detail >= 2:
         lamp = parts.laid_z(lathe([(0.03, 0.0), (0.07, 0.06), (0.07, 0.09)], parts.ROUND[detail], material("daylight")))
         soups.append(parts.copies(lamp, [[-0.4, 1.6, 0.48], [0.4, 1.6, 0.48]]))
-        soups.append(parts.drum(0.06, 2.15, 2.27, material("robot_orange"), detail, 0.02).moved([0.0, 0.0, -0.3]))
-        soups.append(parts.pitched(parts.grille(0.6, 0.3, detail), 0.5).moved([0.0, 0.6, -1.15]))
+        soups.append(parts.drum(0.06, 2.15, 2.27, material("robot_orange"), detail, 0.02).translate([0.0, 0.0, -0.3]))
+        soups.append(parts.pitched(parts.grille(0.6, 0.3, detail), 0.5).translate([0.0, 0.6, -1.15]))
     return join(soups)
 
 

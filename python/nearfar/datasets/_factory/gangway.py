@@ -68,7 +68,7 @@ def deck(detail: int) -> Soup:
     beams = [
         parts.i_beam([0.0, _DECK - 0.26, z], _SPAN, 0.22, 0.12, material("steel_blue")) for z in (-0.06, wide - 0.06)
     ]
-    return join([_grating(_SPAN, wide, detail).moved([0.0, _DECK, 0.0]), *beams])
+    return join([_grating(_SPAN, wide, detail).translate([0.0, _DECK, 0.0]), *beams])
 
 
 def _post(detail: int) -> Soup:
@@ -91,7 +91,7 @@ def stairs(detail: int) -> Soup:
     soups = []
     for k in range(count - 1):
         x, y = run * k, _DECK - rise * (k + 1)
-        soups.append(_grating(run + 0.02, 2.0 * half, min(detail, 2)).moved([x, y, -half]))
+        soups.append(_grating(run + 0.02, 2.0 * half, min(detail, 2)).translate([x, y, -half]))
         soups.append(
             boxes([x + run - 0.02, y - 0.034, -half + 0.005], [x + run + 0.035, y + 0.004, half - 0.005], yellow)
         )
@@ -130,12 +130,12 @@ def cabin(detail: int) -> Soup:
         lows = np.stack([posts, np.full_like(posts, _DECK + 0.85), np.full_like(posts, z)], -1)
         soups.append(bars(lows, [0.1, 1.5, 0.1], wall))
     soups.append(boxes([x0 - 0.03, _DECK + 0.02, 0.7], [x0 + 0.02, _DECK + 2.1, 1.6], material("door_blue")))
-    soups.append(railing(wide, detail).moved([0.0, _DECK, deep - 0.05]))
+    soups.append(railing(wide, detail).translate([0.0, _DECK, deep - 0.05]))
     for x in (0.05, wide - 0.05):
-        soups.append(railing(deep - 0.1, detail).rotated(-0.25).moved([x, _DECK, 0.0]))
+        soups.append(railing(deep - 0.1, detail).rotated(-0.25).translate([x, _DECK, 0.0]))
     if detail >= 1:
         soups.append(
             parts.casing([4.0, head + 0.14, 0.8], [5.6, head + 0.8, 1.8], 0.05, material("metal_light"), detail)
         )
-        soups.append(parts.grille(1.3, 0.4, detail).moved([4.8, head + 0.46, 1.8]))
+        soups.append(parts.grille(1.3, 0.4, detail).translate([4.8, head + 0.46, 1.8]))
     return join(soups)

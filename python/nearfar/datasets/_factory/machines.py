@@ -21,18 +21,18 @@ def lathe_machine(variant: int, detail: int) -> Soup:
         parts.casing([-2.4, 0.98, -0.6], [-1.0, 1.85, 0.52], 0.08, paint, detail),
         boxes([-1.25, 0.28, -0.6], [1.25, 0.36, 0.75], material("steel_grey")),
         bars([[-1.02, 0.99, -0.42], [-1.02, 0.99, 0.12]], [3.3, 0.09, 0.18], steel),
-        _chuck(detail).moved([-1.0, 1.42, 0.0]),
-        _carriage(paint, detail).moved([0.1 + 0.2 * (variant % 3), 1.0, 0.0]),
-        _tailstock(paint, detail).moved([1.75, 1.0, 0.0]),
-        parts.panel(detail).moved([-1.75, 1.55, 0.66]),
-        parts.signal_tower(1.84, detail).moved([-2.1, 0.0, -0.3]),
+        _chuck(detail).translate([-1.0, 1.42, 0.0]),
+        _carriage(paint, detail).translate([0.1 + 0.2 * (variant % 3), 1.0, 0.0]),
+        _tailstock(paint, detail).translate([1.75, 1.0, 0.0]),
+        parts.panel(detail).translate([-1.75, 1.55, 0.66]),
+        parts.signal_tower(1.84, detail).translate([-2.1, 0.0, -0.3]),
     ]
     workpiece = parts.laid_x(parts.drum(0.11 + 0.03 * (variant % 3), 0.0, 1.9, steel, detail, 0.02))
-    soups.append(workpiece.moved([-0.75, 1.42, 0.0]))
+    soups.append(workpiece.translate([-0.75, 1.42, 0.0]))
     if detail >= 1:
         rear = boxes([-1.1, 1.02, -0.75], [2.3, 1.9, -0.68], material("machine_grey"))
         soups += [rear, parts.casing([-2.2, 0.1, -1.5], [-0.9, 1.3, -0.6], 0.05, material("steel_grey"), detail)]
-        soups.append(parts.pitched(parts.grille(0.9, 0.6, detail), 0.5).moved([-1.55, 0.75, -1.5]))
+        soups.append(parts.pitched(parts.grille(0.9, 0.6, detail), 0.5).translate([-1.55, 0.75, -1.5]))
     if detail >= 2:
         soups += _lathe_trimmings(detail)
     return join(soups)
@@ -60,9 +60,9 @@ def _carriage(paint: int, detail: int) -> Soup:
         boxes([-0.1, 0.26, 0.16], [0.1, 0.45, 0.36], material("metal_dark")),
     ]
     wheel = parts.laid_z(parts.handwheel(0.13, material("metal_dark"), detail))
-    soups.append(wheel.moved([-0.2, -0.1, 0.68]))
+    soups.append(wheel.translate([-0.2, -0.1, 0.68]))
     if detail >= 1:
-        soups.append(parts.laid_z(parts.handwheel(0.08, material("metal_dark"), detail)).moved([0.1, 0.05, 0.66]))
+        soups.append(parts.laid_z(parts.handwheel(0.08, material("metal_dark"), detail)).translate([0.1, 0.05, 0.66]))
         soups.append(boxes([-0.04, 0.34, -0.1], [0.04, 0.38, 0.2], steel))
     if detail >= 2:
         knob = parts.drum(0.02, 0.0, 0.16, material("metal_light"), detail, 0.008)
@@ -73,8 +73,10 @@ def _carriage(paint: int, detail: int) -> Soup:
 def _tailstock(paint: int, detail: int) -> Soup:
     """The tailstock with its centre and handwheel."""
     body = parts.casing([-0.3, 0.06, -0.24], [0.3, 0.6, 0.24], 0.05, paint, detail)
-    sleeve = parts.laid_x(parts.drum(0.09, -0.7, 0.0, material("metal_light"), detail, 0.02)).moved([0.0, 0.42, 0.0])
-    wheel = parts.laid_x(parts.handwheel(0.16, material("metal_dark"), detail)).moved([0.38, 0.42, 0.0])
+    sleeve = parts.laid_x(parts.drum(0.09, -0.7, 0.0, material("metal_light"), detail, 0.02)).translate(
+        [0.0, 0.42, 0.0]
+    )
+    wheel = parts.laid_x(parts.handwheel(0.16, material("metal_dark"), detail)).translate([0.38, 0.42, 0.0])
     return join([body, sleeve, wheel])
 
 
@@ -87,11 +89,11 @@ def _lathe_trimmings(detail: int) -> list[Soup]:
     hose = [[0.6, 1.2, -0.66], [0.6, 2.05, -0.66], [0.6, 2.05, -0.1], [0.6, 1.72, -0.1]]
     soups.append(parts.piping(hose, 0.018, 0.12, material("rubber"), detail, thin=True))
     lamp = lathe([(0.09, 0.0), (0.1, 0.02), (0.05, 0.14), (0.04, 0.15)], parts.ROUND[detail], material("daylight"))
-    soups.append(lamp.moved([-0.3, 1.95, -0.45]))
+    soups.append(lamp.translate([-0.3, 1.95, -0.45]))
     arm = [[-0.3, 1.3, -0.66], [-0.3, 2.07, -0.66], [-0.3, 2.07, -0.42]]
     soups.append(parts.piping(arm, 0.015, 0.08, dark, detail, thin=True))
-    soups.append(parts.grille(0.8, 0.35, detail).moved([-1.75, 0.4, 0.5]))
-    soups.append(parts.grille(0.8, 0.35, detail).moved([1.75, 0.4, 0.45]))
+    soups.append(parts.grille(0.8, 0.35, detail).translate([-1.75, 0.4, 0.5]))
+    soups.append(parts.grille(0.8, 0.35, detail).translate([1.75, 0.4, 0.45]))
     lever = parts.laid_z(parts.drum(0.05, -0.02, 0.05, dark, detail, 0.01))
     soups.append(parts.copies(lever, [[-1.3, 1.2, 0.53], [-1.5, 1.15, 0.53], [-1.15, 1.35, 0.53]]))
     return soups
@@ -108,15 +110,15 @@ def mill(variant: int, detail: int) -> Soup:
         boxes([-1.1, 0.85, 0.95], [0.75, 2.05, 1.03], paint),
         boxes([-0.95, 1.0, 0.97], [0.6, 1.9, 1.045], material("glass_steel")),
         boxes([-0.2, 0.86, 0.98], [-0.14, 2.04, 1.07], material("metal_light")),
-        parts.panel(detail).moved([1.3, 1.5, 1.25]),
+        parts.panel(detail).translate([1.3, 1.5, 1.25]),
         boxes([1.1, 1.74, 0.9], [1.3, 1.8, 1.22], material("metal_dark")),
-        parts.signal_tower(2.3, detail).moved([1.4, 0.0, 0.3]),
+        parts.signal_tower(2.3, detail).translate([1.4, 0.0, 0.3]),
         parts.casing([-2.2, 0.05, -1.0], [-1.68, 0.75, 0.8], 0.04, material("steel_grey"), detail),
         boxes([-1.6, -0.01, -1.1], [1.6, 0.13, 0.9], material("metal_dark")),
     ]
     if detail >= 1:
-        soups.append(_magazine(detail).moved([-1.72, 1.55, -0.3]))
-        soups.append(_conveyed(detail).moved([-1.9, 0.0, 0.0]))
+        soups.append(_magazine(detail).translate([-1.72, 1.55, -0.3]))
+        soups.append(_conveyed(detail).translate([-1.9, 0.0, 0.0]))
     if detail >= 2:
         soups += _mill_trimmings(detail)
     return join(soups)
@@ -136,7 +138,7 @@ def _magazine(detail: int) -> Soup:
 def _conveyed(detail: int) -> Soup:
     """The chip conveyor on the left: a trough that rises to a chute over a bin."""
     grey = material("steel_grey")
-    trough = parts.pitched(boxes([-0.2, 0.0, -0.12], [0.2, 1.6, 0.12], grey), 0.12).moved([0.0, 0.2, 0.68])
+    trough = parts.pitched(boxes([-0.2, 0.0, -0.12], [0.2, 1.6, 0.12], grey), 0.12).translate([0.0, 0.2, 0.68])
     chute = boxes([-0.23, 1.1, 1.58], [0.23, 1.48, 1.95], grey)
     soups = [trough, chute, boxes([-0.35, 0.0, 1.45], [0.35, 0.75, 2.15], material("rack_blue"))]
     if detail >= 2:
@@ -147,14 +149,17 @@ def _conveyed(detail: int) -> Soup:
 def _mill_trimmings(detail: int) -> list[Soup]:
     """Grilles, hinges, feet, a cabinet's handle, hoses and motors on the roof."""
     dark = material("metal_dark")
-    soups = [parts.grille(0.42, 0.5, detail).rotated(0.25).moved([2.25, 1.45, -0.35])]
-    soups.append(parts.grille(0.42, 0.5, detail).rotated(0.25).moved([2.25, 0.55, -0.35]))
-    soups.append(parts.pitched(parts.grille(1.2, 0.7, detail), 0.5).moved([0.0, 1.3, -1.2]))
+    soups = [parts.grille(0.42, 0.5, detail).rotated(0.25).translate([2.25, 1.45, -0.35])]
+    soups.append(parts.grille(0.42, 0.5, detail).rotated(0.25).translate([2.25, 0.55, -0.35]))
+    soups.append(parts.pitched(parts.grille(1.2, 0.7, detail), 0.5).translate([0.0, 1.3, -1.2]))
     motor = parts.drum(0.2, 2.95, 3.4, material("machine_blue"), detail, 0.03)
-    soups += [motor.moved([0.35, 0.0, -0.5]), parts.drum(0.14, 2.95, 3.25, dark, detail, 0.02).moved([-0.4, 0.0, -0.3])]
+    soups += [
+        motor.translate([0.35, 0.0, -0.5]),
+        parts.drum(0.14, 2.95, 3.25, dark, detail, 0.02).translate([-0.4, 0.0, -0.3]),
+    ]
     fins = (10, 10, 12, 16)[detail]
     fin = boxes([0.18, 2.99, -0.008], [0.225, 3.36, 0.008], material("machine_blue"))
-    soups += [fin.rotated(k / fins).moved([0.35, 0.0, -0.5]) for k in range(fins)]
+    soups += [fin.rotated(k / fins).translate([0.35, 0.0, -0.5]) for k in range(fins)]
     hose = [[-0.4, 3.2, -0.3], [-0.4, 3.35, -0.3], [-1.5, 3.35, -0.3], [-1.5, 2.3, -0.3]]
     soups.append(parts.piping(hose, 0.03, 0.1, material("rubber"), detail, thin=True))
     hinge = parts.drum(0.025, -0.07, 0.07, material("metal_light"), detail, 0.008)
@@ -163,6 +168,6 @@ def _mill_trimmings(detail: int) -> list[Soup]:
     soups.append(parts.copies(foot, [[x, 0.0, z] for x in (-1.4, 0.0, 1.4) for z in (-0.95, 0.99)]))
     handle = [[0.3, 1.25, 1.03], [0.3, 1.25, 1.12], [0.3, 1.65, 1.12], [0.3, 1.65, 1.03]]
     soups.append(parts.piping(handle, 0.014, 0.04, material("metal_light"), detail, thin=True))
-    soups.append(parts.gauge(0.07, detail).moved([-1.4, 1.7, 0.99]))
-    soups.append(parts.gauge(0.07, detail).moved([-1.4, 1.5, 0.99]))
+    soups.append(parts.gauge(0.07, detail).translate([-1.4, 1.7, 0.99]))
+    soups.append(parts.gauge(0.07, detail).translate([-1.4, 1.5, 0.99]))
     return soups

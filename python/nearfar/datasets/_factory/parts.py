@@ -18,7 +18,7 @@ THIN = (3, 4, 5, 6)
 
 def copies(soup: Soup, offsets: ArrayLike) -> Soup:
     """Repeat a soup at offsets (K, 3), metres."""
-    return join(soup.moved(offset) for offset in np.asarray(offsets, np.float64).reshape(-1, 3))
+    return join(soup.translate(offset) for offset in np.asarray(offsets, np.float64).reshape(-1, 3))
 
 
 def laid_x(soup: Soup) -> Soup:
@@ -171,7 +171,7 @@ def panel(detail: int) -> Soup:
     screen = boxes([-0.25, -0.06, -0.01], [0.1, 0.2, 0.006], material("glass_blue"))
     parts = [body, screen]
     if detail >= 1:
-        stop = laid_z(drum(0.035, -0.02, 0.045, material("safety_red"), detail, 0.01)).moved([0.2, 0.15, 0.0])
+        stop = laid_z(drum(0.035, -0.02, 0.045, material("safety_red"), detail, 0.01)).translate([0.2, 0.15, 0.0])
         parts.append(stop)
     if detail >= 2:
         keys = np.array([[-0.24 + 0.05 * i, -0.2 + 0.045 * j, -0.01] for i in range(5) for j in range(3)])

@@ -62,9 +62,9 @@ def riser(height: float, radius: float, kind: int, detail: int) -> Soup:
     out, bend = 0.6 + 2.5 * radius, 2.2 * radius
     line = [[0.0, 0.0, 0.0], [out, 0.0, 0.0], [out, -height - 0.05, 0.0]]
     soups = [parts.piping(line, radius, bend, kind, detail)]
-    soups.append(parts.laid_x(parts.flange(radius, kind, detail)).moved([0.3, 0.0, 0.0]))
-    soups.append(parts.flange(radius, kind, detail).moved([out, 0.25 - height, 0.0]))
-    soups.append(valve(radius, detail).moved([out, 1.3 - height, 0.0]))
+    soups.append(parts.laid_x(parts.flange(radius, kind, detail)).translate([0.3, 0.0, 0.0]))
+    soups.append(parts.flange(radius, kind, detail).translate([out, 0.25 - height, 0.0]))
+    soups.append(valve(radius, detail).translate([out, 1.3 - height, 0.0]))
     return join(soups)
 
 
@@ -81,7 +81,7 @@ def valve(radius: float, detail: int) -> Soup:
     stem = parts.rod(
         (0.5 * reach, 0.0, 0.0), (reach + 0.06, 0.0, 0.0), 0.12 * radius + 0.006, material("metal"), detail
     )
-    wheel = parts.laid_x(parts.handwheel(1.1 * radius + 0.05, red, detail)).moved([reach, 0.0, 0.0])
+    wheel = parts.laid_x(parts.handwheel(1.1 * radius + 0.05, red, detail)).translate([reach, 0.0, 0.0])
     soups += [bonnet, stem, wheel]
     joint = parts.flange(radius, body, detail)
     away = 1.6 * radius + 0.06
@@ -94,12 +94,12 @@ def branch(detail: int) -> Soup:
     steel, radius, height = material("machine_blue"), 0.05, 4.35
     line = [[0.0, height, 0.46], [0.0, height + 0.42, 0.46], [0.0, height + 0.42, 1.3], [0.0, 1.05, 1.3]]
     soups = [parts.piping(line, radius, 0.14, steel, detail)]
-    soups.append(parts.flange(radius, steel, detail).moved([0.0, height + 0.25, 0.46]))
-    soups.append(valve(radius, detail).moved([0.0, 1.75, 1.3]))
-    soups.append(parts.flange(radius, steel, detail).moved([0.0, 3.0, 1.3]))
+    soups.append(parts.flange(radius, steel, detail).translate([0.0, height + 0.25, 0.46]))
+    soups.append(valve(radius, detail).translate([0.0, 1.75, 1.3]))
+    soups.append(parts.flange(radius, steel, detail).translate([0.0, 3.0, 1.3]))
     dial = parts.gauge(0.08, detail)
     neck = parts.rod((0.0, 2.3, 1.3), (0.0, 2.3, 1.4), 0.015, material("metal"), detail)
-    soups += [neck, dial.moved([0.0, 2.3, 1.39])]
+    soups += [neck, dial.translate([0.0, 2.3, 1.39])]
     soups.append(parts.casing([-0.4, 0.05, 1.1], [0.4, 1.1, 1.5], 0.02, material("machine_grey"), detail))
     soups.append(boxes([-0.38, -0.02, 1.12], [0.38, 0.06, 1.48], material("metal_dark")))
     cable = [[0.25, 1.0, 1.3], [0.25, 3.9, 1.3]]
@@ -130,7 +130,7 @@ def _arms(detail: int) -> Soup:
     if detail >= 2:
         for across, low, radius, _ in _RACK:
             clip = parts.laid_x(parts.drum(radius + 0.012, -0.03, 0.03, material("metal_dark"), detail))
-            soups.append(clip.moved([0.0, low + radius, across]))
+            soups.append(clip.translate([0.0, low + radius, across]))
     return join(soups)
 
 
@@ -153,7 +153,7 @@ def duct(detail: int) -> Soup:
     soups.append(parts.copies(seam, [[x, 0.0, 0.0] for x in np.arange(0.5 * step, _LENGTH, step).tolist()]))
     soups.append(boxes([4.4, -0.72, -0.35], [5.6, -0.3, 0.35], tin))
     outlet = parts.grille(1.1, 0.6, detail)
-    soups.append(parts.pitched(outlet, 0.25).moved([5.0, -0.715, 0.0]))
+    soups.append(parts.pitched(outlet, 0.25).translate([5.0, -0.715, 0.0]))
     dark = material("metal_dark")
     for side in (-0.54, 0.54):
         soups.append(parts.rod((0.18, -0.54, side), (0.18, 2.78, side), 0.012, dark, min(detail, 1)))
@@ -170,7 +170,7 @@ def sprinkler(detail: int) -> Soup:
             soups.append(parts.rod((x, 0.0, 0.0), (x, -0.16, 0.0), 0.018, material("metal_light"), min(detail, 2)))
         if detail >= 2:
             soups.append(
-                lathe([(0.05, -0.17), (0.05, -0.16)], parts.THIN[detail], material("metal_light")).moved([x, 0, 0])
+                lathe([(0.05, -0.17), (0.05, -0.16)], parts.THIN[detail], material("metal_light")).translate([x, 0, 0])
             )
     soups.append(parts.rod((0.18, 0.0, 0.0), (0.18, 2.02, 0.0), 0.01, material("metal_dark"), min(detail, 1)))
     return join(soups)

@@ -29,7 +29,7 @@ def press(variant: int, detail: int) -> Soup:
     nut = lathe([(0.26, 4.38), (0.26, 4.52), (0.17, 4.54), (0.17, 4.64)], 6, material("metal_dark"))
     corners = [[x, 0.0, z] for x in (-1.15, 1.15) for z in (-0.85, 0.85)]
     soups += [parts.copies(pillar, corners), parts.copies(nut, corners)]
-    soups.append(parts.panel(detail).moved([1.9, 1.3, 1.3]))
+    soups.append(parts.panel(detail).translate([1.9, 1.3, 1.3]))
     soups.append(boxes([1.82, 0.02, 1.19], [1.98, 1.1, 1.28], material("metal_dark")))
     soups.append(parts.casing([-2.4, 0.02, -0.9], [-1.6, 1.9, 0.7], 0.05, material("machine_grey"), detail))
     if detail >= 1:
@@ -48,13 +48,13 @@ def _press_trimmings(ram: float, detail: int) -> list[Soup]:
         x, z = -1.75 - 0.14 * k, -0.5 + 0.12 * k
         line = [[x, 1.85, z], [x, 4.7 + 0.1 * k, z], [-0.2 + 0.13 * k, 4.7 + 0.1 * k, z], [-0.2 + 0.13 * k, 4.3, z]]
         soups.append(parts.piping(line, 0.03, 0.12, steel, detail))
-        soups.append(parts.flange(0.03, steel, detail).moved([x, 2.4, z]))
-        soups.append(parts.flange(0.03, steel, detail).moved([x, 3.9, z]))
-    soups.append(parts.flange(0.32, material("steel_grey"), detail).moved([0.0, 3.3, 0.0]))
-    soups.append(parts.flange(0.32, material("steel_grey"), detail).moved([0.0, ram + 0.56, 0.0]))
+        soups.append(parts.flange(0.03, steel, detail).translate([x, 2.4, z]))
+        soups.append(parts.flange(0.03, steel, detail).translate([x, 3.9, z]))
+    soups.append(parts.flange(0.32, material("steel_grey"), detail).translate([0.0, 3.3, 0.0]))
+    soups.append(parts.flange(0.32, material("steel_grey"), detail).translate([0.0, ram + 0.56, 0.0]))
     soups.append(parts.copies(parts.gauge(0.1, detail), [[-2.2, 1.55, 0.69], [-1.95, 1.55, 0.69]]))
-    soups.append(parts.grille(0.6, 0.7, detail).moved([-2.0, 0.7, 0.69]))
-    soups.append(parts.grille(1.6, 0.5, detail).moved([0.0, 0.45, 1.1]))
+    soups.append(parts.grille(0.6, 0.7, detail).translate([-2.0, 0.7, 0.69]))
+    soups.append(parts.grille(1.6, 0.5, detail).translate([0.0, 0.45, 1.1]))
     ladder = [
         parts.rod((1.53, 0.9, z), (1.53, 4.9, z), 0.022, material("safety_yellow"), detail) for z in (-0.25, 0.25)
     ]
@@ -66,7 +66,7 @@ def _press_trimmings(ram: float, detail: int) -> list[Soup]:
     bolt = parts.laid_z(lathe([(0.03, -0.03), (0.03, 0.04)], 6, dark))
     soups.append(parts.copies(bolt, [[x, y, 1.15] for x in np.linspace(-1.2, 1.2, 9).tolist() for y in (3.65, 4.15)]))
     motor = parts.laid_x(parts.drum(0.2, -0.35, 0.35, material("machine_blue"), detail, 0.04))
-    soups.append(motor.moved([-2.0, 2.1, -0.1]))
+    soups.append(motor.translate([-2.0, 2.1, -0.1]))
     return soups
 
 
@@ -80,11 +80,11 @@ def bench(seed: int, variant: int, detail: int) -> Soup:
         boxes([-1.35, 0.2, -0.3], [0.32, 0.24, 0.3], grey),
         boxes([-1.45, 0.93, -0.42], [1.05, 2.0, -0.37], material("panel_slate")),
         parts.casing([1.4, 0.02, -0.5], [2.4, 1.95, 0.1], 0.03, material("machine_blue"), detail),
-        parts.drum(0.19, 0.5, 0.58, material("rubber"), detail, 0.03).moved([-0.6, 0.0, 0.85]),
+        parts.drum(0.19, 0.5, 0.58, material("rubber"), detail, 0.03).translate([-0.6, 0.0, 0.85]),
         parts.rod((-0.6, 0.02, 0.85), (-0.6, 0.52, 0.85), 0.03, dark, detail),
-        parts.drum(0.22, 0.0, 0.04, dark, detail, 0.01).moved([-0.6, 0.0, 0.85]),
+        parts.drum(0.22, 0.0, 0.04, dark, detail, 0.01).translate([-0.6, 0.0, 0.85]),
         parts.casing([-1.3, 0.93, 0.1], [-1.05, 1.12, 0.42], 0.03, material("sign_teal"), detail),
-        _drill(detail).moved([0.7, 0.93, 0.0]),
+        _drill(detail).translate([0.7, 0.93, 0.0]),
     ]
     if detail >= 1:
         fronts = [[0.34, 0.16 + 0.175 * k, 0.35] for k in range(4)]
@@ -99,13 +99,13 @@ def bench(seed: int, variant: int, detail: int) -> Soup:
                                   [[0.65, 0.25 + 0.175 * k, 0.38] for k in range(4)]))  # fmt: skip
         for x in (1.46, 1.92):
             soups.append(boxes([x, 0.1, 0.09], [x + 0.43, 1.88, 0.112], material("machine_blue")))
-            soups.append(parts.grille(0.3, 0.16, detail).moved([x + 0.215, 1.7, 0.112]))
+            soups.append(parts.grille(0.3, 0.16, detail).translate([x + 0.215, 1.7, 0.112]))
         for k in range(6):
             x, size = draw.number(-0.9, 0.3), draw.number(0.04, 0.09)
             body = parts.drum(size, 0.93, 0.95 + 2.5 * size, draw.pick(colors), detail, 0.01)
-            soups.append(body.moved([x, 0.0, -0.3 + 0.1 * k]))
+            soups.append(body.translate([x, 0.0, -0.3 + 0.1 * k]))
         screw = parts.laid_z(parts.drum(0.03, 0.0, 0.3, material("metal_light"), detail, 0.01))
-        soups.append(screw.moved([-1.17, 1.03, 0.4]))
+        soups.append(screw.translate([-1.17, 1.03, 0.4]))
         lamp = [[-0.5, 1.98, -0.4], [-0.5, 2.2, -0.4], [-0.5, 2.2, 0.1]]
         soups.append(parts.piping(lamp, 0.02, 0.1, dark, detail, thin=True))
         soups.append(boxes([-1.1, 2.14, 0.02], [0.1, 2.19, 0.16], material("daylight")))
@@ -119,11 +119,11 @@ def _drill(detail: int) -> Soup:
         parts.casing([-0.18, 0.0, -0.25], [0.18, 0.06, 0.25], 0.02, green, detail),
         parts.rod((0.0, 0.05, -0.15), (0.0, 0.95, -0.15), 0.035, steel, detail),
         parts.casing([-0.11, 0.62, -0.28], [0.11, 0.92, 0.24], 0.04, green, detail),
-        parts.drum(0.03, 0.38, 0.64, steel, detail, 0.01).moved([0.0, 0.0, 0.12]),
+        parts.drum(0.03, 0.38, 0.64, steel, detail, 0.01).translate([0.0, 0.0, 0.12]),
         boxes([-0.14, 0.28, -0.12], [0.14, 0.31, 0.24], material("steel_grey")),
     ]
     if detail >= 1:
-        soups.append(parts.laid_x(parts.handwheel(0.1, material("metal_dark"), detail)).moved([0.15, 0.74, 0.1]))
+        soups.append(parts.laid_x(parts.handwheel(0.1, material("metal_dark"), detail)).translate([0.15, 0.74, 0.1]))
     return join(soups)
 
 
@@ -140,29 +140,29 @@ def compressor(variant: int, detail: int) -> Soup:
         (0.3, 1.56),
         (0.02, 1.62),
     ]
-    vessel = parts.laid_x(lathe(ends, parts.ROUND[detail], paint)).moved([0.0, 0.85, 0.0])
+    vessel = parts.laid_x(lathe(ends, parts.ROUND[detail], paint)).translate([0.0, 0.85, 0.0])
     soups = [
         vessel,
         bars([[-1.1, 0.0, -0.4], [0.95, 0.0, -0.4]], [0.15, 0.45, 0.8], dark),
         parts.casing([-1.2, 1.36, -0.35], [1.2, 1.46, 0.35], 0.02, material("steel_grey"), detail),
-        parts.laid_x(parts.drum(0.26, -1.0, -0.2, material("machine_blue"), detail, 0.05)).moved([0.0, 1.74, 0.0]),
+        parts.laid_x(parts.drum(0.26, -1.0, -0.2, material("machine_blue"), detail, 0.05)).translate([0.0, 1.74, 0.0]),
         parts.casing([0.15, 1.44, -0.3], [1.0, 1.9, 0.3], 0.04, material("steel_grey"), detail),
-        parts.gauge(0.12, detail).moved([0.0, 1.2, 0.42]),
-        parts.laid_x(parts.handwheel(0.2, material("safety_red"), detail)).moved([1.72, 0.85, 0.0]),
+        parts.gauge(0.12, detail).translate([0.0, 1.2, 0.42]),
+        parts.laid_x(parts.handwheel(0.2, material("safety_red"), detail)).translate([1.72, 0.85, 0.0]),
     ]
     for x in (0.35, 0.8):
-        soups.append(parts.drum(0.17, 1.85, 2.3, paint, detail, 0.04).moved([x, 0.0, 0.0]))
+        soups.append(parts.drum(0.17, 1.85, 2.3, paint, detail, 0.04).translate([x, 0.0, 0.0]))
         fins = (0, 3, 7, 12)[detail]
         fin = parts.drum(0.21, 0.0, 0.016, paint, detail)
         soups.append(parts.copies(fin, [[x, 1.9 + 0.36 * k / max(fins, 1), 0.0] for k in range(fins)]))
     if detail >= 1:
         line = [[-0.9, 1.3, 0.0], [-0.9, 2.6, 0.0], [-0.9, 2.6, -1.2], [-0.9, -0.02, -1.2]]
         soups.append(parts.piping(line, 0.07, 0.2, material("machine_blue"), detail))
-        soups += [parts.flange(0.07, dark, detail).moved([-0.9, height, -1.2]) for height in (0.3, 1.9)]
+        soups += [parts.flange(0.07, dark, detail).translate([-0.9, height, -1.2]) for height in (0.3, 1.9)]
         soups.append(parts.casing([1.9, 0.0, -0.5], [2.6, 1.5, 0.4], 0.05, material("machine_grey"), detail))
     if detail >= 2:
-        soups.append(parts.grille(0.5, 0.6, detail).moved([2.25, 0.9, 0.4]))
-        soups.append(parts.laid_x(parts.bolt_circle(16, 0.5, 0.018, 0.03, dark)).moved([1.3, 0.85, 0.0]))
-        belt = parts.laid_x(parts.torus(0.2, 0.03, material("rubber"), detail)).moved([-0.05, 1.74, 0.0])
+        soups.append(parts.grille(0.5, 0.6, detail).translate([2.25, 0.9, 0.4]))
+        soups.append(parts.laid_x(parts.bolt_circle(16, 0.5, 0.018, 0.03, dark)).translate([1.3, 0.85, 0.0]))
+        belt = parts.laid_x(parts.torus(0.2, 0.03, material("rubber"), detail)).translate([-0.05, 1.74, 0.0])
         soups.append(belt)
     return join(soups)

@@ -24,23 +24,23 @@ def robot(variant: int, detail: int) -> Soup:
         parts.drum(0.42, 0.28, 0.5, dark, detail, 0.04),
         parts.drum(0.36, 0.49, 0.86, orange, detail, 0.06),
         parts.casing([-0.34, 0.6, -0.42], [0.34, 1.05, 0.2], 0.08, orange, detail),
-        _joint(0.24, 0.42, detail).moved([0.0, 1.0, 0.0]),
+        _joint(0.24, 0.42, detail).translate([0.0, 1.0, 0.0]),
     ]
     shoulder = np.array([0.0, 1.0, 0.0])
-    elbow = shoulder + _along(lower, 1.15)
-    wrist = elbow + _along(upper, 1.25)
+    elbow = shoulder + _arm_end(lower, 1.15)
+    wrist = elbow + _arm_end(upper, 1.25)
     soups += [
-        parts.pitched(_arm(1.15, 0.2, detail), lower).moved(shoulder),
-        _joint(0.19, 0.34, detail).moved(elbow),
-        parts.pitched(_arm(1.25, 0.14, detail), upper).moved(elbow),
-        _joint(0.12, 0.22, detail).moved(wrist),
-        parts.pitched(_gripper(detail), hand).moved(wrist),
+        parts.pitched(_arm(1.15, 0.2, detail), lower).translate(shoulder),
+        _joint(0.19, 0.34, detail).translate(elbow),
+        parts.pitched(_arm(1.25, 0.14, detail), upper).translate(elbow),
+        _joint(0.12, 0.22, detail).translate(wrist),
+        parts.pitched(_gripper(detail), hand).translate(wrist),
     ]
     if detail >= 2:
         motor = parts.laid_x(parts.drum(0.13, 0.3, 0.62, dark, detail, 0.03))
-        soups += [motor.moved([0.0, 1.0, 0.0]), motor.scaled(0.75).moved(elbow)]
+        soups += [motor.translate([0.0, 1.0, 0.0]), motor.scaled(0.75).translate(elbow)]
         bolts = parts.bolt_circle(8 if detail == 2 else 12, 0.39, 0.016, 0.02, material("metal"))
-        soups.append(bolts.moved([0.0, 0.5, 0.0]))
+        soups.append(bolts.translate([0.0, 0.5, 0.0]))
     return join(soups)
 
 
@@ -57,7 +57,7 @@ def _joint(radius: float, half: float, detail: int) -> Soup:
     return parts.laid_x(join(soups))
 
 
-def _along(pitch: float, length: float) -> Floats:
+def _arm_end(pitch: float, length: float) -> Floats:
     """The end of an arm of a length that starts at the origin, pitched from upright towards +z."""
     cosine, sine = turn(pitch)
     return np.array([0.0, length * float(cosine), length * float(sine)])
@@ -127,7 +127,7 @@ def conveyor(detail: int) -> Soup:
         stems = [[x, DECK + 0.02, 0.462] for x in (0.4, 1.56)]
         soups += [side, bars(stems, [0.04, 0.11, 0.025], blue)]
         motor = parts.laid_x(parts.drum(0.1, 0.8, 1.2, material("machine_blue"), detail, 0.02))
-        soups.append(motor.moved([0.0, DECK - 0.32, 0.2]))
+        soups.append(motor.translate([0.0, DECK - 0.32, 0.2]))
         foot = parts.drum(0.07, -0.01, 0.02, material("metal_dark"), detail)
         soups.append(parts.copies(foot, [[x, 0.0, z] for x in (0.34, 1.66) for z in (-0.43, 0.43)]))
     return join(soups)

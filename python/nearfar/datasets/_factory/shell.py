@@ -27,15 +27,15 @@ def build(stage: Stage, seed: int, detail: int) -> None:
     _floor(stage, seed)
     for quarter, name in enumerate(("wall_north", "wall_west", "wall_south", "wall_east")):
         half, away = (plan.X, plan.Z) if quarter % 2 == 0 else (plan.Z, plan.X)
-        stage.once(_wall(half, detail).moved([0.0, 0.0, -away]).rotated(0.25 * quarter), name)
-        stage.once(_glazing(half, detail).moved([0.0, 0.0, -away]).rotated(0.25 * quarter), f"windows_{quarter}")
+        stage.once(_wall(half, detail).translate([0.0, 0.0, -away]).rotated(0.25 * quarter), name)
+        stage.once(_glazing(half, detail).translate([0.0, 0.0, -away]).rotated(0.25 * quarter), f"windows_{quarter}")
     stage.once(join([_slopes(), _gables()]), "roof")
     stage.once(_roof_windows(detail), "skylights")
     stage.once(_rafters(detail), "rafters")
     _gates(stage, detail)
 
 
-def _within(at: Floats, lanes: tuple[tuple[float, float], ...], more: float) -> NDArray[np.bool_]:
+def _in_lanes(at: Floats, lanes: tuple[tuple[float, float], ...], more: float) -> NDArray[np.bool_]:
     """Flags of positions inside lanes that are widened on both sides."""
     inside = np.zeros(at.shape, bool)
     for middle, half in lanes:
@@ -52,8 +52,8 @@ def _floor(stage: Stage, seed: int) -> None:
     gx, gz = np.meshgrid(x, z)
     cells = sheet(np.stack([gx, np.zeros_like(gx), gz], -1)).reshape(-1, 4, 3)
     middle = 0.5 * (cells[:, 0] + cells[:, 2])
-    lane = _within(middle[:, 0], plan.LANES_X, 0.0) | _within(middle[:, 2], plan.LANES_Z, 0.0)
-    wide = _within(middle[:, 0], plan.LANES_X, _LINE) | _within(middle[:, 2], plan.LANES_Z, _LINE)
+    lane = _in_lanes(middle[:, 0], plan.LANES_X, 0.0) | _in_lanes(middle[:, 2], plan.LANES_Z, 0.0)
+    wide = _in_lanes(middle[:, 0], plan.LANES_X, _LINE) | _in_lanes(middle[:, 2], plan.LANES_Z, _LINE)
     chosen = np.array(kinds, np.int32)[np.where(lane, 2, np.where(wide, 1, 0))]
     # The texture of concrete shows 10 m by 10 m.
     stage.once(textured(cells, chosen, cells[..., [0, 2]] * [0.1, -0.1]), "floor")

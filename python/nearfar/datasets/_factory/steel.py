@@ -129,12 +129,12 @@ def bridge(detail: int) -> Soup:
         soups.append(parts.copies(wheel, [[x, low + 0.12, side] for x in (-1.82, 1.82)]))
     soups.append(parts.casing([-1.2, low + 0.92, 1.0], [1.2, low + 1.2, 3.2], 0.05, material("steel_grey"), detail))
     winch = parts.laid_x(parts.drum(0.3, -0.7, 0.7, material("machine_blue"), detail, 0.05))
-    soups.append(winch.moved([0.0, low + 1.35, 2.1]))
+    soups.append(winch.translate([0.0, low + 1.35, 2.1]))
     for x in (-0.16, 0.16):
         soups.append(parts.rod((x, low + 1.35, 2.1), (x, 5.9, 2.1), 0.02, dark, detail))
     soups.append(parts.casing([-0.26, 5.35, 1.98], [0.26, 5.92, 2.22], 0.05, yellow, detail))
     hook = parts.laid_x(parts.torus(0.16, 0.045, dark, detail))
-    soups.append(hook.moved([0.0, 5.15, 2.1]))
+    soups.append(hook.translate([0.0, 5.15, 2.1]))
     return join(soups)
 
 

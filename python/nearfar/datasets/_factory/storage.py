@@ -39,7 +39,7 @@ def rack(seed: int, variant: int, detail: int) -> Soup:
                 continue
             shift = draw.number(-0.03, 0.03)
             load = pallet(draw, detail) if detail else _bulk(draw)
-            soups.append(load.moved([x + shift, level + 0.003, 0.0]))
+            soups.append(load.translate([x + shift, level + 0.003, 0.0]))
     return join(soups)
 
 
@@ -82,7 +82,7 @@ def pallet(draw: Draw, detail: int) -> Soup:
         return _bulk(draw)
     kind = int(draw.integers(1, 5)[0])
     load = (_cartons, _barrels, _sacks, _crate, _cartons)[kind](draw, detail)
-    return join([_boards(detail), load.moved([0.0, 0.145, 0.0])])
+    return join([_boards(detail), load.translate([0.0, 0.145, 0.0])])
 
 
 def _boards(detail: int) -> Soup:
@@ -171,7 +171,7 @@ def _crate(draw: Draw, detail: int) -> Soup:
     for k in range(6):
         x, z = -0.38 + 0.38 * (k % 3), -0.2 + 0.4 * (k // 3)
         part = parts.drum(0.16, 0.04, draw.number(0.45, 0.8), kind, detail - 1, 0.03)
-        soups.append(part.moved([x, 0.0, z]))
+        soups.append(part.translate([x, 0.0, z]))
     return join(soups)
 
 

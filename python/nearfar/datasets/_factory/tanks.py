@@ -25,11 +25,11 @@ def tank(variant: int, detail: int) -> Soup:
     soups.append(parts.copies(join([leg, foot]), [[x, 0.0, z] for x in (-1.0, 1.0) for z in (-1.0, 1.0)]))
     if detail >= 1:
         for height in np.linspace(low + 0.1, high - 0.1, (2, 2, 3, 5)[detail]).tolist():
-            soups.append(_hoop(radius, paint, detail).moved([0.0, height, 0.0]))
+            soups.append(_hoop(radius, paint, detail).translate([0.0, height, 0.0]))
     soups += _top(high, detail)
     if detail >= 1:
         soups += [*_outlet(low, detail), *_level(radius, low, high, detail)]
-        soups.append(_manhole(radius, detail).moved([0.0, low + 0.9, 0.0]))
+        soups.append(_manhole(radius, detail).translate([0.0, low + 0.9, 0.0]))
         soups.append(_ladder(radius, high, detail).rotated(0.25))
     return join(soups)
 
@@ -56,14 +56,14 @@ def _outlet(low: float, detail: int) -> list[Soup]:
     steel, blue = material("metal_light"), material("machine_blue")
     line = [[0.0, low - 0.5, 0.0], [0.0, 0.32, 0.0], [0.0, 0.32, 1.5]]
     soups = [parts.piping(line, 0.08, 0.18, steel, detail)]
-    soups.append(parts.laid_z(valve(0.08, detail)).moved([0.0, 0.32, 0.75]))
-    soups.append(parts.laid_z(parts.drum(0.26, 1.45, 1.7, blue, detail, 0.05)).moved([0.0, 0.34, 0.0]))
-    soups.append(parts.laid_z(parts.drum(0.17, 1.68, 2.2, blue, detail, 0.04)).moved([0.0, 0.34, 0.0]))
+    soups.append(parts.laid_z(valve(0.08, detail)).translate([0.0, 0.32, 0.75]))
+    soups.append(parts.laid_z(parts.drum(0.26, 1.45, 1.7, blue, detail, 0.05)).translate([0.0, 0.34, 0.0]))
+    soups.append(parts.laid_z(parts.drum(0.17, 1.68, 2.2, blue, detail, 0.04)).translate([0.0, 0.34, 0.0]))
     soups.append(boxes([-0.25, -0.01, 1.4], [0.25, 0.12, 2.25], material("metal_dark")))
     if detail >= 2:
         count = 10 if detail == 2 else 20
         fin = boxes([0.16, 1.75, -0.006], [0.195, 2.15, 0.006], blue)
-        soups += [parts.laid_z(fin.rotated(k / count)).moved([0.0, 0.34, 0.0]) for k in range(count)]
+        soups += [parts.laid_z(fin.rotated(k / count)).translate([0.0, 0.34, 0.0]) for k in range(count)]
     return soups
 
 
@@ -73,12 +73,12 @@ def _top(high: float, detail: int) -> list[Soup]:
     soups = [
         parts.drum(0.3, high + 0.5, top + 0.2, material("steel_grey"), detail, 0.03),
         parts.drum(0.2, top + 0.19, top + 0.8, material("machine_blue"), detail, 0.04),
-        parts.flange(0.2, material("steel_grey"), detail).moved([0.0, top + 0.2, 0.0]),
+        parts.flange(0.2, material("steel_grey"), detail).translate([0.0, top + 0.2, 0.0]),
     ]
     line = [[0.8, high + 0.3, 0.0], [0.8, 6.9, 0.0], [0.8, 6.9, -3.2], [0.8, 5.7, -3.2]]
     soups.append(parts.piping(line, 0.09, 0.22, steel, detail))
-    soups.append(parts.flange(0.09, steel, detail).moved([0.8, high + 0.6, 0.0]))
-    soups.append(parts.laid_z(parts.flange(0.09, steel, detail)).moved([0.8, 6.9, -1.6]))
+    soups.append(parts.flange(0.09, steel, detail).translate([0.8, high + 0.6, 0.0]))
+    soups.append(parts.laid_z(parts.flange(0.09, steel, detail)).translate([0.8, 6.9, -1.6]))
     vent = [[-0.7, high + 0.3, 0.3], [-0.7, high + 1.1, 0.3], [-0.7, high + 1.1, 0.7]]
     soups.append(parts.piping(vent, 0.05, 0.12, steel, detail))
     return soups
@@ -92,7 +92,7 @@ def _manhole(radius: float, detail: int) -> Soup:
     soups = [cover, lid]
     if detail >= 2:
         bolts = parts.laid_z(parts.bolt_circle(12 if detail == 2 else 20, 0.385, 0.018, 0.05, material("metal_dark")))
-        soups.append(bolts.moved([0.0, 0.0, radius + 0.15]))
+        soups.append(bolts.translate([0.0, 0.0, radius + 0.15]))
         grip = [[-0.12, 0.0, radius + 0.16], [-0.12, 0.0, radius + 0.26], [0.12, 0.0, radius + 0.26],
                 [0.12, 0.0, radius + 0.16]]  # fmt: skip
         soups.append(parts.piping(grip, 0.014, 0.04, material("metal_light"), detail, thin=True))
@@ -109,7 +109,7 @@ def _level(radius: float, low: float, high: float, detail: int) -> list[Soup]:
         soups.append(parts.rod((x, height, 1.2), (x, height, z + 0.03), 0.035, material("metal_dark"), detail))
     for x in (0.62, 0.92):
         soups.append(parts.rod((x, 2.2, 1.0), (x, 2.2, 1.5), 0.02, material("metal_dark"), detail))
-        soups.append(parts.gauge(0.13, detail).moved([x, 2.2, 1.49]))
+        soups.append(parts.gauge(0.13, detail).translate([x, 2.2, 1.49]))
     plate = boxes([-0.3, high - 0.9, radius - 0.06], [0.3, high - 0.5, radius + 0.012], material("sign_navy"))
     soups.append(plate)
     return soups

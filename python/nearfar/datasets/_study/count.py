@@ -13,7 +13,7 @@ from nearfar.datasets._draw import Draw, turn
 from nearfar.datasets._palette import material
 from nearfar.datasets._shapes import sphere, triangles
 from nearfar.datasets._stage import Stage
-from nearfar.datasets._study.layout import CENTER, MOST_SEED, R1, R2, Point, Task, ground
+from nearfar.datasets._study.layout import CENTER, MAX_SEED, R1, R2, Point, Task, ground
 
 _RADIUS = 1.0
 # Rows of spheres, from below: distance from the axis, least and greatest, and height, metres. The heights differ so
@@ -65,7 +65,7 @@ def count_task(seed: int = 0) -> tuple[Scene, CountTask]:
     ----------
     Popescu, Lee, Choi, Fahmy (2022), user study.
     """
-    draw = Draw(check.integer("seed", seed, 0, MOST_SEED), 92)
+    draw = Draw(check.integer("seed", seed, 0, MAX_SEED), 92)
     answer, across = 11 + int(draw.integers(1, 3)[0]), 1 + int(draw.integers(1, 2)[0])
     inside = (answer - across) // 2
     counts = (inside, across, answer - across - inside)
@@ -75,7 +75,7 @@ def count_task(seed: int = 0) -> tuple[Scene, CountTask]:
     names = tuple(f"sphere_{number}" for number in range(answer))
     ball = triangles(_RADIUS * sphere(3), material("sign_red"))
     for name, place in zip(names, np.concatenate(rows), strict=True):
-        stage.once(ball.moved(place), name)
+        stage.once(ball.translate(place), name)
     target: Point = (0.0, _ACROSS[2], -R2)
     cut = names[inside : inside + across]
     return stage.build(), CountTask(CENTER, target, R1, R2, names, answer, _RADIUS, cut)

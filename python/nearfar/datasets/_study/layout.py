@@ -16,8 +16,8 @@ Point = tuple[float, float, float]
 
 CENTER: Point = (0.0, 1.7, 0.0)
 R1, R2 = 30.0, 50.0
-MOST_SEED = 2**63 - 1
-MOST = 15
+MAX_SEED = 2**63 - 1
+MAX = 15
 """Greatest number of objects to choose from."""
 COLORS = materials(
     "sign_red", "sign_teal", "sign_navy", "flower", "car_white", "sign_green", "car_black", "leaf_light",
@@ -42,8 +42,8 @@ class Task:
 
 def chosen_of(name: str, seed: int, count: int, stream: int) -> tuple[Draw, int, int]:
     """Return the random stream, the number of objects to choose from, and the index of the answer."""
-    seed = check.integer("seed", seed, 0, MOST_SEED)
-    count = check.integer(name, count, 2, MOST)
+    seed = check.integer("seed", seed, 0, MAX_SEED)
+    count = check.integer(name, count, 2, MAX)
     draw = Draw(seed, stream)
     return draw, count, int(draw.integers(1, count)[0])
 

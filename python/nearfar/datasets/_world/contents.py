@@ -87,7 +87,7 @@ def add_plants(parts: Parts, wanted: Wanted) -> None:
                 continue
             feet = np.stack([plants.x, tiles.foot(wanted.seed, wanted.level, plants.x, plants.z), plants.z], -1)
             mine = mine[parts.near(feet[mine], plants.reach[mine])]
-            where = _placed(feet[mine], plants.turn[mine], plants.size[mine])
+            where = _placements(feet[mine], plants.turn[mine], plants.size[mine])
             keys = 16 * plants.kind[mine] + plants.variant[mine]
             for key in np.unique(keys).tolist():
                 chosen = np.flatnonzero(keys == key)
@@ -120,7 +120,7 @@ def add_towns(parts: Parts, wanted: Wanted) -> None:
             reach = _reach(shape) * size
             feet = np.stack([x, np.full(len(x), town.height), z], -1)
             mine = np.flatnonzero(parts.near(feet, reach) & (reach > wanted.budget))
-            where = _placed(feet[mine], turn[mine], size[mine])
+            where = _placements(feet[mine], turn[mine], size[mine])
             names = [f"{name}_{town.name}_{k}" for k in number[mine].astype(int).tolist()]
             parts.many((name, variant, detail), shape, where, names)
 
@@ -138,7 +138,7 @@ def _shape(wanted: Wanted, name: str, variant: object) -> tuple[Indexed, int]:
     return street_things.shape(name, variant, detail), detail
 
 
-def _placed(feet: Floats, turn: Floats, size: Floats) -> Floats:
+def _placements(feet: Floats, turn: Floats, size: Floats) -> Floats:
     return placements(feet[:, 0], feet[:, 1], feet[:, 2], turn, size)
 
 

@@ -43,7 +43,7 @@ def cottage(seed: int, kind: Kind, detail: int) -> Soup:
     """A house of one or two storeys under a tiled roof with its ridge along the street, or across it."""
     draw = Draw(seed, 220, kind.width, kind.depth, kind.variant)
     style = draw.pick(_STYLES)
-    paint = Paint.chosen(style, draw)
+    paint = Paint.random(style, draw)
     storeys = 1 if draw.chance(0.35) else 2
     storeys += int(kind.width >= 140)
     across, deep = 0.1 * kind.width, 0.1 * kind.depth
@@ -60,7 +60,7 @@ def cottage(seed: int, kind: Kind, detail: int) -> Soup:
             wide, away = (across, 0.5 * deep) if quarter % 2 == 0 else (deep, 0.5 * across)
             plan = Plan(wide, rows, "street" if quarter in (0, 2) else "yard", False, True)
             side = wall(plan, style, paint, draw, detail)
-            parts.append(side.moved([0.0, 0.0, away]).rotated(0.25 * quarter))
+            parts.append(side.translate([0.0, 0.0, away]).rotated(0.25 * quarter))
     wide, narrow = (deep, across) if turned else (across, deep)
     top = float(rows[-1])
     if gabled:
@@ -78,7 +78,7 @@ def church(detail: int) -> Soup:
     stone, trim, slate, glass = (material(n) for n in ("stone_pale", "trim_stone", "roof_slate", "glass_dark"))
     parts = [
         boxes([-5.5, -_FOOT, -15.0], [5.5, 8.5, 9.0], stone, without="-y +y"),
-        roofs.gabled(24.0, 11.0, 8.5, 1.15, slate, trim, stone).rotated(0.25).moved([0.0, 0.0, -3.0]),
+        roofs.gabled(24.0, 11.0, 8.5, 1.15, slate, trim, stone).rotated(0.25).translate([0.0, 0.0, -3.0]),
         boxes([-3.1, -_FOOT, 7.0], [3.1, 21.0, 13.2], stone, without="-y +y"),
         boxes([-3.4, 20.6, 6.7], [3.4, 21.3, 13.5], trim),
     ]
@@ -86,7 +86,7 @@ def church(detail: int) -> Soup:
     sections = np.zeros((3, 4, 3))
     for row, (half, up) in enumerate(((3.2, 21.3), (1.9, 25.5), (0.0, 35.5))):
         sections[row, :, 0], sections[row, :, 1], sections[row, :, 2] = square[:, 0] * half, up, square[:, 1] * half
-    parts.append(loft(sections, slate, bottom=False, top=False).moved([0.0, 0.0, 10.1]))
+    parts.append(loft(sections, slate, bottom=False, top=False).translate([0.0, 0.0, 10.1]))
     if detail >= 1:
         z = np.arange(-13.0, 6.0, 4.2)
         panes = [[side * 5.5 - 0.06, 2.2, at] for side in (-1.0, 1.0) for at in z.tolist()]

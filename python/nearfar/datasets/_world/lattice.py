@@ -79,7 +79,7 @@ def shared(seed: int, i0: int, i1: int, j0: int, j1: int) -> Floats:
     heights = np.empty((j1 - j0 + 1, i1 - i0 + 1))
     for bj in range(j0 // _BLOCK, j1 // _BLOCK + 1):
         for bi in range(i0 // _BLOCK, i1 // _BLOCK + 1):
-            block = _kept(seed, bi, bj)
+            block = _cached_block(seed, bi, bj)
             a, b = max(i0, bi * _BLOCK), min(i1, (bi + 1) * _BLOCK - 1)
             c, d = max(j0, bj * _BLOCK), min(j1, (bj + 1) * _BLOCK - 1)
             part = block[c - bj * _BLOCK : d - bj * _BLOCK + 1, a - bi * _BLOCK : b - bi * _BLOCK + 1]
@@ -88,5 +88,5 @@ def shared(seed: int, i0: int, i1: int, j0: int, j1: int) -> Floats:
 
 
 @functools.lru_cache(maxsize=512)
-def _kept(seed: int, i: int, j: int) -> Floats:
+def _cached_block(seed: int, i: int, j: int) -> Floats:
     return untouched(seed, SHARED, i * _BLOCK, (i + 1) * _BLOCK - 1, j * _BLOCK, (j + 1) * _BLOCK - 1)

@@ -73,11 +73,11 @@ def _corners(
         first = (i - i0) * columns + (j - j0)
         kinds = [table[first + (a * columns + b)] for a, b in offsets]
     else:
-        kinds = [_drawn(seed, channel, i + a, j + b) for a, b in offsets]
+        kinds = [_gradient_indices(seed, channel, i + a, j + b) for a, b in offsets]
     return u - fi, v - fj, [_GRADIENTS[0][k] for k in kinds], [_GRADIENTS[1][k] for k in kinds]
 
 
-def _drawn(seed: int, channel: int, i: NDArray[np.int64], j: NDArray[np.int64]) -> NDArray[np.uint8]:
+def _gradient_indices(seed: int, channel: int, i: NDArray[np.int64], j: NDArray[np.int64]) -> NDArray[np.uint8]:
     """Indices of the gradients at lattice points."""
     return (64.0 * hashed(seed, channel, i, j)).astype(np.uint8)
 
@@ -98,7 +98,7 @@ def _lattice(seed: int, channel: int, i0: int, j0: int, rows: int, columns: int)
 def _block(seed: int, channel: int, bi: int, bj: int) -> NDArray[np.uint8]:
     line = np.arange(_BLOCK)
     i, j = np.meshgrid(bi * _BLOCK + line, bj * _BLOCK + line, indexing="ij")
-    return _drawn(seed, channel, i, j)
+    return _gradient_indices(seed, channel, i, j)
 
 
 def step(low: float, high: float, value: Floats) -> Floats:

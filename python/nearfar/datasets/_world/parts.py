@@ -58,7 +58,7 @@ class Parts:
                 numbers.reshape(faces.shape).astype(np.uint32),
                 material=self._numbers[shape.materials[found]],
             )
-            self._builder.instance(mesh, _moved(x, z), name=name)
+            self._builder.instance(mesh, _translation(x, z), name=name)
 
     def tile(self, of: Tile) -> None:
         """Add the part of a tile's ground and water that touches the box."""
@@ -81,7 +81,7 @@ class Parts:
                 colors=of.color.reshape(-1, 4)[vertices],
                 normals=of.normal.reshape(-1, 3)[vertices].astype(np.float32),
             )
-            self._builder.instance(mesh, _moved(x, z), name=f"land_{of.name}")
+            self._builder.instance(mesh, _translation(x, z), name=f"land_{of.name}")
         if of.water is not None and self.low[1] <= 0.0 <= self.high[1]:
             self._pool(of, inside, low < 0.0)
 
@@ -98,14 +98,14 @@ class Parts:
             points = np.stack([gx, np.zeros_like(gx), gz], -1).reshape(-1, 3)[vertices].astype(np.float32)
             colors = of.water[::wide, ::wide].reshape(-1, 4)[vertices]
             mesh = self._builder.mesh(points, faces, material=self._water, colors=colors)
-            self._builder.instance(mesh, _moved(*of.corner), name=f"water_{of.name}")
+            self._builder.instance(mesh, _translation(*of.corner), name=f"water_{of.name}")
 
     def scene(self) -> Scene:
         """Build the scene."""
         return self._builder.build()
 
 
-def _moved(x: float, z: float) -> Floats:
+def _translation(x: float, z: float) -> Floats:
     matrix = np.eye(4)
     matrix[0, 3], matrix[2, 3] = x, z
     return matrix

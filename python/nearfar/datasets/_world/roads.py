@@ -25,7 +25,7 @@ CLEARANCE = 3.4
 _STRAIGHT = 120.0
 _STATION, _LANE, _LANES = 64.0, 42.0, 7
 _PIECE = 8.0
-_MOST_WATER, _STEEPEST = 6, 0.24
+_MAX_WATER, _STEEPEST = 6, 0.24
 """Greatest number of consecutive stations over water, and greatest slope, of a road; beyond them there is none."""
 
 
@@ -142,7 +142,7 @@ def _way(seed: int, start: Floats, end: Floats) -> Floats | None:
     for soaked in wet[rows, lane].tolist():
         run = run + 1 if soaked else 0
         longest = max(longest, run)
-    return None if longest > _MOST_WATER else np.stack([x[rows, lane], z[rows, lane]], -1)
+    return None if longest > _MAX_WATER else np.stack([x[rows, lane], z[rows, lane]], -1)
 
 
 def _rounded_off(points: Floats) -> Floats:

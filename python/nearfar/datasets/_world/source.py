@@ -14,8 +14,8 @@ from nearfar.datasets._world.contents import Wanted
 from nearfar.datasets._world.parts import Parts
 from nearfar.datasets._world.relief import SEA_BED, SUMMIT
 
-_MOST_TILES = 8_192
-_MOST_KM = 10_000
+_MAX_TILES = 8_192
+_MAX_KM = 10_000
 _SEEDS = 2**63
 _OVER = 100.0
 """Greatest height of objects above the ground, and of the ground above the natural relief, metres."""
@@ -28,7 +28,7 @@ class World:
     """
 
     def __init__(self, km: int = 10, seed: int = 0) -> None:
-        self._km = check.integer("km", km, 1, _MOST_KM)
+        self._km = check.integer("km", km, 1, _MAX_KM)
         self._seed = check.integer("seed", seed, 0, _SEEDS - 1)
 
     def __repr__(self) -> str:
@@ -75,9 +75,9 @@ class World:
             return parts.scene()
         wanted = Wanted(self._seed, self._level(detail), 0.5 * detail)
         columns, rows = contents.spans(parts, tiles.COUNT * lattice.spacing(wanted.level))
-        if len(columns) * len(rows) > _MOST_TILES:
+        if len(columns) * len(rows) > _MAX_TILES:
             raise ValueError(
-                f"aabb: expected at most {_MOST_TILES:,} tiles of the world at detail {detail:g}, "
+                f"aabb: expected at most {_MAX_TILES:,} tiles of the world at detail {detail:g}, "
                 f"got {len(columns) * len(rows):,}; take a smaller box or a larger detail"
             )
         for add in (contents.add_ground, contents.add_plants, contents.add_towns, contents.add_roads):

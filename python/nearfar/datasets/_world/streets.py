@@ -93,7 +93,7 @@ class Layout:
 def layout(seed: int, town: Town) -> Layout:
     """Plan a town."""
     draw = Draw(seed, 210, town.i, town.j)
-    inside = _inside(seed, town)
+    inside = _in_town(seed, town)
     along, across = [], []
     n = _NODES
     for a in range(-n, n + 1):
@@ -126,7 +126,7 @@ def _gates(town: Town, lines: list[roads.Road]) -> tuple[int, ...]:
     return tuple(gates)
 
 
-def _inside(seed: int, town: Town) -> NDArray[np.bool_]:
+def _in_town(seed: int, town: Town) -> NDArray[np.bool_]:
     """Crossings (2n + 1, 2n + 1) within the town's irregular outline."""
     line = np.arange(-_NODES, _NODES + 1)
     a, b = (axis.astype(np.int64) for axis in np.meshgrid(line, line, indexing="ij"))

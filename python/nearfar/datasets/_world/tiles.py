@@ -61,7 +61,7 @@ class Ground:
     cover: Cover
 
     @classmethod
-    def of(cls, seed: int, level: int, i: int, j: int) -> Ground:
+    def generate(cls, seed: int, level: int, i: int, j: int) -> Ground:
         """Make the ground of tile (i, j) of a level."""
         fine, line = lattice.spacing(level), np.arange(-1, COUNT + 2)
         z, x = np.meshgrid(fine * (j * COUNT + line), fine * (i * COUNT + line), indexing="ij")
@@ -87,7 +87,7 @@ class Ground:
 @functools.lru_cache(maxsize=48)
 def ground(seed: int, level: int, i: int, j: int) -> Ground:
     """`Ground.of`, cached for the last tiles."""
-    return Ground.of(seed, level, i, j)
+    return Ground.generate(seed, level, i, j)
 
 
 @functools.lru_cache(maxsize=48)

@@ -63,7 +63,7 @@ class Curve4PL:
         if self.status is None:
             if self.rms is not None or self.reason is not None:
                 raise ValueError("status: expected one beside rms and reason, got None")
-            for name, value in _given(self.a, self.b, self.c, self.d).items():
+            for name, value in _fields_from_parameters(self.a, self.b, self.c, self.d).items():
                 object.__setattr__(self, name, value)
 
     @property
@@ -93,7 +93,7 @@ class Curve4PL:
 
     def __getitem__(self, index: Any) -> Curve4PL:
         """Select one of many curves by its number, or several by a slice, a mask (K,) of bool, or an index array."""
-        chosen = _chosen(index, len(self))
+        chosen = _normalized_index(index, len(self))
         fields = (*self, self.rms, self.status, self.reason)
         # `item` makes no NumPy scalar: NumPy drops a Ctrl-C that arrives while it makes that of `texts[number]`.
         return Curve4PL(*(field.item(chosen) if isinstance(chosen, int) else field[chosen] for field in fields))
@@ -137,7 +137,7 @@ class Curve4PL:
         return values if values.ndim else float(values)
 
 
-def _given(*parameters: Any) -> dict[str, Any]:
+def _fields_from_parameters(*parameters: Any) -> dict[str, Any]:
     """Fields of curves given by a, b, c and d alone."""
     names = ("a", "b", "c", "d")
     arrays = [
@@ -165,7 +165,7 @@ def _given(*parameters: Any) -> dict[str, Any]:
     return fields if shape else {name: field.item() for name, field in fields.items()}
 
 
-def _chosen(index: Any, count: int) -> Any:
+def _normalized_index(index: Any, count: int) -> Any:
     """Convert an index of `count` curves to a number, a slice or an array for their fields."""
     if isinstance(index, slice):
         return np.arange(count)[index]
@@ -175,7 +175,7 @@ def _chosen(index: Any, count: int) -> Any:
     is_mask = chosen.dtype == bool and chosen.ndim == 1
     if chosen.ndim > 1 or not (is_mask or np.issubdtype(chosen.dtype, np.integer)):
         raise TypeError(
-            f"index: expected a number, a slice, a mask or whole numbers (M,), got {check.described(index)}"
+            f"index: expected a number, a slice, a mask or whole numbers (M,), got {check.type_and_value(index)}"
         )
     if is_mask and len(chosen) != count:
         raise IndexError(f"index: expected a mask of shape ({count},), got {chosen.shape}")

@@ -84,7 +84,7 @@ def measure(
     try:
         measured = distribute(measure_object, objects, label="measuring", workers=workers, client=client)
     except KeyboardInterrupt as interrupt:
-        interrupt.add_note(_kept(objects, chosen, client))
+        interrupt.add_note(_describe_progress(objects, chosen, client))
         raise
     models = [
         replace(model, levels=Levels([one[number] for number in numbers], name=one.name, frame=one.frame))
@@ -104,7 +104,7 @@ def _settings(settings: MeasureSettings | None, keywords: MeasureKeywords) -> Me
     return settings
 
 
-def _kept(objects: list[Levels], settings: MeasureSettings, client: Any) -> str:
+def _describe_progress(objects: list[Levels], settings: MeasureSettings, client: Any) -> str:
     """Describe how many scores an interrupted measurement leaves for the next one."""
     if not settings.cache:
         return "measure: no scores are kept without a cache"

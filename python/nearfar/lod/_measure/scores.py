@@ -47,7 +47,7 @@ def scores(
         whole = _pictures(base, cameras, samples, backend)
         for level, chosen in levels:
             other = _pictures(level, [cameras[number] for number in chosen], samples, backend)
-            reference = Pictures(*(_of(part, chosen) for part in whole))
+            reference = Pictures(*(_select_pictures(part, chosen) for part in whole))
             yield _similarity(reference.luma, other.luma, reference.shown | other.shown)
         return
     # Only pixels within the windows of counted pixels are traced: others do not affect the score.
@@ -55,14 +55,16 @@ def scores(
     shown = _core.silhouettes(base._core, views)
     masks = []
     for level, chosen in levels:
-        masks.append(_core.silhouettes(level._core, [views[number] for number in chosen]) | _of(shown, chosen))
+        masks.append(
+            _core.silhouettes(level._core, [views[number] for number in chosen]) | _select_pictures(shown, chosen)
+        )
     for (_, chosen), either in zip(levels, masks, strict=True):
         shown[chosen] |= either
     luma_near = partial(_core.luma_near, samples=samples, weights=LUMA, reach=PADDING)
     luma = luma_near(base._core, views, shown)
     for (level, chosen), either in zip(levels, masks, strict=True):
         own = luma_near(level._core, [views[number] for number in chosen], either)
-        yield _similarity(_of(luma, chosen), own, either)
+        yield _similarity(_select_pictures(luma, chosen), own, either)
 
 
 def _pictures(scene: Scene, cameras: Sequence[Camera], samples: int, backend: str | None) -> Pictures:
@@ -77,7 +79,7 @@ def _pictures(scene: Scene, cameras: Sequence[Camera], samples: int, backend: st
     return Pictures(luma, shown)
 
 
-def _of(pictures: NDArray[Any], chosen: NDArray[np.intp]) -> NDArray[Any]:
+def _select_pictures(pictures: NDArray[Any], chosen: NDArray[np.intp]) -> NDArray[Any]:
     """Select the pictures of some cameras; no copy if all are selected."""
     return pictures if len(chosen) == len(pictures) else pictures[chosen]
 

@@ -89,9 +89,9 @@ class MeasureSettings:
             "views": check.integer("views", self.views, MIN_VIEWS, MAX_VIEWS),
             "directions": check.choice("directions", self.directions, DIRECTIONS),
             "distances": check.integer("distances", self.distances, 1, MAX_DISTANCES),
-            "percentile": statistic.checked(self.percentile),
+            "percentile": statistic.check_percentile(self.percentile),
             "step": None if self.step is None else check.positive("step", self.step),
-            "saturated": None if self.saturated is None else check.within("saturated", self.saturated, -1.0, 1.0),
+            "saturated": None if self.saturated is None else check.in_range("saturated", self.saturated, -1.0, 1.0),
             "samples": check.integer("samples", self.samples, 1, MAX_SAMPLES),
             "backend": None if self.backend is None else backends.check(self.backend),
         }
@@ -104,7 +104,7 @@ class MeasureSettings:
     @property
     def screen(self) -> Screen:
         """Screen of the pictures, from the headset or the view."""
-        return Screen.of(self.hmd, self.fov, self.size)
+        return Screen.from_arguments(self.hmd, self.fov, self.size)
 
 
 class MeasureKeywords(TypedDict, total=False):

@@ -15,12 +15,14 @@ from nearfar.lod._measure.samples import Samples
 MEAN = "mean"
 
 
-def checked(percentile: float | str) -> float | str:
+def check_percentile(percentile: float | str) -> float | str:
     """Check a percentile, or "mean"; ValueError or TypeError that names the argument otherwise."""
     if not isinstance(percentile, str):
-        return check.within("percentile", percentile, 0.0, 100.0)
+        return check.in_range("percentile", percentile, 0.0, 100.0)
     if percentile != MEAN:
-        raise ValueError(f'percentile: expected a number from 0 to 100, or "{MEAN}", got {check.shown(percentile)}')
+        raise ValueError(
+            f'percentile: expected a number from 0 to 100, or "{MEAN}", got {check.value_or_type(percentile)}'
+        )
     return MEAN
 
 

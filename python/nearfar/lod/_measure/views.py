@@ -82,20 +82,20 @@ class Screen:
     """Width and height in pixels; nothing outside is visible."""
 
     @classmethod
-    def of(cls, hmd: Hmd | None, fov: Fov | None, size: tuple[int, int] | None) -> Screen:
+    def from_arguments(cls, hmd: Hmd | None, fov: Fov | None, size: tuple[int, int] | None) -> Screen:
         """Make the screen of a headset, or of a view and its pixels; ValueError for neither or both."""
         if hmd is not None:
             if fov is not None or size is not None:
                 raise ValueError("hmd: expected None beside fov and size, which say the same, got a headset")
             check.instance("hmd", hmd, Hmd, "an Hmd such as nearfar.hmd.RIFT_S")
-            return cls._checked(hmd.tan_half_angle, hmd.left.fov, hmd.render_size)
+            return cls._from_tangent(hmd.tan_half_angle, hmd.left.fov, hmd.render_size)
         if fov is None or size is None:
             raise ValueError("hmd: expected a headset such as nearfar.hmd.RIFT_S, or else both fov and size")
         check.instance("fov", fov, Fov, "Fov")
-        return cls._checked(max(abs(fov.left), abs(fov.right)), fov, check.size("size", size))
+        return cls._from_tangent(max(abs(fov.left), abs(fov.right)), fov, check.size("size", size))
 
     @classmethod
-    def _checked(cls, tangent: float, fov: Fov, size: tuple[int, int]) -> Screen:
+    def _from_tangent(cls, tangent: float, fov: Fov, size: tuple[int, int]) -> Screen:
         if not FIRST_WIDTH * tangent < 1.0:
             degrees = 2.0 * math.degrees(math.atan(1.0 / FIRST_WIDTH))
             raise ValueError(

@@ -14,7 +14,7 @@ from nearfar._base import check
 from nearfar.lod._measured_levels import MeasuredLevels
 
 WEIGHTS = ("object", "pixels")
-MOST_TRIANGLES = 1 << 62
+MAX_TRIANGLES = 1 << 62
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ def check_budget(
         if floor is not None:
             raise ValueError(f"floor: expected None without a budget, got {floor}")
         if not isinstance(weight, str) or weight != "object":
-            raise ValueError(f"weight: expected 'object' without a budget, got {check.shown(weight)}")
+            raise ValueError(f"weight: expected 'object' without a budget, got {check.value_or_type(weight)}")
         return
     if mode == "off":
         raise ValueError("budget: expected None for the mode 'off', which draws all at level 0")

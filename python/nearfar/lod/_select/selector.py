@@ -14,7 +14,7 @@ from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
 from nearfar._lens.lens import RadialLens
 from nearfar.lod._measured_levels import MeasuredLevels
-from nearfar.lod._select.budget import MOST_TRIANGLES, Spent, check_budget, triangles_of, weight_of, weights_for
+from nearfar.lod._select.budget import MAX_TRIANGLES, Spent, check_budget, triangles_of, weight_of, weights_for
 from nearfar.lod._select.kernel_inputs import cameras_of, curves_of, eye_of, gaze_of, models_of, whole_numbers
 from nearfar.lod._select.selection import COLUMNS, Selection
 from nearfar.lod._select.size import ACUITY_LIMIT_DEG, ACUITY_SLOPE, checked_lens, reference_solid_angle, widest
@@ -91,12 +91,12 @@ class Selector:
             "lens_radius": None if lens_radius is None else check.positive("lens_radius", lens_radius),
             "reference": None if reference is None else check.positive("reference", reference),
             "cull": check.flag("cull", cull),
-            "hysteresis": check.within("hysteresis", hysteresis, 0.0, 1.0),
-            "fade": check.within("fade", fade, 0.0, 1.0),
+            "hysteresis": check.in_range("hysteresis", hysteresis, 0.0, 1.0),
+            "fade": check.in_range("fade", fade, 0.0, 1.0),
             "acuity_slope": check.at_least_zero("acuity_slope", acuity_slope),
             "acuity_limit_deg": check.positive("acuity_limit_deg", acuity_limit_deg),
             "inverse": check.choice("inverse", inverse, INVERSES),
-            "budget": None if budget is None else check.integer("budget", budget, 0, MOST_TRIANGLES),
+            "budget": None if budget is None else check.integer("budget", budget, 0, MAX_TRIANGLES),
             "weight": weight_of(weight),
             "floor": None if floor is None else check.at_least_zero("floor", floor),
         }
@@ -142,7 +142,7 @@ class Selector:
         """Choose a level for each object; arguments, results and errors are those of `nearfar.lod.select`."""
         models, model_index = models_of(models, model_index)
         if self.budget is None and price is not None:
-            raise ValueError(f"price: expected None without a budget, got {check.shown(price)}")
+            raise ValueError(f"price: expected None without a budget, got {check.value_or_type(price)}")
         if self.budget is not None:
             models = [
                 model.of_mean for model in check.items("models", models, MeasuredLevels, "a sequence of LodModel")

@@ -47,7 +47,7 @@ class Switches:
     """Whether a level is good enough at all measured sizes, so that its true limit is unknown (K,)."""
 
     @property
-    def shown(self) -> NDArray[np.bool_]:
+    def is_ever_shown(self) -> NDArray[np.bool_]:
         """Whether a level is ever shown (K,): it is good enough up to a greater size than all coarser ones."""
         coarser = np.maximum.accumulate(self.solid_angle[::-1])[::-1]
         shown = self.solid_angle > np.append(coarser[1:], 0.0)
@@ -78,7 +78,7 @@ class Switches:
     def remarks(self, level: int) -> list[str]:
         """Notes on a level for the table: "never shown", "beyond what was measured"."""
         number = check.integer("level", level, 0, len(self.solid_angle) - 1)
-        never, limit = not self.shown[number], self.is_limit[number]
+        never, limit = not self.is_ever_shown[number], self.is_limit[number]
         return (["beyond what was measured"] if limit else []) + (["never shown"] if never else [])
 
 

@@ -76,7 +76,7 @@ def threshold_of(
         for name, value in (("k", k), ("d", d)):
             if value is not None:
                 raise ValueError(
-                    f"{name}: expected None beside a LodThreshold, which has its own, got {check.shown(value)}"
+                    f"{name}: expected None beside a LodThreshold, which has its own, got {check.value_or_type(value)}"
                 )
         return threshold
     kind = None if threshold is None else check.choice("threshold", threshold, KINDS)

@@ -19,7 +19,7 @@ MARK, VERSION = 0xC5, 1
 FARTHEST, FASTEST, LARGEST, LONGEST = 1e6, 100.0, 1000.0, 86_400.0
 """Greatest coordinate, speed, radius and time, in metres and seconds."""
 
-MOST_USERS, MOST_TRIALS = 64, 255
+MAX_USERS, MAX_TRIALS = 64, 255
 """Greatest number of seated users in a group, and of trials."""
 
 LEVELS = ("easy", "intermediate", "hard")
@@ -197,7 +197,7 @@ def _read_trial(stage: Stage, body: bytes) -> Trial:
     tallies = []
     for _ in LEVELS:
         spheres, misses, seconds = _TALLY.unpack_from(body, at)
-        tallies.append(Tally(spheres, misses, *_within((seconds,), 0.0, LONGEST)))
+        tallies.append(Tally(spheres, misses, *_check_range((seconds,), 0.0, LONGEST)))
         at += _TALLY.size
     count, at = body[at], at + 1
     _is_whole(body, at + count * _SEAT.size)
@@ -205,13 +205,13 @@ def _read_trial(stage: Stage, body: bytes) -> Trial:
     for place in range(count):
         user, *position = _SEAT.unpack_from(body, at + place * _SEAT.size)
         seats.append(Seat(user, _vector(position)))
-    if count > MOST_USERS or not 1 <= users <= MOST_USERS or not 1 <= stage.trial <= trials or over > 1:
+    if count > MAX_USERS or not 1 <= users <= MAX_USERS or not 1 <= stage.trial <= trials or over > 1:
         raise _fault("a number of users or trials is none that there can be")
-    elapsed, duration, hold, pause, between = _within(rest[:5], 0.0, LONGEST)
-    (radius,) = _within(rest[5:6], 0.0, LARGEST)
+    elapsed, duration, hold, pause, between = _check_range(rest[:5], 0.0, LONGEST)
+    (radius,) = _check_range(rest[5:6], 0.0, LARGEST)
     if radius == 0.0 or duration == 0.0:
         raise _fault("a sphere has no size, or the trial no time")
-    slow, middle, fast = _within(rest[6:9], 0.0, FASTEST)
+    slow, middle, fast = _check_range(rest[6:9], 0.0, FASTEST)
     box, area = ((_vector(rest[n : n + 3]), _vector(rest[n + 3 : n + 6])) for n in (9, 15))
     if any(low > high for least, most in (box, area) for low, high in zip(least, most, strict=True)):
         raise _fault("a box ends before it begins")
@@ -224,7 +224,7 @@ def _read_trial(stage: Stage, body: bytes) -> Trial:
 def _read_sphere(stage: Stage, body: bytes) -> Sphere:
     _is_whole(body, _SPHERE.size)
     number, level, age, *rest = _SPHERE.unpack(body)
-    (passed,) = _within((age,), 0.0, LONGEST)
+    (passed,) = _check_range((age,), 0.0, LONGEST)
     return Sphere(stage, number, _level(level), passed, _vector(rest[:3]), _vector(rest[3:], FASTEST))
 
 
@@ -233,16 +233,16 @@ def _read_aims(stage: Stage, body: bytes) -> Aims:
     count = body[_AIMS.size]
     _is_whole(body, _AIMS.size + 1 + 2 * count)
     users = struct.unpack_from(f"<{count}H", body, _AIMS.size + 1)
-    if list(users) != sorted(set(users)) or count > MOST_USERS:
+    if list(users) != sorted(set(users)) or count > MAX_USERS:
         raise _fault("who aims is not in order")
-    time = None if held == -1.0 else _within((held,), 0.0, LONGEST)[0]
+    time = None if held == -1.0 else _check_range((held,), 0.0, LONGEST)[0]
     return Aims(stage, number, EVENTS[event], user, misses, time, users)
 
 
 def _read_collected(stage: Stage, body: bytes) -> Collected:
     _is_whole(body, _COLLECTED.size)
     number, level, misses, seconds = _COLLECTED.unpack(body)
-    return Collected(stage, number, _level(level), misses, *_within((seconds,), 0.0, LONGEST))
+    return Collected(stage, number, _level(level), misses, *_check_range((seconds,), 0.0, LONGEST))
 
 
 def _read_score(stage: Stage, body: bytes) -> Score:
@@ -269,11 +269,11 @@ def _level(number: int) -> int:
 
 
 def _vector(values: Iterable[float], most: float = FARTHEST) -> Vector:
-    x, y, z = _within(values, -most, most)
+    x, y, z = _check_range(values, -most, most)
     return x, y, z
 
 
-def _within(values: Iterable[float], low: float, high: float) -> list[float]:
+def _check_range(values: Iterable[float], low: float, high: float) -> list[float]:
     found = list(values)
     # NaN fails the comparison.
     if not all(low <= value <= high for value in found) or not all(map(math.isfinite, found)):

@@ -38,11 +38,11 @@ def outcomes(task: Task) -> list[Outcome]:
         return []
     run, last = task.trial.stage.run, task.trial.stage.trial
 
-    def of(trial: int) -> tuple[Collected, ...]:
+    def collected_in(trial: int) -> tuple[Collected, ...]:
         heard = (message for message in task.collected if (message.stage.run, message.stage.trial) == (run, trial))
         return tuple(map(_collected, heard))
 
-    return [Outcome(task.group, trial, of(trial)) for trial in range(1, last + 1)]
+    return [Outcome(task.group, trial, collected_in(trial)) for trial in range(1, last + 1)]
 
 
 def _collected(message: Message) -> Collected:

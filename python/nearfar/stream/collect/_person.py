@@ -70,7 +70,7 @@ class Person:
     def __post_init__(self) -> None:
         for field in fields(self):
             most = 1.0 if field.name in ("pursuit", "spread") else 100.0
-            value = check.within(field.name, getattr(self, field.name), 0.0, most)
+            value = check.in_range(field.name, getattr(self, field.name), 0.0, most)
             object.__setattr__(self, field.name, value)
 
 
@@ -177,7 +177,7 @@ class Pointing:
     def _planned(self, now: float, width: float) -> _Reach:
         """Plan a movement to the target's predicted position, extrapolated from its perceived motion."""
         own = self._own
-        (yaw, pitch), (turns, rises), _ = self._seen(now)
+        (yaw, pitch), (turns, rises), _ = self._perceive(now)
         size = max(width, 1e-6)
         away = math.hypot(_turn(yaw - self._aim[0]), pitch - self._aim[1])
         seconds = own.intercept + own.slope * math.log2(away / size + 1.0)
@@ -199,7 +199,7 @@ class Pointing:
 
     def _track(self, now: float, passed: float) -> None:
         """Track by the crossover model of McRuer and Jex (1967), with the target's speed as a second input."""
-        (yaw, pitch), (turns, rises), aim = self._seen(now)
+        (yaw, pitch), (turns, rises), aim = self._perceive(now)
         own = self._own
         left = own.gain * _turn(yaw - aim[0]) + own.pursuit * turns
         up = own.gain * (pitch - aim[1]) + own.pursuit * rises
@@ -214,7 +214,7 @@ class Pointing:
         self._aim = (self._aim[0], self._aim[1] - SINK * passed)
         return True
 
-    def _seen(self, now: float) -> tuple[Angles, Angles, Angles]:
+    def _perceive(self, now: float) -> tuple[Angles, Angles, Angles]:
         """Return target, target speed and aim as perceived now, that is, with the user's delay."""
         # Newest moment older than the delay, or the first moment if the target appeared later than that.
         number = len(self._past) - 1

@@ -93,7 +93,7 @@ class _User:
         self._newest: dict[int, int] = {}
         for number, other in room.users.items():
             if other.group == room.group:
-                self.task.joined(number)
+                self.task.add_user(number)
 
     async def hear(self) -> None:
         """Process events until the last trial or the connection has ended."""
@@ -148,9 +148,9 @@ class _User:
             case Joined(user, _, group):
                 self._newest.pop(user, None)
                 if group == self._room.group and user not in self.task.present:
-                    self.task.joined(user)
+                    self.task.add_user(user)
             case Left(user):
-                self.task.left(user)
+                self.task.remove_user(user)
                 self.task.forget_scores({self.task.group, *(other.group for other in self._room.users.values())})
                 self._rays.pop(user, None)
                 self._newest.pop(user, None)

@@ -52,10 +52,10 @@ class Player:
             length = math.hypot(*away)
             angles = (math.atan2(-away[0], -away[2]), math.atan2(away[1], math.hypot(away[0], away[2])))
             target = Target(task.sphere.number, angles, 2.0 * math.atan2(task.trial.radius, length))
-        return Stance(eyes, hand, turned(*self._pointing.step(now, target)), length)
+        return Stance(eyes, hand, rotation_of(*self._pointing.step(now, target)), length)
 
 
-def turned(yaw: float, pitch: float) -> Rotation:
+def rotation_of(yaw: float, pitch: float) -> Rotation:
     """Return the rotation that turns −z to a yaw and a pitch."""
     sy, cy = math.sin(yaw / 2), math.cos(yaw / 2)
     sp, cp = math.sin(pitch / 2), math.cos(pitch / 2)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from nearfar._base import check
-from nearfar.stream.collect._messages import FARTHEST, FASTEST, LARGEST, LONGEST, MOST_TRIALS, MOST_USERS
+from nearfar.stream.collect._messages import FARTHEST, FASTEST, LARGEST, LONGEST, MAX_TRIALS, MAX_USERS
 
 
 @dataclass(frozen=True)
@@ -49,16 +49,16 @@ class Settings:
 
     def __post_init__(self) -> None:
         for name, least, most in (
-            ("users", 1, MOST_USERS), ("trials", 1, MOST_TRIALS), ("seed", 0, 2**32 - 1),
+            ("users", 1, MAX_USERS), ("trials", 1, MAX_TRIALS), ("seed", 0, 2**32 - 1),
         ):  # fmt: skip
             object.__setattr__(self, name, check.integer(name, getattr(self, name), least, most))
         for name, high in (
             ("hold", LONGEST), ("pause", LONGEST), ("rest", LONGEST), ("distance", FARTHEST), ("rise", FARTHEST),
         ):  # fmt: skip
-            object.__setattr__(self, name, check.within(name, getattr(self, name), 0.0, high))
+            object.__setattr__(self, name, check.in_range(name, getattr(self, name), 0.0, high))
         for name, high in (("duration", LONGEST), ("radius", LARGEST)):
             check.positive(name, getattr(self, name))
-            object.__setattr__(self, name, check.within(name, getattr(self, name), 0.0, high))
+            object.__setattr__(self, name, check.in_range(name, getattr(self, name), 0.0, high))
         for name, count, low, high in (
             ("speeds", 3, 0.0, FASTEST), ("center", 3, -FARTHEST / 4, FARTHEST / 4),
             ("seats", 2, 0.0, FARTHEST / 4), ("box", 3, 0.0, FARTHEST / 4),
@@ -69,5 +69,5 @@ class Settings:
 def _numbers(name: str, value: tuple[float, ...], count: int, low: float, high: float) -> tuple[float, ...]:
     """Check `count` numbers within [low, high]."""
     if not isinstance(value, tuple | list) or len(value) != count:
-        raise TypeError(f"{name}: expected {count} numbers, got {check.described(value)}")
-    return tuple(check.within(name, number, low, high) for number in value)
+        raise TypeError(f"{name}: expected {count} numbers, got {check.type_and_value(value)}")
+    return tuple(check.in_range(name, number, low, high) for number in value)

@@ -22,7 +22,7 @@ LEG = (0.0145, 0.007)
 """Mean and standard deviation of the one-way delay between a user and the server, seconds: the paper's round trip
 of 58 ± 14 ms consists of four such legs."""
 
-LEAST_LEG = 0.001
+MIN_LEG = 0.001
 """Least one-way delay, seconds."""
 
 
@@ -37,7 +37,7 @@ class _Network:
     def send(self, now: float, sender: int, receiver: int, arrive: Callable[[float], None]) -> None:
         """Send a message through the server; messages between two users keep their order."""
         mean, deviation = self._leg
-        legs = (max(mean + deviation * self._chance.normal(), min(LEAST_LEG, mean)) for _ in range(2))
+        legs = (max(mean + deviation * self._chance.normal(), min(MIN_LEG, mean)) for _ in range(2))
         time = max(now + sum(legs), self._last.get((sender, receiver), 0.0))
         self._last[sender, receiver] = time
         heapq.heappush(self._waiting, (time, next(self._numbers), arrive))
@@ -113,8 +113,8 @@ def simulate(
     people = Person() if person is None else check.instance("person", person, Person)
     number, seeded = check.integer("groups", groups, 1, 64), check.integer("seed", seed, 0, 2**32 - 1)
     if not isinstance(leg, tuple | list) or len(leg) != 2:
-        raise TypeError(f"leg: expected a mean and a standard deviation, got {check.described(leg)}")
-    mean, deviation = (check.within("leg", value, 0.0, 10.0) for value in leg)
+        raise TypeError(f"leg: expected a mean and a standard deviation, got {check.type_and_value(leg)}")
+    mean, deviation = (check.in_range("leg", value, 0.0, 10.0) for value in leg)
     found = []
     for group in range(1, number + 1):
         found += _group(chosen, people, group, seeded, (mean, deviation))
@@ -129,7 +129,7 @@ def _group(settings: Settings, person: Person, group: int, seed: int, leg: tuple
     conductor = users[0]
     for user in users:
         for other in users:
-            user.task.joined(other.task.user)
+            user.task.add_user(other.task.user)
 
     def say(messages: list[Message], now: float) -> None:
         for message in messages:

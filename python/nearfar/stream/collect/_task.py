@@ -11,7 +11,7 @@ from nearfar.stream.collect import _spheres as spheres
 from nearfar.stream.collect._allowance import Allowance
 from nearfar.stream.collect._messages import (
     LONGEST,
-    MOST_USERS,
+    MAX_USERS,
     Aims,
     Collected,
     Message,
@@ -25,13 +25,13 @@ from nearfar.stream.collect._messages import (
 from nearfar.stream.collect._settings import Settings
 from nearfar.stream.collect._spheres import Ray
 
-MOST_COUNTED = 2**16 - 1
+MAX_COUNT = 2**16 - 1
 """Greatest number of spheres and of misses that messages can hold."""
 
-LEAST_PAUSE = 0.05
+MIN_PAUSE = 0.05
 """Least seconds from a sphere's collection to the next sphere; bounds the conductor's message rate for any settings."""
 
-LEAST_JUDGED = 1.0 / 80.0
+MIN_JUDGEMENT_INTERVAL = 1.0 / 80.0
 """Least seconds between two judgements, less than between two poses: each pose may ask for one."""
 
 ENTERING = 5.0
@@ -65,7 +65,7 @@ class Task:
         self.began = self.appeared = 0.0
         self.held_since: float | None = None
         """Time at which the last required user began to aim; None while some do not."""
-        self.collected: deque[Collected] = deque(maxlen=MOST_COUNTED)
+        self.collected: deque[Collected] = deque(maxlen=MAX_COUNT)
         """Last collected spheres, in order."""
         self._next_at = 0.0
         self._is_to_tell = False
@@ -105,7 +105,7 @@ class Task:
             return None
         return spheres.place(self.sphere, self.trial, now - self.appeared)
 
-    def joined(self, user: int) -> None:
+    def add_user(self, user: int) -> None:
         """Record that a user of the group has joined, who must be told the state."""
         before = self.conductor
         self._is_to_tell |= self.trial is not None and before == self.user
@@ -113,7 +113,7 @@ class Task:
         if self.conductor != before:
             self._former = before
 
-    def left(self, user: int) -> None:
+    def remove_user(self, user: int) -> None:
         """Record that a user of the group has left."""
         self.present -= {user} - {self.user}
         if user == self._former:
@@ -143,21 +143,21 @@ class Task:
             settings.hold, settings.pause, settings.rest, settings.radius, settings.speeds,
             ((a[0], b[0], c[0]), (a[1], b[1], c[1])), area, (empty, empty, empty), (),
         )  # fmt: skip
-        return self._said(self._begun(first, first.stage), now)
+        return self._apply_own(self._begun(first, first.stage), now)
 
     def conduct(self, now: float, rays: Rays) -> list[Message]:
         """Return the user's messages as conductor, already applied to its own state; none if another user conducts."""
         self._enter(now)
-        said = self._told(now) if self._is_to_tell else []
+        said = self._state_messages(now) if self._is_to_tell else []
         self._is_to_tell = False
-        is_due = now - self._judged_at >= LEAST_JUDGED
+        is_due = now - self._judged_at >= MIN_JUDGEMENT_INTERVAL
         self._judged_at = now if is_due else self._judged_at
         while self.user == self.conductor:
             message = self._decide(now, rays if is_due else None)
             # A change that exceeds the rate limit is judged again later.
             if message is None or (isinstance(message, Aims) and not self._allowance.take(len(message.users), now)):
                 break
-            heard = self._said(message, now)
+            heard = self._apply_own(message, now)
             if not heard:
                 # A message without effect would be chosen again for ever.
                 break
@@ -200,13 +200,13 @@ class Task:
         # A user who returns during a pause may know a sphere that was collected meanwhile.
         is_collected = self.sphere is not None and self.sphere.number < _count_of(trial)
         if is_other or is_collected:
-            self.sphere, self._next_at = None, now if trial.elapsed == 0.0 else now + max(trial.pause, LEAST_PAUSE)
+            self.sphere, self._next_at = None, now if trial.elapsed == 0.0 else now + max(trial.pause, MIN_PAUSE)
             self._rest()
         self.trial, self.began = trial, now - trial.elapsed
 
     def _hear_play(self, message: Sphere | Aims | Collected, now: float) -> bool:
         known = -1 if self.sphere is None else self.sphere.number
-        is_next = message.number == self._count() and message.number < MOST_COUNTED
+        is_next = message.number == self._count() and message.number < MAX_COUNT
         if isinstance(message, Sphere):
             # The count must leave room for the sphere's collection.
             if message.number == known or not is_next:
@@ -228,11 +228,11 @@ class Task:
         assert self.trial is not None
         tallies = list(self.trial.tallies)
         old = tallies[found.level]
-        misses, seconds = min(old.misses + found.misses, MOST_COUNTED), min(old.seconds + found.seconds, LONGEST)
+        misses, seconds = min(old.misses + found.misses, MAX_COUNT), min(old.seconds + found.seconds, LONGEST)
         tallies[found.level] = Tally(old.spheres + 1, misses, seconds)
         self.trial = replace(self.trial, tallies=(tallies[0], tallies[1], tallies[2]))
         self.collected.append(found)
-        self.sphere, self._next_at = None, now + max(self.trial.pause, LEAST_PAUSE)
+        self.sphere, self._next_at = None, now + max(self.trial.pause, MIN_PAUSE)
         self._rest()
 
     def _rest(self) -> None:
@@ -246,18 +246,18 @@ class Task:
         """Return the seated users who are present."""
         return self.present & {seat.user for seat in self.trial.seats} if self.trial else set()
 
-    def _said(self, message: Message, now: float) -> list[Message]:
+    def _apply_own(self, message: Message, now: float) -> list[Message]:
         """Apply an own message; returns it with the resulting score, or nothing if it has no effect."""
         if not self.hear(message, now):
             return []
         if self.trial is None or not isinstance(message, Trial | Collected):
             return [message]
-        misses = min(sum(tally.misses for tally in self.trial.tallies), MOST_COUNTED)
-        score = Score(self.trial.stage, self.trial.is_over, min(self._count(), MOST_COUNTED), misses)
+        misses = min(sum(tally.misses for tally in self.trial.tallies), MAX_COUNT)
+        score = Score(self.trial.stage, self.trial.is_over, min(self._count(), MAX_COUNT), misses)
         self.hear(score, now)
         return [message, score]
 
-    def _told(self, now: float) -> list[Message]:
+    def _state_messages(self, now: float) -> list[Message]:
         """Return the messages that a new user needs."""
         if self.trial is None:
             return []
@@ -270,7 +270,7 @@ class Task:
         return told
 
     def _begun(self, trial: Trial, stage: Stage) -> Trial:
-        users = sorted(self.present)[:MOST_USERS]
+        users = sorted(self.present)[:MAX_USERS]
         empty = Tally()
         return replace(
             trial, stage=stage, is_over=False, elapsed=0.0, tallies=(empty, empty, empty),
@@ -289,7 +289,7 @@ class Task:
         if elapsed >= trial.duration:
             return replace(trial, is_over=True, elapsed=min(elapsed, LONGEST))
         if self.sphere is None:
-            is_due = now >= self._next_at and self._count() < MOST_COUNTED
+            is_due = now >= self._next_at and self._count() < MAX_COUNT
             return spheres.sphere(trial, trial.stage, self.group, self._count()) if is_due else None
         return None if rays is None else self._judge(trial, self.sphere, now, rays)
 
@@ -313,7 +313,7 @@ class Task:
         held = None
         if len(users) >= self.needed:
             held = 0.0 if self.held_since is None else min(now - self.held_since, LONGEST)
-        misses = min(self.misses + (event == "lost"), MOST_COUNTED)
+        misses = min(self.misses + (event == "lost"), MAX_COUNT)
         return Aims(self.trial.stage, self.sphere.number, event, user, misses, held, users)
 
 

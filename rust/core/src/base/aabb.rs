@@ -43,7 +43,7 @@ impl Aabb {
 
     /// Returns the largest float32 box inside a box with float64 sides: both contain the same float32 numbers. It is
     /// inverted along an axis where no float32 number lies between the sides.
-    pub fn within(min: DVec3, max: DVec3) -> Self {
+    pub fn from_f64_inside(min: DVec3, max: DVec3) -> Self {
         Self { min: round_up(min), max: round_down(max) }
     }
 

@@ -63,7 +63,7 @@ impl FaceMap {
     }
 
     /// Joins the maps of consecutive meshes, each given with its number of faces, into one map in the smallest layout.
-    pub fn joined<'a>(maps: impl Iterator<Item = (&'a Self, usize)> + Clone) -> Self {
+    pub fn concat<'a>(maps: impl Iterator<Item = (&'a Self, usize)> + Clone) -> Self {
         let mut face_count = 0;
         let starts: Vec<usize> = maps
             .clone()
@@ -204,7 +204,7 @@ mod tests {
             let compact = maps.iter().zip(&parts).map(|(map, part)| map.clone().compacted(part.len())).collect::<Vec<_>>();
             let flat = parts.concat();
             for maps in [&maps, &compact] {
-                let joined = FaceMap::joined(maps.iter().zip(parts.iter().map(Vec::len)));
+                let joined = FaceMap::concat(maps.iter().zip(parts.iter().map(Vec::len)));
                 prop_assert_eq!(values_of(&joined, flat.len()), flat.clone());
                 prop_assert!(joined.validate("x", flat.len(), 4).is_ok());
                 if !flat.is_empty() {

@@ -8,7 +8,7 @@ use crate::base::{Error, Progress, Result, memory::room_for};
 use crate::morph::Morph;
 
 /// Minimum tolerance in radians. A polyline with this tolerance has a few thousand points.
-const LEAST_TOLERANCE: f64 = 1e-9;
+const MIN_TOLERANCE: f64 = 1e-9;
 
 /// Returns the polylines of many rays, each padded with NaN to the longest: rows × `longest` points, and `longest`.
 /// Directions may have any length above 0.
@@ -18,8 +18,8 @@ pub fn bend_rays(
     tolerance: f64,
     progress: &Progress,
 ) -> Result<(Vec<[f64; 3]>, usize)> {
-    if !(tolerance.is_finite() && tolerance >= LEAST_TOLERANCE) {
-        return Err(Error::value("tolerance", format!("at least {LEAST_TOLERANCE:e} radians"), tolerance));
+    if !(tolerance.is_finite() && tolerance >= MIN_TOLERANCE) {
+        return Err(Error::value("tolerance", format!("at least {MIN_TOLERANCE:e} radians"), tolerance));
     }
     let unit = |row: &[f64; 3]| {
         // Scaled first, because the square of a length overflows long before the length does.

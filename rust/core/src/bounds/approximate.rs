@@ -27,12 +27,12 @@ pub(super) fn best<T: Real>(cloud: &Cloud<'_, T>) -> Result<Sphere> {
 
 /// Returns Ritter's sphere: it starts from two distant points and grows to contain each outside point, in order.
 pub(super) fn ritter<T: Real>(cloud: &Cloud<'_, T>) -> Result<Sphere> {
-    let (_, one) = cloud.farthest(cloud.at(&cloud.points[0]))?;
+    let (_, one) = cloud.farthest(cloud.local(&cloud.points[0]))?;
     let (apart, other) = cloud.farthest(one)?;
     let (mut center, mut radius) = ((one + other) * 0.5, apart * 0.5);
     for points in cloud.points.chunks(POINTS_PER_CHECK) {
         for point in points {
-            let away = cloud.at(point) - center;
+            let away = cloud.local(point) - center;
             let squared = away.length_squared();
             if squared > radius * radius {
                 let distance = squared.sqrt();

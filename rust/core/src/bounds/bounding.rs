@@ -19,14 +19,14 @@ pub fn bounding_sphere<T: Real>(points: &[[T; 3]], method: SphereMethod, progres
         return Ok(Sphere { center: cloud.origin, radius: 0.0 });
     }
     if PLAIN_EXTENTS.contains(&extent) {
-        return cloud.placed(&of(&cloud, method)?);
+        return cloud.to_world(&local_sphere(&cloud, method)?);
     }
     // Scaling by a power of two is exact except for denormals, and those are scaled up.
     let exponent = extent.log2().floor().clamp(-1000.0, 1000.0);
     let scale = (-exponent).exp2();
-    let scaled: Vec<[f64; 3]> = points.iter().map(|point| (cloud.at(point) * scale).to_array()).collect();
+    let scaled: Vec<[f64; 3]> = points.iter().map(|point| (cloud.local(point) * scale).to_array()).collect();
     let small = Cloud::new(&scaled, progress)?;
-    let sphere = small.placed(&of(&small, method)?)?;
+    let sphere = small.to_world(&local_sphere(&small, method)?)?;
     let center = cloud.origin + sphere.center / scale;
     // Squares of distances would overflow here, so the rounding of the centre is added to the radius instead.
     let moved = ((center - cloud.origin) - sphere.center / scale).abs().max_element();
@@ -34,7 +34,7 @@ pub fn bounding_sphere<T: Real>(points: &[[T; 3]], method: SphereMethod, progres
 }
 
 /// Returns the sphere in the cloud's own frame.
-fn of<T: Real>(cloud: &Cloud<'_, T>, method: SphereMethod) -> Result<Sphere> {
+fn local_sphere<T: Real>(cloud: &Cloud<'_, T>, method: SphereMethod) -> Result<Sphere> {
     match method {
         SphereMethod::Exact => exact::smallest(cloud),
         SphereMethod::Ritter => approximate::ritter(cloud),

@@ -27,7 +27,7 @@ pub(super) fn smallest<T: Real>(cloud: &Cloud<'_, T>) -> Result<Sphere> {
     if cloud.points.len() > ALL_KEPT {
         for _ in 0..STALLED_STEPS {
             let kept_from = support.radius * (1.0 - SHELL);
-            let kept = cloud.beyond(support.center, kept_from)?;
+            let kept = cloud.points_beyond(support.center, kept_from)?;
             if kept.len() > cloud.points.len() / 2 {
                 break;
             }
@@ -61,6 +61,6 @@ fn widened<T: Real>(
         if distance <= support.radius * (1.0 + ROUNDING) || stale > STALLED_STEPS {
             return Ok(best);
         }
-        support = support.with(point);
+        support = support.extend(point);
     }
 }

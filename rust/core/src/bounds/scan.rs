@@ -31,7 +31,7 @@ pub struct Extremes {
 
 /// Projects a point onto the directions; the diagonals are not normalised.
 #[inline(always)]
-fn along<T: Real>(&[x, y, z]: &[T; 3]) -> [f64; DIRECTIONS] {
+fn project<T: Real>(&[x, y, z]: &[T; 3]) -> [f64; DIRECTIONS] {
     let (x, y, z) = (x.wide(), y.wide(), z.wide());
     [x, y, z, x + y + z, x + y - z, x - y + z, x - y - z]
 }
@@ -40,7 +40,7 @@ vectorized! {
     /// Returns the maximum squared distance from a centre, and the index of its point.
     fn farthest<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> (f64, usize) = farthest_kernel;
     /// Appends, relative to the origin, the points whose squared distance from a centre exceeds a limit.
-    fn beyond<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3, limit: f64, found: &mut Vec<[f64; 3]>)
+    fn collect_beyond<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3, limit: f64, found: &mut Vec<[f64; 3]>)
         = beyond_kernel;
     /// Returns the sum of the points, relative to the origin.
     fn sum<T: Real>(points: &[[T; 3]], origin: DVec3) -> DVec3 = sum_kernel;
@@ -82,7 +82,7 @@ impl<'a, T: Real> Cloud<'a, T> {
         let point = |is_extreme: &dyn Fn(&[f64; DIRECTIONS]) -> bool, tile: Option<usize>| {
             let from = tile.unwrap_or(0) * TILE;
             let near = points[from..].iter().take(TILE);
-            near.copied().find(|point| is_extreme(&along(point)))
+            near.copied().find(|point| is_extreme(&project(point)))
         };
         let extremes = (0..DIRECTIONS).flat_map(|n| {
             let (low, high) = (all.low[n], all.high[n]);
@@ -102,7 +102,7 @@ impl<'a, T: Real> Cloud<'a, T> {
 
     /// A point relative to the cloud's origin.
     #[inline(always)]
-    pub fn at(&self, point: &[T; 3]) -> DVec3 {
+    pub fn local(&self, point: &[T; 3]) -> DVec3 {
         DVec3::from_array(point.map(T::wide)) - self.origin
     }
 
@@ -117,10 +117,10 @@ impl<'a, T: Real> Cloud<'a, T> {
     }
 
     /// Returns the points farther than a distance from a centre, in order.
-    pub fn beyond(&self, center: DVec3, distance: f64) -> Result<Vec<[f64; 3]>> {
+    pub fn points_beyond(&self, center: DVec3, distance: f64) -> Result<Vec<[f64; 3]>> {
         let tile = |_: usize, points: &[[T; 3]]| {
             let mut found = Vec::new();
-            beyond(points, self.origin, center, distance * distance, &mut found);
+            collect_beyond(points, self.origin, center, distance * distance, &mut found);
             found
         };
         let tiles: Vec<Vec<[f64; 3]>> = each_tile(self.points, self.progress, tile)?;
@@ -129,7 +129,7 @@ impl<'a, T: Real> Cloud<'a, T> {
 
     /// Moves a sphere from the cloud's frame to that of the points. The sum rounds the centre, so the radius is
     /// measured again from the rounded centre.
-    pub fn placed(&self, sphere: &Sphere) -> Result<Sphere> {
+    pub fn to_world(&self, sphere: &Sphere) -> Result<Sphere> {
         let center = sphere.center + self.origin;
         let moved = (center - self.origin) - sphere.center;
         let radius = if moved == DVec3::ZERO { sphere.radius } else { self.farthest(center - self.origin)?.0 };
@@ -206,7 +206,7 @@ fn extremes_kernel<T: Real>(points: &[[T; 3]]) -> Extremes {
     for block in blocks.iter().step_by(DIAGONAL_STRIDE) {
         let [x, y, z] = gather(block);
         for i in 0..LANES {
-            let of = along(&[x[i], y[i], z[i]]);
+            let of = project(&[x[i], y[i], z[i]]);
             for n in AXES..DIRECTIONS {
                 low[n][i] = if of[n] < low[n][i] { of[n] } else { low[n][i] };
                 high[n][i] = if of[n] > high[n][i] { of[n] } else { high[n][i] };
@@ -214,7 +214,7 @@ fn extremes_kernel<T: Real>(points: &[[T; 3]]) -> Extremes {
         }
     }
     for point in rest {
-        let of = along(point);
+        let of = project(point);
         zeros[0] += 0.0 * of[3];
         for n in 0..DIRECTIONS {
             low[n][0] = low[n][0].min(of[n]);

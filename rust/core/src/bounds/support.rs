@@ -25,7 +25,7 @@ impl Support {
     /// Returns the smallest sphere about this support and a new point outside the sphere; the new point lies on its
     /// surface. Among the spheres determined by subsets of the points, it takes the one whose radius needs the smallest
     /// increase to contain all points. So a degenerate subset, whose sphere is undefined, is never chosen.
-    pub fn with(&self, new: DVec3) -> Self {
+    pub fn extend(&self, new: DVec3) -> Self {
         let old = self.points();
         let mut best = Self { radius: f64::INFINITY, ..Self::point(new) };
         for subset in 0u32..1 << old.len() {

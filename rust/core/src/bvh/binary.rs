@@ -37,7 +37,7 @@ pub(super) fn build(boxes: &[Aabb], leaf_boxes: u32, progress: &Progress) -> Res
         Ok(tree)
     });
     let trees: Vec<Bvh2> = trees.collect::<Result<_>>()?;
-    let mut tree = joined(trees, progress)?;
+    let mut tree = join_trees(trees, progress)?;
     // The joined tree numbers boxes in the order of the parts.
     tree.primitive_indices.par_iter_mut().for_each(|at| *at = members[*at as usize].number);
     if scale != 1.0 {
@@ -77,7 +77,7 @@ fn cluster(boxes: impl ExactSizeIterator<Item = Aabb>, scale: f32) -> Bvh2 {
 }
 
 /// Joins trees under one root. Boxes are renumbered in the order of the trees.
-fn joined(mut trees: Vec<Bvh2>, progress: &Progress) -> Result<Bvh2> {
+fn join_trees(mut trees: Vec<Bvh2>, progress: &Progress) -> Result<Bvh2> {
     if trees.len() == 1 {
         return Ok(trees.remove(0));
     }

@@ -67,7 +67,7 @@ pub(crate) fn push_leaf(blocks: &mut Vec<Block>, faces: &[u32], corners: &impl F
 
 impl Block {
     /// Returns the same faces with other corners.
-    pub(crate) fn moved(&self, corners: &impl Fn(u32) -> [Vec3; 3]) -> Self {
+    pub(crate) fn with_corners(&self, corners: &impl Fn(u32) -> [Vec3; 3]) -> Self {
         let mut block = self.clone();
         for (lane, &face) in self.faces.iter().enumerate() {
             for (corner, p) in corners(face).into_iter().enumerate() {

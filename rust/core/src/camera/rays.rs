@@ -25,7 +25,7 @@ pub struct Footprint {
 impl Footprint {
     /// Returns the width across the ray at a distance, metres.
     #[inline]
-    pub fn at(&self, distance: f32) -> f32 {
+    pub fn width_at(&self, distance: f32) -> f32 {
         self.width + self.spread * distance
     }
 }
@@ -34,7 +34,7 @@ impl Rays {
     /// Returns the start (relative to the camera's position) and unit direction of the ray through image position (x,
     /// y).
     #[inline]
-    pub fn at(&self, x: f64, y: f64) -> (DVec3, DVec3) {
+    pub fn ray(&self, x: f64, y: f64) -> (DVec3, DVec3) {
         let start = self.start + self.start_steps[0] * x + self.start_steps[1] * y;
         (start, self.longer(x, y).normalize())
     }

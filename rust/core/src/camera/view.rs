@@ -61,9 +61,9 @@ impl Camera {
     pub fn ray(&self, x: f64, y: f64) -> (DVec3, DVec3) {
         let (s, t) = (x / f64::from(self.width), y / f64::from(self.height));
         match self.projection {
-            Projection::Perspective(fov) => (DVec3::ZERO, self.orientation * fov.at(s, t).extend(-1.0)),
+            Projection::Perspective(fov) => (DVec3::ZERO, self.orientation * fov.point(s, t).extend(-1.0)),
             Projection::Orthographic(fov) => {
-                (self.orientation * fov.at(s, t).extend(0.0), self.orientation * DVec3::NEG_Z)
+                (self.orientation * fov.point(s, t).extend(0.0), self.orientation * DVec3::NEG_Z)
             }
             Projection::CubeFace(face) => (DVec3::ZERO, direction_from_face(face, 2.0 * s - 1.0, 2.0 * t - 1.0)),
         }
@@ -89,7 +89,7 @@ impl Camera {
         let rows = starts.par_chunks_mut(width).zip(directions.par_chunks_mut(width)).enumerate();
         rows.try_for_each(|(row, (starts, directions))| {
             for (column, (start, direction)) in starts.iter_mut().zip(directions).enumerate() {
-                let (from, to) = rays.at(column as f64 + 0.5, row as f64 + 0.5);
+                let (from, to) = rays.ray(column as f64 + 0.5, row as f64 + 0.5);
                 (*start, *direction) = ((self.position + from).to_array(), to.to_array());
             }
             progress.check()
@@ -193,7 +193,7 @@ mod tests {
             let rays = camera.rays();
             for (x, y) in [(0.0, 0.0), (24.0, 0.0), (3.25, 20.5), (12.0, 12.0)] {
                 let (start, direction) = camera.ray(x, y);
-                let (fast_start, fast_direction) = rays.at(x, y);
+                let (fast_start, fast_direction) = rays.ray(x, y);
                 // Some roundings of float64 at 1.
                 assert!((fast_start - start).length() < 1e-14);
                 assert!((fast_direction - direction.normalize()).length() < 1e-14);

@@ -19,7 +19,7 @@ const CODEC_LEVEL: i32 = 2;
 const CODEC_VERSION: Option<i32> = Some(0);
 
 /// Maximum number of vertices for 16-bit corners: index 65535 restarts strips in some graphics APIs.
-const MOST_SHORT: usize = u16::MAX as usize;
+const MAX_SHORT: usize = u16::MAX as usize;
 
 /// Semantic and type of an array.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -122,7 +122,7 @@ impl Stream {
 
     /// Encodes corners of triangles between `vertex_count` vertices.
     fn corners(corners: &[u32], vertex_count: usize, compressed: bool) -> Result<Self> {
-        let short = vertex_count <= MOST_SHORT;
+        let short = vertex_count <= MAX_SHORT;
         let bytes = match (compressed, short) {
             (true, _) => encode_index_buffer(corners, vertex_count).map_err(refused)?,
             (false, true) => corners.iter().flat_map(|&corner| (corner as u16).to_le_bytes()).collect(),

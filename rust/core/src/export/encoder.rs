@@ -218,7 +218,7 @@ impl FileWriter<'_> {
             for instance in instances {
                 let to_scene = &self.export.scene.instance(instance).to_scene;
                 // Viewers flip the winding of mirrored nodes, but not of mirrored placements of an instanced mesh.
-                let trs = Some(Trs::of(to_scene)).filter(|_| self.export.settings.compressed && !plan.turned);
+                let trs = Some(Trs::decompose(to_scene)).filter(|_| self.export.settings.compressed && !plan.turned);
                 let error = trs.map(|trs| trs.error(to_scene, &bounds));
                 match trs.zip(error).filter(|&(_, error)| error <= self.export.settings.step / 2.0) {
                     Some((trs, error)) => {

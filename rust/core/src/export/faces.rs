@@ -13,7 +13,7 @@ const TILE: usize = 1 << 16;
 
 /// Maximum number of faces per primitive. Larger ones are divided, so that several threads share the work, cancelling
 /// takes less than a second, and all viewers can draw the meshes.
-const MOST_FACES: usize = 1 << 18;
+const MAX_FACES: usize = 1 << 18;
 
 /// Material and attributes of a primitive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -107,7 +107,7 @@ fn by_key(part: &Part<'_>, surfaces: &Surfaces, progress: &Progress) -> Result<B
 }
 
 fn key_of(mesh: &Mesh, face: u32, surfaces: &Surfaces) -> Key {
-    let material = surfaces.drawn(mesh.materials.get(face));
+    let material = surfaces.drawn_material(mesh.materials.get(face));
     let has_normal = |normals: &[[f32; 3]]| mesh.faces[face as usize].iter().any(|&v| normals[v as usize] != [0.0; 3]);
     Key {
         material,
@@ -117,15 +117,15 @@ fn key_of(mesh: &Mesh, face: u32, surfaces: &Surfaces) -> Key {
     }
 }
 
-/// Divides pieces into primitives of at most `MOST_FACES` faces.
+/// Divides pieces into primitives of at most `MAX_FACES` faces.
 fn divided(pieces: Vec<Piece<'_>>) -> Vec<Vec<Piece<'_>>> {
-    let (mut primitives, mut open, mut room) = (Vec::new(), Vec::new(), MOST_FACES);
+    let (mut primitives, mut open, mut room) = (Vec::new(), Vec::new(), MAX_FACES);
     for mut piece in pieces {
         while piece.faces.len() > room {
             let rest = piece.faces.split_off(room);
             open.push(Piece { faces: std::mem::replace(&mut piece.faces, rest), ..piece });
             primitives.push(std::mem::take(&mut open));
-            room = MOST_FACES;
+            room = MAX_FACES;
         }
         room -= piece.faces.len();
         open.push(piece);
@@ -145,12 +145,12 @@ mod tests {
         let mesh = Mesh::new(vec![].into(), vec![].into(), None, None, none.clone(), none).unwrap();
         let piece =
             |count: u32| Piece { mesh: &mesh, frame: Frame::Own { turned: false }, faces: (0..count).collect() };
-        let most = MOST_FACES as u32;
+        let most = MAX_FACES as u32;
         let counts = |pieces: Vec<Piece<'_>>| -> Vec<Vec<usize>> {
             divided(pieces).iter().map(|pieces| pieces.iter().map(|piece| piece.faces.len()).collect()).collect()
         };
         assert_eq!(counts(vec![piece(3), piece(4)]), [[3, 4]]);
-        assert_eq!(counts(vec![piece(3), piece(2 * most)]), [vec![3, MOST_FACES - 3], vec![MOST_FACES], vec![3]]);
-        assert_eq!(counts(vec![piece(most)]), [[MOST_FACES]]);
+        assert_eq!(counts(vec![piece(3), piece(2 * most)]), [vec![3, MAX_FACES - 3], vec![MAX_FACES], vec![3]]);
+        assert_eq!(counts(vec![piece(most)]), [[MAX_FACES]]);
     }
 }

@@ -14,7 +14,7 @@ pub(super) struct Trs {
 
 impl Trs {
     /// Decomposes a placement; shear is lost.
-    pub fn of(to_scene: &DAffine3) -> Self {
+    pub fn decompose(to_scene: &DAffine3) -> Self {
         let (scale, rotation, translation) = to_scene.to_scale_rotation_translation();
         Self {
             translation: translation.as_vec3().to_array(),
@@ -98,7 +98,7 @@ mod tests {
         for seed in 0..50 {
             let to_scene = placement(seed);
             // Half of float32's step at 1000 m is 2⁻¹⁵ m; rotation and scale add three roundings of 2⁻²⁴ for 12 m.
-            assert!(Trs::of(&to_scene).error(&to_scene, &bounds) < 1.2 * 2f64.powi(-15), "{seed}");
+            assert!(Trs::decompose(&to_scene).error(&to_scene, &bounds) < 1.2 * 2f64.powi(-15), "{seed}");
             assert!(is_trs(&to_scene, &bounds, 1e-9), "{seed}");
             let sheared =
                 to_scene * DAffine3::from_mat3(DMat3::from_cols(DVec3::X, DVec3::new(0.1, 1.0, 0.0), DVec3::Z));

@@ -4,8 +4,8 @@ use crate::base::{Error, Result, number};
 
 /// Limits of `Settings::step`: beyond the needs of float32 positions and scenes, and within the exponents of the
 /// EXPONENTIAL filter.
-const LEAST_STEP: f64 = 1.0 / (1u64 << 40) as f64;
-const MOST_STEP: f64 = (1u64 << 20) as f64;
+const MIN_STEP: f64 = 1.0 / (1u64 << 40) as f64;
+const MAX_STEP: f64 = (1u64 << 20) as f64;
 
 /// Settings of an export.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,8 +27,8 @@ impl Default for Settings {
 
 impl Settings {
     pub(super) fn check(&self) -> Result<()> {
-        if !(LEAST_STEP..=MOST_STEP).contains(&self.step) {
-            let expected = format!("metres from {} to {}", number(LEAST_STEP), number(MOST_STEP));
+        if !(MIN_STEP..=MAX_STEP).contains(&self.step) {
+            let expected = format!("metres from {} to {}", number(MIN_STEP), number(MAX_STEP));
             return Err(Error::value("step", expected, number(self.step)));
         }
         Ok(())

@@ -14,7 +14,7 @@ use crate::scene::{Alpha, Material, Scene, Texture};
 pub const UV_ERROR_TEXELS: f64 = 1.0 / 8.0;
 
 /// Maximum step of texture coordinates, used for textures of up to 1024 texels; larger ones get finer steps.
-const MOST_UV_STEP: f64 = 1.0 / 4096.0;
+const MAX_UV_STEP: f64 = 1.0 / 4096.0;
 
 const REPEAT: u32 = 10497;
 const LINEAR: u32 = 9729;
@@ -67,7 +67,7 @@ impl Surfaces {
 
     /// Returns the first material that is drawn like this one; −1 for none.
     #[inline]
-    pub fn drawn(&self, material: i32) -> i32 {
+    pub fn drawn_material(&self, material: i32) -> i32 {
         usize::try_from(material).ok().and_then(|number| self.alike.get(number)).map_or(-1, |&first| first)
     }
 
@@ -91,7 +91,7 @@ impl Surfaces {
     /// Returns the grid of a material's texture coordinates up to `reach`. Half its step is at most an eighth of a
     /// texel.
     pub fn uv_grid(&self, material: i32, reach: f64) -> Grid {
-        Grid::new((2.0 * UV_ERROR_TEXELS / self.texels(material)).min(MOST_UV_STEP), reach)
+        Grid::new((2.0 * UV_ERROR_TEXELS / self.texels(material)).min(MAX_UV_STEP), reach)
     }
 
     /// Returns the document's lists for materials, each with or without its textures, in this order, and their
@@ -206,9 +206,9 @@ mod tests {
     #[test]
     fn materials_that_are_drawn_alike_are_one() {
         let both = surfaces([Some("a.png"), Some("b.WebP")]);
-        assert_eq!([0, 1, 2, 3, 4, -1, 9].map(|number| both.drawn(number)), [0, 1, 0, 3, 4, -1, -1]);
+        assert_eq!([0, 1, 2, 3, 4, -1, 9].map(|number| both.drawn_material(number)), [0, 1, 0, 3, 4, -1, -1]);
         let neither = surfaces([None, None]);
-        assert_eq!([0, 1, 2, 3, 4].map(|number| neither.drawn(number)), [0, 0, 0, 3, 0]);
+        assert_eq!([0, 1, 2, 3, 4].map(|number| neither.drawn_material(number)), [0, 0, 0, 3, 0]);
         assert!(!neither.is_textured(0));
     }
 
@@ -231,7 +231,7 @@ mod tests {
     #[test]
     fn texture_coordinates_are_exact_to_an_eighth_of_a_texel() {
         let all = surfaces([Some("a.png"), Some("b.png")]);
-        assert_eq!(all.uv_grid(0, 1.0).step(), MOST_UV_STEP);
+        assert_eq!(all.uv_grid(0, 1.0).step(), MAX_UV_STEP);
         let step = all.uv_grid(4, 1.0).step();
         assert!(step / 2.0 * 1500.0 <= UV_ERROR_TEXELS && step * 1500.0 > UV_ERROR_TEXELS);
     }
@@ -245,7 +245,7 @@ mod tests {
         let texture = Texture::new(900, 1, vec![[0; 4]; 900].into()).unwrap();
         let scene = Scene::new(DVec3::ZERO, vec![], vec![], Arc::new(materials), Arc::new(vec![texture])).unwrap();
         let all = Surfaces::new(&scene, vec![Some("a.webp".into())]).unwrap();
-        assert_eq!([0, 1, 2, 3, 4].map(|number| all.drawn(number)), [0, 1, 2, 3, 0]);
+        assert_eq!([0, 1, 2, 3, 4].map(|number| all.drawn_material(number)), [0, 1, 2, 3, 0]);
         assert_eq!(
             [1, 2, 4].map(|number| (all.is_textured(number), all.texels(number))),
             [(false, 1.0), (true, 900.0), (false, 1.0)]
@@ -261,6 +261,6 @@ mod tests {
         assert_eq!(unlit["extensions"], json!({ UNLIT: {} }));
         // Without its image, the lit parts are unknown.
         let without = Surfaces::new(&scene, vec![None]).unwrap();
-        assert_eq!(without.drawn(2), 0);
+        assert_eq!(without.drawn_material(2), 0);
     }
 }

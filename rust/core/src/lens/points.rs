@@ -43,7 +43,7 @@ impl PointTile {
     }
 
     /// Moves points along their radii to the radii that `radii` computes.
-    pub(super) fn moved<T: Real>(&mut self, to: &mut [[T; 2]], radii: impl FnOnce(&mut [f64])) {
+    pub(super) fn scale_radii<T: Real>(&mut self, to: &mut [[T; 2]], radii: impl FnOnce(&mut [f64])) {
         let count = to.len().next_multiple_of(LANES);
         radii(&mut self.image[..count]);
         scale(self, count);
@@ -85,7 +85,7 @@ impl RadialLens {
         progress: &Progress,
     ) -> Result<()> {
         let radii = |radii: &mut [f64]| self.distort_blocks(radii);
-        let tilted = |p: DVec2, _, _| if p.length() <= self.reach { self.shown(p).0 } else { DVec2::NAN };
+        let tilted = |p: DVec2, _, _| if p.length() <= self.reach { self.image_and_jacobian(p).0 } else { DVec2::NAN };
         self.each_point(points, to, refuse, progress, radii, tilted)
     }
 
@@ -118,7 +118,7 @@ impl RadialLens {
         let bad = |[x, y]: &[T; 2]| (x.wide() + y.wide()).is_nan();
         points.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).try_for_each(|(from, to)| {
             let mut tile = PointTile::new(from);
-            tile.moved(to, &radii);
+            tile.scale_radii(to, &radii);
             if self.tangential != [0.0; 2] {
                 for (n, to) in to.iter_mut().enumerate() {
                     let p = DVec2::new(from[n][0].wide(), from[n][1].wide());
@@ -148,7 +148,7 @@ impl RadialLens {
     }
 
     /// Returns the image of a point, and the Jacobian there.
-    fn shown(&self, p: DVec2) -> (DVec2, DMat2) {
+    fn image_and_jacobian(&self, p: DVec2) -> (DVec2, DMat2) {
         let square = p.length_squared();
         let factor = 1.0 + square * polynomial::value(&self.radial.k, square);
         // With F = f(r)/r, f′ = F + 2 r² dF/dr².
@@ -187,7 +187,7 @@ impl RadialLens {
 
     /// Newton's method. A step is shortened until it reduces the residual and stays in the disc.
     fn descend(&self, mut at: DVec2, wanted: DVec2) -> Option<DVec2> {
-        let (mut image, mut jacobian) = self.shown(at);
+        let (mut image, mut jacobian) = self.image_and_jacobian(at);
         for _ in 0..NEWTON_STEPS {
             let off = image - wanted;
             let step = jacobian.inverse() * off;
@@ -197,7 +197,7 @@ impl RadialLens {
             let mut share = 1.0;
             loop {
                 let next = at - share * step;
-                let (shown, there) = self.shown(next);
+                let (shown, there) = self.image_and_jacobian(next);
                 if next.length() <= self.reach && (shown - wanted).length() < off.length() {
                     (at, image, jacobian) = (next, shown, there);
                     break;

@@ -40,13 +40,13 @@ fn zeros(coefficients: &[f64]) -> Vec<f64> {
 }
 
 /// Upper limit of the search for zeros.
-const GREATEST_ZERO: f64 = 1e100;
+const MAX_ZERO: f64 = 1e100;
 
 /// Returns Fujiwara's bound on the zeros: twice the largest of the roots of coefficient quotients.
 fn beyond_all_zeros(own: &[f64]) -> f64 {
     let degree = own.len() - 1;
     let root = |i: usize| (own[i] / own[degree]).abs().powf(1.0 / (degree - i) as f64);
-    (2.0 * (0..degree).map(root).fold(f64::MIN_POSITIVE, f64::max)).min(GREATEST_ZERO)
+    (2.0 * (0..degree).map(root).fold(f64::MIN_POSITIVE, f64::max)).min(MAX_ZERO)
 }
 
 /// Returns −1, 0 or 1; 0 if the absolute value is below the possible rounding error.

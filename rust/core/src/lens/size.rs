@@ -13,10 +13,10 @@ use crate::bounds::{Seen, each_tile};
 /// lens's magnification at seven points. The relative error of this mean is 10⁻¹⁴; the sum around the edge would lose
 /// more digits by cancellation.
 const SMALL_ANGLE: f64 = 2e-3;
-/// The sum around the edge is refined until its relative change is below `AREA_TOLERANCE` or it has `MOST_PARTS`
+/// The sum around the edge is refined until its relative change is below `AREA_TOLERANCE` or it has `MAX_PARTS`
 /// parts.
 const AREA_TOLERANCE: f64 = 1e-13;
-const MOST_PARTS: usize = 1 << 12;
+const MAX_PARTS: usize = 1 << 12;
 /// Spheres between two checks for cancellation.
 const SPHERES_PER_CHECK: usize = 1 << 6;
 
@@ -54,7 +54,7 @@ pub fn corrected_solid_angles(
             .zip(radii.chunks(SPHERES_PER_CHECK))
             .zip(to.chunks_mut(SPHERES_PER_CHECK));
         groups.try_for_each(|((centers, radii), to)| {
-            sizes.each(centers, radii, to);
+            sizes.solid_angles(centers, radii, to);
             progress.check()
         })
     })
@@ -62,15 +62,15 @@ pub fn corrected_solid_angles(
 
 impl Sizes<'_> {
     /// Same as `corrected_solid_angles`, for a few spheres that were already checked.
-    pub fn each(&self, centers: &[[f64; 3]], radii: &[f64], to: &mut [f64]) {
+    pub fn solid_angles(&self, centers: &[[f64; 3]], radii: &[f64], to: &mut [f64]) {
         let spheres = centers.chunks(LANES / 2).zip(radii.chunks(LANES / 2));
         for ((centers, radii), to) in spheres.zip(to.chunks_mut(LANES / 2)) {
-            self.of(centers, radii, to);
+            self.process_block(centers, radii, to);
         }
     }
 
     /// Processes half a block of spheres: the two edges of each sphere fill a block.
-    fn of(&self, centers: &[[f64; 3]], radii: &[f64], to: &mut [f64]) {
+    fn process_block(&self, centers: &[[f64; 3]], radii: &[f64], to: &mut [f64]) {
         let mut caps = [const { None }; LANES / 2];
         let mut roots = [0.0; LANES];
         for (n, (center, &radius)) in centers.iter().zip(radii).enumerate() {
@@ -162,15 +162,15 @@ impl<'a> Cap<'a> {
     /// of ψ. By symmetry, half the circle suffices.
     fn area(&self) -> f64 {
         let mut parts = 8;
-        let mut sum =
-            self.around(0.0, PI / parts as f64, parts) + 0.5 * (self.around(PI, 0.0, 1) - self.around(0.0, 0.0, 1));
+        let mut sum = self.edge_sum(0.0, PI / parts as f64, parts)
+            + 0.5 * (self.edge_sum(PI, 0.0, 1) - self.edge_sum(0.0, 0.0, 1));
         let mut area = 2.0 * PI * sum / parts as f64;
         loop {
             let step = PI / parts as f64;
-            sum += self.around(0.5 * step, step, parts);
+            sum += self.edge_sum(0.5 * step, step, parts);
             parts *= 2;
             let finer = 2.0 * PI * sum / parts as f64;
-            if (finer - area).abs() <= AREA_TOLERANCE * finer || parts >= MOST_PARTS {
+            if (finer - area).abs() <= AREA_TOLERANCE * finer || parts >= MAX_PARTS {
                 return finer;
             }
             area = finer;
@@ -179,7 +179,7 @@ impl<'a> Cap<'a> {
 
     /// Returns the sum of (1 − cos α′) dφ/dψ = Q (x dy/dψ − y dx/dψ) over some ψ, with Q = (1 − cos α′) / sin² α,
     /// which is smooth on the axis.
-    fn around(&self, from: f64, step: f64, count: usize) -> f64 {
+    fn edge_sum(&self, from: f64, step: f64, count: usize) -> f64 {
         let mut sum = 0.0;
         for first in (0..count).step_by(LANES) {
             let many = LANES.min(count - first);

@@ -10,8 +10,8 @@ use crate::base::simd::vectorized;
 /// Number of spheres in a block.
 pub const STRETCHED: usize = LANES;
 /// Maximum squared argument for which the polynomials below hold.
-const GREATEST_SQUARE: f64 = 0.2;
-/// Minimax polynomials (Remez) of atan(√t)/√t and asin(√t)/√t for t from 0 to GREATEST_SQUARE. Their error is below
+const MAX_SQUARE: f64 = 0.2;
+/// Minimax polynomials (Remez) of atan(√t)/√t and asin(√t)/√t for t from 0 to MAX_SQUARE. Their error is below
 /// 2.4·10⁻¹².
 const ATAN: [f64; 8] = [
     0.999_999_999_997_646_7,
@@ -123,7 +123,7 @@ fn stretch_block(lens: &LensBend<'_>, block: &SphereBlock<'_>, to: &mut [f64; LA
         near[n] = (out - in_) * (cos_far * share);
         rise[n] = 2.0 * lens.scale * cos_mu[n] * share;
         behind[n] = cos_far <= 0.0;
-        good[n] = (far[n] < lens.table.end) & (sin_mu[n] * sin_mu[n] <= GREATEST_SQUARE);
+        good[n] = (far[n] < lens.table.end) & (sin_mu[n] * sin_mu[n] <= MAX_SQUARE);
     }
     let (mut a, mut b) = ([0.0; LANES], [0.0; LANES]);
     cubic_block(lens.table, &far, &mut a);
@@ -149,7 +149,7 @@ fn stretch_block(lens: &LensBend<'_>, block: &SphereBlock<'_>, to: &mut [f64; LA
         let half = 1.0 / ((along * along + across * across).sqrt() + along);
         let square = (across * half) * (across * half);
         let ratio = rise[n] * half * polynomial(&ATAN, square) / polynomial(&ASIN, sin_mu[n] * sin_mu[n]);
-        let ratio = if good[n] & (square <= GREATEST_SQUARE) { ratio } else { 0.0 };
+        let ratio = if good[n] & (square <= MAX_SQUARE) { ratio } else { 0.0 };
         to[n] = if behind[n] { 1.0 } else { ratio };
     }
 }
@@ -172,7 +172,7 @@ mod tests {
     #[test]
     fn polynomials_hold_their_bound() {
         for step in 1..=10_000 {
-            let t: f64 = GREATEST_SQUARE * f64::from(step) / 10_000.0;
+            let t: f64 = MAX_SQUARE * f64::from(step) / 10_000.0;
             let root = t.sqrt();
             assert!((polynomial(&ATAN, t) * root / root.atan() - 1.0).abs() < 2.6e-12, "{t}");
             assert!((polynomial(&ASIN, t) * root / root.asin() - 1.0).abs() < 2.6e-12, "{t}");

@@ -44,17 +44,17 @@ impl Table {
         let (share, multiple) = WANTED_RANGE;
         let wanted = if lens.r_max.is_finite() { share * lens.r_max } else { multiple * lens.unit };
         let wanted = lens.distort(wanted);
-        let mut table = Self::with(lens, *FINENESS.start());
+        let mut table = Self::with_fineness(lens, *FINENESS.start());
         for fineness in FINENESS.skip(1) {
             if table.end >= wanted.min(table.start_end) {
                 break;
             }
-            table = Self::with(lens, fineness);
+            table = Self::with_fineness(lens, fineness);
         }
         table
     }
 
-    fn with(lens: &Radial, fineness: u32) -> Self {
+    fn with_fineness(lens: &Radial, fineness: u32) -> Self {
         let scale = lens.unit.log2().floor() as i32;
         let first = f64::powi(2.0, scale + OCTAVES.start);
         let last = f64::powi(2.0, scale + OCTAVES.end).min(lens.x_max);
@@ -62,13 +62,13 @@ impl Table {
         let base = first.to_bits() >> shift;
         let mut table = Self { cubics: Vec::new(), first, base, shift, start_end: 0.0, end: 0.0, bound: 0.0 };
         let derivatives = Derivatives::new(lens);
-        let mut from = InverseNode::at(lens, 0.0);
+        let mut from = InverseNode::new(lens, 0.0);
         for number in 0u64.. {
             let x = f64::from_bits((base + number) << shift);
             if x > last {
                 break;
             }
-            let to = InverseNode::at(lens, x);
+            let to = InverseNode::new(lens, x);
             let bound = derivatives.bound(&from, &to);
             if bound > START_TOLERANCE || !bound.is_finite() {
                 break;
@@ -97,7 +97,7 @@ struct InverseNode {
 }
 
 impl InverseNode {
-    fn at(lens: &Radial, x: f64) -> Self {
+    fn new(lens: &Radial, x: f64) -> Self {
         let r = lens.undistort(x);
         Self { x, r, slope: 1.0 / lens.derivative(r) }
     }

@@ -109,7 +109,7 @@ impl WarpView {
             return lens.undistort_points(places, to, false, progress);
         }
         for (from, to) in places.chunks(TILE).zip(to.chunks_mut(TILE)) {
-            PointTile::new(from).moved(to, |radii| lens.undistort_blocks(radii, false, 0.0));
+            PointTile::new(from).scale_radii(to, |radii| lens.undistort_blocks(radii, false, 0.0));
             progress.check()?;
         }
         Ok(())

@@ -70,7 +70,7 @@ where
         let jobs = self.jobs()?;
         progress.expect(jobs.len() as u64);
         let one = |job: &Job<'_, P>, map: Option<&mut [P::Real]>| {
-            let sums = comparison.of(&job.pair, job.mask, map, progress)?;
+            let sums = comparison.compare_pair(&job.pair, job.mask, map, progress)?;
             progress.report(1)?;
             Ok(sums)
         };
@@ -98,7 +98,7 @@ where
 }
 
 impl Comparison {
-    fn of<P>(
+    fn compare_pair<P>(
         &self,
         pair: &Pair<'_, P>,
         mask: Option<Plane<'_, u8>>,

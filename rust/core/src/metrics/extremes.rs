@@ -40,7 +40,7 @@ pub struct Extremes<P> {
 
 impl<P: Pixel> Default for Extremes<P> {
     fn default() -> Self {
-        Self { least: [P::GREATEST; LANES], greatest: [P::LEAST; LANES] }
+        Self { least: [P::MAX; LANES], greatest: [P::MIN; LANES] }
     }
 }
 

@@ -15,9 +15,9 @@ const DENSE: usize = 1 << 20;
 /// Returns the fraction of the reference's objects that are visible (OVC), and the mean fraction of each object's
 /// pixels that are visible (OFC); `None` if the reference shows no object. Negative numbers are no objects.
 pub fn object_completion(reference: &[i32], test: &[i32]) -> Option<(f64, f64)> {
-    let (wanted, found) = rayon::join(|| PixelCounts::of(reference), || PixelCounts::of(test));
+    let (wanted, found) = rayon::join(|| PixelCounts::new(reference), || PixelCounts::new(test));
     let (mut objects, mut visible, mut shares) = (0u64, 0u64, 0.0);
-    for (object, pixels) in wanted.each() {
+    for (object, pixels) in wanted.iter() {
         let seen = found.get(object);
         objects += 1;
         visible += u64::from(seen > 0);
@@ -52,7 +52,7 @@ impl Run {
 }
 
 impl PixelCounts {
-    fn of(ids: &[i32]) -> Self {
+    fn new(ids: &[i32]) -> Self {
         // One array of counts per thread, because creating and adding arrays costs as much as counting. Integer sums
         // do not depend on the partition.
         let each = ids.len().div_ceil(rayon::current_num_threads()).max(PIXELS_PER_TASK);
@@ -115,7 +115,7 @@ impl PixelCounts {
     }
 
     /// Returns the objects with pixels, in order, and their counts.
-    fn each(&self) -> impl Iterator<Item = (usize, u64)> + '_ {
+    fn iter(&self) -> impl Iterator<Item = (usize, u64)> + '_ {
         let dense = self.dense.iter().copied().enumerate().filter(|&(_, pixels)| pixels > 0);
         dense.chain(self.sparse.iter().map(|(&object, &pixels)| (object, pixels)))
     }

@@ -73,8 +73,8 @@ impl<'a, P: PixelRows> Pair<'a, P> {
         [s, d]: [&mut [R]; 2],
     ) {
         for ((s, d), column) in s.iter_mut().zip(d).zip(columns) {
-            let x = R::narrow(self.reference.at(row, column).wide()) - levels[0];
-            let y = R::narrow(self.test.at(row, column).wide()) - levels[1];
+            let x = R::narrow(self.reference.value(row, column).wide()) - levels[0];
+            let y = R::narrow(self.test.value(row, column).wide()) - levels[1];
             (*s, *d) = (x + y, x - y);
         }
     }
@@ -117,7 +117,7 @@ impl<'a, P: PixelRows> Pair<'a, P> {
     /// Returns the squared difference of one pixel.
     #[inline(always)]
     pub(super) fn square(&self, row: usize, column: usize) -> f64 {
-        let difference = self.reference.at(row, column).wide() - self.test.at(row, column).wide();
+        let difference = self.reference.value(row, column).wide() - self.test.value(row, column).wide();
         difference * difference
     }
 }

@@ -7,9 +7,9 @@ pub trait Pixel: Copy + PartialOrd + Send + Sync {
     /// Precision of computations; float32 holds every 8- and 16-bit difference exactly.
     type Real: RoundingLimits;
     /// Smallest value of the type.
-    const LEAST: Self;
+    const MIN: Self;
     /// Largest value of the type.
-    const GREATEST: Self;
+    const MAX: Self;
     /// The value.
     fn real(self) -> Self::Real;
 }
@@ -22,35 +22,35 @@ pub trait RoundingLimits: Real {
     /// Maximum distance of a window from the level, in units of √c₁ or √c₂.
     const FARTHEST: f64;
     /// Maximum level: its square, and the product of two such squares, are finite.
-    const GREATEST: f64;
+    const MAX_LEVEL: f64;
     /// Maximum divisor, far below overflow.
     const DIVISOR: f64;
     /// Minimum constant: the product of both keeps all digits.
-    const LEAST: f64;
+    const MIN_CONSTANT: f64;
 }
 
 impl RoundingLimits for f32 {
     const REACH: f64 = 20.0;
     const FARTHEST: f64 = 1e4;
-    const GREATEST: f64 = 1e8;
+    const MAX_LEVEL: f64 = 1e8;
     const DIVISOR: f64 = 1e37;
-    const LEAST: f64 = 1e-15;
+    const MIN_CONSTANT: f64 = 1e-15;
 }
 
 impl RoundingLimits for f64 {
     const REACH: f64 = 5e3;
     const FARTHEST: f64 = 1e7;
-    const GREATEST: f64 = 1e75;
+    const MAX_LEVEL: f64 = 1e75;
     const DIVISOR: f64 = 1e305;
-    const LEAST: f64 = 1e-140;
+    const MIN_CONSTANT: f64 = 1e-140;
 }
 
 macro_rules! pixel {
     ($($type:ident => $real:ty, $least:ident to $greatest:ident);*) => {$(
         impl Pixel for $type {
             type Real = $real;
-            const LEAST: $type = $type::$least;
-            const GREATEST: $type = $type::$greatest;
+            const MIN: $type = $type::$least;
+            const MAX: $type = $type::$greatest;
             #[inline(always)]
             fn real(self) -> $real {
                 <$real>::from(self)
@@ -116,7 +116,7 @@ impl<'a, P: Pixel> Plane<'a, P> {
 
     /// Returns a pixel's value in computing precision.
     #[inline(always)]
-    pub fn at(&self, row: usize, column: usize) -> P::Real {
+    pub fn value(&self, row: usize, column: usize) -> P::Real {
         self.pixel(row, column).real()
     }
 
@@ -145,7 +145,7 @@ impl<'a, P: Pixel> Plane<'a, P> {
         let mut few = part.samples().filter(is_asked).peekable();
         let first = if few.peek().is_none() { mask.and_then(|mask| mask.first(part)) } else { None };
         let values =
-            few.chain(first).map(|(row, column)| self.at(row, column).wide()).filter(|value| value.is_finite());
+            few.chain(first).map(|(row, column)| self.value(row, column).wide()).filter(|value| value.is_finite());
         let (sum, count) = values.fold((0.0, 0.0), |(sum, count), value| (sum + value, count + 1.0));
         if count > 0.0 { sum / count } else { 0.0 }
     }

@@ -11,7 +11,7 @@ use super::point::Morph;
 use crate::base::Real;
 
 /// Maximum r₂/(r₂−r₁). Rounding of a float32 weight w grows by this factor; above the limit the morph uses float64.
-const GREATEST_STEEPNESS: f64 = 16.0;
+const MAX_STEEPNESS: f64 = 16.0;
 
 /// Returns whether the kernel may be used: no length overflows or loses digits, and points within r₁ do not move.
 pub(super) fn applies<T: BlendLimits>(morph: &Morph) -> bool {
@@ -22,7 +22,7 @@ pub(super) fn applies<T: BlendLimits>(morph: &Morph) -> bool {
     let in_range = morph.r2 > least && morph.r2 < greatest && morph.offset.length() < greatest;
     // Two float32 numbers represent O to 2⁻⁴⁸ of its length, which must stay far below `DOUBT` of the inner radius.
     let in_range = in_range && morph.center.length() < 1e6 * if morph.r1 > 0.0 { morph.r1 } else { morph.r2 };
-    in_range && morph.r2 < GREATEST_STEEPNESS * (morph.r2 - morph.r1)
+    in_range && morph.r2 < MAX_STEEPNESS * (morph.r2 - morph.r1)
 }
 
 /// Constants of the kernel, in the precision of the points.

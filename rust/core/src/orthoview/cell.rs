@@ -39,14 +39,14 @@ impl Cell {
 
     /// Returns the minimum and maximum corner of the volume in which surfaces count, world positions; surfaces on the
     /// cell's sides do.
-    pub fn seen(&self, origin: DVec3) -> (DVec3, DVec3) {
+    pub fn bounds_with_margin(&self, origin: DVec3) -> (DVec3, DVec3) {
         let margin = self.margin(origin);
         (self.corner - margin, self.corner + self.side + margin)
     }
 
     /// Returns the volume of `seen` as half-spaces (n, d), n·x + d ≥ 0.
     pub fn limits(&self, origin: DVec3) -> Result<Limits> {
-        let (low, high) = self.seen(origin);
+        let (low, high) = self.bounds_with_margin(origin);
         let planes: [[f64; 4]; 6] = std::array::from_fn(|n| {
             let axis = n / 2;
             let (sign, offset) = if n % 2 == 0 { (1.0, -low[axis]) } else { (-1.0, high[axis]) };
@@ -136,7 +136,7 @@ mod tests {
         let sight = Sight::new(&cell, Direction::new([1, 1, 0]).unwrap().frame(), 64);
         let camera = sight.camera().unwrap();
         for place in [DVec3::ZERO, DVec3::new(3.25, 60.0, 11.0), DVec3::new(32.0, 32.0, sight.extents.z / 2.0)] {
-            let (start, direction) = camera.rays().at(place.x, place.y);
+            let (start, direction) = camera.rays().ray(place.x, place.y);
             let right = camera.position + start + direction * place.z;
             assert!((sight.point(place) - right).length() < 1e-12, "{place}");
             assert!((sight.place(right) - place).length() < 1e-12, "{place}");

@@ -56,7 +56,7 @@ pub fn surfels(bits: &[u8], size: usize) -> Result<Vec<bool>> {
 
 /// Returns whether a pixel with a number of connected neighbours is a surfel.
 pub(super) fn is_surfel(neighbours: u8) -> bool {
-    neighbours > MOST_OF_BALL
+    neighbours > MAX_NEIGHBOURS
 }
 
 /// Counts the connected neighbours of each pixel of a view.
@@ -82,7 +82,7 @@ fn neighbour(pixel: usize, (columns, rows): (i64, i64), size: usize) -> Option<u
 }
 
 /// Maximum number of connected neighbours of a ball.
-const MOST_OF_BALL: u8 = 4;
+const MAX_NEIGHBOURS: u8 = 4;
 
 /// Returns the direct connections of pairs.
 fn pairs(view: &View, frame: Frame, format: &Format, bounds: &Bounds) -> Vec<u8> {

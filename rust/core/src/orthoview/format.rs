@@ -14,14 +14,14 @@ pub struct Format {
 }
 
 /// Maximum size of a view, pixels.
-const MOST_SIZE: usize = 4096;
+const MAX_SIZE: usize = 4096;
 
 impl Format {
     /// Creates a format. Codes of `depth_bits` bits give the maximum number of steps that is a multiple of 6: then
     /// children lie on whole steps of their parents' ranges.
     pub fn new(size: usize, depth_bits: u32, normal_bits: u32) -> Result<Self> {
-        if size == 0 || !size.is_multiple_of(4) || size > MOST_SIZE {
-            return Err(Error::value("size", format!("a multiple of 4, at most {MOST_SIZE}"), size));
+        if size == 0 || !size.is_multiple_of(4) || size > MAX_SIZE {
+            return Err(Error::value("size", format!("a multiple of 4, at most {MAX_SIZE}"), size));
         }
         if !(8..=16).contains(&depth_bits) {
             return Err(Error::value("depth_bits", "8 to 16", depth_bits));

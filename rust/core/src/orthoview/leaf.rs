@@ -54,7 +54,7 @@ impl Views {
         };
         let layers: Vec<(View, Option<View>)> = directions.par_iter().map(layers).collect::<Result<_>>()?;
         let (views, second): (_, Vec<_>) = layers.into_iter().unzip();
-        Ok(Self::drawn(directions, format, views, second.into_iter().collect()))
+        Ok(Self::from_layers(directions, format, views, second.into_iter().collect()))
     }
 }
 
@@ -72,7 +72,7 @@ fn layers<S: Surfaces>(
     }
     let step = step(drawing.sight, format);
     let gap = f64::from(reach(drawing.sight.pixel(), step)) * step;
-    let start = Start::behind((0..4 * format.pixels()).map(|at| first.range(at)), gap as f32);
+    let start = Start::from_first_ranges((0..4 * format.pixels()).map(|at| first.range(at)), gap as f32);
     drop(first);
     let behind = coded(&draw(Some(&start))?, lines, drawing, format);
     drawing.progress.check()?;

@@ -59,7 +59,7 @@ impl<'a> Lines<'a> {
 
     /// Returns whether a line is free between a distance from a point and the cell's side.
     fn is_free(&self, point: DVec3, line: DVec3, distance: f64) -> bool {
-        let Segment { t_max, .. } = self.limits.of(point, line);
+        let Segment { t_max, .. } = self.limits.clip_ray(point, line);
         let ray = Ray { origin: point.as_vec3(), direction: line.as_vec3(), t_min: distance as f32, t_max };
         let mut is_hit = [false];
         any_hits(self.scene, &[ray], &AlphaFilter::new(self.scene, All), &mut is_hit);

@@ -66,7 +66,7 @@ impl Parent {
             let numbers = (0..self.directions.len()).into_par_iter();
             numbers.map(|number| self.finished_behind(children, number)).collect()
         });
-        Views::drawn(&self.directions, &self.format, views, behind)
+        Views::from_layers(&self.directions, &self.format, views, behind)
     }
 
     /// Returns the second-layer view of one direction.
@@ -158,7 +158,7 @@ mod tests {
                 parent.add([0, 0, z], if z == 1 { &near } else { &far }).unwrap();
             }
             let views = parent.finish();
-            let (first, behind) = (&views.views()[0].texels, &views.behind().unwrap().views()[0].texels.clone());
+            let (first, behind) = (&views.views()[0].texels, &views.second_layer().unwrap().views()[0].texels.clone());
             // A child of 4 × 4 pixels fills the lower left quarter.
             let shown = |texels: &[Texel]| texels.iter().map(|texel| texel.depth).collect::<Vec<_>>();
             let quarter =

@@ -55,7 +55,7 @@ struct Projected {
 
 impl<'a> Raster<'a> {
     fn new(scene: &'a Scene, cell: &Cell, sight: &'a Sight) -> Self {
-        let (low, high) = cell.seen(scene.origin);
+        let (low, high) = cell.bounds_with_margin(scene.origin);
         let hits = vec![Hit::MISS; sight.pixels * sight.pixels];
         let (low, high) = (low - scene.origin, high - scene.origin);
         Self { scene, sight, low, high, has_cutouts: scene.has_cutouts(), hits }
@@ -78,7 +78,7 @@ impl<'a> Raster<'a> {
         for row in rows {
             let line = edges.map(|edge| edge.at_row(row as f64 + 0.5));
             for column in span(&line, &columns) {
-                let weights = line.map(|line| line.at(column as f64 + 0.5));
+                let weights = line.map(|line| line.value(column as f64 + 0.5));
                 // Their sum is the area up to rounding, and pure rounding for an edge-on triangle.
                 let sum = weights.iter().sum::<f64>();
                 if sum == 0.0 || weights.iter().any(|&weight| weight < 0.0) {
@@ -165,7 +165,7 @@ impl Edge {
 
 impl Line {
     #[inline]
-    fn at(&self, x: f64) -> f64 {
+    fn value(&self, x: f64) -> f64 {
         self.start - self.step * (x - self.from)
     }
 }

@@ -20,7 +20,7 @@ pub struct Start {
 
 impl Start {
     /// Starts more than a gap behind the first surfaces, given their distances; metres.
-    pub fn behind(first: impl Iterator<Item = f32>, gap: f32) -> Self {
+    pub fn from_first_ranges(first: impl Iterator<Item = f32>, gap: f32) -> Self {
         let least: Vec<f32> = first.map(|range| (range + gap).next_up()).collect();
         let mask = least.iter().map(|least| least.is_finite()).collect();
         Self { least, mask }
@@ -100,7 +100,7 @@ mod tests {
 
     #[test]
     fn second_surfaces_lie_more_than_a_gap_behind_first_ones() {
-        let start = Start::behind([2.0, f32::INFINITY].into_iter(), 0.5);
+        let start = Start::from_first_ranges([2.0, f32::INFINITY].into_iter(), 0.5);
         assert_eq!(start.mask(), [true, false]);
         assert!(!start.holds(0, 2.5) && start.holds(0, 2.5f32.next_up()) && !start.holds(1, f32::MAX));
     }

@@ -14,7 +14,7 @@ use super::view::{Texel, View, Views};
 /// A view shows a point if the depth of one of the 3 × 3 pixels around its position is within the reach of one
 /// surface.
 pub fn unseen(views: &Views) -> Vec<f32> {
-    let Some(behind) = views.behind() else { return vec![0.0; views.directions.len()] };
+    let Some(behind) = views.second_layer() else { return vec![0.0; views.directions.len()] };
     // Ratios do not depend on the cell.
     let cell = Cell { corner: DVec3::ZERO, side: 1.0 };
     let sights = views.directions.iter().map(|direction| Sight::new(&cell, direction.frame(), views.format.size));

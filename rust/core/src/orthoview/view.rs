@@ -58,13 +58,13 @@ pub struct Views {
 
 impl Views {
     /// Creates views from drawn layers.
-    pub(super) fn drawn(
+    pub(super) fn from_layers(
         directions: &[Direction],
         format: &Format,
         views: Vec<View>,
         behind: Option<Vec<View>>,
     ) -> Self {
-        let behind = behind.and_then(|views| shown(views.into()));
+        let behind = behind.and_then(|views| unless_empty(views.into()));
         Self { directions: directions.to_vec(), format: *format, views: views.into(), behind }
     }
 
@@ -102,7 +102,7 @@ impl Views {
 
     /// Returns the second layer: views of the nearest surfaces more than a gap behind the first. `None` if it is
     /// empty.
-    pub fn behind(&self) -> Option<Self> {
+    pub fn second_layer(&self) -> Option<Self> {
         let views = self.behind.clone()?;
         Some(Self { directions: self.directions.clone(), format: self.format, views, behind: None })
     }
@@ -112,7 +112,7 @@ impl Views {
         if (&behind.directions, behind.format) != (&self.directions, self.format) {
             return Err(Error::value("behind", "the directions and the format of the views before it", "others"));
         }
-        Ok(Self { behind: shown(behind.views.clone()), ..self.clone() })
+        Ok(Self { behind: unless_empty(behind.views.clone()), ..self.clone() })
     }
 
     /// Returns the views with the second layer only of the directions for which `keep` is true.
@@ -121,12 +121,12 @@ impl Views {
             return Err(Error::value("keep", format!("{} values", self.directions.len()), keep.len()));
         }
         let one = |(view, keep): (&View, &bool)| if *keep { view.clone() } else { View::empty(&self.format) };
-        let behind = self.behind.as_ref().and_then(|views| shown(views.iter().zip(keep).map(one).collect()));
+        let behind = self.behind.as_ref().and_then(|views| unless_empty(views.iter().zip(keep).map(one).collect()));
         Ok(Self { behind, ..self.clone() })
     }
 }
 
 /// Returns a second layer; `None` if it is empty.
-fn shown(views: Arc<[View]>) -> Option<Arc<[View]>> {
+fn unless_empty(views: Arc<[View]>) -> Option<Arc<[View]>> {
     (!views.iter().all(View::is_empty)).then_some(views)
 }

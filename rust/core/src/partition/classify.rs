@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::radii::{Indexed, Soup, TriangleSource, measure, placed};
+use super::radii::{Indexed, Soup, TriangleSource, measure, placed_triangles};
 use super::zone::{Class, Mixed, Zone};
 use crate::base::{Aabb, Progress, Result};
 use crate::scene::Instance;
@@ -73,7 +73,7 @@ impl Ruler {
                     let triangles = Indexed { vertices: &mesh.positions, faces };
                     self.zones(first, &triangles, &candidates)
                 } else {
-                    let corners = placed(instance, first..first + faces.len() as u32);
+                    let corners = placed_triangles(instance, first..first + faces.len() as u32);
                     let candidates: Vec<u32> = (0..)
                         .zip(&corners)
                         .filter(|(_, corners)| !self.is_far(corners))

@@ -60,12 +60,12 @@ impl LoadCurve {
 
     /// Returns `count` of many radii.
     pub fn counts(&self, radii: &[f64], progress: &Progress) -> Result<Vec<i64>> {
-        each(radii, |&r2| self.count(r2), progress)
+        try_map_rows(radii, |&r2| self.count(r2), progress)
     }
 
     /// Returns `radius` of many budgets.
     pub fn radii(&self, budgets: &[i64], progress: &Progress) -> Result<Vec<f64>> {
-        each(budgets, |&budget| self.radius(budget), progress)
+        try_map_rows(budgets, |&budget| self.radius(budget), progress)
     }
 
     /// Returns the number of triangles that stay geometry at r₂, equal to that of `Partition`. Fails for NaN or r₂ <
@@ -97,7 +97,7 @@ impl LoadCurve {
 }
 
 /// Maps rows in parallel. Returns the error of the first failing row, independent of the number of threads.
-fn each<A: Sync, B: Clone + Send>(
+fn try_map_rows<A: Sync, B: Clone + Send>(
     rows: &[A],
     of: impl Fn(&A) -> Result<B> + Sync,
     progress: &Progress,

@@ -173,12 +173,12 @@ pub(super) fn measure_faces(
         let faces = &instance.mesh.faces[faces];
         measure(&Indexed { vertices: &instance.mesh.positions, faces }, count, axis, |i| i, take);
     } else {
-        let corners = placed(instance, faces.start as u32..faces.end as u32);
+        let corners = placed_triangles(instance, faces.start as u32..faces.end as u32);
         measure(&Soup(&corners), count, axis, |i| i, take);
     }
 }
 
 /// Returns the corners of an instance's faces, relative to the scene's origin, as consecutive triangles.
-pub(super) fn placed(instance: &Instance, faces: impl Iterator<Item = u32>) -> Vec<[[f32; 3]; 3]> {
+pub(super) fn placed_triangles(instance: &Instance, faces: impl Iterator<Item = u32>) -> Vec<[[f32; 3]; 3]> {
     faces.map(|face| instance.corners(face).map(|corner| corner.to_array())).collect()
 }

@@ -24,7 +24,7 @@ fn scene(origin: DVec3, standing: Vec<Instance>, moving: Vec<Instance>) -> Scene
     Scene::new(origin, standing, moving, Arc::default(), Arc::default()).unwrap()
 }
 
-fn placed(mesh: &Arc<Mesh>, to_scene: DAffine3) -> Instance {
+fn instance(mesh: &Arc<Mesh>, to_scene: DAffine3) -> Instance {
     Instance::new(Arc::clone(mesh), to_scene, None).unwrap()
 }
 
@@ -77,13 +77,13 @@ proptest! {
         let shared = mesh(&all);
         let standing: Vec<Instance> = places.iter().map(|&(x, angle, scale): &(f64, f64, f64)| {
             let turn = DAffine3::from_rotation_y(angle) * DAffine3::from_scale(DVec3::splat(scale));
-            placed(&shared, DAffine3::from_translation(DVec3::new(x, 0.0, -x)) * turn)
-        }).chain([placed(&shared, DAffine3::IDENTITY)]).collect();
+            instance(&shared, DAffine3::from_translation(DVec3::new(x, 0.0, -x)) * turn)
+        }).chain([instance(&shared, DAffine3::IDENTITY)]).collect();
         let (origin, progress) = (DVec3::new(1e6, 0.0, -3e5), Progress::new());
         let instanced = scene(origin, standing, vec![]);
         let corners: Vec<[[f32; 3]; 3]> =
             instanced.triangles(&Progress::new()).unwrap().chunks_exact(9).map(|c| [0, 3, 6].map(|i| [c[i], c[i + 1], c[i + 2]])).collect();
-        let merged = scene(origin, vec![placed(&mesh(&corners), DAffine3::IDENTITY)], vec![]);
+        let merged = scene(origin, vec![instance(&mesh(&corners), DAffine3::IDENTITY)], vec![]);
         let center = origin + DVec3::new(1.0, 5.0, -2.0);
         let [a, b] = [&instanced, &merged].map(|s| Partition::new(s, center, r1, r1 + width, &progress).unwrap());
         for part in [TriangleSet::Near, TriangleSet::Intermediate, TriangleSet::Far, TriangleSet::Nsf, TriangleSet::Sf] {
@@ -125,8 +125,8 @@ fn degenerate_triangles_are_what_they_are() {
 fn moving_triangles_stay_geometry() {
     let near = mesh(&[[[1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 1.0, 1.0]]]);
     let far = DAffine3::from_translation(DVec3::X * 500.0);
-    let standing = vec![placed(&near, DAffine3::IDENTITY), placed(&near, far)];
-    let both = scene(DVec3::ZERO, standing, vec![placed(&near, far)]);
+    let standing = vec![instance(&near, DAffine3::IDENTITY), instance(&near, far)];
+    let both = scene(DVec3::ZERO, standing, vec![instance(&near, far)]);
     let progress = Progress::new();
     let partition = Partition::new(&both, DVec3::ZERO, 30.0, 50.0, &progress).unwrap();
     partition.validate(&progress).unwrap();
@@ -146,7 +146,7 @@ fn moving_triangles_stay_geometry() {
 #[test]
 fn empty_scenes_have_empty_partitions() {
     let (nothing, progress) =
-        (scene(DVec3::ZERO, vec![placed(&mesh(&[]), DAffine3::IDENTITY)], vec![]), Progress::new());
+        (scene(DVec3::ZERO, vec![instance(&mesh(&[]), DAffine3::IDENTITY)], vec![]), Progress::new());
     let partition = Partition::new(&nothing, DVec3::ZERO, 0.0, 1.0, &progress).unwrap();
     assert!(partition.counts().sf == 0 && partition.nsf().next().is_none());
     partition.validate(&progress).unwrap();
@@ -156,7 +156,7 @@ fn empty_scenes_have_empty_partitions() {
 
 #[test]
 fn nonsense_and_cancelling_stop_early() {
-    let one = scene(DVec3::ZERO, vec![placed(&mesh(&[[[1.0; 3]; 3]]), DAffine3::IDENTITY)], vec![]);
+    let one = scene(DVec3::ZERO, vec![instance(&mesh(&[[[1.0; 3]; 3]]), DAffine3::IDENTITY)], vec![]);
     let progress = Progress::new();
     for (center, r1, r2) in
         [(DVec3::NAN, 1.0, 2.0), (DVec3::ZERO, 2.0, 2.0), (DVec3::ZERO, -1.0, 2.0), (DVec3::ZERO, 1.0, f64::NAN)]

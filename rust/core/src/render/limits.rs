@@ -5,7 +5,7 @@ use glam::{DVec3, DVec4};
 use crate::base::{Error, Result};
 
 /// Maximum number of planes: the limit of graphics adapters.
-pub const MOST_PLANES: usize = 8;
+pub const MAX_PLANES: usize = 8;
 
 /// Segment of each pixel's ray in which surfaces are visible, in metres from the camera or, for parallel rays, from
 /// the image plane.
@@ -30,18 +30,18 @@ pub struct Limits {
     /// Segment of each ray.
     pub segment: Segment,
     /// Half-spaces n·x + d ≥ 0, as (n, d); the first `count` of them.
-    planes: [DVec4; MOST_PLANES],
+    planes: [DVec4; MAX_PLANES],
     count: usize,
 }
 
 impl Limits {
     /// No limits.
-    pub const NONE: Self = Self { segment: Segment::WHOLE, planes: [DVec4::ZERO; MOST_PLANES], count: 0 };
+    pub const NONE: Self = Self { segment: Segment::WHOLE, planes: [DVec4::ZERO; MAX_PLANES], count: 0 };
 
     /// Creates limits from a segment of each ray, and half-spaces (n, d) that keep points x with n·x + d ≥ 0.
     pub fn new(segment: Segment, planes: &[[f64; 4]]) -> Result<Self> {
-        if planes.len() > MOST_PLANES {
-            let expected = format!("at most {MOST_PLANES} half-spaces, of which a box takes six");
+        if planes.len() > MAX_PLANES {
+            let expected = format!("at most {MAX_PLANES} half-spaces, of which a box takes six");
             return Err(Error::value("clip", expected, planes.len()));
         }
         let mut limits = Self { segment, count: planes.len(), ..Self::NONE };
@@ -77,7 +77,7 @@ impl Limits {
 
     /// Returns the visible segment of a ray.
     #[inline]
-    pub fn of(&self, start: DVec3, direction: DVec3) -> Segment {
+    pub fn clip_ray(&self, start: DVec3, direction: DVec3) -> Segment {
         if self.count == 0 {
             return self.segment;
         }
@@ -105,13 +105,16 @@ mod tests {
         let planes = [[0.0, 0.0, -1.0, -2.0], [0.0, 0.0, 2.0, 16.0]];
         let limits = Limits::new(Segment { t_min: 0.5, t_max: 7.0 }, &planes).unwrap();
         // Points between z = −2 and z = −8 are visible.
-        assert_eq!(limits.of(DVec3::ZERO, DVec3::NEG_Z), Segment { t_min: 2.0, t_max: 7.0 });
-        assert_eq!(limits.of(DVec3::new(0.0, 0.0, -10.0), DVec3::Z), Segment { t_min: 2.0, t_max: 7.0 });
-        assert_eq!(limits.of(DVec3::new(0.0, 0.0, -10.0), DVec3::NEG_Z), Segment::EMPTY);
-        assert_eq!(limits.of(DVec3::new(0.0, 0.0, -5.0), DVec3::X), limits.segment);
-        assert_eq!(limits.of(DVec3::new(0.0, 0.0, 5.0), DVec3::X), Segment::EMPTY);
+        assert_eq!(limits.clip_ray(DVec3::ZERO, DVec3::NEG_Z), Segment { t_min: 2.0, t_max: 7.0 });
+        assert_eq!(limits.clip_ray(DVec3::new(0.0, 0.0, -10.0), DVec3::Z), Segment { t_min: 2.0, t_max: 7.0 });
+        assert_eq!(limits.clip_ray(DVec3::new(0.0, 0.0, -10.0), DVec3::NEG_Z), Segment::EMPTY);
+        assert_eq!(limits.clip_ray(DVec3::new(0.0, 0.0, -5.0), DVec3::X), limits.segment);
+        assert_eq!(limits.clip_ray(DVec3::new(0.0, 0.0, 5.0), DVec3::X), Segment::EMPTY);
         let moved = limits.relative_to(DVec3::new(3.0, 9.0, -10.0));
-        assert_eq!(moved.of(DVec3::new(-3.0, -9.0, 10.0), DVec3::NEG_Z), limits.of(DVec3::ZERO, DVec3::NEG_Z));
+        assert_eq!(
+            moved.clip_ray(DVec3::new(-3.0, -9.0, 10.0), DVec3::NEG_Z),
+            limits.clip_ray(DVec3::ZERO, DVec3::NEG_Z)
+        );
     }
 
     #[test]

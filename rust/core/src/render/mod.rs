@@ -15,7 +15,7 @@ mod ring_layers;
 pub mod reduced;
 
 pub use frame::{Channels, Frame, Sample};
-pub use limits::{Limits, MOST_PLANES, Segment};
+pub use limits::{Limits, MAX_PLANES, Segment};
 pub use mask::MaskPyramid;
 pub use sides::{Luma, Sides};
 pub use surface::{Facet, Surface};

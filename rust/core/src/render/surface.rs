@@ -100,7 +100,7 @@ pub(super) fn add_colors(
             _ => *last.insert(Facet::new(scene, hit.instance, hit.face)),
         };
         let surface = facet.surface((hit.u, hit.v), ray.direction);
-        let width = if is_textured { footprint(n).at(hit.t) } else { 0.0 };
+        let width = if is_textured { footprint(n).width_at(hit.t) } else { 0.0 };
         add(&mut sums[n], surface.color(scene, width));
     }
 }

@@ -27,7 +27,7 @@ const STILL: f32 = 1.0;
 /// Speed at which the box stops growing, pixels per picture.
 const FAST: f32 = 4.0;
 /// Minimum half side of a box, which keeps divisions finite.
-const LEAST_HALF: f32 = 1e-12;
+const MIN_HALF_SIDE: f32 = 1e-12;
 
 impl Moving<'_> {
     /// Blends the picture with the history `gathered`, of the same size; `share` is the weight of the picture.
@@ -49,7 +49,7 @@ impl Moving<'_> {
         mixed.par_chunks_mut(self.width).enumerate().try_for_each(|(y, row)| {
             for (x, mixed) in row.iter_mut().enumerate() {
                 let now = self.color[y * self.width + x];
-                *mixed = match self.before(gathered, x, y) {
+                *mixed = match self.history_color(gathered, x, y) {
                     None => now,
                     Some(before) => std::array::from_fn(|i| before[i] + (now[i] - before[i]) * share),
                 };
@@ -59,7 +59,7 @@ impl Moving<'_> {
     }
 
     /// Returns the history's colour at the previous position of a pixel's surface; `None` outside the picture.
-    fn before(&self, gathered: &[Color], x: usize, y: usize) -> Option<Color> {
+    fn history_color(&self, gathered: &[Color], x: usize, y: usize) -> Option<Color> {
         let (width, height) = (self.width, self.color.len() / self.width);
         let [right, down] = self.motion[self.nearest_around(x, y)];
         let from = [x as f64 + 0.5 - f64::from(right), y as f64 + 0.5 - f64::from(down)];
@@ -75,11 +75,12 @@ impl Moving<'_> {
     /// Returns the pixel with the nearest surface in the 3 × 3 square: both sides of an edge move with its foreground.
     fn nearest_around(&self, x: usize, y: usize) -> usize {
         let own = y * self.width + x;
-        self.around(x, y).fold(own, |best, pixel| if self.range[pixel] < self.range[best] { pixel } else { best })
+        self.neighbourhood(x, y)
+            .fold(own, |best, pixel| if self.range[pixel] < self.range[best] { pixel } else { best })
     }
 
     /// Returns the pixels of the 3 × 3 square around one that lie in the picture.
-    fn around(&self, x: usize, y: usize) -> impl Iterator<Item = usize> {
+    fn neighbourhood(&self, x: usize, y: usize) -> impl Iterator<Item = usize> {
         let (width, height) = (self.width, self.color.len() / self.width);
         let columns = x.saturating_sub(1)..(x + 2).min(width);
         (y.saturating_sub(1)..(y + 2).min(height)).flat_map(move |row| columns.clone().map(move |x| row * width + x))
@@ -88,7 +89,7 @@ impl Moving<'_> {
     /// Returns the bounding box of the colours of 3 × 3 pixels, scaled about its middle.
     fn box_around(&self, x: usize, y: usize, growth: f32) -> ColorBox {
         let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
-        for pixel in self.around(x, y) {
+        for pixel in self.neighbourhood(x, y) {
             let color = luma_chroma(self.color[pixel]);
             for i in 0..3 {
                 (low[i], high[i]) = (low[i].min(color[i]), high[i].max(color[i]));
@@ -96,7 +97,7 @@ impl Moving<'_> {
         }
         ColorBox {
             middle: std::array::from_fn(|i| 0.5 * (low[i] + high[i])),
-            half: std::array::from_fn(|i| (0.5 * growth * (high[i] - low[i])).max(LEAST_HALF)),
+            half: std::array::from_fn(|i| (0.5 * growth * (high[i] - low[i])).max(MIN_HALF_SIDE)),
         }
     }
 }
@@ -130,7 +131,7 @@ fn rgb([luma, orange, green]: Color) -> Color {
 /// Returns the colour at (x, y), pixels, by cubic interpolation (Catmull and Rom 1974), which blurs less than linear.
 /// Pixels outside the picture repeat its edge.
 pub(crate) fn cubic(picture: &[Color], width: usize, [x, y]: [f64; 2]) -> Color {
-    let ((column, across), (row, down)) = (around(x), around(y));
+    let ((column, across), (row, down)) = (cubic_taps(x), cubic_taps(y));
     let (last_column, last_row) = (width as i64 - 1, (picture.len() / width) as i64 - 1);
     let mut sum = [0.0; 3];
     for (j, vertical) in down.into_iter().enumerate() {
@@ -144,7 +145,7 @@ pub(crate) fn cubic(picture: &[Color], width: usize, [x, y]: [f64; 2]) -> Color 
 }
 
 /// Returns the first of the four pixels around a coordinate, and their weights.
-fn around(at: f64) -> (i64, [f32; 4]) {
+fn cubic_taps(at: f64) -> (i64, [f32; 4]) {
     let first = (at - 0.5).floor();
     let t = (at - 0.5 - first) as f32;
     let weights = [

@@ -58,7 +58,7 @@ impl Spots<'_> {
 
     /// Returns the position of the n-th ray in the tile, as fractions of the full tile's width and height.
     #[inline]
-    pub(super) fn within(&self, n: usize) -> [f32; 2] {
+    pub(super) fn position_in_tile(&self, n: usize) -> [f32; 2] {
         let (column, row) = self.tile.place(n);
         let share = |pixel: usize, offset: f64| ((pixel as f64 + offset) / TILE as f64) as f32;
         [share(column, self.offset[0]), share(row, self.offset[1])]
@@ -366,9 +366,9 @@ impl<P: Picture> Painter<'_, P> {
 /// Returns the ray through image position (x, y) from an eye; eye and limits are relative to the scene's origin.
 #[inline]
 pub(crate) fn ray_at(rays: &Rays, eye: DVec3, x: f64, y: f64, limits: &Limits) -> Ray {
-    let (start, direction) = rays.at(x, y);
+    let (start, direction) = rays.ray(x, y);
     let origin = eye + start;
-    let Segment { t_min, t_max } = limits.of(origin, direction);
+    let Segment { t_min, t_max } = limits.clip_ray(origin, direction);
     Ray { origin: origin.as_vec3(), direction: direction.as_vec3(), t_min, t_max }
 }
 

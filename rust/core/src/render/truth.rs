@@ -48,7 +48,12 @@ impl Picture for Truth<'_> {
             return Sample::default();
         }
         if wanted.needs_surface() {
-            return Surface::of_hit(self.scene, ray, hit).sample(self.scene, hit.t, || footprint().at(hit.t), wanted);
+            return Surface::of_hit(self.scene, ray, hit).sample(
+                self.scene,
+                hit.t,
+                || footprint().width_at(hit.t),
+                wanted,
+            );
         }
         let mut sample = Sample { range: hit.t, ..Sample::default() };
         if wanted.object_id {

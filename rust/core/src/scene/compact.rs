@@ -19,7 +19,7 @@ impl Mesh {
         let faces = gathered(&self.faces, chosen, progress)?;
         let (objects, materials) =
             (self.objects.ascending(chosen, progress)?, self.materials.ascending(chosen, progress)?);
-        let pages = Pages::of(&faces, progress)?;
+        let pages = Pages::new(&faces, progress)?;
         let faces = pages.renumbered(&faces, progress)?;
         let used = pages.vertices();
         let uvs = self.uvs.as_ref().map(|values| gathered(values, &used, progress)).transpose()?.map(Into::into);
@@ -44,7 +44,7 @@ struct Pages {
 }
 
 impl Pages {
-    fn of(faces: &[[u32; 3]], progress: &Progress) -> Result<Self> {
+    fn new(faces: &[[u32; 3]], progress: &Progress) -> Result<Self> {
         let tiles = faces.par_chunks(TILE).map(|tile| progress.check().map(|()| visited(tile)));
         let mut visits = tiles.collect::<Result<Vec<_>>>()?.concat();
         sort_by_key(&mut visits, |&(page, _)| page, progress)?;

@@ -64,7 +64,7 @@ impl Scene {
         let keep = |_, instance: &Instance| match instance.object {
             Some(object) if stays(object) => Ok(Kept::All),
             Some(_) => Ok(Kept::Faces(Vec::new())),
-            None => Kept::of(&instance.mesh, |face| stays(instance.mesh.objects.get(face)), progress),
+            None => Kept::select(&instance.mesh, |face| stays(instance.mesh.objects.get(face)), progress),
         };
         self.subset(keep, progress)
     }
@@ -89,7 +89,7 @@ impl Scene {
         }
         let keep = |first: i64, instance: &Instance| {
             let mine = &chosen[first as usize..][..instance.mesh.faces.len()];
-            Kept::of(&instance.mesh, |face| mine[face as usize], progress)
+            Kept::select(&instance.mesh, |face| mine[face as usize], progress)
         };
         self.subset(keep, progress)
     }
@@ -150,7 +150,7 @@ impl Instance {
     }
 
     /// Returns the same mesh with another transform.
-    pub fn placed(&self, to_scene: DAffine3) -> Result<Self> {
+    pub fn with_transform(&self, to_scene: DAffine3) -> Result<Self> {
         Self::new(Arc::clone(&self.mesh), to_scene, self.object)
     }
 }
@@ -167,7 +167,7 @@ enum Kept {
 }
 
 impl Kept {
-    fn of(mesh: &Mesh, keeps: impl Fn(u32) -> bool + Sync, progress: &Progress) -> Result<Self> {
+    fn select(mesh: &Mesh, keeps: impl Fn(u32) -> bool + Sync, progress: &Progress) -> Result<Self> {
         let count = mesh.faces.len() as u32;
         let faces = filtered(count, keeps, progress)?;
         Ok(if faces.len() == count as usize && count > 0 { Self::All } else { Self::Faces(faces) })

@@ -23,9 +23,9 @@ pub struct Joined<'a> {
 impl Scene {
     /// Joins scenes into one, in the frame of the first. Equal materials and textures are stored once. Meshes whose
     /// numbers do not change are shared with their trees; others share their arrays.
-    pub fn joined(parts: &[Joined<'_>], progress: &Progress) -> Result<Self> {
+    pub fn join(parts: &[Joined<'_>], progress: &Progress) -> Result<Self> {
         let [first, ..] = parts else { return Err(Error::value("scenes", "one at least", 0)) };
-        let mut surfaces = Surfaces::of(first.scene);
+        let mut surfaces = Surfaces::from_scene(first.scene);
         let (mut standing, mut moving) = (Vec::new(), Vec::new());
         for part in parts {
             progress.check()?;
@@ -34,11 +34,11 @@ impl Scene {
             let shift = DAffine3::from_translation(part.scene.origin - first.scene.origin);
             let mut add = |set: &InstanceSet, list: &mut Vec<Instance>| {
                 for instance in set.instances() {
-                    let moved = numbers.of(instance);
+                    let moved = numbers.renumber(instance);
                     list.push(if shift == DAffine3::IDENTITY {
                         moved
                     } else {
-                        moved.placed(shift * moved.to_scene)?
+                        moved.with_transform(shift * moved.to_scene)?
                     });
                 }
                 Ok(())
@@ -62,7 +62,7 @@ struct Renumbered<'a> {
 }
 
 impl Renumbered<'_> {
-    fn of(&mut self, instance: &Instance) -> Instance {
+    fn renumber(&mut self, instance: &Instance) -> Instance {
         let stays = |numbers: &[i32]| numbers.iter().zip(0..).all(|(&number, at)| number == at);
         let number = |object: i32| usize::try_from(object).ok().and_then(|at| self.objects.get(at)).copied();
         let object = instance.object.map(|object| number(object).unwrap_or(object));
@@ -106,7 +106,7 @@ mod tests {
     fn joined_scenes_have_all_objects_and_each_material_once() {
         let (one, other) = (scene(0.0, &[0.5]), scene(10.0, &[1.0, 0.5]));
         let parts = [Joined { scene: &one, objects: &[0, 1] }, Joined { scene: &other, objects: &[1, 2] }];
-        let all = Scene::joined(&parts, &Progress::new()).unwrap();
+        let all = Scene::join(&parts, &Progress::new()).unwrap();
         assert_eq!(all.materials.len(), 2);
         let objects: Vec<_> = all.instances().map(|i| [i.object_of(0), i.object_of(1)]).collect();
         assert_eq!(objects, [[0, 1], [1, 2], [1, 1], [2, 2]]);
@@ -115,6 +115,6 @@ mod tests {
         assert!(Arc::ptr_eq(&all.instance(1).mesh, &all.instance(3).mesh));
         assert_eq!(all.instance(1).corners(0)[0].to_array(), [10.0, 0.0, 0.0]);
         assert_eq!(all.instance(3).corners(0)[0].to_array(), [10.0, 1.0, 0.0]);
-        assert!(Scene::joined(&[], &Progress::new()).is_err());
+        assert!(Scene::join(&[], &Progress::new()).is_err());
     }
 }

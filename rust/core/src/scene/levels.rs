@@ -48,12 +48,12 @@ impl Scene {
     /// Adds the materials and textures of other scenes to this scene, without duplicates. Also returns each of the
     /// other scenes as one mesh in its own frame, with the new material numbers.
     pub fn with_surfaces(&self, others: &[&Self], progress: &Progress) -> Result<(Self, Vec<Mesh>)> {
-        let mut surfaces = Surfaces::of(self);
+        let mut surfaces = Surfaces::from_scene(self);
         let mut meshes = Vec::new();
         for other in others {
             let numbers = surfaces.add(other);
             let from_origin = DAffine3::from_translation(other.origin);
-            let mut parts: Vec<PlacedMesh> = other.instances().map(PlacedMesh::of).collect();
+            let mut parts: Vec<PlacedMesh> = other.instances().map(PlacedMesh::from_instance).collect();
             parts.iter_mut().for_each(|part| part.to_scene = from_origin * part.to_scene);
             let mut mesh = merge(&parts, progress)?;
             mesh.materials = mesh.materials.renumbered(&numbers);
@@ -125,7 +125,7 @@ struct TextureImage {
 }
 
 impl TextureImage {
-    fn of(texture: &Texture) -> Self {
+    fn new(texture: &Texture) -> Self {
         Self { width: texture.width, height: texture.height, texels: texture.texels.clone() }
     }
 
@@ -136,14 +136,14 @@ impl TextureImage {
 }
 
 impl Surfaces {
-    pub(super) fn of(scene: &Scene) -> Self {
-        let textures: Vec<TextureImage> = scene.textures.iter().map(TextureImage::of).collect();
+    pub(super) fn from_scene(scene: &Scene) -> Self {
+        let textures: Vec<TextureImage> = scene.textures.iter().map(TextureImage::new).collect();
         Self { materials: scene.materials.to_vec(), own: (scene.materials.len(), textures.len()), textures }
     }
 
     /// Adds a scene's materials and textures; returns the new number of each of its materials.
     pub(super) fn add(&mut self, scene: &Scene) -> Vec<i32> {
-        let links: Vec<u32> = scene.textures.iter().map(|texture| self.texture(TextureImage::of(texture))).collect();
+        let links: Vec<u32> = scene.textures.iter().map(|texture| self.texture(TextureImage::new(texture))).collect();
         let number = |material: &Material| {
             let link = |texture: Option<u32>| texture.and_then(|texture| links.get(texture as usize).copied());
             let (texture, emission_texture) = (link(material.texture), link(material.emission_texture));
@@ -199,7 +199,7 @@ mod tests {
         Arc::new(Mesh::new(positions.into(), faces.into(), None, None, objects, materials).unwrap())
     }
 
-    fn placed(mesh: &Arc<Mesh>, x: f64, object: i32) -> Instance {
+    fn instance(mesh: &Arc<Mesh>, x: f64, object: i32) -> Instance {
         Instance::new(Arc::clone(mesh), DAffine3::from_translation(DVec3::X * x), Some(object)).unwrap()
     }
 
@@ -214,9 +214,9 @@ mod tests {
     #[test]
     fn surfaces_are_added_once_and_meshes_speak_of_them() {
         let red = |texture| Material { base_color: [1.0, 0.0, 0.0, 1.0], texture, ..Material::default() };
-        let own = scene(vec![placed(&fan(2, 0), 0.0, 0)], vec![red(Some(0))], vec![image(7)]);
+        let own = scene(vec![instance(&fan(2, 0), 0.0, 0)], vec![red(Some(0))], vec![image(7)]);
         let mesh = fan(3, 1);
-        let other = || scene(vec![placed(&mesh, 0.0, 0)], vec![red(Some(0)), red(Some(1))], vec![image(9), image(7)]);
+        let other = || scene(vec![instance(&mesh, 0.0, 0)], vec![red(Some(0)), red(Some(1))], vec![image(9), image(7)]);
         let (joined, meshes) = own.with_surfaces(&[&other(), &other()], &Progress::new()).unwrap();
         assert_eq!(*joined.materials, vec![red(Some(0)), red(Some(1))]);
         assert_eq!(joined.textures.iter().map(|t| t.texels[0][0]).collect::<Vec<_>>(), [7, 9]);
@@ -232,7 +232,7 @@ mod tests {
     #[test]
     fn materials_that_are_drawn_alike_stay_apart_by_their_tags() {
         let tagged = |tag| Material { tag, ..Material::default() };
-        let level = |tag| scene(vec![placed(&fan(1, 0), 0.0, 0)], vec![tagged(tag)], vec![]);
+        let level = |tag| scene(vec![instance(&fan(1, 0), 0.0, 0)], vec![tagged(tag)], vec![]);
         let (joined, meshes) = level(1).with_surfaces(&[&level(2), &level(1)], &Progress::new()).unwrap();
         assert_eq!(*joined.materials, vec![tagged(1), tagged(2)]);
         assert_eq!([meshes[0].materials.get(0), meshes[1].materials.get(0)], [1, 0]);
@@ -241,7 +241,7 @@ mod tests {
     #[test]
     fn a_level_of_several_placed_meshes_is_one_mesh_in_its_own_frame() {
         let level =
-            scene(vec![placed(&fan(1, 0), 0.0, 0), placed(&fan(2, 0), 5.0, 1)], vec![Material::default()], vec![]);
+            scene(vec![instance(&fan(1, 0), 0.0, 0), instance(&fan(2, 0), 5.0, 1)], vec![Material::default()], vec![]);
         let far = Scene { origin: DVec3::Y * 1e5, ..level.clone() };
         let (_, meshes) = scene(vec![], vec![], vec![]).with_surfaces(&[&level, &far], &Progress::new()).unwrap();
         assert_eq!(meshes[0].faces.len(), 3);
@@ -253,7 +253,8 @@ mod tests {
     fn objects_show_their_levels_and_the_rest_stays() {
         let (fine, coarse, wall) = (fan(9, 0), fan(2, 0), fan(4, 0));
         let meshes = LevelMeshes(vec![vec![Arc::clone(&fine), Arc::clone(&coarse)]]);
-        let all = vec![placed(&wall, 0.0, 0), placed(&fine, 1.0, 1), placed(&fine, 2.0, 2), placed(&fine, 3.0, 3)];
+        let all =
+            vec![instance(&wall, 0.0, 0), instance(&fine, 1.0, 1), instance(&fine, 2.0, 2), instance(&fine, 3.0, 3)];
         let whole = scene(all, vec![Material::default()], vec![]);
         let models = [-1, 0, 0, 0];
         let shown = whole.at_levels(&meshes, &models, &[-1, 0, 1, -1]).unwrap();
@@ -261,7 +262,7 @@ mod tests {
             shown.instances().map(|i| (i.object, i.mesh.faces.len(), i.to_scene.translation.x)).collect();
         assert_eq!(found, [(Some(0), 4, 0.0), (Some(1), 9, 1.0), (Some(2), 2, 2.0)]);
         assert!(Arc::ptr_eq(&shown.instance(2).mesh, &coarse));
-        assert_eq!(shown.instance(2).bounds, placed(&coarse, 2.0, 2).bounds);
+        assert_eq!(shown.instance(2).bounds, instance(&coarse, 2.0, 2).bounds);
         let same = whole.at_levels(&meshes, &models, &[5, 0, 0, 0]).unwrap();
         assert!(Arc::ptr_eq(&same.standing, &whole.standing) && Arc::ptr_eq(&same.moving, &whole.moving));
     }
@@ -269,7 +270,7 @@ mod tests {
     #[test]
     fn levels_that_do_not_exist_are_refused() {
         let fine = fan(9, 0);
-        let whole = scene(vec![placed(&fine, 0.0, 0)], vec![Material::default()], vec![]);
+        let whole = scene(vec![instance(&fine, 0.0, 0)], vec![Material::default()], vec![]);
         let meshes = LevelMeshes(vec![vec![fine]]);
         for (models, chosen) in [(0, 1), (0, -2), (1, 0)] {
             assert!(whole.at_levels(&meshes, &[models], &[chosen]).is_err());

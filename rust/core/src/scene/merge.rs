@@ -6,7 +6,7 @@ use glam::{DAffine3, Vec3};
 use rayon::prelude::*;
 
 use super::instance::Instance;
-use super::mesh::{Mesh, TILE, turned};
+use super::mesh::{Mesh, TILE, flipped};
 use super::normal::place_normals;
 use crate::base::mapped::mapped;
 use crate::base::{Buffer, Error, FaceMap, Progress, Result};
@@ -24,7 +24,7 @@ pub struct PlacedMesh {
 
 impl PlacedMesh {
     /// Returns an instance's mesh with its placement.
-    pub fn of(instance: &Instance) -> Self {
+    pub fn from_instance(instance: &Instance) -> Self {
         Self { mesh: Arc::clone(&instance.mesh), to_scene: instance.to_scene, object: instance.object }
     }
 
@@ -48,8 +48,8 @@ pub fn merge(parts: &[PlacedMesh], progress: &Progress) -> Result<Mesh> {
     let (uvs, colors, faces) = match parts {
         [only] => (only.mesh.uvs.clone(), only.mesh.colors.clone(), lone_faces(only, progress)?),
         _ => (
-            joined(parts, |mesh| mesh.uvs.as_deref(), [0.0; 2], progress)?.map(Into::into),
-            joined(parts, |mesh| mesh.colors.as_deref(), [255; 4], progress)?.map(Into::into),
+            concat_attribute(parts, |mesh| mesh.uvs.as_deref(), [0.0; 2], progress)?.map(Into::into),
+            concat_attribute(parts, |mesh| mesh.colors.as_deref(), [255; 4], progress)?.map(Into::into),
             joined_faces(parts, &face_counts, progress)?.into(),
         ),
     };
@@ -59,9 +59,9 @@ pub fn merge(parts: &[PlacedMesh], progress: &Progress) -> Result<Mesh> {
     };
     let uniform: Vec<_> = parts.iter().map(|part| part.object.map(FaceMap::Uniform)).collect();
     let objects = parts.iter().zip(&uniform).map(|(part, one)| one.as_ref().unwrap_or(&part.mesh.objects));
-    let objects = FaceMap::joined(objects.zip(face_counts.iter().copied()));
+    let objects = FaceMap::concat(objects.zip(face_counts.iter().copied()));
     progress.check()?;
-    let materials = FaceMap::joined(parts.iter().map(|part| &part.mesh.materials).zip(face_counts.iter().copied()));
+    let materials = FaceMap::concat(parts.iter().map(|part| &part.mesh.materials).zip(face_counts.iter().copied()));
     let normals = match parts {
         [only] if only.stands_in_place() => only.mesh.normals.clone(),
         _ => placed_normals(parts, progress)?.map(Into::into),
@@ -114,7 +114,7 @@ fn placed_normals(parts: &[PlacedMesh], progress: &Progress) -> Result<Option<Ve
 
 fn lone_faces(part: &PlacedMesh, progress: &Progress) -> Result<Buffer<[u32; 3]>> {
     if part.is_mirrored() {
-        mapped(&part.mesh.faces, turned, progress).map(Into::into)
+        mapped(&part.mesh.faces, flipped, progress).map(Into::into)
     } else {
         Ok(part.mesh.faces.clone())
     }
@@ -138,7 +138,7 @@ fn joined_faces(parts: &[PlacedMesh], counts: &[usize], progress: &Progress) -> 
         let mirrored = part.is_mirrored();
         slots.par_chunks_mut(TILE).zip(part.mesh.faces.par_chunks(TILE)).try_for_each(|(slots, faces)| {
             for (slot, face) in slots.iter_mut().zip(faces) {
-                *slot = if mirrored { turned(face) } else { *face }.map(|vertex| vertex + first);
+                *slot = if mirrored { flipped(face) } else { *face }.map(|vertex| vertex + first);
             }
             progress.check()
         })
@@ -147,7 +147,7 @@ fn joined_faces(parts: &[PlacedMesh], counts: &[usize], progress: &Progress) -> 
 }
 
 /// Concatenates an attribute of all parts, with a neutral value for parts without it; `None` if no part has it.
-fn joined<T: Copy + Send + Sync>(
+fn concat_attribute<T: Copy + Send + Sync>(
     parts: &[PlacedMesh],
     attribute: impl Fn(&Mesh) -> Option<&[T]>,
     neutral: T,

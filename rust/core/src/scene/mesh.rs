@@ -136,8 +136,8 @@ impl Mesh {
 
     /// Returns the mesh with its faces turned inside out, for mirrored instances. It shares the vertex arrays. Normals
     /// do not change, because a mirror maps outward normals to outward normals.
-    pub fn turned(&self) -> Self {
-        let faces = self.faces.par_iter().map(turned).collect();
+    pub fn flipped(&self) -> Self {
+        let faces = self.faces.par_iter().map(flipped).collect();
         self.with_faces(faces, self.objects.clone(), self.materials.clone())
     }
 
@@ -156,7 +156,7 @@ impl Mesh {
     }
 
     /// Returns the mesh with its vertices moved; an existing tree is refitted to the new positions.
-    pub fn moved(&self, positions: Vec<[f32; 3]>) -> Result<Self> {
+    pub fn with_positions(&self, positions: Vec<[f32; 3]>) -> Result<Self> {
         check_rows("vertices", Some(&positions), self.positions.len())?;
         let (faces, objects, materials) = (self.faces.clone(), self.objects.clone(), self.materials.clone());
         let mesh = Self::new(positions.into(), faces, self.uvs.clone(), self.colors.clone(), objects, materials)?;
@@ -180,12 +180,17 @@ impl Mesh {
 
     /// Returns the memory of the arrays and of the tree, bytes.
     pub fn bytes(&self) -> usize {
-        fn of<T>(rows: &Option<Buffer<T>>) -> usize {
+        fn bytes_of<T>(rows: &Option<Buffer<T>>) -> usize {
             rows.as_deref().map_or(0, size_of_val)
         }
         let arrays = size_of_val(&self.positions[..]) + size_of_val(&self.faces[..]);
         let numbers = self.objects.bytes() + self.materials.bytes();
-        arrays + of(&self.uvs) + of(&self.colors) + of(&self.normals) + numbers + self.bvh().map_or(0, Bvh::bytes)
+        arrays
+            + bytes_of(&self.uvs)
+            + bytes_of(&self.colors)
+            + bytes_of(&self.normals)
+            + numbers
+            + self.bvh().map_or(0, Bvh::bytes)
     }
 
     /// Returns the box of all faces, without unused vertices.
@@ -224,7 +229,7 @@ impl Mesh {
 }
 
 /// Flips a face: the second and third corner are exchanged.
-pub(super) fn turned(face: &[u32; 3]) -> [u32; 3] {
+pub(super) fn flipped(face: &[u32; 3]) -> [u32; 3] {
     [face[0], face[2], face[1]]
 }
 

@@ -20,7 +20,7 @@ pub(super) fn normal_matrix(to_scene: &DAffine3) -> DMat3 {
 
 /// Returns the unit normal of the placed mesh; zero stays zero.
 #[inline]
-pub(super) fn placed(matrix: &DMat3, normal: [f32; 3]) -> Vec3 {
+pub(super) fn place_normal(matrix: &DMat3, normal: [f32; 3]) -> Vec3 {
     (*matrix * Vec3::from_array(normal).as_dvec3()).normalize_or_zero().as_vec3()
 }
 
@@ -36,7 +36,7 @@ pub(super) fn place_normals(
         if stands {
             slots.copy_from_slice(normals);
         } else {
-            slots.iter_mut().zip(normals).for_each(|(slot, &normal)| *slot = placed(&matrix, normal).to_array());
+            slots.iter_mut().zip(normals).for_each(|(slot, &normal)| *slot = place_normal(&matrix, normal).to_array());
         }
         progress.check()
     })
@@ -61,7 +61,7 @@ impl Instance {
             return Some(normals.map(|normal| Vec3::from_array(normal).normalize_or_zero()));
         }
         let matrix = normal_matrix(&self.to_scene);
-        Some(normals.map(|normal| placed(&matrix, normal)))
+        Some(normals.map(|normal| place_normal(&matrix, normal)))
     }
 
     /// Returns the placed normals of all vertices, bit-identical if the transform is the identity.

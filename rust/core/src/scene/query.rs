@@ -45,7 +45,7 @@ impl Region {
         if !min.cmple(max).all() {
             return Err(Error::value("aabb", "a least corner that is not above the greatest", format!("{min}, {max}")));
         }
-        Ok(Self { min, max, inner: Aabb::within(min, max) })
+        Ok(Self { min, max, inner: Aabb::from_f64_inside(min, max) })
     }
 
     /// Returns whether a triangle touches the box. Every triangle that touches is found; one that is farther away than

@@ -26,7 +26,7 @@ pub fn linear_from_srgb() -> &'static [f32; 256] {
 /// Returns the nearest code of a linear value clamped to 0..1; NaN gives black.
 #[inline]
 pub fn srgb_from_linear(linear: f32) -> u8 {
-    CODES.of(linear)
+    CODES.look_up(linear)
 }
 
 /// Returns the codes of the 65,536 fractions of 65,535. Loops should fetch them once.
@@ -92,7 +92,7 @@ impl Codes {
     }
 
     #[inline]
-    fn of(&self, linear: f32) -> u8 {
+    fn look_up(&self, linear: f32) -> u8 {
         if linear.is_nan() || linear < f32::from_bits(DARK) {
             return 0;
         }

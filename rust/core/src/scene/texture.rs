@@ -25,7 +25,7 @@ pub struct Texture {
 }
 
 /// Weight of a transparent texel: enough to colour a coarser texel that lies entirely in a hole.
-const LEAST_WEIGHT: f32 = 1.0 / 1024.0;
+const MIN_WEIGHT: f32 = 1.0 / 1024.0;
 
 /// A coarser level: linear RGB in steps of 1/65535, a twentieth of sRGB's finest step.
 #[derive(Debug)]
@@ -116,7 +116,7 @@ impl Texture {
         }
         let stored = |&[r, g, b, weight]: &[f32; 4]| {
             let [r, g, b] = [r, g, b].map(|x| srgb_from_linear(x / weight));
-            let alpha = if cutout { ((weight - LEAST_WEIGHT) * 255.0 + 0.5) as u8 } else { u8::MAX };
+            let alpha = if cutout { ((weight - MIN_WEIGHT) * 255.0 + 0.5) as u8 } else { u8::MAX };
             [r, g, b, alpha]
         };
         Self::new(width, height, image.iter().map(stored).collect())
@@ -139,7 +139,7 @@ impl Texture {
     fn weighted(&self, cutout: bool) -> Vec<[f32; 4]> {
         let linear = linear_from_srgb();
         let weighted = |&[r, g, b, alpha]: &[u8; 4]| {
-            let weight = if cutout { f32::from(alpha) / 255.0 + LEAST_WEIGHT } else { 1.0 };
+            let weight = if cutout { f32::from(alpha) / 255.0 + MIN_WEIGHT } else { 1.0 };
             let [r, g, b] = [r, g, b].map(|code| linear[usize::from(code)] * weight);
             [r, g, b, weight]
         };

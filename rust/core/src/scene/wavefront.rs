@@ -13,7 +13,7 @@ use crate::base::{Error, Progress, Result};
 pub const NONE: u32 = u32::MAX;
 
 /// Maximum characters of a word quoted in a message.
-const MOST_SHOWN: usize = 60;
+const MAX_SHOWN: usize = 60;
 
 /// Kinds of rows, in the order of indices in a face's corner.
 const KINDS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
@@ -99,7 +99,7 @@ impl Scan {
         if !matches!(keyword, b"v" | b"vt" | b"vn" | b"f" | b"o" | b"usemtl" | b"mtllib") {
             return Ok(());
         }
-        let rest = if rest.contains(&b'\n') { Cow::Owned(joined(rest)) } else { Cow::Borrowed(rest) };
+        let rest = if rest.contains(&b'\n') { Cow::Owned(join_continued_line(rest)) } else { Cow::Borrowed(rest) };
         let stated = rest.split(|&byte| byte == b'#').next().unwrap_or_default();
         match keyword {
             b"v" => self.vertex(stated, line),
@@ -115,11 +115,11 @@ impl Scan {
             }
             b"f" => self.face(stated, line),
             b"o" => {
-                self.object = self.named(rest.trim_ascii());
+                self.object = self.number_of_name(rest.trim_ascii());
                 Ok(())
             }
             b"usemtl" => {
-                self.material = self.named(rest.trim_ascii());
+                self.material = self.number_of_name(rest.trim_ascii());
                 Ok(())
             }
             _ => {
@@ -142,7 +142,7 @@ impl Scan {
     }
 
     /// Returns the number of a name and starts a new part.
-    fn named(&mut self, name: &[u8]) -> Option<u32> {
+    fn number_of_name(&mut self, name: &[u8]) -> Option<u32> {
         self.part = None;
         let next = self.names.len() as u32;
         Some(*self.names.entry(name.to_vec()).or_insert(next))
@@ -179,7 +179,7 @@ impl Scan {
         let mut corner = [NONE; 3];
         for (kind, index) in word.split(|&byte| byte == b'/').enumerate() {
             if kind >= KINDS.len() {
-                let word = shown(word);
+                let word = shorten(word);
                 return Err(Error::Scene(format!("line {line}: '{word}' has more than three indices")));
             }
             if index.is_empty() && kind > 0 {
@@ -202,7 +202,7 @@ impl Scan {
             [b'+', digits @ ..] => (digits, false),
             digits => (digits, false),
         };
-        let word = || shown(index);
+        let word = || shorten(index);
         if digits.is_empty() || !digits.iter().all(u8::is_ascii_digit) {
             return Err(Error::Scene(format!("line {line}: a face has '{}' where an index belongs", word())));
         }
@@ -274,9 +274,9 @@ fn absent(line: u64, kind: &str, index: &str, count: u64) -> Error {
 }
 
 /// Shortens a word for a message.
-fn shown(word: &[u8]) -> String {
+fn shorten(word: &[u8]) -> String {
     let text = String::from_utf8_lossy(word);
-    match text.char_indices().nth(MOST_SHOWN) {
+    match text.char_indices().nth(MAX_SHOWN) {
         Some((end, _)) => format!("{}…", &text[..end]),
         None => text.into_owned(),
     }
@@ -289,7 +289,7 @@ fn numbers(stated: &[u8], least: usize, line: u64, what: &str) -> Result<(usize,
     for (value, word) in values.iter_mut().zip(words) {
         let parsed = str::from_utf8(word).ok().and_then(|word| word.parse().ok());
         *value = parsed.ok_or_else(|| {
-            let word = shown(word);
+            let word = shorten(word);
             Error::Scene(format!("line {line}: a {what} has '{word}' where a number belongs"))
         })?;
         count += 1;
@@ -301,7 +301,7 @@ fn numbers(stated: &[u8], least: usize, line: u64, what: &str) -> Result<(usize,
 }
 
 /// Joins a continued line: replaces its line breaks and the backslashes before them by blanks.
-fn joined(line: &[u8]) -> Vec<u8> {
+fn join_continued_line(line: &[u8]) -> Vec<u8> {
     let ends = |at: usize| matches!(line[at..], [b'\\', b'\n', ..] | [b'\\', b'\r', b'\n', ..] | [b'\n', ..]);
     line.iter().enumerate().map(|(at, &byte)| if ends(at) { b' ' } else { byte }).collect()
 }
@@ -324,13 +324,13 @@ mod tests {
 
     const CORNERS: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\n";
 
-    fn of(text: &str) -> Result<Wavefront> {
+    fn read_text(text: &str) -> Result<Wavefront> {
         read(text.as_bytes(), &Progress::new())
     }
 
     /// Returns the triangles of all parts as rows of their corners' indices, counted from 1, 0 for none.
     fn corners(faces: &str) -> Vec<[[u32; 3]; 3]> {
-        let read = of(&format!("{CORNERS}{faces}")).unwrap();
+        let read = read_text(&format!("{CORNERS}{faces}")).unwrap();
         let corner = |part: &Part, vertex: u32| part.vertices[vertex as usize].map(|row| row.wrapping_add(1));
         read.parts
             .iter()
@@ -353,13 +353,13 @@ mod tests {
         assert_eq!(corners("f 1 2\\\n3\\\r\n 1\r\nf 1 \\\n2 3"), [face, [[1, 0, 0], [3, 0, 0], [1, 0, 0]], face]);
         assert_eq!(corners("v\t1 2 \\\n 3\n  o  a \nf 4 1 2"), [[[4, 0, 0], [1, 0, 0], [2, 0, 0]]]);
         assert_eq!(corners("# f 0\nfoo 0\n\\\nf 1 2\nl 1 2\nusemtl \n\ng\n"), [[[0; 3]; 3]; 0]);
-        assert_eq!(of(&format!("{CORNERS}f 1 2\nf\n")).unwrap().skipped, 2);
+        assert_eq!(read_text(&format!("{CORNERS}f 1 2\nf\n")).unwrap().skipped, 2);
     }
 
     #[test]
     fn faces_are_grouped_by_object_and_material() {
         let text = "f 1 2 3\no a\nusemtl m\nf 1 2 3\no b b \nf 3 2 1\nusemtl n\no a\nusemtl m\nf 2 3 1\nmtllib x y.mtl";
-        let read = of(&format!("{CORNERS}{text}")).unwrap();
+        let read = read_text(&format!("{CORNERS}{text}")).unwrap();
         let name = |number: Option<u32>| number.map_or("", |number| &read.names[number as usize]);
         let named = |part: &Part| (name(part.object), name(part.material), part.faces.len());
         let expected = [("", "", 1), ("a", "m", 2), ("b b", "m", 1)];
@@ -369,8 +369,11 @@ mod tests {
 
     #[test]
     fn colours_count_where_all_vertices_have_one() {
-        assert_eq!(of("v 0 0 0 1 0.5 0\nv 1 0 0 0 0 1e-1 7").unwrap().colors, [[1.0, 0.5, 0.0], [0.0, 0.0, 0.1]]);
-        assert_eq!(of("v 0 0 0 1 0.5 0\nv 1 0 0\nv 0 0 0 1 0.5 0").unwrap().colors, [[0.0; 3]; 0]);
+        assert_eq!(
+            read_text("v 0 0 0 1 0.5 0\nv 1 0 0 0 0 1e-1 7").unwrap().colors,
+            [[1.0, 0.5, 0.0], [0.0, 0.0, 0.1]]
+        );
+        assert_eq!(read_text("v 0 0 0 1 0.5 0\nv 1 0 0\nv 0 0 0 1 0.5 0").unwrap().colors, [[0.0; 3]; 0]);
     }
 
     #[test]
@@ -395,7 +398,7 @@ mod tests {
             ("vn 1 2 0x3", "line 5: a normal has '0x3' where a number belongs"),
             ("vt", "line 5: a texture coordinate has 0 numbers of 1"),
         ] {
-            assert_eq!(of(&format!("{CORNERS}{faces}")), Err(Error::Scene(words.to_owned())), "{faces:?}");
+            assert_eq!(read_text(&format!("{CORNERS}{faces}")), Err(Error::Scene(words.to_owned())), "{faces:?}");
         }
     }
 }

@@ -69,7 +69,7 @@ impl EyeMap<'_> {
             *weight *= 1.0 - self.coverage_at(pixel);
         }
         let sum: f32 = weights.iter().sum();
-        (sum > LEAST_SUM).then(|| weights.map(|weight| weight / sum))
+        (sum > MIN_SUM).then(|| weights.map(|weight| weight / sum))
     }
 
     /// Returns the fraction covered by the eye's own surfaces at the position of a third-camera pixel.
@@ -95,7 +95,7 @@ impl EyeMap<'_> {
 }
 
 /// Minimum sum of weights to divide by; below it, all taps are covered, and all count.
-const LEAST_SUM: f32 = 1e-6;
+const MIN_SUM: f32 = 1e-6;
 
 /// Returns the two pixels whose centres enclose a coordinate, and the weight of the second.
 #[inline]
@@ -146,14 +146,14 @@ impl Rig {
     ) -> Result<()> {
         let map = self.eye_map(side, coverage)?;
         self.check_center("center", center.len())?;
-        self.behind(coverage, color, progress, |column, row| {
+        self.add_behind(coverage, color, progress, |column, row| {
             let taps = map.taps(map.place(column as f64 + 0.5, row as f64 + 0.5));
             map.mix(column, row, &taps, center)
         })
     }
 
     /// Adds a colour behind each pixel of an eye that has samples without an own surface.
-    pub(super) fn behind(
+    pub(super) fn add_behind(
         &self,
         coverage: &[f32],
         color: &mut [[f32; 3]],

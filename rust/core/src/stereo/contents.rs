@@ -74,7 +74,7 @@ impl Views {
     }
 
     /// Tests the volumes that the left eye, the right eye and the third camera draw.
-    fn drawn(&self, sides: [bool; 2], leave: impl Fn(&[DVec4]) -> bool) -> [bool; 3] {
+    fn views_that_draw(&self, sides: [bool; 2], leave: impl Fn(&[DVec4]) -> bool) -> [bool; 3] {
         let near = (sides[0] || sides[1]) && leave(&self.near);
         [sides[0] && near, sides[1] && near, leave(&self.far) && leave(&self.center)]
     }
@@ -90,7 +90,7 @@ impl Rig {
         let boxes: Vec<&Instance> = scene.instances().collect();
         let seen = |instance: &&Instance| {
             let leave = |planes: &[DVec4]| !is_outside(&instance.bounds, planes);
-            let drawn = views.drawn(views.between_sides(leave), leave);
+            let drawn = views.views_that_draw(views.between_sides(leave), leave);
             drawn.iter().enumerate().map(|(n, &drawn)| u8::from(drawn) << n).sum()
         };
         let instances: Vec<u8> = boxes.par_iter().with_min_len(BOXES).map(seen).collect();
@@ -137,7 +137,7 @@ impl Rig {
             let leave =
                 |planes: &[DVec4]| !planes.iter().any(|p| corners.iter().all(|c| p.truncate().dot(*c) + p.w < 0.0));
             let sides = views.between_sides(leave);
-            let drawn = views.drawn(sides, leave);
+            let drawn = views.views_that_draw(sides, leave);
             let all = leave(&whole);
             Triangles {
                 views: drawn.map(u64::from),

@@ -25,7 +25,7 @@ pub enum Axis {
 }
 
 impl Axis {
-    fn of(self, error: DVec2) -> f64 {
+    fn component(self, error: DVec2) -> f64 {
         match self {
             Self::Horizontal => error.x.abs(),
             Self::Vertical => error.y.abs(),
@@ -37,12 +37,12 @@ impl Axis {
 /// Sample positions across a view for an error that is not linear; between them it changes by less than a thousandth.
 const PLACES: usize = 33;
 /// Sine of half the angle above which an eye counts as rotated; rounding is below it.
-const LEAST_TURN: f64 = 1e-9;
+const MIN_TURN: f64 = 1e-9;
 
 impl Rig {
     /// Returns the tangents at which an eye is shown a point that it would see at the tangents `at`, at a depth in
     /// metres from the plane of the eyes; the depth may be infinite.
-    pub fn shown(&self, side: Side, at: DVec2, depth: f64) -> DVec2 {
+    pub fn displayed_tangents(&self, side: Side, at: DVec2, depth: f64) -> DVec2 {
         let eye = self.eye(side);
         let (turn, p) = (DMat3::from_quat(eye.orientation), eye.position);
         let slope = tangents(turn * at.extend(-1.0));
@@ -83,7 +83,7 @@ impl Rig {
 
     /// Returns the error in pixels, to the right and upwards, of a point that an eye would see at the tangents `at`.
     pub fn error(&self, side: Side, at: DVec2, depth: f64) -> DVec2 {
-        (self.shown(side, at, depth) - at) * self.pixels_per_tangent(side)
+        (self.displayed_tangents(side, at, depth) - at) * self.pixels_per_tangent(side)
     }
 
     /// Returns the maximum error over both eyes, pixels.
@@ -92,14 +92,14 @@ impl Rig {
         let greatest = |side: Side| {
             let eye = self.eye(side);
             // An error that is linear in the tangents is largest at a corner.
-            let turns = eye.orientation.xyz().length() > LEAST_TURN;
+            let turns = eye.orientation.xyz().length() > MIN_TURN;
             let count = if turns { PLACES } else { 2 };
             let share = |n: usize| n as f64 / (count - 1) as f64;
             let fov = eye.fov;
             let places = (0..count * count).map(|n| {
                 let x = fov.left + (fov.right - fov.left) * share(n % count);
                 let y = fov.down + (fov.up - fov.down) * share(n / count);
-                axis.of(self.error(side, DVec2::new(x, y), depth))
+                axis.component(self.error(side, DVec2::new(x, y), depth))
             });
             places.fold(0.0, f64::max)
         };

@@ -66,7 +66,7 @@ impl Rig {
             cutouts: far.scene.has_cutouts(),
         };
         let share = 1.0 / samples as f32;
-        self.behind(coverage, color, progress, |column, row| {
+        self.add_behind(coverage, color, progress, |column, row| {
             let mut sum = [0.0; 3];
             for [x, y] in &offsets {
                 let at = map.place(column as f64 + x, row as f64 + y);
@@ -103,7 +103,7 @@ impl Resolver<'_> {
         if best.is_miss() {
             return around.contains(&-1).then(|| background(ray.direction));
         }
-        let width = self.rays.footprint(at.x, at.y, self.scale).at(best.t);
+        let width = self.rays.footprint(at.x, at.y, self.scale).width_at(best.t);
         Some(Surface::of_hit(scene, &ray, &best).color(scene, width))
     }
 

@@ -76,7 +76,7 @@ const MIXED: f64 = 1.5;
 /// Distance of a slanted surface from the line of sight up to which the overlap suffices, metres.
 const ASIDE: f64 = 1.0;
 /// Minimum cosine between an edge of a view and the head's forward axis; other edges do not meet the plane in front.
-const LEAST_FORWARD: f64 = 1e-6;
+const MIN_FORWARD: f64 = 1e-6;
 
 impl Rig {
     /// Creates a rig: checks the eyes and places the camera behind them. `size` is the picture of an eye, pixels.
@@ -259,7 +259,7 @@ fn check_ahead(side: Side, eye: &Eye, m: f64) -> Result<()> {
         return Err(Error::value("mono_plane", expected, m));
     }
     let forward = |corner: DVec2| -(eye.orientation * corner.extend(-1.0)).z / corner.extend(-1.0).length();
-    if corners(&eye.fov).into_iter().any(|corner| forward(corner) < LEAST_FORWARD) {
+    if corners(&eye.fov).into_iter().any(|corner| forward(corner) < MIN_FORWARD) {
         let expected = "a view whose corners lie less than 90° from the head's forward axis";
         return Err(Error::value(side.name(), expected, "one that is turned farther"));
     }

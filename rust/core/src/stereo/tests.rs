@@ -70,10 +70,10 @@ fn points_before_the_plane_stay() {
     let rig = rig(canted(5.0), 8.0);
     let at = DVec2::new(0.3, -0.4);
     for depth in [0.1, 3.0, 8.0] {
-        assert_eq!(rig.shown(Side::Left, at, depth), at);
+        assert_eq!(rig.displayed_tangents(Side::Left, at, depth), at);
     }
     // The error begins at the plane, without a step.
-    assert!((rig.shown(Side::Left, at, 8.0 + 1e-9) - at).length() < 1e-9);
+    assert!((rig.displayed_tangents(Side::Left, at, 8.0 + 1e-9) - at).length() < 1e-9);
 }
 
 /// Compares `shown` and `homography` with points computed step by step in space.
@@ -97,7 +97,7 @@ fn shown_and_homography_agree_with_points_in_space() {
                 let through = camera + from_camera * ((-m - camera.z) / from_camera.z);
                 let seen = eye.orientation.inverse() * (through - eye.position);
                 let expected = seen.truncate() / -seen.z;
-                assert!((rig.shown(side, at, depth) - expected).length() < 1e-12);
+                assert!((rig.displayed_tangents(side, at, depth) - expected).length() < 1e-12);
                 // Its pixel in the third camera's picture, which the homography maps to the same position.
                 let tangent = from_camera.truncate() / -from_camera.z;
                 let pixel = DVec3::new(
@@ -157,12 +157,20 @@ fn a_zone_joins_both_parts_smoothly() {
     let whole = rig(canted(5.0), 7.5);
     let at = DVec2::new(0.9, -0.4);
     // At the zone's ends: the eye's own picture and the shared one.
-    assert!((zone.shown(Side::Left, at, 6.0 + 1e-9) - at).length() < 1e-9);
-    assert!((zone.shown(Side::Left, at, 10.0) - whole.shown(Side::Left, at, 10.0)).length() < 1e-12);
-    assert!((zone.shown(Side::Left, at, 10.0 - 1e-9) - whole.shown(Side::Left, at, 10.0)).length() < 1e-9);
+    assert!((zone.displayed_tangents(Side::Left, at, 6.0 + 1e-9) - at).length() < 1e-9);
+    assert!(
+        (zone.displayed_tangents(Side::Left, at, 10.0) - whole.displayed_tangents(Side::Left, at, 10.0)).length()
+            < 1e-12
+    );
+    assert!(
+        (zone.displayed_tangents(Side::Left, at, 10.0 - 1e-9) - whole.displayed_tangents(Side::Left, at, 10.0))
+            .length()
+            < 1e-9
+    );
     // The slope is continuous.
     let slope = |rig: &Rig, depth: f64| {
-        (rig.shown(Side::Left, at, depth + 1e-6) - rig.shown(Side::Left, at, depth - 1e-6)) / 2e-6
+        (rig.displayed_tangents(Side::Left, at, depth + 1e-6) - rig.displayed_tangents(Side::Left, at, depth - 1e-6))
+            / 2e-6
     };
     assert!(slope(&zone, 6.0).length() < 1e-6);
     assert!((slope(&zone, 10.0) - slope(&whole, 10.0)).length() < 1e-6);

@@ -22,7 +22,7 @@ const OVERLAP: f32 = 1e-5;
 /// Maximum distance in pixels of a bent ray from its legs.
 const TOLERANCE: f64 = 0.02;
 /// Maximum number of legs.
-const MOST_LEGS: usize = 64;
+const MAX_LEGS: usize = 64;
 /// Number of legs skipped together if nothing lies near them.
 const SPAN: usize = 8;
 
@@ -56,7 +56,7 @@ impl Rig {
             return Ok(vec![planes.begin]);
         }
         let moved = self.max_error(planes.end, Axis::Both)?;
-        let legs = ((0.25 * moved / TOLERANCE).sqrt().ceil() as usize).clamp(1, MOST_LEGS);
+        let legs = ((0.25 * moved / TOLERANCE).sqrt().ceil() as usize).clamp(1, MAX_LEGS);
         let (first, last) = (planes.begin.recip(), end.recip());
         Ok((0..=legs)
             .map(|k| match k {

@@ -43,7 +43,7 @@ pub(super) struct Budget(AtomicU64);
 
 impl Budget {
     /// Adds a number of created pieces.
-    pub fn made(&self, pieces: usize, progress: &Progress) -> Result<()> {
+    pub fn add(&self, pieces: usize, progress: &Progress) -> Result<()> {
         let all = self.0.fetch_add(pieces as u64, Ordering::Relaxed) + pieces as u64;
         if all > u64::from(u32::MAX) {
             return Err(Error::value(
@@ -74,7 +74,7 @@ pub(super) fn assemble(
                 continue;
             };
             examined += 1;
-            let made = |pieces| budget.made(pieces, progress);
+            let made = |pieces| budget.add(pieces, progress);
             let pieces = Piece::whole(corners).split(rule, precision, |_| false, made)?;
             if pieces.len() > 1 {
                 split.push((face, pieces));
@@ -90,13 +90,13 @@ pub(super) fn assemble(
     if split.is_empty() {
         return Ok(None);
     }
-    joined(source, vertex_count, &split, progress).map(Some)
+    join(source, vertex_count, &split, progress).map(Some)
 }
 
 /// Identity of a new vertex: its edge or face on the source, and the bits of its position.
 type Key = ([u32; 2], [u64; 3]);
 
-fn joined(source: &[[u32; 3]], vertex_count: usize, split: &[Split], progress: &Progress) -> Result<Assembled> {
+fn join(source: &[[u32; 3]], vertex_count: usize, split: &[Split], progress: &Progress) -> Result<Assembled> {
     let pieces: usize = split.iter().map(|(_, pieces)| pieces.len()).sum();
     let face_count = source.len() - split.len() + pieces;
     let mut all =

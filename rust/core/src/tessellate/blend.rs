@@ -3,7 +3,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::bound::{Form, LEAST_CLEARANCE, RadialZone};
+use super::bound::{Form, MIN_CLEARANCE, RadialZone};
 use super::segment::{crossing, segment_distance, weights_of_axis};
 use super::settings::{Precision, Settings};
 use crate::base::{Error, Result};
@@ -130,7 +130,7 @@ impl BlendRule {
     /// Fails if the tolerance is not a bound.
     pub fn demand(&self) -> Result<()> {
         let Settings { r1, reach, .. } = self.settings;
-        let greatest = (1.0 - LEAST_CLEARANCE) * (r1 - self.passing_r1);
+        let greatest = (1.0 - MIN_CLEARANCE) * (r1 - self.passing_r1);
         if reach >= greatest {
             let expected =
                 format!("users within {greatest:.3} m of the centre, 0.6 of r1, where the error has a bound");
@@ -206,7 +206,7 @@ impl BlendRule {
 
     /// Returns a point at which a triangle must be split although none of its edges is: the triangle contains the
     /// whole cylinder.
-    pub(super) fn inside(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
+    pub(super) fn inner_split_point(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
         if self.settings.r2 == 0.0 {
             return None;
         }

@@ -33,7 +33,7 @@ pub(super) struct Form {
 }
 
 /// Minimum D/ρ for which the form is a bound: below it, terms that were assumed to be small are not.
-pub(super) const LEAST_CLEARANCE: f64 = 0.4;
+pub(super) const MIN_CLEARANCE: f64 = 0.4;
 /// Maximum second derivative of X/|X|, multiplied by |X|²: 2/√3.
 const SECOND_DERIVATIVE: f64 = 1.154_700_538_379_251_7;
 /// Factor for w outside 0..1: it may leave the range by a hundredth where a triangle crosses a radius within the
@@ -55,7 +55,7 @@ pub(super) struct RadialZone {
 impl RadialZone {
     /// Returns whether the form is a bound from a distance ρ on.
     pub fn holds(&self, rho: f64) -> bool {
-        self.clearance(rho) > LEAST_CLEARANCE * rho
+        self.clearance(rho) > MIN_CLEARANCE * rho
     }
 
     fn clearance(&self, rho: f64) -> f64 {
@@ -64,7 +64,7 @@ impl RadialZone {
 
     /// Returns D, R/D and the divisor of errors; if no bound holds, the values of the nearest case that has one.
     fn distances(&self, rho: f64) -> (f64, f64, f64) {
-        let nearest = self.clearance(rho).max(LEAST_CLEARANCE * rho);
+        let nearest = self.clearance(rho).max(MIN_CLEARANCE * rho);
         let ratio = self.reach.min(rho) / nearest;
         (nearest, ratio, nearest * (1.0 - ratio.min(2.0).powi(2) / 8.0))
     }

@@ -4,7 +4,7 @@
 use glam::{DVec2, DVec3};
 
 use super::cut::Cut;
-use super::grown_bound::{LONGEST, LONGEST_FAR, MOST_RATIO, Measure, Region, SPREAD, SPREAD_FAR, allowed};
+use super::grown_bound::{LONGEST, LONGEST_FAR, MAX_RATIO, Measure, Region, SPREAD, SPREAD_FAR, allowed};
 use super::segment::{crossing, segment_distance, weights_of_axis};
 use super::settings::{Precision, Settings};
 use crate::base::{Error, Result};
@@ -27,7 +27,7 @@ const THINNEST: f64 = 1.0 / 4096.0;
 /// Minimum distance of a cut at a band from the ends of an edge, relative to the maximum range: half of an edge that
 /// is too long to be left whole is longer.
 const MARGIN: f64 = 0.25;
-const MOST_BANDS: usize = 1 << 16;
+const MAX_BANDS: usize = 1 << 16;
 /// Minimum length of harmless edges relative to the minimum distance for which there is a bound: finer pieces would
 /// not fit into memory.
 const FINEST: f64 = 1.0 / (1 << 20) as f64;
@@ -80,7 +80,7 @@ impl GrownRule {
         let kinks = if is_cut { vec![r1, r2] } else { vec![inner] };
         let region = Region { reach, near, radii: [least, r2], is_cut };
         let floor =
-            (reach / MOST_RATIO).max(if still > 0.0 { still * (1.0 - SAG) } else { inner.max(r2 / 2.0) * CENTRE });
+            (reach / MAX_RATIO).max(if still > 0.0 { still * (1.0 - SAG) } else { inner.max(r2 / 2.0) * CENTRE });
         let rounding = settings.rounding(precision);
         let shortest = 4.0 * rounding;
         // Vertices that miss a kink, and edges that are too short to be cut there, pass it by at most `shortest`.
@@ -120,7 +120,7 @@ impl GrownRule {
     /// Fails if the tolerance is not a bound. Next to the axis, where points within r₁ move, it need not be one.
     pub fn demand(&self) -> Result<()> {
         let inner = self.region.near * self.region.radii[0];
-        let greatest = MOST_RATIO * (1.0 - SAG) * inner;
+        let greatest = MAX_RATIO * (1.0 - SAG) * inner;
         if self.settings.reach > greatest {
             let expected = format!(
                 "users within {greatest:.3} m of the centre, half of the least r1, where the error has a bound"
@@ -154,7 +154,7 @@ impl GrownRule {
     }
 
     /// Returns where to split a triangle around the axis whose edges all lie beyond the drawn radius.
-    pub fn inside(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
+    pub fn inner_split_point(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
         let p = corners.map(|corner| self.settings.on_ground(corner));
         let is_far = self.settings.reach > 0.0 && p.iter().all(|p| p.length() >= self.outer());
         if is_far { weights_of_axis(p) } else { None }
@@ -232,7 +232,7 @@ impl GrownRule {
     fn bands_from(&self, first: f64) -> Vec<f64> {
         let mut bands = vec![first];
         let mut rho = first;
-        while rho < self.settings.r2 && bands.len() < MOST_BANDS {
+        while rho < self.settings.r2 && bands.len() < MAX_BANDS {
             let near = (rho / SPREAD).max(self.floor);
             let measure = self.region.measure(near, near, false);
             rho += FILLED / self.by_range(&measure, 1.0).max(1e-9);

@@ -58,7 +58,7 @@ pub(super) struct Measure {
 }
 
 /// Maximum u/ρ for which there is a bound.
-pub(super) const MOST_RATIO: f64 = 0.5;
+pub(super) const MAX_RATIO: f64 = 0.5;
 /// Maximum length c of an edge relative to its minimum distance from the axis or the centre.
 pub(super) const LONGEST: f64 = 0.125;
 /// Maximum ratio of the distance of an edge to that of any point of its triangle: 1 + c/(1 − c √3/2).

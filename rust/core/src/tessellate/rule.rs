@@ -68,10 +68,10 @@ impl Rule {
 
     /// Returns a point at which a triangle must be split although none of its edges is: the triangle contains the
     /// whole cylinder.
-    pub(super) fn inside(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
+    pub(super) fn inner_split_point(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
         match &self.edges {
-            Edges::Blend(rule) => rule.inside(corners),
-            Edges::Grown(rule) => rule.inside(corners),
+            Edges::Blend(rule) => rule.inner_split_point(corners),
+            Edges::Grown(rule) => rule.inner_split_point(corners),
         }
     }
 

@@ -46,7 +46,7 @@ pub fn bent_from(morph: &Morph) -> f64 {
 impl Settings {
     /// Creates settings for one morph. If a blend bends triangles from the axis on, w still falls over r₂ − r₁, so the
     /// tolerance is reduced in proportion.
-    pub fn of(morph: &Morph, drawn: f64, reach: f64, tolerance: f64) -> Self {
+    pub fn from_morph(morph: &Morph, drawn: f64, reach: f64, tolerance: f64) -> Self {
         let Morph { center, r1, r2, strength, .. } = *morph;
         match morph.kind {
             Kind::Cylinder => {

@@ -75,7 +75,7 @@ impl Piece {
         let parts = if let Some(([a, b, c], (m, _))) = longest {
             vec![[a, m, c], [m, b, c]]
         } else {
-            let [s, t, u] = rule.inside(&self.corners)?;
+            let [s, t, u] = rule.inner_split_point(&self.corners)?;
             let middle = (
                 precision.round(a.0 * s + b.0 * t + c.0 * u),
                 std::array::from_fn(|i| a.1[i] * s + b.1[i] * t + c.1[i] * u),

@@ -11,10 +11,10 @@ use crate::bvh::{Block, Bvh, LEAF, Tlas, WIDTH, Wide};
 use crate::scene::{Instance, InstanceSet};
 
 /// Minimum number of rays traced as a beam; fewer are traced one by one.
-const LEAST_BEAM: usize = 8;
+const MIN_BEAM: usize = 8;
 
 /// Query of a packet: its rays and their filter.
-pub(crate) struct Quest<'a> {
+pub(crate) struct Query<'a> {
     /// Rays in scene space, in the packet's order.
     pub(crate) rays: &'a [Ray],
     pub(crate) filter: &'a dyn HitFilter,
@@ -40,7 +40,7 @@ pub(crate) fn walk_set<I: Isa>(
     isa: I,
     set: &InstanceSet,
     first: u32,
-    quest: &Quest<'_>,
+    query: &Query<'_>,
     packet: &mut Packet,
     room: &mut Option<Box<BeamScratch>>,
 ) {
@@ -49,24 +49,24 @@ pub(crate) fn walk_set<I: Isa>(
         && instance.in_place
     {
         if let Some(bvh) = instance.mesh.bvh() {
-            walk(isa, &bvh.wide, packet, &mut BeamTriangles { bvh, instance: first, quest });
+            walk(isa, &bvh.wide, packet, &mut BeamTriangles { bvh, instance: first, query });
         }
         return;
     }
-    walk(isa, &tlas.wide, packet, &mut BeamInstances { tlas, instances: set.instances(), first, quest, room });
+    walk(isa, &tlas.wide, packet, &mut BeamInstances { tlas, instances: set.instances(), first, query, room });
 }
 
 /// Traverses a tree over some of a set's instances. The packet must be filled for the bounds of the whole set.
 #[inline(always)]
-pub(crate) fn walk_some<I: Isa>(
+pub(crate) fn walk_subset<I: Isa>(
     isa: I,
     tlas: &Tlas,
     instances: &[Instance],
-    quest: &Quest<'_>,
+    query: &Query<'_>,
     packet: &mut Packet,
     room: &mut Option<Box<BeamScratch>>,
 ) {
-    walk(isa, &tlas.wide, packet, &mut BeamInstances { tlas, instances, first: 0, quest, room });
+    walk(isa, &tlas.wide, packet, &mut BeamInstances { tlas, instances, first: 0, query, room });
 }
 
 /// Returns true if the packet's beam intersects a leaf of a set's trees or the box of a placed instance.
@@ -133,7 +133,7 @@ struct BeamInstances<'a> {
     tlas: &'a Tlas,
     instances: &'a [Instance],
     first: u32,
-    quest: &'a Quest<'a>,
+    query: &'a Query<'a>,
     room: &'a mut Option<Box<BeamScratch>>,
 }
 
@@ -144,7 +144,7 @@ impl<I: Isa> BeamLeaves<I> for BeamInstances<'_> {
         let (instance, number) = (&self.instances[slot as usize], self.first + slot);
         let Some(bvh) = instance.mesh.bvh() else { return false };
         if instance.in_place {
-            walk(isa, &bvh.wide, packet, &mut BeamTriangles { bvh, instance: number, quest: self.quest });
+            walk(isa, &bvh.wide, packet, &mut BeamTriangles { bvh, instance: number, query: self.query });
             return true;
         }
         let room = self.room.get_or_insert_with(|| Box::new(BeamScratch::new()));
@@ -163,7 +163,7 @@ impl<I: Isa> BeamLeaves<I> for BeamInstances<'_> {
                 mask &= mask - 1;
                 room.packet.floor[room.members.len()] = floors[lane];
                 room.members.push(at + lane);
-                room.rays.push(self.quest.rays[at + lane].in_object(instance));
+                room.rays.push(self.query.rays[at + lane].in_object(instance));
             }
         }
         if room.members.is_empty() {
@@ -180,17 +180,17 @@ impl BeamInstances<'_> {
     #[inline(always)]
     fn enter_instance<I: Isa>(&mut self, isa: I, bvh: &Bvh, number: u32, packet: &mut Packet) {
         let Some(room) = self.room.as_deref_mut() else { return };
-        let quest = self.quest;
-        if room.members.len() >= LEAST_BEAM && room.packet.fill(isa, &room.rays, &bvh.bounds) {
-            let mut scene_rays = [quest.rays[0]; RAYS];
+        let query = self.query;
+        if room.members.len() >= MIN_BEAM && room.packet.fill(isa, &room.rays, &bvh.bounds) {
+            let mut scene_rays = [query.rays[0]; RAYS];
             for (i, &member) in room.members.iter().enumerate() {
                 room.packet.set_hit(i, &packet.hit(member));
-                scene_rays[i] = quest.rays[member];
+                scene_rays[i] = query.rays[member];
             }
-            let inner = Quest { rays: &scene_rays[..room.members.len()], filter: quest.filter };
+            let inner = Query { rays: &scene_rays[..room.members.len()], filter: query.filter };
             room.packet.shorten(isa);
             let before = room.packet.changes;
-            walk(isa, &bvh.wide, &mut room.packet, &mut BeamTriangles { bvh, instance: number, quest: &inner });
+            walk(isa, &bvh.wide, &mut room.packet, &mut BeamTriangles { bvh, instance: number, query: &inner });
             if room.packet.changes == before {
                 return;
             }
@@ -200,8 +200,8 @@ impl BeamInstances<'_> {
             return;
         }
         for (i, &member) in room.members.iter().enumerate() {
-            let ray = &quest.rays[member];
-            let mut search = Search { ray, filter: quest.filter, best: packet.hit(member), any: false };
+            let ray = &query.rays[member];
+            let mut search = Search { ray, filter: query.filter, best: packet.hit(member), any: false };
             let local = Local { floor: room.packet.floor[i], ..Local::new(&room.rays[i], &bvh.bounds) };
             single::walk_mesh(isa, bvh, &local, number, &mut search);
             if search.best != packet.hit(member) {
@@ -214,7 +214,7 @@ impl BeamInstances<'_> {
 struct BeamTriangles<'a> {
     bvh: &'a Bvh,
     instance: u32,
-    quest: &'a Quest<'a>,
+    query: &'a Query<'a>,
 }
 
 impl<I: Isa> BeamLeaves<I> for BeamTriangles<'_> {
@@ -287,7 +287,7 @@ impl BeamTriangles<'_> {
             return false;
         }
         let face = block.faces[lane];
-        let hits = self.quest.filter.face_hits(self.instance, face);
+        let hits = self.query.filter.face_hits(self.instance, face);
         if hits == FaceHits::None {
             return false;
         }
@@ -307,12 +307,12 @@ impl BeamTriangles<'_> {
         t.store(&mut lanes[0]);
         crossing.u.store(&mut lanes[1]);
         crossing.v.store(&mut lanes[2]);
-        self.ask(packet, at, mask, (face, hits), &lanes)
+        self.accept_slow(packet, at, mask, (face, hits), &lanes)
     }
 
     /// Slow path, for ties and filters.
     #[inline(never)]
-    fn ask(
+    fn accept_slow(
         &self,
         packet: &mut Packet,
         at: usize,
@@ -328,7 +328,7 @@ impl BeamTriangles<'_> {
             let candidate = Hit { t, u, v, instance: self.instance, face };
             let ray = at + lane;
             if candidate.is_before(&packet.hit(ray))
-                && (hits == FaceHits::All || self.quest.filter.accepts(&self.quest.rays[ray], &candidate))
+                && (hits == FaceHits::All || self.query.filter.accepts(&self.query.rays[ray], &candidate))
             {
                 packet.set_hit(ray, &candidate);
                 found = true;

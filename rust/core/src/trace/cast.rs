@@ -36,7 +36,7 @@ impl Points<'_> {
     }
 
     #[inline(always)]
-    pub(super) fn at(&self, row: usize) -> DVec3 {
+    pub(super) fn get(&self, row: usize) -> DVec3 {
         match self {
             Self::Single(rows) => glam::Vec3::from_array(rows[row]).as_dvec3(),
             Self::Double(rows) => DVec3::from_array(rows[row]),
@@ -47,7 +47,7 @@ impl Points<'_> {
     pub(super) fn find(&self, is_wrong: impl Fn(DVec3) -> bool + Sync) -> Option<(usize, usize)> {
         let tile = |start: usize| {
             let rows = start..(start + TILE).min(self.len());
-            let mut wrong = rows.filter(|&row| is_wrong(self.at(row)));
+            let mut wrong = rows.filter(|&row| is_wrong(self.get(row)));
             wrong.next().map(|first| (wrong.count() + 1, first))
         };
         let starts: Vec<usize> = (0..self.len()).step_by(TILE).collect();
@@ -92,8 +92,8 @@ pub fn cast(
     scene.build(progress)?;
     progress.expect(count as u64);
     let ray = |row: usize| {
-        let origin = origins.at(if origins.len() == 1 { 0 } else { row });
-        let direction = unit(directions.at(row)).as_vec3();
+        let origin = origins.get(if origins.len() == 1 { 0 } else { row });
+        let direction = unit(directions.get(row)).as_vec3();
         Ray { origin: (origin - scene.origin).as_vec3(), direction, t_min: 0.0, t_max }
     };
     trace(scene, count, ray, &AlphaFilter::new(scene, All), progress)

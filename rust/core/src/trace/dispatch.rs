@@ -2,12 +2,12 @@
 
 use std::slice;
 
-use super::beam::{self, Quest};
+use super::beam::{self, Query};
 #[cfg(target_arch = "x86_64")]
 use super::lanes::{Avx2, Avx512};
 use super::lanes::{InstructionSet, Isa, Portable};
 use super::layer::{Layer, LayerHits, by_layer};
-use super::packet::{LEAST_PACKET, Packet, RAYS};
+use super::packet::{MIN_PACKET, Packet, RAYS};
 use super::ray::{All, Hit, HitFilter, Ray};
 use super::single::{Search, walk_set};
 use crate::scene::{InstanceSet, Scene};
@@ -88,12 +88,12 @@ kernels!(beam_touches_with, touches, &dyn HitFilter, bool);
 
 #[inline(always)]
 fn closest<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], filter: &dyn HitFilter, hits: &mut [Hit]) {
-    if rays.len() < LEAST_PACKET {
+    if rays.len() < MIN_PACKET {
         return one_by_one(isa, scene, rays, filter, hits);
     }
     let (mut packet, mut room) = (Packet::new(), None);
     for (rays, hits) in rays.chunks(RAYS).zip(hits.chunks_mut(RAYS)) {
-        let quest = Quest { rays, filter };
+        let query = Query { rays, filter };
         packet.clear();
         let mut is_beam = false;
         for (set, first) in numbered(scene) {
@@ -104,7 +104,7 @@ fn closest<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], filter: &dyn HitFilter, 
                 break;
             }
             packet.shorten(isa);
-            beam::walk_set(isa, set, first, &quest, &mut packet, &mut room);
+            beam::walk_set(isa, set, first, &query, &mut packet, &mut room);
         }
         if is_beam {
             hits.iter_mut().enumerate().for_each(|(i, hit)| *hit = packet.hit(i));

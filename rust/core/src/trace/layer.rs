@@ -1,8 +1,8 @@
 //! Tracing of a scene's static instances layer by layer.
 
-use super::beam::{self, Quest};
+use super::beam::{self, Query};
 use super::lanes::Isa;
-use super::packet::{LEAST_PACKET, Packet, RAYS};
+use super::packet::{MIN_PACKET, Packet, RAYS};
 use super::ray::{Hit, HitFilter, Ray};
 use super::single::{self, Local, Search};
 use crate::base::{Aabb, Progress, Result};
@@ -68,14 +68,14 @@ pub(super) fn by_layer<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], layers: &[La
     let instances = scene.standing.instances();
     let Some(whole) = scene.standing.tlas().filter(|_| !instances.is_empty()) else { return };
     let mut last = [Hit::MISS; RAYS];
-    let (mut packet, mut room) = (Packet::new(), None);
+    let (mut packet, mut stack) = (Packet::new(), None);
     packet.clear();
-    if rays.len() >= LEAST_PACKET && packet.fill(isa, rays, &whole.bounds) {
+    if rays.len() >= MIN_PACKET && packet.fill(isa, rays, &whole.bounds) {
         packet.shorten(isa);
         for (layer, out) in layers.iter().zip(out) {
             let before = packet.changes;
-            let quest = Quest { rays, filter: &*layer.filter };
-            beam::walk_some(isa, &layer.tree.0, instances, &quest, &mut packet, &mut room);
+            let query = Query { rays, filter: &*layer.filter };
+            beam::walk_subset(isa, &layer.tree.0, instances, &query, &mut packet, &mut stack);
             if packet.changes != before {
                 out.store(rays.len(), &mut last, |i| packet.hit(i));
             }
@@ -87,7 +87,7 @@ pub(super) fn by_layer<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], layers: &[La
         for (ray, best) in rays.iter().zip(&mut found) {
             let mut search = Search { ray, filter: &*layer.filter, best: *best, any: false };
             let local = Local::new(ray, &whole.bounds);
-            single::walk_some(isa, &layer.tree.0, instances, &local, &mut search);
+            single::walk_subset(isa, &layer.tree.0, instances, &local, &mut search);
             *best = search.best;
         }
         out.store(rays.len(), &mut last, |i| found[i]);

@@ -48,18 +48,18 @@ pub fn nearest(scene: &Scene, points: Points<'_>, facing: Option<&[[f32; 3]]>, p
         .zip(found.barycentric.par_chunks_mut(TILE))
         .enumerate();
     tiles.try_for_each(|(tile, ((distance, triangle), weights))| {
-        let mut room = Vec::new();
+        let mut stack = Vec::new();
         let mut last = Found::NOTHING;
         for row in 0..distance.len() {
             let at = tile * TILE + row;
             let facing = facing.map(|rows| Vec3::from_array(rows[at]).as_dvec3());
-            let search = NearestSearch { point: points.at(at) - scene.origin, facing, best: Found::NOTHING };
-            last = search.run(scene, last, &mut room);
+            let search = NearestSearch { point: points.get(at) - scene.origin, facing, best: Found::NOTHING };
+            last = search.run(scene, last, &mut stack);
             if last.instance == u32::MAX {
                 continue;
             }
             let corners = scene.instance(last.instance).corners(last.face);
-            let near = closest(corners.map(|corner| corner.as_dvec3() - (points.at(at) - scene.origin)));
+            let near = closest(corners.map(|corner| corner.as_dvec3() - (points.get(at) - scene.origin)));
             distance[row] = near.square.sqrt();
             triangle[row] = offsets[last.instance as usize] + i64::from(last.face);
             weights[row] = [near.u, near.v];
@@ -95,7 +95,7 @@ struct NearestSearch {
 }
 
 /// Stack of boxes still to be opened: lower bound of the squared distance, and reference.
-type Room = Vec<(f32, u32)>;
+type Stack = Vec<(f32, u32)>;
 
 /// Frame of a tree's boxes: the query point in it, and how its distances relate to those in scene space.
 struct TreeFrame {
@@ -131,7 +131,7 @@ impl TreeFrame {
 }
 
 impl NearestSearch {
-    fn run(mut self, scene: &Scene, start: Found, room: &mut Room) -> Found {
+    fn run(mut self, scene: &Scene, start: Found, stack: &mut Stack) -> Found {
         // Neighbours in the list are usually close together, so the previous point's triangle gives a good first
         // bound.
         if start.instance != u32::MAX {
@@ -141,9 +141,9 @@ impl NearestSearch {
         for set in scene.sets() {
             if let Some(tlas) = set.tlas() {
                 let frame = TreeFrame::new(self.point, 1.0);
-                self.walk(&tlas.wide, &frame, room, |search, leaf, room| {
+                self.walk(&tlas.wide, &frame, stack, |search, leaf, stack| {
                     if let Some(slot) = tlas.instance(leaf) {
-                        search.enter(&set.instances()[slot as usize], first + slot, room);
+                        search.enter(&set.instances()[slot as usize], first + slot, stack);
                     }
                 });
             }
@@ -152,7 +152,7 @@ impl NearestSearch {
         self.best
     }
 
-    fn enter(&mut self, instance: &Instance, number: u32, room: &mut Room) {
+    fn enter(&mut self, instance: &Instance, number: u32, stack: &mut Stack) {
         let Some(bvh) = instance.mesh.bvh() else { return };
         let frame = if instance.in_place {
             TreeFrame::new(self.point, 1.0)
@@ -164,40 +164,40 @@ impl NearestSearch {
             let norm: f64 = columns.iter().map(|column| column.length_squared()).sum();
             TreeFrame::new(instance.to_object.transform_point3(self.point), (1.0 - 1e-12) / norm)
         };
-        self.walk(&bvh.wide, &frame, room, |search, leaf, _| {
+        self.walk(&bvh.wide, &frame, stack, |search, leaf, _| {
             bvh.leaf(leaf).iter().for_each(|block| search.try_block(block, instance, number));
         });
     }
 
     /// Visits leaves that may be nearer than the best triangle, nearest leaf first.
     #[inline(always)]
-    fn walk(&mut self, tree: &Wide, frame: &TreeFrame, room: &mut Room, leaf: impl Fn(&mut Self, u32, &mut Room)) {
+    fn walk(&mut self, tree: &Wide, frame: &TreeFrame, stack: &mut Stack, leaf: impl Fn(&mut Self, u32, &mut Stack)) {
         if tree.nodes.is_empty() {
             return;
         }
-        let base = room.len();
-        room.push((0.0, 0));
-        while room.len() > base {
-            let Some((near, reference)) = room.pop() else { return };
+        let base = stack.len();
+        stack.push((0.0, 0));
+        while stack.len() > base {
+            let Some((near, reference)) = stack.pop() else { return };
             if f64::from(near) * frame.scale > self.best.square {
                 continue;
             }
             if reference & LEAF != 0 {
-                leaf(self, reference, room);
+                leaf(self, reference, stack);
                 continue;
             }
             let node = &tree.nodes[reference as usize];
             let squares = frame.squares(node);
-            let start = room.len();
+            let start = stack.len();
             for (&square, &child) in squares.iter().zip(&node.children) {
                 if child == NO_CHILD || f64::from(square) * frame.scale > self.best.square {
                     continue;
                 }
-                room.push((square, child));
-                let mut at = room.len() - 1;
+                stack.push((square, child));
+                let mut at = stack.len() - 1;
                 // Insertion sort: nearer boxes go to the top.
-                while at > start && room[at - 1].0 < square {
-                    room.swap(at - 1, at);
+                while at > start && stack[at - 1].0 < square {
+                    stack.swap(at - 1, at);
                     at -= 1;
                 }
             }

@@ -14,13 +14,13 @@ use crate::bvh::Node;
 /// Maximum number of rays in a packet: a tile of 8 × 8 pixels.
 pub(crate) const RAYS: usize = 64;
 /// Minimum number of rays for which a packet saves time.
-pub(super) const LEAST_PACKET: usize = 8;
+pub(super) const MIN_PACKET: usize = 8;
 /// Maximum spread of slopes relative to the main axis at which rays still form a beam.
 const MAX_SLOPE_SPREAD: f32 = 0.35;
 /// Relative widening of a beam, far above the rounding difference between a ray's box test and the beam's.
 const BEAM_MARGIN: f32 = 16.0 * f32::EPSILON;
-/// See `slab::LEAST_SLOPE`.
-const LEAST_SLOPE: f32 = super::slab::LEAST_SLOPE;
+/// See `slab::MIN_SLOPE`.
+const MIN_SLOPE: f32 = super::slab::MIN_SLOPE;
 
 type Row = [f32; RAYS];
 
@@ -178,7 +178,7 @@ impl Packet {
             reach = reach.max(low).max(high);
         }
         let error = reach.mul(I::Group::splat(isa, super::slab::ERROR)).add(I::Group::splat(isa, f32::MIN_POSITIVE));
-        let least = size[main].mul(I::Group::splat(isa, LEAST_SLOPE));
+        let least = size[main].mul(I::Group::splat(isa, MIN_SLOPE));
         for axis in 0..3 {
             let scale = one.div(size[axis].max(least));
             let negative = d[axis].lt(zero);
@@ -208,13 +208,13 @@ impl Packet {
                 (least - least.abs() * BEAM_MARGIN, greatest + greatest.abs() * BEAM_MARGIN)
             };
             let beam = &mut self.beam;
-            beam.both_ways[axis] = least < LEAST_SLOPE && greatest > -LEAST_SLOPE;
+            beam.both_ways[axis] = least < MIN_SLOPE && greatest > -MIN_SLOPE;
             let backwards = !beam.both_ways[axis] && greatest < 0.0;
             beam.first[axis] = 2 * axis + usize::from(backwards);
             let (shorter, longer) = (1.0 - BEAM_MARGIN, 1.0 + BEAM_MARGIN);
             (beam.near_origin[axis], beam.far_origin[axis]) = if backwards { (low, high) } else { (high, low) };
             (beam.near_scale[axis], beam.far_scale[axis]) = if beam.both_ways[axis] {
-                (shorter / greatest.max(LEAST_SLOPE), shorter / least.min(-LEAST_SLOPE))
+                (shorter / greatest.max(MIN_SLOPE), shorter / least.min(-MIN_SLOPE))
             } else if backwards {
                 (shorter / least, longer / greatest)
             } else {

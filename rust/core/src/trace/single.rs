@@ -96,7 +96,7 @@ pub(crate) fn walk_set<I: Isa>(isa: I, set: &InstanceSet, first: u32, search: &m
 
 /// Traverses a tree over some of a set's instances with a ray prepared for all of them.
 #[inline(always)]
-pub(crate) fn walk_some<I: Isa>(isa: I, tlas: &Tlas, instances: &[Instance], local: &Local, search: &mut Search<'_>) {
+pub(crate) fn walk_subset<I: Isa>(isa: I, tlas: &Tlas, instances: &[Instance], local: &Local, search: &mut Search<'_>) {
     walk(isa, &tlas.wide, local, search, &Instances { tlas, instances, first: 0 });
 }
 

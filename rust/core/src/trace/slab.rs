@@ -22,7 +22,7 @@ pub(super) const SHORTER: f32 = 1.0 - 4.0 * f32::EPSILON;
 pub(super) const LONGER: f32 = 1.0 + 4.0 * f32::EPSILON;
 /// Minimum slope; smaller slopes are replaced by it. So no product with a plane's distance is NaN, and the ray's
 /// deviation over the whole box stays far below one rounding.
-pub(super) const LEAST_SLOPE: f32 = 1e-12;
+pub(super) const MIN_SLOPE: f32 = 1e-12;
 
 /// A ray prepared for all boxes below one root.
 #[derive(Clone, Copy, Debug)]
@@ -45,7 +45,7 @@ impl Slabs {
     pub(crate) fn new(origin: Vec3, direction: Vec3, bounds: &Aabb) -> Self {
         let reach = (bounds.min - origin).abs().max((bounds.max - origin).abs()).max_element();
         let error = reach * ERROR + f32::MIN_POSITIVE;
-        let least = direction.abs().max_element() * LEAST_SLOPE;
+        let least = direction.abs().max_element() * MIN_SLOPE;
         let mut slabs = Self {
             first: [0; 3],
             near_origin: [0.0; 3],

@@ -9,8 +9,8 @@ use super::lanes::{Isa, Lanes};
 
 /// Valid range of determinants; others come from products that overflow or underflow in float32 and are recomputed in
 /// float64.
-const LEAST_DETERMINANT: f32 = 1e-30;
-const GREATEST_DETERMINANT: f32 = 1e30;
+const MIN_DETERMINANT: f32 = 1e-30;
+const MAX_DETERMINANT: f32 = 1e30;
 /// Maximum number of lanes of any instruction set.
 const MAX_LANES: usize = 16;
 
@@ -73,7 +73,7 @@ pub(crate) fn intersect<I: Isa, L: Lanes<I>>(
     let t = u.mul(az).add(v.mul(bz)).add(w.mul(cz)).div(determinant);
     let mut crossing = Crossing { mask, t, u: v.div(determinant), v: w.div(determinant) };
     let size = determinant.abs();
-    let fine = L::splat(isa, LEAST_DETERMINANT).lt(size) & size.lt(L::splat(isa, GREATEST_DETERMINANT));
+    let fine = L::splat(isa, MIN_DETERMINANT).lt(size) & size.lt(L::splat(isa, MAX_DETERMINANT));
     let special = mask & (u.eq(zero) | v.eq(zero) | w.eq(zero) | !fine);
     if special != 0 {
         let (mut sheared, mut values) = ([[[0.0; MAX_LANES]; 3]; 3], [[0.0; MAX_LANES]; 3]);

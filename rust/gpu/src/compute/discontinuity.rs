@@ -173,7 +173,7 @@ fn torn_block(
     [first, cells]: [u32; 2],
     cell: f64,
 ) -> TornBlock {
-    let Axes { right, up, ahead, fov } = Axes::of(truth);
+    let Axes { right, up, ahead, fov } = Axes::new(truth);
     let (across, down) =
         (f64::from(truth.width) / (fov.right - fov.left), f64::from(truth.height) / (fov.up - fov.down));
     let eye = truth.position - frame.origin();

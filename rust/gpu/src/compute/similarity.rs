@@ -47,7 +47,7 @@ pub fn similarity(
     let weights = weights(window)?;
     let size = check(reference, test)?;
     let pixels = size[0] * size[1];
-    let inside = inside(size, weights.len() as u32);
+    let inside = inner_window(size, weights.len() as u32);
     let tiles = size.map(|length| length.div_ceil(TILE));
     let colors = [reference.color()?, test.color()?];
     let mut block = SimilarityBlock {
@@ -135,7 +135,7 @@ fn check(reference: &DeviceFrame, test: &DeviceFrame) -> Result<[u32; 2]> {
 }
 
 /// Returns the pixels whose windows count: first column and row, end column and row.
-fn inside([width, height]: [u32; 2], taps: u32) -> [u32; 4] {
+fn inner_window([width, height]: [u32; 2], taps: u32) -> [u32; 4] {
     if width < taps || height < taps {
         return [0, 0, width, height];
     }

@@ -57,7 +57,7 @@ pub(crate) const SAMPLES: u32 = 4;
 const STORAGE_BUFFERS: u32 = 8;
 
 impl AdapterReport {
-    pub(super) fn of(adapter: &Adapter) -> Self {
+    pub(super) fn new(adapter: &Adapter) -> Self {
         let (info, limits) = (adapter.get_info(), adapter.limits());
         let kind = match info.device_type {
             DeviceType::DiscreteGpu => AdapterKind::Discrete,

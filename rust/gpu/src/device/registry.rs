@@ -28,7 +28,7 @@ static KNOWN: OnceLock<(u32, Mutex<Registry>)> = OnceLock::new();
 /// Returns all adapters, best first, with the reason if one cannot be used.
 pub fn adapters() -> Result<Vec<AdapterReport>> {
     with_registry(|registry| {
-        let mut reports: Vec<AdapterReport> = registry.all().map(|found| found.report.clone()).collect();
+        let mut reports: Vec<AdapterReport> = registry.find_all().map(|found| found.report.clone()).collect();
         reports.sort_by_key(AdapterReport::rank);
         reports
     })
@@ -48,7 +48,8 @@ pub fn device(wanted: Option<&str>) -> Result<Arc<Device>> {
         if !decided {
             registry.gl();
         }
-        let best = registry.known().filter(|found| found.is_usable(wanted)).min_by_key(|found| found.report.rank());
+        let best =
+            registry.found_so_far().filter(|found| found.is_usable(wanted)).min_by_key(|found| found.report.rank());
         let Some(found) = best else { return Err(Error::Device(absence(registry, wanted))) };
         if let Some(device) = found.device.as_ref().filter(|device| !device.is_lost()) {
             return Ok(device.clone());
@@ -66,7 +67,7 @@ pub fn close(progress: &Progress) -> Result<()> {
         return Ok(());
     }
     let mut registry = registry.lock().unwrap_or_else(PoisonError::into_inner);
-    registry.known().filter_map(|found| found.device.take()).try_for_each(|device| device.close(progress))
+    registry.found_so_far().filter_map(|found| found.device.take()).try_for_each(|device| device.close(progress))
 }
 
 fn with_registry<R>(use_it: impl FnOnce(&mut Registry) -> R) -> Result<R> {
@@ -90,13 +91,13 @@ impl Registry {
         self.gl.get_or_insert_with(|| find(Backends::GL))
     }
 
-    fn all(&mut self) -> impl Iterator<Item = &mut Found> {
+    fn find_all(&mut self) -> impl Iterator<Item = &mut Found> {
         self.native();
         self.gl();
-        self.known()
+        self.found_so_far()
     }
 
-    fn known(&mut self) -> impl Iterator<Item = &mut Found> {
+    fn found_so_far(&mut self) -> impl Iterator<Item = &mut Found> {
         self.native.iter_mut().chain(&mut self.gl).flatten()
     }
 }
@@ -112,14 +113,14 @@ fn find(backends: Backends) -> Vec<Found> {
     descriptor.backends = backends;
     let instance = Instance::new(descriptor);
     let adapters = pollster::block_on(instance.enumerate_adapters(backends));
-    let found = |adapter: Adapter| Found { report: AdapterReport::of(&adapter), adapter, device: None };
+    let found = |adapter: Adapter| Found { report: AdapterReport::new(&adapter), adapter, device: None };
     adapters.into_iter().map(found).collect()
 }
 
 /// Returns the message for the case that no adapter is usable: the reason, and what to install.
 fn absence(registry: &mut Registry, wanted: Option<&str>) -> String {
     let seen: Vec<String> = registry
-        .all()
+        .find_all()
         .map(|found| match &found.report.refused[..] {
             "" => found.report.label(),
             refused => format!("{} ({refused})", found.report.label()),

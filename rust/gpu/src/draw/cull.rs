@@ -30,7 +30,7 @@ impl Frustum {
     pub fn new(camera: &Camera, window: &Window, eye: DVec3, limits: &Limits, moved: &Displacement) -> Self {
         let Displacement { shift, slack } = *moved;
         let (eye, far) = (eye - shift, f64::from(limits.segment.t_max));
-        let Axes { right, up, ahead, fov } = Axes::of(camera);
+        let Axes { right, up, ahead, fov } = Axes::new(camera);
         let fov = window.part_of(camera, &fov);
         let sides = [(right, fov.left, 1.0), (right, fov.right, -1.0), (up, fov.down, 1.0), (up, fov.up, -1.0)];
         let plane = |normal: DVec3, at: f64| {
@@ -85,7 +85,7 @@ impl Frustum {
 
     /// Same as `sees`, for a box that is known to pass the whole picture's half-spaces.
     #[inline]
-    pub fn sees_of_seen(&self, bounds: &Aabb) -> bool {
+    pub fn sees_inside_picture(&self, bounds: &Aabb) -> bool {
         if self.whole { self.is_drawn(bounds) } else { self.sees(bounds) }
     }
 

@@ -18,7 +18,7 @@ pub(crate) struct Mask {
 
 impl Mask {
     /// Returns the mask of a picture, if it has one.
-    pub fn of(pixels: &Pixels<'_>, camera: &Camera) -> Result<Option<Arc<Self>>> {
+    pub fn from_pixels(pixels: &Pixels<'_>, camera: &Camera) -> Result<Option<Arc<Self>>> {
         let Some(mask) = pixels.mask else { return Ok(None) };
         let count = camera.width as usize * camera.height as usize;
         if mask.len() != count {

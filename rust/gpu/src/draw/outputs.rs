@@ -10,14 +10,14 @@ use crate::device::Device;
 const CHANNEL_BYTES: [u64; CHANNELS] = [12, 4, 8, 12, 12, 12, 12, 4];
 
 /// Returns flags of the requested channels, in the order of `CHANNEL_BYTES`.
-fn wanted(channels: Channels) -> [bool; CHANNELS] {
+fn channel_flags(channels: Channels) -> [bool; CHANNELS] {
     let Channels { color, coverage, range, object_id, face_id, position, normal, albedo, shading_normal } = channels;
     [color, range, object_id || face_id, position, normal, albedo, shading_normal, coverage]
 }
 
 /// Returns the bytes per pixel.
 pub(super) fn bytes_per_pixel(channels: Channels) -> u64 {
-    wanted(channels).iter().zip(CHANNEL_BYTES).map(|(&wanted, bytes)| u64::from(wanted) * bytes).sum()
+    channel_flags(channels).iter().zip(CHANNEL_BYTES).map(|(&wanted, bytes)| u64::from(wanted) * bytes).sum()
 }
 
 /// Returns the maximum number of pixels of a window, and its maximum width and height.
@@ -31,7 +31,7 @@ pub(super) fn layouts(channels: Channels, window: &Window, views: usize) -> Vec<
     let mut at = 0;
     let mut layout = || {
         let mut outputs = [u32::MAX; CHANNELS];
-        for ((slot, wanted), bytes) in outputs.iter_mut().zip(wanted(channels)).zip(CHANNEL_BYTES) {
+        for ((slot, wanted), bytes) in outputs.iter_mut().zip(channel_flags(channels)).zip(CHANNEL_BYTES) {
             if wanted {
                 *slot = at;
                 at += (bytes / 4) as u32 * window.pixels() as u32;

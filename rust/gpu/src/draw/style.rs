@@ -31,7 +31,7 @@ impl Hash for Snippet {
     }
 }
 
-/// Displacement of points. The snippet defines `shown` (the displayed position of a point), `shown_range` (the
+/// Displacement of points. The snippet defines `displayed` (the displayed position of a point), `displayed_range` (the
 /// displayed distance of a surface) and `backdrop_range` (the displayed distance of the environment map), by the
 /// override `STYLE`: see `plain.wgsl`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -92,8 +92,8 @@ mod tests {
     /// A technique unknown to `draw`: all points are moved, and those to the left of the eye are cut.
     const MOVED: Style = Style(Snippet {
         name: "moved",
-        text: "fn shown(p: vec3<f32>) -> vec3<f32> { return p + view.parameters[0].xyz; }
-               fn shown_range(direction: vec3<f32>, range: f32) -> f32 { return range; }
+        text: "fn displayed(p: vec3<f32>) -> vec3<f32> { return p + view.parameters[0].xyz; }
+               fn displayed_range(direction: vec3<f32>, range: f32) -> f32 { return range; }
                fn backdrop_range(direction: vec3<f32>, range: f32) -> f32 { return range; }",
         variant: 0,
     });

@@ -4,7 +4,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec2, DVec3, DVec4};
 use nearfar_core::camera::direction_from_face;
 use nearfar_core::camera::{Camera, Fov, Projection};
-use nearfar_core::render::{Limits, MOST_PLANES, Segment};
+use nearfar_core::render::{Limits, MAX_PLANES, Segment};
 
 use super::inputs::{BLOCK, PASS_BLOCKS};
 use super::picture::Picture;
@@ -30,7 +30,7 @@ pub(super) struct Pass {
     outputs: [u32; 4],
     more_outputs: [u32; 4],
     segment: [f32; 4],
-    planes: [[f32; 4]; MOST_PLANES],
+    planes: [[f32; 4]; MAX_PLANES],
     parameters: Parameters,
     /// Padding to whole blocks, so that the passes of two views form an array.
     unused: [[f32; 4]; 15],
@@ -71,7 +71,7 @@ pub(crate) struct Axes {
 }
 
 impl Axes {
-    pub fn of(camera: &Camera) -> Self {
+    pub fn new(camera: &Camera) -> Self {
         let axes = DMat3::from_quat(camera.orientation);
         let (right, up, ahead) = (axes.x_axis, axes.y_axis, -axes.z_axis);
         match camera.projection {
@@ -150,8 +150,8 @@ fn segment_of(picture: &Picture) -> [f32; 4] {
 }
 
 /// Returns the clip half-spaces for points relative to the eye.
-fn planes_of(picture: &Picture, eye: DVec3) -> [[f32; 4]; MOST_PLANES] {
-    let mut planes = [[0.0; 4]; MOST_PLANES];
+fn planes_of(picture: &Picture, eye: DVec3) -> [[f32; 4]; MAX_PLANES] {
+    let mut planes = [[0.0; 4]; MAX_PLANES];
     let limits = picture.limits.unwrap_or(Limits::NONE).relative_to(eye);
     for (to, plane) in planes.iter_mut().zip(limits.planes()) {
         *to = plane.as_vec4().to_array();
@@ -175,7 +175,7 @@ fn on_grid(vectors: [DVec3; 3], window: &Window) -> [(DVec3, DVec3); 3] {
 /// Returns the rows that map (point relative to the eye, 1) to clip space: reversed depth, 1 at the near plane and 0
 /// at infinity; for parallel rays 1 at the image plane and 0 at the farthest depth.
 fn clip_rows(camera: &Camera, window: &Window, sampling: &Sampling, farthest: f64) -> [DVec4; 4] {
-    let Axes { right, up, ahead, fov } = Axes::of(camera);
+    let Axes { right, up, ahead, fov } = Axes::new(camera);
     let (center, size) =
         (DVec2::new(fov.left + fov.right, fov.down + fov.up), DVec2::new(fov.right - fov.left, fov.up - fov.down));
     let (x, y, z, w) = if camera.is_parallel() {

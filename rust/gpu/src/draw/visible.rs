@@ -33,7 +33,7 @@ impl Visible {
     ) -> Self {
         let sees = |bounds: &Aabb| frustum.is_none_or(|frustum| frustum.sees(bounds));
         let shows = |n: usize, bounds: &Aabb| match seen {
-            Some(seen) => seen[n] && frustum.is_none_or(|frustum| frustum.sees_of_seen(bounds)),
+            Some(seen) => seen[n] && frustum.is_none_or(|frustum| frustum.sees_inside_picture(bounds)),
             None => sees(bounds),
         };
         let mut calls: Vec<(Arc<Page>, Range<u32>, Vec<u32>)> = Vec::new();

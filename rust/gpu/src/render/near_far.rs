@@ -5,10 +5,10 @@ use nearfar_core::morph::Kind;
 
 use crate::draw::{Cut, Displacement, Parameters, Snippet, Style};
 
-const SHOWN: &str = concat!(include_str!("../shaders/morph.wgsl"), include_str!("../shaders/shown.wgsl"));
+const SHOWN: &str = concat!(include_str!("../shaders/morph.wgsl"), include_str!("../shaders/displayed.wgsl"));
 const ZONES: &str = include_str!("../shaders/zones.wgsl");
 
-/// Displacement of points: variants of `shown.wgsl`.
+/// Displacement of points: variants of `displayed.wgsl`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Shown {
     /// Not displaced.
@@ -105,7 +105,7 @@ pub(super) struct NearFar {
 }
 
 impl NearFar {
-    /// Returns the parameters of `shown.wgsl` and `zones.wgsl`.
+    /// Returns the parameters of `displayed.wgsl` and `zones.wgsl`.
     pub fn parameters(&self) -> Parameters {
         let [r1, r2] = self.radii;
         let slope = if r2 > r1 { 1.0 / (r2 - r1) } else { 0.0 };

@@ -33,7 +33,7 @@ pub fn begin(
         return Ok(vec![Job::begin_views(device, plain, cameras.to_vec(), channels, samples, progress)?]);
     }
     let begin = |camera| {
-        let picture = Picture { mask: Mask::of(&pixels, camera)?, ..plain.clone() };
+        let picture = Picture { mask: Mask::from_pixels(&pixels, camera)?, ..plain.clone() };
         Job::begin(device, picture, camera, channels, samples, progress)
     };
     cameras.iter().map(begin).collect()

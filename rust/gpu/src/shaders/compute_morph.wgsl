@@ -39,7 +39,7 @@ fn relative_to_center(p: vec3<f32>) -> vec3<f32> {
     return (p - morph.center_high.xyz) - morph.center_low.xyz;
 }
 
-fn store_shown(number: u32, keeps_rho: bool) {
+fn store_displayed(number: u32, keeps_rho: bool) {
     if number >= morph.count.x {
         return;
     }
@@ -47,17 +47,17 @@ fn store_shown(number: u32, keeps_rho: bool) {
     var shown = p + morph.offset.xyz;
     if is_finite(p) {
         let zones = Zones(morph.radii.x, morph.radii.y, morph.radii.z, morph.center_high.w);
-        shown = shown_in_world(p, relative_to_center(p), morph.offset.xyz, zones, keeps_rho);
+        shown = displayed_in_world(p, relative_to_center(p), morph.offset.xyz, zones, keeps_rho);
     }
     store(number, shown);
 }
 
 @compute @workgroup_size(GROUP)
 fn morph_blend(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
-    store_shown(number_of(group, local), false);
+    store_displayed(number_of(group, local), false);
 }
 
 @compute @workgroup_size(GROUP)
 fn morph_cylinder(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
-    store_shown(number_of(group, local), true);
+    store_displayed(number_of(group, local), true);
 }

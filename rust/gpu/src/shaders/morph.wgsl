@@ -1,5 +1,5 @@
-// The morph: Popescu, Lee, Choi, Fahmy (2022), Eq. 1-3, and CloVR (2024), Alg. 1. The renderer and the kernel of arrays
-// share these functions, so that what the kernel is tested with tests the renderer too.
+// The morph: Popescu, Lee, Choi, Fahmy (2022), Eq. 1-3, and CloVR (2024), Alg. 1. Renderer and array kernel share these
+// functions, so that tests of the kernel cover the renderer.
 
 // A blend of unit vectors below this has no digits left.
 const OPPOSED: f32 = 1e-6;
@@ -9,7 +9,7 @@ fn user_weight(rho: f32, r2: f32, slope: f32) -> f32 {
     return clamp((r2 - rho) * slope, 0.0, 1.0);
 }
 
-// Eq. 1-3 as written: the direction in which the user is shown a point, and in w its distance.
+// Eq. 1-3 as written: displayed direction, and in w the distance.
 fn blended(from_user: vec3<f32>, from_center: vec3<f32>, w: f32) -> vec4<f32> {
     let by_user = length(from_user);
     let by_center = length(from_center);
@@ -23,19 +23,19 @@ fn blended(from_user: vec3<f32>, from_center: vec3<f32>, w: f32) -> vec4<f32> {
     return vec4<f32>(direction, w * by_user + (1.0 - w) * by_center);
 }
 
-// The user's place on the ground relative to the axis, and its distance from it.
+// User's position on the ground relative to the axis, and its distance from the axis.
 struct Place {
     at: vec2<f32>,
     rho: f32,
 }
 
-// Of a user relative to the centre.
+// Returns the ground position of a user at an offset from the centre.
 fn ground_place(offset: vec3<f32>) -> Place {
     return Place(offset.xz, length(offset.xz));
 }
 
-// Distance from the user along a unit direction to where it leaves the cylinder of radius rho about the axis; negative
-// where the user stands outside or the direction never leaves. The larger root in the form that does not cancel.
+// Returns the distance from the user along a unit direction to the exit from the cylinder of radius rho about the axis;
+// negative if the user stands outside or the direction never leaves. Larger root, computed without cancellation.
 fn leave_cylinder(user: Place, direction: vec3<f32>, rho: f32) -> f32 {
     let a = dot(direction.xz, direction.xz);
     if rho <= user.rho || a == 0.0 {
@@ -51,15 +51,15 @@ fn leave_cylinder(user: Place, direction: vec3<f32>, rho: f32) -> f32 {
     return (q - b) / a;
 }
 
-// The blended direction, and in w the distance at which it leaves the point's own cylinder, if it does.
+// Returns the blended direction, and in w the distance at which it leaves the point's own cylinder, if it does.
 fn on_cylinder(user: Place, from_user: vec3<f32>, from_center: vec3<f32>, w: f32, rho: f32) -> vec4<f32> {
     let to = blended(from_user, from_center, w);
     let exit = leave_cylinder(user, to.xyz, rho);
     return vec4<f32>(to.xyz, select(to.w, exit, exit >= 0.0));
 }
 
-// How far away the user is shown along a unit direction what the centre sees there at a distance beyond r2, if points
-// are shown on their cylinders. (Blended points keep that distance.) Infinite distances stay.
+// Returns the displayed distance, on cylinders, of a point that the centre sees beyond r2 in a unit direction. (Blended
+// points keep their distance.) Infinite distances stay infinite.
 fn range_on_cylinder(user: Place, direction: vec3<f32>, from_center: f32) -> f32 {
     if from_center > 1e30 {
         return from_center;

@@ -1,12 +1,12 @@
 // Plain style: points are not displaced.
 
 // Returns the displayed position of a point; both are relative to the eye.
-fn shown(p: vec3<f32>) -> vec3<f32> {
+fn displayed(p: vec3<f32>) -> vec3<f32> {
     return p;
 }
 
 // Returns the displayed distance of a surface drawn at a distance along a unit direction.
-fn shown_range(direction: vec3<f32>, range: f32) -> f32 {
+fn displayed_range(direction: vec3<f32>, range: f32) -> f32 {
     return range;
 }
 

@@ -31,7 +31,7 @@ fn corner_of(number: u32, instance: u32) -> Corner {
     let part = batch.part;
     let vertex = page[part.faces + number];
     let p = seen_from_eye(record, part, vertex);
-    let q = shown(p);
+    let q = displayed(p);
     let at = vec4<f32>(q, 1.0);
     let position = vec4<f32>(dot(view.clip_x, at), dot(view.clip_y, at), dot(view.clip_z, at), dot(view.clip_w, at));
     return Corner(local, record, part, vertex, p, q, position);
@@ -141,7 +141,7 @@ fn is_within_limits(from_eye: vec3<f32>) -> bool {
         distance = dot(from_eye, normalize(view.direction.xyz + view.rest.xyz));
     } else {
         let direction = from_eye / distance;
-        distance = shown_range(direction, distance);
+        distance = displayed_range(direction, distance);
         place = direction * distance;
     }
     return distance >= view.segment.x && distance <= view.segment.y && is_within_planes(place);

@@ -72,12 +72,12 @@ fn surface_of(record: Record, part: Part, face: u32, ray: Ray) -> Surface {
     let a = seen_from_eye(record, part, corner_number(part, face, 0u));
     let b = seen_from_eye(record, part, corner_number(part, face, 1u));
     let c = seen_from_eye(record, part, corner_number(part, face, 2u));
-    let shown_a = shown(a) - ray.start;
-    let shown_b = shown(b) - ray.start;
-    let shown_c = shown(c) - ray.start;
-    let along_a = along_ray(shown_a, ray.direction);
-    let along_b = along_ray(shown_b, ray.direction);
-    let along_c = along_ray(shown_c, ray.direction);
+    let displayed_a = displayed(a) - ray.start;
+    let displayed_b = displayed(b) - ray.start;
+    let displayed_c = displayed(c) - ray.start;
+    let along_a = along_ray(displayed_a, ray.direction);
+    let along_b = along_ray(displayed_b, ray.direction);
+    let along_c = along_ray(displayed_c, ray.direction);
     let areas = vec3<f32>(
         along_c.x * along_b.y - along_c.y * along_b.x,
         along_a.x * along_c.y - along_a.y * along_c.x,
@@ -282,7 +282,7 @@ fn resolve(@builtin(global_invocation_id) pixel: vec3<u32>) {
 
 fn store_surface(number: u32, id: vec2<u32>, surface: Surface, ray: Ray) {
     if view.outputs.y != NONE {
-        store(view.outputs.y + number, shown_range(ray.direction, surface.range));
+        store(view.outputs.y + number, displayed_range(ray.direction, surface.range));
     }
     if view.outputs.z != NONE {
         output[view.outputs.z + 2u * number] = id.x;

@@ -32,7 +32,7 @@ struct Ellipse {
 }
 
 // Returns the derivative of a position X/W, given the changes of X and W.
-fn shown(change: f32, of_distance: f32, place: f32, over: f32) -> f32 {
+fn position_derivative(change: f32, of_distance: f32, place: f32, over: f32) -> f32 {
     if PARALLEL == 1u {
         return change;
     }
@@ -50,9 +50,9 @@ fn nearer(of_distance: f32, over: f32) -> f32 {
 // Returns the half extent of a ball along an axis: the length of the gradient of X/W.
 fn disc(own: vec3<f32>, distance: vec3<f32>, place: f32, over: f32) -> f32 {
     return length(vec3<f32>(
-        shown(own.x, distance.x, place, over),
-        shown(own.y, distance.y, place, over),
-        shown(own.z, distance.z, place, over),
+        position_derivative(own.x, distance.x, place, over),
+        position_derivative(own.y, distance.y, place, over),
+        position_derivative(own.z, distance.z, place, over),
     ));
 }
 
@@ -64,22 +64,22 @@ fn projected(view: View, start: vec3<f32>, at: vec2<f32>, splat: Splat) -> Ellip
     let x = along.x * over;
     let y = along.y * over;
     let n = normal_of(splat.normal, view.rest.x);
-    let facing = 1.0 / max(dot(view.axes[2].xyz, n), LEAST_COSINE * length(n));
+    let facing = 1.0 / max(dot(view.axes[2].xyz, n), MIN_COSINE * length(n));
     let by_column = dot(view.axes[0].xyz, n) * facing;
     let by_row = -dot(view.axes[1].xyz, n) * facing;
     let factor = select(select(BORDER, 1.0, splat.kind == INNER), 0.0, splat.kind == 0u);
     let is_surfel = splat.kind != 0u;
     let u = view.steps[0].xyz + by_column * view.steps[2].xyz;
     let v = view.steps[1].xyz + by_row * view.steps[2].xyz;
-    let ux = shown(u.x, u.z, x, over) * factor;
-    let vx = shown(v.x, v.z, x, over) * factor;
-    let uy = shown(u.y, u.z, y, over) * factor;
-    let vy = shown(v.y, v.z, y, over) * factor;
+    let ux = position_derivative(u.x, u.z, x, over) * factor;
+    let vx = position_derivative(v.x, v.z, x, over) * factor;
+    let uy = position_derivative(u.y, u.z, y, over) * factor;
+    let vy = position_derivative(v.y, v.z, y, over) * factor;
     let determinant = ux * vy - vx * uy;
     let gradient = view.gradients[2].xyz;
     let ball = vec2<f32>(disc(view.gradients[0].xyz, gradient, x, over), disc(view.gradients[1].xyz, gradient, y, over));
     let is_flat = abs(determinant) <= EPSILON * (abs(ux) + abs(vx)) * (abs(uy) + abs(vy));
-    let edge = select(1.0 / determinant, GREATEST, is_flat);
+    let edge = select(1.0 / determinant, MAX, is_flat);
     var found: Ellipse;
     found.place = vec2<f32>(x, y);
     if is_surfel {

@@ -1,9 +1,9 @@
 // The morph of a point of the world, for the kernel of arrays and for engines. Lengths in one unit, y up, either hand.
 
-// Squares beyond this come near to float32's end.
+// Squares beyond this approach float32's maximum.
 const FAR_SQUARED: f32 = 1e28;
 
-// Radius within which points stay (negative: none does), r2, 1 / (r2 - r1), and the strength of the morph.
+// Radius within which points do not move (negative: all move), r2, 1 / (r2 - r1), and the strength of the morph.
 struct Zones {
     stays: f32,
     r2: f32,
@@ -11,7 +11,7 @@ struct Zones {
     strength: f32,
 }
 
-// At strengths below 1 no point stays where it is. Where r2 is 0 nothing is near.
+// At strengths below 1 all points move. If r2 is 0, nothing is near.
 fn zones_of(r1: f32, r2: f32, strength: f32) -> Zones {
     var zones = Zones(-1.0, r2, 0.0, strength);
     if r2 > r1 {
@@ -59,9 +59,9 @@ fn shift_on_cylinder(from_center: vec3<f32>, offset: vec3<f32>, w: f32, rho: f32
     return offset + to.w * to.xyz - from_center;
 }
 
-// Where the user is shown a point p of the world: on its own cylinder, or by the blend. The point and the user are given
-// relative to the centre, too: where coordinates are large, subtract in more digits than float32 has.
-fn shown_in_world(
+// Returns the displayed position of a point p of the world: on its own cylinder, or by the blend. Pass the point and the
+// user relative to the centre, too: subtract large coordinates in more digits than float32 has.
+fn displayed_in_world(
     p: vec3<f32>,
     from_center: vec3<f32>,
     offset: vec3<f32>,
@@ -79,12 +79,12 @@ fn shown_in_world(
     return p + shift_of_blend(from_center, offset, w);
 }
 
-// Where the user is shown the point p of the world, by the blend (2022).
+// Returns the displayed position of the point p of the world, by the blend (2022).
 fn nearfar_morph(p: vec3<f32>, user: vec3<f32>, center: vec3<f32>, r1: f32, r2: f32, strength: f32) -> vec3<f32> {
-    return shown_in_world(p, p - center, user - center, zones_of(r1, r2, strength), false);
+    return displayed_in_world(p, p - center, user - center, zones_of(r1, r2, strength), false);
 }
 
-// The same by the cylinder (CloVR, 2024), which keeps each point's distance from the centre's axis.
+// Returns the same for the cylinder (CloVR, 2024), which keeps each point's distance from the centre's axis.
 fn nearfar_morph_cylinder(
     p: vec3<f32>,
     user: vec3<f32>,
@@ -93,10 +93,10 @@ fn nearfar_morph_cylinder(
     r2: f32,
     strength: f32,
 ) -> vec3<f32> {
-    return shown_in_world(p, p - center, user - center, zones_of(r1, r2, strength), true);
+    return displayed_in_world(p, p - center, user - center, zones_of(r1, r2, strength), true);
 }
 
-// How far away the user is shown what the far map holds in a unit direction at a range, with the cylinder.
+// Returns the displayed distance of the far map's surface at a range in a unit direction, with the cylinder.
 fn nearfar_range_cylinder(direction: vec3<f32>, range: f32, user: vec3<f32>, center: vec3<f32>) -> f32 {
     return range_on_cylinder(ground_place(user - center), direction, range);
 }

@@ -36,7 +36,7 @@ pub fn draw(
     let compressed = residents.compressed(views);
     let mut found = Images::new(&layout);
     progress.expect(u64::from(layout.bands().count() as u32) + 1);
-    let before = plan.before();
+    let before = plan.initial_keys();
     let bands = {
         // The arena is locked until the work is submitted, so that these views cannot be evicted. Nothing runs in
         // parallel meanwhile: a thread that waits inside rayon may run another picture, which needs the same lock.

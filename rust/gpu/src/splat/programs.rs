@@ -1,7 +1,7 @@
 //! Kernels of a picture.
 
 use nearfar_core::base::Result;
-use nearfar_core::orthoview::splat::{BORDER, HEAD, LANE_BITS, LEAST_COSINE, SQUARED_RADIUS};
+use nearfar_core::orthoview::splat::{BORDER, HEAD, LANE_BITS, MIN_COSINE, SQUARED_RADIUS};
 use wgpu::BindingResource;
 
 use crate::compute::programs::{Program, Work};
@@ -65,7 +65,7 @@ fn numbers() -> String {
     let epsilon = f32::EPSILON;
     format!(
         "const HEAD: u32 = {HEAD}u;\nconst LANE_BITS: u32 = {LANE_BITS}u;\nconst SQUARED_RADIUS: f32 = {SQUARED_RADIUS:?};\n\
-         const BORDER: f32 = {BORDER:?};\nconst LEAST_COSINE: f32 = {LEAST_COSINE:?};\n\
-         const EPSILON: f32 = {epsilon:?};\nconst GREATEST: f32 = 0x1.fffffep+127f;\n"
+         const BORDER: f32 = {BORDER:?};\nconst MIN_COSINE: f32 = {MIN_COSINE:?};\n\
+         const EPSILON: f32 = {epsilon:?};\nconst MAX: f32 = 0x1.fffffep+127f;\n"
     )
 }

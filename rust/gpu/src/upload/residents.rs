@@ -59,7 +59,7 @@ impl Known {
         if self.scenes.len() == MAX_SCENES {
             self.scenes.remove(0);
         }
-        self.scenes.push((Key::of(scene), Arc::clone(tables)));
+        self.scenes.push((Key::new(scene), Arc::clone(tables)));
     }
 
     /// Returns the meshes that are not on the device, without duplicates.
@@ -94,7 +94,7 @@ impl Residents {
     pub fn scene(&self, device: &Device, scene: &Scene) -> Result<Arc<SceneTables>> {
         device.check()?;
         let missing = {
-            let mut known = self.known();
+            let mut known = self.lock_known();
             known.purge();
             if let Some(tables) = known.tables_of(scene) {
                 return Ok(tables);
@@ -103,7 +103,7 @@ impl Residents {
         };
         let packed = pack(device, &missing, &self.shelf)?;
         let parts: HashMap<usize, Parts> = {
-            let mut known = self.known();
+            let mut known = self.lock_known();
             for (mesh, parts) in missing.iter().zip(packed) {
                 known.meshes.entry(address(mesh)).or_insert_with(|| (Arc::downgrade(mesh), Arc::new(parts)));
             }
@@ -115,7 +115,7 @@ impl Residents {
         let parts_of = |mesh: &Arc<Mesh>| parts.get(&address(mesh)).cloned().unwrap_or_default();
         let materials = self.materials(device, scene)?;
         let tables = Arc::new(SceneTables::new(device, scene, materials, parts_of)?);
-        let mut known = self.known();
+        let mut known = self.lock_known();
         if let Some(earlier) = known.tables_of(scene) {
             return Ok(earlier);
         }
@@ -124,11 +124,11 @@ impl Residents {
     }
 
     fn materials(&self, device: &Device, scene: &Scene) -> Result<Arc<MaterialTable>> {
-        if let Some(table) = self.known().materials_of(scene) {
+        if let Some(table) = self.lock_known().materials_of(scene) {
             return Ok(table);
         }
         let table = Arc::new(MaterialTable::new(device, scene)?);
-        let mut known = self.known();
+        let mut known = self.lock_known();
         if let Some(earlier) = known.materials_of(scene) {
             return Ok(earlier);
         }
@@ -137,7 +137,7 @@ impl Residents {
         Ok(table)
     }
 
-    fn known(&self) -> MutexGuard<'_, Known> {
+    fn lock_known(&self) -> MutexGuard<'_, Known> {
         self.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
 

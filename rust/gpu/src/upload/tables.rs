@@ -24,7 +24,7 @@ pub(super) struct Key {
 }
 
 impl Key {
-    pub fn of(scene: &Scene) -> Self {
+    pub fn new(scene: &Scene) -> Self {
         Self {
             standing: Arc::downgrade(&scene.standing),
             materials: Arc::downgrade(&scene.materials),

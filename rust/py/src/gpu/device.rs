@@ -133,7 +133,7 @@ impl GpuDevice {
             |progress: &Progress| truth::begin(&self.0, scene, &cameras, channels, samples, (limits, pixels), progress);
         let jobs = run::long(py, report, begin)?;
         let mut cameras = cameras.iter();
-        let named = |job: nearfar_gpu::Job| GpuJob::each(job, &mut cameras);
+        let named = |job: nearfar_gpu::Job| GpuJob::split(job, &mut cameras);
         Ok(jobs.into_iter().flat_map(named).collect())
     }
 

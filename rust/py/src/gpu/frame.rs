@@ -56,7 +56,7 @@ struct Contents {
 
 impl Contents {
     /// Images by name, and the counters as `stats`.
-    fn named<'py>(&self, py: Python<'py>, frame: Frame) -> PyResult<Bound<'py, PyDict>> {
+    fn to_dict<'py>(&self, py: Python<'py>, frame: Frame) -> PyResult<Bound<'py, PyDict>> {
         let images = images(py, frame, self.shape)?;
         if let Some(counts) = &self.counts {
             add_counts(&images, counts)?;
@@ -68,17 +68,17 @@ impl Contents {
 impl GpuJob {
     /// Creates a job whose frame has the camera's size.
     pub(crate) fn new(job: Job, camera: &Camera, counts: Option<FrameCounts>) -> Self {
-        Self::of(&Drawn::begun(job), 0, camera, counts)
+        Self::of_frame(&Drawn::begun(job), 0, camera, counts)
     }
 
     /// Splits a job into its frames, each with the next camera's size.
-    pub(crate) fn each<'a>(job: Job, cameras: &mut impl Iterator<Item = &'a Camera>) -> Vec<Self> {
+    pub(crate) fn split<'a>(job: Job, cameras: &mut impl Iterator<Item = &'a Camera>) -> Vec<Self> {
         let count = job.frame_count();
         let drawn = Drawn::begun(job);
-        cameras.take(count).enumerate().map(|(number, camera)| Self::of(&drawn, number, camera, None)).collect()
+        cameras.take(count).enumerate().map(|(number, camera)| Self::of_frame(&drawn, number, camera, None)).collect()
     }
 
-    fn of(drawn: &Arc<Mutex<Drawn>>, number: usize, camera: &Camera, counts: Option<FrameCounts>) -> Self {
+    fn of_frame(drawn: &Arc<Mutex<Drawn>>, number: usize, camera: &Camera, counts: Option<FrameCounts>) -> Self {
         let shape = (camera.height as usize, camera.width as usize);
         Self { drawn: Arc::clone(drawn), number, contents: Contents { shape, counts } }
     }
@@ -100,7 +100,7 @@ impl GpuJob {
         let frame = run::long(py, report, |progress| {
             self.drawn.lock().unwrap_or_else(PoisonError::into_inner).take(self.number, progress)
         })?;
-        self.contents.named(py, frame)
+        self.contents.to_dict(py, frame)
     }
 }
 
@@ -123,7 +123,7 @@ impl GpuFrame {
     #[pyo3(signature = (report=None))]
     fn read<'py>(&self, py: Python<'py>, report: Option<Py<PyAny>>) -> PyResult<Bound<'py, PyDict>> {
         let frame = run::long(py, report, |progress| self.frame.read(progress))?;
-        self.contents.named(py, frame)
+        self.contents.to_dict(py, frame)
     }
 }
 

@@ -64,7 +64,7 @@ pub(crate) fn spend_triangles<'py>(
     let (level, columns, spent) = outputs::filled(py, radii.len(), full, |to, beside| {
         run::long(py, None, |progress| lod::spend(&rated, &objects, &eyes, &rules, &budget, to, beside, progress))
     })?;
-    Ok((level, columns, outputs::listed(&spent.counts), (spent.price, spent.triangles, spent.score)))
+    Ok((level, columns, outputs::count_list(&spent.counts), (spent.price, spent.triangles, spent.score)))
 }
 
 /// Fails unless all values are valid weights.

@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 pub(super) type Levels<'py> = Bound<'py, PyArray1<i32>>;
 pub(super) type Column<'py> = Bound<'py, PyArray1<f64>>;
 
-pub(super) fn listed(counts: &SelectionCounts) -> Vec<u64> {
+pub(super) fn count_list(counts: &SelectionCounts) -> Vec<u64> {
     let SelectionCounts { culled, one_level, settled, large, asked, lens, table, formula } = *counts;
     vec![culled, one_level, settled, large, asked, lens, table, formula]
 }

@@ -49,5 +49,5 @@ pub(crate) fn select_levels<'py>(
     let (level, columns, counts) = outputs::filled(py, radii.len(), full, |to, beside| {
         run::long(py, None, |progress| lod::select(&models, &objects, &eyes, apparent, &rules, to, beside, progress))
     })?;
-    Ok((level, columns, outputs::listed(&counts)))
+    Ok((level, columns, outputs::count_list(&counts)))
 }

@@ -62,8 +62,8 @@ impl OrthoCells {
 
     /// Number of added subtrees.
     #[getter]
-    fn known(&self) -> usize {
-        self.0.read().unwrap_or_else(PoisonError::into_inner).known()
+    fn subtree_count(&self) -> usize {
+        self.0.read().unwrap_or_else(PoisonError::into_inner).subtree_count()
     }
 
     /// Cut for a viewer, the nearest cells first: arrays of the cells drawn as views and, with the prefix "leaf_", of
@@ -90,7 +90,7 @@ impl OrthoCells {
         for (prefix, cells) in [("", &found.cells), ("leaf_", &found.leaves)] {
             put(&arrays, prefix, cells)?;
         }
-        let numbers = found.cells.iter().map(|cell| -> [i8; Drawn::MOST] {
+        let numbers = found.cells.iter().map(|cell| -> [i8; Drawn::MAX] {
             std::array::from_fn(|n| if n < cell.count { cell.directions[n] as i8 } else { -1 })
         });
         let partial = found.cells.iter().map(|cell| cell.is_partial);

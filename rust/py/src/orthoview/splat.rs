@@ -23,8 +23,8 @@ use crate::render::frame::{Settings, frame_of, images};
 #[pyclass(frozen, module = "nearfar._core")]
 pub(crate) struct OrthoSplats(pub(crate) Arc<Splats>);
 
-impl OrthoSplats {
-    fn of(splats: Splats) -> Self {
+impl From<Splats> for OrthoSplats {
+    fn from(splats: Splats) -> Self {
         Self(Arc::new(splats))
     }
 }
@@ -43,17 +43,17 @@ impl OrthoSplats {
     ) -> PyResult<Self> {
         let cell = Cell::new(DVec3::from_array(cell.0), cell.1).map_err(to_python)?;
         let connected = connected.as_slice()?;
-        run::short(py, || Splats::new(&views.0, number, connected, &cell)).map(Self::of)
+        run::short(py, || Splats::new(&views.0, number, connected, &cell)).map(Self::from)
     }
 
     /// Splats whose centres lie in a box, given by its least and its greatest corner.
-    fn within(&self, py: Python<'_>, low: [f64; 3], high: [f64; 3]) -> PyResult<Self> {
-        run::short(py, || Ok(self.0.within(DVec3::from_array(low), DVec3::from_array(high)))).map(Self::of)
+    fn crop_to_box(&self, py: Python<'_>, low: [f64; 3], high: [f64; 3]) -> PyResult<Self> {
+        run::short(py, || Ok(self.0.clip_to_box(DVec3::from_array(low), DVec3::from_array(high)))).map(Self::from)
     }
 
     /// Splats whose centres lie at least at a distance from the vertical axis through a point.
-    fn beyond(&self, py: Python<'_>, center: [f64; 3], radius: f64) -> PyResult<Self> {
-        run::short(py, || Ok(self.0.beyond(DVec3::from_array(center), radius))).map(Self::of)
+    fn outside_cylinder(&self, py: Python<'_>, center: [f64; 3], radius: f64) -> PyResult<Self> {
+        run::short(py, || Ok(self.0.clip_outside_cylinder(DVec3::from_array(center), radius))).map(Self::from)
     }
 
     /// Number of splats.
@@ -78,7 +78,7 @@ impl OrthoSplats {
 /// A view of a cut: its layers, level, place and direction, and whether finer cells replace some of its splats.
 type View<'py> = (Vec<Bound<'py, OrthoSplats>>, u32, [u32; 3], u8, bool);
 
-fn placed<'a>(views: &'a [View<'_>]) -> PyResult<Vec<Placed<'a>>> {
+fn read_views<'a>(views: &'a [View<'_>]) -> PyResult<Vec<Placed<'a>>> {
     let one = |(layers, level, place, direction, is_partial): &'a View<'_>| {
         if layers.is_empty() {
             return Err(PyValueError::new_err("views: expected at least one layer of each, got none"));
@@ -98,11 +98,11 @@ pub(crate) fn blend_orthoviews<'py>(
     rule: &OrthoRule,
 ) -> PyResult<Vec<Vec<Bound<'py, OrthoSplats>>>> {
     let found = {
-        let placed = placed(&views)?;
+        let placed = read_views(&views)?;
         run::short(py, || Ok(blended(&placed, &rule.0)))?
     };
     let layer = |(whole, part): (Bound<'py, OrthoSplats>, Option<Splats>)| match part {
-        Some(part) => Bound::new(py, OrthoSplats::of(part)),
+        Some(part) => Bound::new(py, OrthoSplats::from(part)),
         None => Ok(whole),
     };
     views.into_iter().zip(found).map(|(view, parts)| view.0.into_iter().zip(parts).map(layer).collect()).collect()
@@ -111,7 +111,7 @@ pub(crate) fn blend_orthoviews<'py>(
 /// Approximate number of splats that `blend_orthoviews` would leave.
 #[pyfunction]
 pub(crate) fn expected_orthoviews(py: Python<'_>, views: Vec<View<'_>>, rule: &OrthoRule) -> PyResult<f64> {
-    let placed = placed(&views)?;
+    let placed = read_views(&views)?;
     run::short(py, || Ok(expected(&placed, &rule.0)))
 }
 

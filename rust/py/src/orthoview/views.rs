@@ -102,8 +102,8 @@ impl OrthoViews {
     }
 
     /// The second layer; None if it is empty.
-    fn behind(&self) -> Option<Self> {
-        self.0.behind().map(Self)
+    fn second_layer(&self) -> Option<Self> {
+        self.0.second_layer().map(Self)
     }
 
     /// Keeps the second layer only for the directions marked in `keep`.

@@ -86,17 +86,17 @@ pub fn frame_of(images: &Bound<'_, PyDict>) -> PyResult<Frame> {
         ("albedo", &mut frame.albedo),
         ("shading_normal", &mut frame.shading_normal),
     ] {
-        *target = taken(images, name)?.as_chunks().0.to_vec();
+        *target = image_values(images, name)?.as_chunks().0.to_vec();
     }
-    frame.coverage = taken(images, "coverage")?;
-    frame.range = taken(images, "range")?;
-    frame.object_id = taken(images, "object_id")?;
-    frame.face_id = taken(images, "face_id")?;
+    frame.coverage = image_values(images, "coverage")?;
+    frame.range = image_values(images, "range")?;
+    frame.object_id = image_values(images, "object_id")?;
+    frame.face_id = image_values(images, "face_id")?;
     Ok(frame)
 }
 
 /// Values of an image; empty if there is no such image.
-fn taken<T: Element + Copy>(images: &Bound<'_, PyDict>, name: &str) -> PyResult<Vec<T>> {
+fn image_values<T: Element + Copy>(images: &Bound<'_, PyDict>, name: &str) -> PyResult<Vec<T>> {
     let Some(image) = images.get_item(name)? else { return Ok(vec![]) };
     Ok(image.extract::<PyReadonlyArrayDyn<'_, T>>()?.as_slice()?.to_vec())
 }

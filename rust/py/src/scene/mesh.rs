@@ -7,7 +7,7 @@ use nearfar_core::scene::{self, PlacedMesh};
 use numpy::{PyArray2, PyArrayDyn, PyReadonlyArray1, PyReadonlyArray3};
 use pyo3::prelude::*;
 
-use super::placements::{affines, named, same_length};
+use super::placements::{affines, object_index, same_length};
 use crate::convert::arrays::{buffer, flat_buffer};
 use crate::convert::one_of::one_of;
 use crate::convert::run;
@@ -75,8 +75,11 @@ impl Mesh {
         let (placements, objects) = (affines(&placements), objects.as_array());
         run::long(py, None, |progress| {
             same_length(meshes.len(), &placements, objects.len())?;
-            let part =
-                |((mesh, to_scene), &object): ((_, _), &i32)| PlacedMesh { mesh, to_scene, object: named(object) };
+            let part = |((mesh, to_scene), &object): ((_, _), &i32)| PlacedMesh {
+                mesh,
+                to_scene,
+                object: object_index(object),
+            };
             let parts: Vec<PlacedMesh> = meshes.into_iter().zip(placements).zip(&objects).map(part).collect();
             scene::merge(&parts, progress)
         })
@@ -84,8 +87,8 @@ impl Mesh {
     }
 
     /// The mesh with inverted faces, sharing the vertices.
-    fn turned(&self, py: Python<'_>) -> PyResult<Self> {
-        run::short(py, || Ok(self.0.turned())).map(|mesh| Self(Arc::new(mesh)))
+    fn flip_faces(&self, py: Python<'_>) -> PyResult<Self> {
+        run::short(py, || Ok(self.0.flipped())).map(|mesh| Self(Arc::new(mesh)))
     }
 
     /// Bounding box of all faces (2, 3) in the mesh's own frame; (+∞, −∞) without faces.

@@ -18,7 +18,7 @@ pub(crate) fn same_length(meshes: usize, placements: &[DAffine3], objects: usize
 }
 
 /// Number of an object; `None` for negative numbers.
-pub(crate) fn named(object: i32) -> Option<i32> {
+pub(crate) fn object_index(object: i32) -> Option<i32> {
     (object >= 0).then_some(object)
 }
 
@@ -44,7 +44,7 @@ pub(crate) fn standing_and_moving(
 ) -> Result<(Vec<Instance>, Vec<Instance>)> {
     same_length(meshes.len(), &placements, objects.len())?;
     let placed = meshes.into_iter().zip(placements).zip(objects);
-    let placed = placed.map(|((mesh, to_scene), &object)| Instance::new(mesh, to_scene, named(object)));
+    let placed = placed.map(|((mesh, to_scene), &object)| Instance::new(mesh, to_scene, object_index(object)));
     let mut standing = placed.collect::<Result<Vec<_>>>()?;
     if standing_count > standing.len() {
         return Err(Error::value("standing_count", "at most the number of instances", standing_count));

@@ -80,7 +80,7 @@ impl Scene {
 
     /// Merges all instances to one mesh, relative to the origin.
     fn merged(&self, py: Python<'_>) -> PyResult<Mesh> {
-        let parts: Vec<PlacedMesh> = self.0.instances().map(PlacedMesh::of).collect();
+        let parts: Vec<PlacedMesh> = self.0.instances().map(PlacedMesh::from_instance).collect();
         run::long(py, None, |progress| scene::merge(&parts, progress)).map(|mesh| Mesh(Arc::new(mesh)))
     }
 
@@ -103,7 +103,7 @@ impl Scene {
             if placements.len() != moving.len() {
                 return Err(Error::value("placements", format!("{} matrices", moving.len()), placements.len()));
             }
-            let place = |(old, to_scene): (&Instance, DAffine3)| old.placed(to_scene);
+            let place = |(old, to_scene): (&Instance, DAffine3)| old.with_transform(to_scene);
             moving.iter().zip(placements).map(place).collect::<Result<Vec<_>>>().map(|moving| self.0.posed(moving))
         })
         .map(Self)
@@ -147,13 +147,13 @@ impl Scene {
         let (least, greatest) = (DVec3::from_array(least), DVec3::from_array(greatest));
         run::long(py, None, |progress| {
             self.0.build(progress)?;
-            Ok(touches(&self.0, &Aabb::within(least - self.0.origin, greatest - self.0.origin)))
+            Ok(touches(&self.0, &Aabb::from_f64_inside(least - self.0.origin, greatest - self.0.origin)))
         })
     }
 
     /// Joins scenes in the frame of the first; `objects` has the new numbers of each scene's objects.
     #[staticmethod]
-    fn joined<'py>(
+    fn join<'py>(
         py: Python<'py>,
         scenes: Vec<PyRef<'py, Self>>,
         objects: Vec<PyReadonlyArray1<'py, i32>>,
@@ -161,7 +161,7 @@ impl Scene {
         let numbers = objects.iter().map(|row| Ok(row.as_slice()?)).collect::<PyResult<Vec<&[i32]>>>()?;
         let parts = scenes.iter().map(|scene| &scene.0).zip(numbers);
         let parts: Vec<scene::Joined<'_>> = parts.map(|(scene, objects)| scene::Joined { scene, objects }).collect();
-        run::long(py, None, |progress| scene::Scene::joined(&parts, progress)).map(Self)
+        run::long(py, None, |progress| scene::Scene::join(&parts, progress)).map(Self)
     }
 
     /// Placements of the moving instances (M, 3, 4), relative to the origin.

@@ -66,7 +66,7 @@ fn sides<'py>(py: Python<'py>, boxes: &[[[f64; 3]; 2]]) -> Bound<'py, PyArray3<f
 
 impl StoredMeshes {
     /// Converts numbers of meshes and checks that they are usable.
-    fn chosen(&self, meshes: &PyReadonlyArray1<'_, i64>) -> PyResult<Vec<usize>> {
+    fn mesh_indices(&self, meshes: &PyReadonlyArray1<'_, i64>) -> PyResult<Vec<usize>> {
         let number =
             |&mesh: &i64| usize::try_from(mesh).ok().filter(|&mesh| mesh < self.0.len() && self.0.is_fit(mesh));
         meshes
@@ -103,7 +103,7 @@ impl StoredMeshes {
 
     /// Subset of chosen meshes (K,), which must be usable.
     fn only(&self, chosen: PyReadonlyArray1<'_, i64>) -> PyResult<Self> {
-        Ok(Self(Arc::new(self.0.only(&self.chosen(&chosen)?))))
+        Ok(Self(Arc::new(self.0.only(&self.mesh_indices(&chosen)?))))
     }
 
     fn with_materials(&self, numbers: PyReadonlyArray1<'_, i32>) -> PyResult<Self> {
@@ -143,26 +143,26 @@ impl StoredMeshes {
 
     /// Chosen meshes (K,) in their own frames.
     fn meshes<'py>(&self, py: Python<'py>, chosen: PyReadonlyArray1<'py, i64>) -> PyResult<Vec<Mesh>> {
-        let chosen = self.chosen(&chosen)?;
+        let chosen = self.mesh_indices(&chosen)?;
         let meshes = run::long(py, None, |progress| self.0.meshes(&chosen, progress))?;
         Ok(meshes.into_iter().map(|mesh| Mesh(Arc::new(mesh))).collect())
     }
 
     /// Merges chosen meshes (K,), each placed by a row of `placements` (K, 3, 4), as faces of `objects` (K,).
-    fn joined<'py>(
+    fn merge<'py>(
         &self,
         py: Python<'py>,
         chosen: PyReadonlyArray1<'py, i64>,
         placements: PyReadonlyArray3<'py, f64>,
         objects: PyReadonlyArray1<'py, i32>,
     ) -> PyResult<Mesh> {
-        let chosen = self.chosen(&chosen)?;
+        let chosen = self.mesh_indices(&chosen)?;
         let (placements, objects) = (affines(&placements), objects.as_array());
         let mesh = run::long(py, None, |progress| -> Result<_, Error> {
             same_length(chosen.len(), &placements, objects.len())?;
             let part = |((&mesh, to_scene), &object): ((&usize, _), &i32)| StoredPart { mesh, to_scene, object };
             let parts: Vec<StoredPart> = chosen.iter().zip(placements).zip(objects).map(part).collect();
-            self.0.joined(&parts, progress)
+            self.0.join(&parts, progress)
         })?;
         Ok(Mesh(Arc::new(mesh)))
     }

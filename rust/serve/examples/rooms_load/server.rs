@@ -12,7 +12,7 @@ use crate::failure::Failure;
 use crate::options::Load;
 
 /// Greatest number of rooms and of connections.
-const MOST: usize = 1 << 14;
+const MAX: usize = 1 << 14;
 /// Clock ticks per second in `/proc`.
 const TICKS: f64 = 100.0;
 
@@ -21,10 +21,10 @@ pub fn serve(address: SocketAddr) -> Result<(), Failure> {
     let each = rooms::Limits::default();
     // All users may share one address.
     let limits = rooms::Limits {
-        rooms: MOST,
+        rooms: MAX,
         users: 1 << 10,
-        sockets_per_client: MOST,
-        rooms_per_client: MOST,
+        sockets_per_client: MAX,
+        rooms_per_client: MAX,
         // The load may use the full message rate for poses.
         poses_per_second: each.messages_per_second,
         ..each
@@ -32,7 +32,7 @@ pub fn serve(address: SocketAddr) -> Result<(), Failure> {
     let rooms = Some(Arc::new(Rooms::new(limits, None)?));
     let answering = Answering { sites: [].into(), hosts: None, headers: Vec::new(), origin: None, rooms };
     let each = nearfar_serve::Limits::default();
-    let limits = nearfar_serve::Limits { connections: MOST, per_client: MOST, ..each };
+    let limits = nearfar_serve::Limits { connections: MAX, per_client: MAX, ..each };
     let server = Server::start(Settings { address, limits, certificate: None, router: Router::new(answering) })?;
     let datagrams = server.datagrams().ok_or("no datagrams")?;
     println!("{} {} {}", server.address(), datagrams.port, datagrams.hashes.concat());

@@ -100,14 +100,14 @@ mod tests {
         queue
     }
 
-    fn taken(mut queue: Queue<&'static str, &'static str>) -> Vec<&'static str> {
+    fn drain(mut queue: Queue<&'static str, &'static str>) -> Vec<&'static str> {
         std::iter::from_fn(|| queue.take(u8::MAX).map(|each| each.work)).collect()
     }
 
     #[test]
     fn early_stages_come_first_and_then_who_came_first() {
         let queue = queue(&[(1, "ann", "a1"), (0, "bob", "b0"), (0, "ann", "a0")]);
-        assert_eq!(taken(queue), ["b0", "a0", "a1"]);
+        assert_eq!(drain(queue), ["b0", "a0", "a1"]);
     }
 
     #[test]

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 
-use crate::clients::{Clients, Entered, counted};
+use crate::clients::{Clients, Entered, client_key};
 
 /// Greatest number of connections without a session, in total and per client.
 pub const GREETINGS: usize = 64;
@@ -42,7 +42,7 @@ impl Greeters {
 
     /// Admits a client, whose address may be validated or not.
     pub fn find(&self, client: IpAddr, is_proven: bool) -> Found {
-        let client = counted(client);
+        let client = client_key(client);
         let entered = if is_proven {
             Clients::enter(&self.proven, client, PER_CLIENT)
         } else {

@@ -166,7 +166,7 @@ async fn what_asks_for_no_session_is_closed() {
 async fn few_frames_come_before_a_head() {
     for (count, is_read) in [(0, true), (16, true), (17, false)] {
         let bytes = [[0x21, 0].repeat(count), request("/rooms/hall", "")].concat();
-        assert_eq!(session::asked(&mut &bytes[..]).await.is_ok(), is_read, "{count}");
+        assert_eq!(session::read_request(&mut &bytes[..]).await.is_ok(), is_read, "{count}");
     }
 }
 

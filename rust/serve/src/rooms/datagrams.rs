@@ -13,7 +13,7 @@ use tokio::time::{Instant, Sleep, interval, sleep_until, timeout, timeout_at};
 
 use super::frame::{FromServer, HEAD};
 use super::outbox::{Part, Taken};
-use super::reason::{End, Reason, gone};
+use super::reason::{End, Reason, broken_connection};
 use super::session::Session;
 use crate::limits::{READ, ROW};
 use crate::webtransport::session::{Link, datagram, payload};
@@ -56,7 +56,7 @@ pub async fn serve(mut session: Session, link: Link, silence: Duration) -> Reaso
     rooms.figures.datagrams.inc();
     let begun = Instant::now();
     let mut heard = 0;
-    let opened = opened(&mut session, &link, begun + rooms.limits.hello, &mut heard).await;
+    let opened = accept_stream(&mut session, &link, begun + rooms.limits.hello, &mut heard).await;
     let (end, mut told) = match opened {
         Ok(streams) => follow(session, link, streams, begun, silence, heard).await,
         Err(end) => {
@@ -71,7 +71,7 @@ pub async fn serve(mut session: Session, link: Link, silence: Duration) -> Reaso
 }
 
 /// Waits until the user opens its stream, or until the end.
-async fn opened(
+async fn accept_stream(
     session: &mut Session,
     link: &Link,
     until: Instant,
@@ -170,7 +170,7 @@ impl Way {
                 Ok(0) => return Err(End::new(Reason::Frame, "expected a whole frame before the stream's end")),
                 Ok(length) => self.came.extend_from_slice(&piece[..length]),
                 Err(ReadError::ConnectionLost(error)) => return Err(lost(error)),
-                Err(_) => return Err(gone()),
+                Err(_) => return Err(broken_connection()),
             }
             self.take_frames()?;
         }
@@ -234,7 +234,7 @@ impl Way {
                     Poll::Pending => return self.session.outbox.ended().map_or(Ok(()), Err),
                     Poll::Ready(Ok(length)) => self.written.advance(length),
                     Poll::Ready(Err(WriteError::ConnectionLost(error))) => return Err(lost(error)),
-                    Poll::Ready(Err(_)) => return Err(gone()),
+                    Poll::Ready(Err(_)) => return Err(broken_connection()),
                 }
                 self.moved = Instant::now();
             }
@@ -266,12 +266,12 @@ impl Way {
                 }
                 Poll::Ready(Ok(())) => {
                     let outbox = Arc::clone(&self.session.outbox);
-                    self.wrote(outbox.sent(&passing));
+                    self.wrote(outbox.confirm_sent(&passing));
                 }
                 // The path MTU has shrunk meanwhile; the loop composes a smaller datagram.
                 Poll::Ready(Err(SendDatagramError::TooLarge)) => {}
                 Poll::Ready(Err(SendDatagramError::ConnectionLost(error))) => return Err(lost(error)),
-                Poll::Ready(Err(_)) => return Err(gone()),
+                Poll::Ready(Err(_)) => return Err(broken_connection()),
             }
         }
     }
@@ -335,6 +335,6 @@ fn lost(error: ConnectionError) -> End {
         ConnectionError::TimedOut => End::new(Reason::Silent, "expected an answer to a ping"),
         ConnectionError::ApplicationClosed(_) => End::new(Reason::Bye, "the user left"),
         ConnectionError::TransportError(error) => End::new(Reason::Frame, error.to_string()),
-        _ => gone(),
+        _ => broken_connection(),
     }
 }

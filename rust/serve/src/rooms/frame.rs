@@ -105,7 +105,7 @@ impl<'a> FromUser<'a> {
                 }
                 let group = number(&mut body)?;
                 let name = name(&mut body)?;
-                FromUser::Hello { group, name, ticket: counted(&mut body)? }
+                FromUser::Hello { group, name, ticket: take_prefixed(&mut body)? }
             }
             POSE => return Ok((FromUser::Pose(Pose::read(body).map_err(Fault::Frame)?), rest)),
             ACK => FromUser::Ack { user: number(&mut body)?, sequence: body.try_get_u32_le().map_err(|_| SHORT)? },
@@ -158,7 +158,7 @@ impl<'a> FromServer<'a> {
         let frame = match kind {
             WELCOME => {
                 let (user, others) = (number(&mut body)?, number(&mut body)?);
-                FromServer::Welcome { user, others, ticket: counted(&mut body)? }
+                FromServer::Welcome { user, others, ticket: take_prefixed(&mut body)? }
             }
             JOINED => {
                 let (user, group) = (number(&mut body)?, number(&mut body)?);
@@ -280,7 +280,7 @@ fn payload<'a>(body: &mut &'a [u8], most: usize) -> Result<&'a [u8], Fault> {
 }
 
 /// Takes a byte string with a one-byte length prefix.
-fn counted<'a>(body: &mut &'a [u8]) -> Result<&'a [u8], Fault> {
+fn take_prefixed<'a>(body: &mut &'a [u8]) -> Result<&'a [u8], Fault> {
     let length = body.try_get_u8().map_err(|_| SHORT)?;
     let (taken, rest) = body.split_at_checked(usize::from(length)).ok_or(SHORT)?;
     *body = rest;
@@ -303,7 +303,7 @@ fn is_format(each: char) -> bool {
 }
 
 fn name<'a>(body: &mut &'a [u8]) -> Result<&'a str, Fault> {
-    let text = std::str::from_utf8(counted(body)?).map_err(|_| Fault::Frame("a name is no text"))?;
+    let text = std::str::from_utf8(take_prefixed(body)?).map_err(|_| Fault::Frame("a name is no text"))?;
     if text.len() > NAME {
         return Err(Fault::Frame("a name is too long"));
     }

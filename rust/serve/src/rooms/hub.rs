@@ -55,15 +55,15 @@ impl Rooms {
             Some(key) => key.clone(),
             None => Key::new(&random::<32>()?)?,
         };
-        Self::with(limits, key, back)
+        Self::new_with_keys(limits, key, back)
     }
 
     /// Creates rooms without tokens; the key signs tickets, which stay valid after a restart.
     pub fn open(limits: Limits, key: Key) -> Result<Self, String> {
-        Self::with(limits, None, key)
+        Self::new_with_keys(limits, None, key)
     }
 
-    fn with(limits: Limits, entry: Option<Key>, back: Key) -> Result<Self, String> {
+    fn new_with_keys(limits: Limits, entry: Option<Key>, back: Key) -> Result<Self, String> {
         limits.check()?;
         let (figures, places) = (Arc::new(Figures::new()), Places::default());
         Ok(Rooms { limits, peers: true, datagrams: true, figures, entry, back, places, state: Mutex::default() })
@@ -150,7 +150,7 @@ impl Rooms {
 
 impl Seat {
     /// Identity of the sender.
-    pub fn by(&self) -> By<'_> {
+    pub fn sender(&self) -> By<'_> {
         By { user: self.user, outbox: &self.outbox }
     }
 }
@@ -158,7 +158,7 @@ impl Seat {
 impl Drop for Seat {
     fn drop(&mut self) {
         let mut state = self.rooms.state();
-        self.room.leave(self.by());
+        self.room.leave(self.sender());
         if self.room.is_empty() {
             state.rooms.remove(&self.name);
             self.rooms.figures.rooms.set(state.rooms.len() as i64);

@@ -243,7 +243,7 @@ impl Outbox {
     }
 
     /// Removes the frames of a sent datagram, but not newer ones; returns the arrival times of its poses.
-    pub fn sent(&self, passing: &Passing) -> impl ExactSizeIterator<Item = Instant> {
+    pub fn confirm_sent(&self, passing: &Passing) -> impl ExactSizeIterator<Item = Instant> {
         let mut pending = self.pending();
         let is_sent = |waiting: &Waiting| {
             passing.poses.iter().any(|(user, sequence, _)| (*user, *sequence) == (waiting.user, waiting.pose.sequence))

@@ -4,7 +4,7 @@ use std::net::IpAddr;
 use std::sync::Arc;
 
 use super::limits::Limits;
-use crate::clients::{Clients, Entered, counted};
+use crate::clients::{Clients, Entered, client_key};
 
 /// Connections and rooms by client address.
 #[derive(Debug, Default)]
@@ -23,7 +23,7 @@ pub struct Place {
 impl Places {
     /// Counts a connection of a client; none if its limit, or the limit `all` for all clients, is reached.
     pub fn socket(&self, client: IpAddr, limits: Limits, all: usize) -> Option<Place> {
-        let client = counted(client);
+        let client = client_key(client);
         let socket = Clients::enter_among(&self.sockets, client, limits.sockets_per_client, all)?;
         Some(Place { client, _socket: Arc::new(socket) })
     }

@@ -3,9 +3,9 @@
 use bytes::{Buf, BufMut};
 
 /// Greatest size of a pose, bytes.
-pub const MOST: usize = LEAST + 2 * PLACED + 4;
+pub const MAX: usize = MIN + 2 * PLACED + 4;
 /// Size of a pose without hands and pointer, bytes.
-const LEAST: usize = 4 + 8 + 1 + PLACED;
+const MIN: usize = 4 + 8 + 1 + PLACED;
 /// Size of a position and a rotation, bytes.
 const PLACED: usize = 3 * 4 + 4 * 2;
 /// Greatest coordinate, and greatest length of a pointer, metres.
@@ -72,7 +72,7 @@ impl Pose {
     /// Encoded size, bytes.
     pub fn bytes(&self) -> usize {
         let hands = self.hands.iter().flatten().count();
-        LEAST + hands * PLACED + self.pointer.map_or(0, |_| 4)
+        MIN + hands * PLACED + self.pointer.map_or(0, |_| 4)
     }
 
     /// Decodes a pose that fills all bytes; an error describes the fault.
@@ -84,11 +84,11 @@ impl Pose {
         if flags & !KNOWN != 0 {
             return Err("a pose has flags without a meaning");
         }
-        let head = placed(&mut body)?;
+        let head = read_placed(&mut body)?;
         let mut hands = [None; 2];
         for (hand, flag) in hands.iter_mut().zip(HANDS) {
             if flags & flag != 0 {
-                *hand = Some(placed(&mut body)?);
+                *hand = Some(read_placed(&mut body)?);
             }
         }
         let begin = match flags >> POINTER {
@@ -135,7 +135,7 @@ impl Pose {
     }
 }
 
-fn placed(body: &mut &[u8]) -> Result<Placed, &'static str> {
+fn read_placed(body: &mut &[u8]) -> Result<Placed, &'static str> {
     let short = |_| SHORT;
     let (mut position, mut rotation) = ([0.0; 3], [0; 4]);
     for value in &mut position {

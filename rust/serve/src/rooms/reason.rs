@@ -93,6 +93,6 @@ impl End {
 }
 
 /// End of a broken connection.
-pub fn gone() -> End {
+pub fn broken_connection() -> End {
     End::new(Reason::Gone, "the connection broke off")
 }

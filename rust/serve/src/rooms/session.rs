@@ -18,7 +18,7 @@ const BURST: usize = 4;
 /// Header bytes of a forwarded payload.
 const AROUND: usize = HEAD + 2 + 1;
 /// Least size in bytes that a message counts as.
-const LEAST: usize = 64;
+const MIN: usize = 64;
 
 /// Connection of a user to a room; it has a seat after its first frame.
 pub struct Session {
@@ -80,16 +80,16 @@ impl Session {
     }
 
     /// Counts a message without frames, such as a ping.
-    pub fn counted(&mut self, now: Instant) -> Result<(), End> {
+    pub fn count_message(&mut self, now: Instant) -> Result<(), End> {
         let sentence = || format!("expected at most {} messages a second", self.rooms.limits.messages_per_second);
         if self.messages.take(1.0, now) { Ok(()) } else { Err(End::new(Reason::Flood, sentence())) }
     }
 
     /// Processes a message of frames.
     pub fn message(&mut self, mut bytes: &[u8], now: Instant) -> Result<(), End> {
-        self.counted(now)?;
+        self.count_message(now)?;
         while !bytes.is_empty() {
-            let (frame, rest) = FromUser::read(bytes).map_err(told)?;
+            let (frame, rest) = FromUser::read(bytes).map_err(end_of_fault)?;
             self.frame(frame, now)?;
             bytes = rest;
         }
@@ -99,9 +99,9 @@ impl Session {
     /// Processes a datagram of poses and acknowledgements. It is dropped if the user is not in the room, because
     /// datagrams can arrive before hello.
     pub fn datagram(&mut self, mut bytes: &[u8], now: Instant) -> Result<(), End> {
-        self.counted(now)?;
+        self.count_message(now)?;
         while self.is_in() && !bytes.is_empty() {
-            let (frame, rest) = FromUser::read(bytes).map_err(told)?;
+            let (frame, rest) = FromUser::read(bytes).map_err(end_of_fault)?;
             if !matches!(frame, FromUser::Pose(_) | FromUser::Ack { .. }) {
                 return Err(End::new(Reason::Frame, "expected poses and acknowledgements alone in datagrams"));
             }
@@ -124,10 +124,10 @@ impl Session {
         let Some(seat) = &self.seat else { return self.enter(frame) };
         match frame {
             FromUser::Hello { .. } => return Err(End::new(Reason::Frame, "expected one hello")),
-            FromUser::Pose(pose) => seat.room.pose(seat.by(), pose, now),
-            FromUser::Ack { user, sequence } => seat.room.acknowledge(seat.by(), user, sequence),
-            FromUser::Say { to, payload } => return seat.room.say(seat.by(), to, payload, now),
-            FromUser::Signal { user, payload } => return seat.room.signal(seat.by(), user, payload, now),
+            FromUser::Pose(pose) => seat.room.pose(seat.sender(), pose, now),
+            FromUser::Ack { user, sequence } => seat.room.acknowledge(seat.sender(), user, sequence),
+            FromUser::Say { to, payload } => return seat.room.say(seat.sender(), to, payload, now),
+            FromUser::Signal { user, payload } => return seat.room.signal(seat.sender(), user, payload, now),
             FromUser::Bye => return Err(End::new(Reason::Bye, "the user left")),
         }
         Ok(())
@@ -149,7 +149,7 @@ impl Session {
             let Limits { said_bytes_per_second: rate, queue_bytes, .. } = self.rooms.limits;
             format!("expected at most {rate} bytes a second of say and signal, {} at once", queue_bytes / BURST)
         };
-        let bytes = (payload.len() + AROUND).max(LEAST) as f64;
+        let bytes = (payload.len() + AROUND).max(MIN) as f64;
         if self.said.take(bytes, now) { Ok(()) } else { Err(End::new(Reason::Flood, sentence())) }
     }
 
@@ -176,7 +176,7 @@ impl Session {
     }
 }
 
-fn told(fault: Fault) -> End {
+fn end_of_fault(fault: Fault) -> End {
     match fault {
         Fault::Frame(sentence) => End::new(Reason::Frame, sentence),
         Fault::Version(version) => End::new(Reason::Version, format!("expected version {VERSION}, got {version}")),

@@ -16,7 +16,7 @@ use tokio_tungstenite::tungstenite::protocol::{CloseFrame, Message, Role, WebSoc
 use super::frame::{FromServer, HEAD};
 use super::outbox::{Part, Taken};
 use super::pose;
-use super::reason::{End, Reason, gone};
+use super::reason::{End, Reason, broken_connection};
 use super::session::Session;
 use super::tap::Tap;
 use crate::limits::{READ, ROW};
@@ -47,7 +47,7 @@ where
 {
     let (limits, now) = (session.rooms.limits, Instant::now());
     // One message of a full queue, and pongs.
-    let most = 2 * limits.queue_bytes + limits.users * (HEAD + 2 + pose::MOST);
+    let most = 2 * limits.queue_bytes + limits.users * (HEAD + 2 + pose::MAX);
     let config = WebSocketConfig::default()
         .read_buffer_size(READ)
         .write_buffer_size(0)
@@ -116,7 +116,7 @@ impl<S: AsyncRead + AsyncWrite + Unpin> Socket<S> {
                 Some(Message::Binary(bytes)) => self.session.message(&bytes, now).map(|()| true),
                 Some(Message::Text(_)) => Err(End::new(Reason::Frame, "expected binary messages")),
                 Some(Message::Close(_)) => Err(End::new(Reason::Bye, "the user left")),
-                Some(_) => self.session.counted(now).map(|()| true),
+                Some(_) => self.session.count_message(now).map(|()| true),
             });
             match taken {
                 Ok(true) => {}
@@ -167,7 +167,7 @@ fn ready_or(polled: Poll<Option<Result<Message, Error>>>) -> Result<Option<Messa
         Poll::Pending => Ok(None),
         Poll::Ready(Some(Ok(message))) => Ok(Some(message)),
         Poll::Ready(Some(Err(error))) => Err(lost(error)),
-        Poll::Ready(None) => Err(gone()),
+        Poll::Ready(None) => Err(broken_connection()),
     }
 }
 
@@ -179,8 +179,8 @@ fn lost(error: Error) -> End {
             End::new(Reason::Slow, "expected a user who reads")
         }
         Error::WriteBufferFull(_) => End::new(Reason::Slow, "expected a user who reads the answers to its pings"),
-        Error::Protocol(ProtocolError::ResetWithoutClosingHandshake) | Error::Io(_) => gone(),
-        Error::ConnectionClosed | Error::AlreadyClosed => gone(),
+        Error::Protocol(ProtocolError::ResetWithoutClosingHandshake) | Error::Io(_) => broken_connection(),
+        Error::ConnectionClosed | Error::AlreadyClosed => broken_connection(),
         other => End::new(Reason::Frame, other.to_string()),
     }
 }

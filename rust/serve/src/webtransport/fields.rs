@@ -44,12 +44,12 @@ pub fn read(mut bytes: &[u8]) -> Option<Fields> {
         match first {
             // Indexed field line, static table.
             0xc0.. => {
-                let (name, value) = known(integer(&mut bytes, 6)?)?;
+                let (name, value) = static_field(integer(&mut bytes, 6)?)?;
                 fields.set(name.as_bytes(), value.to_owned())?;
             }
             // Literal field line with a name of the static table.
             0x50..0x60 | 0x70..0x80 => {
-                let (name, _) = known(integer(&mut bytes, 4)?)?;
+                let (name, _) = static_field(integer(&mut bytes, 4)?)?;
                 let value = text(&mut bytes, 7)?;
                 fields.set(name.as_bytes(), String::from_utf8(value).ok()?)?;
             }
@@ -89,7 +89,7 @@ pub fn answer(status: u16) -> Vec<u8> {
     bytes
 }
 
-fn known(number: u64) -> Option<(&'static str, &'static str)> {
+fn static_field(number: u64) -> Option<(&'static str, &'static str)> {
     let found = KNOWN.iter().find(|(index, ..)| *index == number);
     (number <= LAST).then(|| found.map_or(("", ""), |(_, name, value)| (*name, *value)))
 }

@@ -146,7 +146,7 @@ async fn read(connection: &Connection) -> Result<Asking, Broken> {
     control.write_all(&wire::settings()).await.map_err(|_| Broken)?;
     // The client's settings are not read: without a dynamic table they have no effect.
     let (send, mut receive) = connection.accept_bi().await.map_err(|_| Broken)?;
-    let request = asked(&mut receive).await?;
+    let request = read_request(&mut receive).await?;
     if connection.max_datagram_size().is_none_or(|most| most < DATAGRAM) {
         return Err(Broken);
     }
@@ -154,7 +154,7 @@ async fn read(connection: &Connection) -> Result<Asking, Broken> {
 }
 
 /// Reads the session request at the start of a connection's first stream.
-pub async fn asked(receive: &mut (impl AsyncRead + Unpin)) -> Result<Request<()>, Broken> {
+pub async fn read_request(receive: &mut (impl AsyncRead + Unpin)) -> Result<Request<()>, Broken> {
     let fields = fields::read(&head(receive).await?).ok_or(Broken)?;
     request(fields).ok_or(Broken)
 }

@@ -18,16 +18,16 @@ export function splitPlaced(mesh: Arrays, placements: Float32Array, rule: Rule, 
   const [near, far]: [Float32Array[], Float32Array[]] = [[], []];
   for (let start = 0; start < placements.length; start += ROWS) {
     const rows = placements.subarray(start, start + ROWS);
-    const found = isHarmless(ball, rows, rule) ? [] : largeTriangles(placed(mesh, rows), rule);
+    const found = isHarmless(ball, rows, rule) ? [] : largeTriangles(transformMesh(mesh, rows), rule);
     (found.length > 0 ? near : far).push(rows);
     for (const triangle of found) large.add(triangle);
   }
   if (large.size === 0) return [{ arrays: mesh, placements }];
   const all = Array.from({ length: mesh.indices.length / 3 }, (_, triangle) => triangle);
   const some = picked(mesh, [...large].sort((a, b) => a - b));
-  const apart = near.map((rows) => splitArrays(placed(some, rows), rule, budget));
+  const apart = near.map((rows) => splitArrays(transformMesh(some, rows), rule, budget));
   const parts: Part[] = [{ arrays: together(apart), placements: null }];
-  if (far.length > 0) parts.push({ arrays: some, placements: joined(far) });
+  if (far.length > 0) parts.push({ arrays: some, placements: concatRows(far) });
   const rest = all.filter((triangle) => !large.has(triangle));
   if (rest.length > 0) parts.push({ arrays: picked(mesh, rest), placements });
   return parts;
@@ -114,7 +114,7 @@ function pointOf([x, y, z]: readonly [number, number, number], rows: Float32Arra
 }
 
 /** A mesh in one placement; normals are transformed by the cofactor matrix, as in the shader. */
-function placed(mesh: Arrays, rows: Float32Array): Arrays {
+function transformMesh(mesh: Arrays, rows: Float32Array): Arrays {
   const at = (row: number, column: number): number => rows[4 * (row % 3) + (column % 3)] as number;
   const turned = new Float32Array(ROWS);
   for (let row = 0; row < 3; row++) {
@@ -148,7 +148,7 @@ function picked(mesh: Arrays, triangles: readonly number[]): Arrays {
   return chosenRows(mesh, Uint32Array.from(corners));
 }
 
-function joined(placements: readonly Float32Array[]): Float32Array {
+function concatRows(placements: readonly Float32Array[]): Float32Array {
   const all = new Float32Array(ROWS * placements.length);
   placements.forEach((rows, n) => all.set(rows, ROWS * n));
   return all;

@@ -40,7 +40,7 @@ const RANGE_SHARE = 0.3;
  */
 const AT_REST = 0.1;
 /** Greatest share of the first radius for which `reach` counts. */
-const MOST_REACH = 0.35;
+const MAX_REACH = 0.35;
 /** Least D as a share of B: points nearer to the user than to the centre are not cut more finely. */
 const CLEAREST = 0.75;
 /** Shares of ρ up to which c is acceptable for every user: while R grows, and where it rests. */
@@ -57,7 +57,7 @@ export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLE
   const coarser = tolerance / TOLERANCE;
   const outer = radii.at(-1) ?? 0;
   const inner = nearShare * first;
-  const least = Math.min(reach, MOST_REACH * first);
+  const least = Math.min(reach, MAX_REACH * first);
   const kinks = [...new Set(radii.flatMap((radius) => [nearShare * radius, radius]))]
     .filter((radius) => radius > CORE * first)
     .sort((a, b) => a - b);

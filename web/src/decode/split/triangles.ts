@@ -121,7 +121,7 @@ function createMesh(whole: Arrays, rule: Rule) {
   }
 
   /** Interior vertex of a triangle that surrounds the whole cylinder and has no cut edge; −1 for other triangles. */
-  function inside(corners: Corners): number {
+  function addInteriorVertex(corners: Corners): number {
     const [a, b, c] = corners.map(point) as [Vector, Vector, Vector];
     if ([a, b, c].some(([x, , z]) => Math.hypot(x, z) < rule.outer)) return -1;
     const areas = [cross(b, c), cross(c, a), cross(a, b)];
@@ -140,7 +140,7 @@ function createMesh(whole: Arrays, rule: Rule) {
         const [longest] = edges
           .filter(({ at }) => at >= 0 && depth < DEEPEST)
           .sort((one, other) => squared(point(other.i), point(other.j)) - squared(point(one.i), point(one.j)));
-        const middle = longest ? -1 : inside([a, b, c]);
+        const middle = longest ? -1 : addInteriorVertex([a, b, c]);
         if (longest) {
           const { i, j, k, at } = longest;
           rest.push([i, at, k, depth + 1], [at, j, k, depth + 1]);

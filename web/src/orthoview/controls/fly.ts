@@ -4,7 +4,7 @@ import { readPads } from '../../control/gamepad';
 import { createKeys, isElsewhere } from '../../control/keys';
 import { createPointers, type Thumb } from '../../control/pointers';
 import type { Pose } from '../../control/pose';
-import { ahead, bounded, moved, rightOf, STEEPEST, type Vector } from '../../control/vector';
+import { ahead, bounded, addScaled, rightOf, STEEPEST, type Vector } from '../../control/vector';
 
 /** Metres per second for each metre above the ground, and least height that counts, metres. */
 const [SPEED, LOWEST] = [0.6, 3] as const;
@@ -24,9 +24,9 @@ export function flown(pose: Pose, wishes: Drive, rise: number, power: number, gr
   const pitch = bounded(pose.pitch + TURN * wishes.look * seconds, -STEEPEST, STEEPEST);
   const height = Math.max(pose.position[1] - ground, LOWEST);
   const way = SPEED * height * 2 ** power * (wishes.isHasty ? HASTE : 1) * seconds;
-  let position: Vector = moved(pose.position, ahead({ yaw, pitch }), way * wishes.ahead);
-  position = moved(position, rightOf(yaw), way * wishes.right);
-  return { position: moved(position, [0, 1, 0], way * rise), yaw, pitch };
+  let position: Vector = addScaled(pose.position, ahead({ yaw, pitch }), way * wishes.ahead);
+  position = addScaled(position, rightOf(yaw), way * wishes.right);
+  return { position: addScaled(position, [0, 1, 0], way * rise), yaw, pitch };
 }
 
 export interface Fly {

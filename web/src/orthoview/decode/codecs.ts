@@ -28,7 +28,7 @@ function unsummed(bytes: Uint8Array): Uint8Array {
 }
 
 /** Greatest decompressed size of a chunk in bytes, because a damaged one may state any. */
-const MOST = 4096 * 4096 * 4;
+const MAX = 4096 * 4096 * 4;
 
 /** Content size in the header of a Zstandard frame (RFC 8878, 3.1.1.1); null if it is absent. */
 export function statedSize(frame: Uint8Array): number | null {
@@ -44,7 +44,7 @@ export function statedSize(frame: Uint8Array): number | null {
 /** Content of a Zstandard frame with a checksum. */
 export function unpacked(frame: Uint8Array): Uint8Array {
   const size = frame.length < 18 ? null : statedSize(frame);
-  if (size === null || size > MOST) throw damaged('a chunk', `its header states ${size} bytes`);
+  if (size === null || size > MAX) throw damaged('a chunk', `its header states ${size} bytes`);
   const found = decompress(frame, new Uint8Array(size));
   const sum = new DataView(frame.buffer, frame.byteOffset + frame.length - 4).getUint32(0, true);
   // fzstd does not verify the checksum.

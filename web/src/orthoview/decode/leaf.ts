@@ -1,5 +1,5 @@
 /** Reads the geometry of leaves: GLB files, and shared textures. */
-import { at, entries, type Glb, openGlb } from '../../decode/glb';
+import { entryAt, entries, type Glb, openGlb } from '../../decode/glb';
 import { pictureOf } from '../../decode/images';
 import type { Material } from '../../decode/messages';
 import { placementsOf } from '../../decode/placements';
@@ -28,7 +28,7 @@ export interface Piece {
 }
 
 /** Greatest size of a file's arrays, bytes; a leaf has a small part of it. */
-const MOST_BYTES = 2 ** 28;
+const MAX_BYTES = 2 ** 28;
 const PICTURE = /^(?:\.\.\/)+(images\/([0-9a-f]{16}\.webp))$/;
 
 /** Size of the texture cache in bytes; leaves share textures. */
@@ -112,7 +112,7 @@ async function contentOf(
 
 async function piecesOf(textures: Textures, path: string, bytes: Bytes, signal: AbortSignal): Promise<Piece[]> {
   try {
-    const opened = openGlb(bytes, new Map(), MOST_BYTES);
+    const opened = openGlb(bytes, new Map(), MAX_BYTES);
     const [glb, pictures] = [withNames(opened), picturesOf(opened)];
     const [root, ...nodes] = entries(glb.document.nodes, 'nodes');
     const origin = originOf(root?.translation);
@@ -132,7 +132,7 @@ async function piecesOf(textures: Textures, path: string, bytes: Bytes, signal: 
     const pieces: Piece[] = [];
     for (const [mesh, rows] of byMesh) {
       const placements = Float32Array.from(rows.flatMap((each) => [...each]));
-      for (const primitive of entries(at(glb.document.meshes, mesh, 'mesh').primitives, 'primitives')) {
+      for (const primitive of entries(entryAt(glb.document.meshes, mesh, 'mesh').primitives, 'primitives')) {
         const { material, ...arrays } = await primitiveOf(glb, primitive);
         const { image, glow, ...plain } = material;
         const [own, light] = [await picture(image), await picture(glow)];

@@ -6,7 +6,7 @@ export const WORDS = 3;
 /** Parts along each axis of a view. */
 const PARTS = 4;
 /** Greatest number of connected neighbours of a ball; number of all neighbours. */
-const [MOST_OF_BALL, ALL] = [4, 8] as const;
+const [MAX_NEIGHBOURS, ALL] = [4, 8] as const;
 
 /** Splats [first, first + count), and their range of columns, rows and depth steps; `high` is exclusive. */
 export interface Part {
@@ -46,7 +46,7 @@ export function pack(color: Numbers, depth: Numbers, normal: Numbers, layout: La
     words[at] = r | (g << 8) | (b << 16) | ((steps >>> 8) << 24);
     words[at + 1] = normalOf(normal, pixel, layout.normalBits) | ((steps & 255) << 24);
     const near = neighbours[pixel] as number;
-    words[at + 2] = x | (y << 12) | (near > MOST_OF_BALL ? 1 << 24 : 0) | (near === ALL ? 1 << 25 : 0);
+    words[at + 2] = x | (y << 12) | (near > MAX_NEIGHBOURS ? 1 << 24 : 0) | (near === ALL ? 1 << 25 : 0);
     count += 1;
     return steps;
   }

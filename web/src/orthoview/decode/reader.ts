@@ -36,7 +36,7 @@ export function createReader(base: URL, layout: Layout, receive: (bytes: number)
   const root = zarr.root(store);
   const arrays = new Map<string, Promise<zarr.Array<zarr.DataType>>>();
 
-  function opened(name: string): Promise<zarr.Array<zarr.DataType>> {
+  function openArray(name: string): Promise<zarr.Array<zarr.DataType>> {
     const found = arrays.get(name) ?? zarr.open.v3(root.resolve(name), { kind: 'array' });
     arrays.set(name, found);
     return found;
@@ -44,7 +44,7 @@ export function createReader(base: URL, layout: Layout, receive: (bytes: number)
 
   async function valuesOf(name: string, place: Triple, signal: AbortSignal): Promise<Values> {
     try {
-      const { data } = await (await opened(name)).getChunk([...place, 0, 0, 0], { signal });
+      const { data } = await (await openArray(name)).getChunk([...place, 0, 0, 0], { signal });
       return data as Values;
     } catch (reason) {
       if (signal.aborted || reason instanceof StoreError) throw reason;

@@ -50,7 +50,7 @@ export class Shards {
     // Not aborted for an index: zarrita reads it once for all waiting requests.
     const signal = 'offset' in range ? options.signal : undefined;
     const found = await this.files.read({ path, version: shard.version, part: [first, length], signal });
-    if (!found) throw gone(path);
+    if (!found) throw missingShard(path);
     if (found.isWhole) return cut(await this.#keep(path, Promise.resolve(found.bytes)), first, length);
     if (found.bytes.length < length) throw new StoreError('damaged', `${path}: ends too early`);
     return found.bytes;
@@ -59,7 +59,7 @@ export class Shards {
   async #read(path: string, { size, version }: { size: number; version: string }): Promise<Bytes> {
     // A range request, so that no server compresses compressed data again.
     const found = await this.files.read({ path, version, part: [0, size] });
-    if (!found) throw gone(path);
+    if (!found) throw missingShard(path);
     if (found.bytes.length !== size)
       throw new StoreError('damaged', `${path}: expected ${size} bytes, got ${found.bytes.length}`);
     return found.bytes;
@@ -82,7 +82,7 @@ export class Shards {
   }
 }
 
-function gone(path: string): StoreError {
+function missingShard(path: string): StoreError {
   return new StoreError('gone', `${path}: the shard is gone`);
 }
 

@@ -7,7 +7,7 @@ import { cornerOf, type Layout, sideAt, stepsOf, type Triple } from '../store/la
 /** Radius factor of surfels that are not connected with all neighbours; squared radius of surfels in pixels. */
 export const [BORDER, SQUARED_RADIUS] = [1.27, 0.5] as const;
 /** Least cosine between a surfel's normal and the direction of its view. */
-export const LEAST_COSINE = 0.25;
+export const MIN_COSINE = 0.25;
 /** Multiple of a view's least distance below which the bounds of a part in the picture are not computed. */
 const CLOSE = 8;
 /** Number of four-component vectors per view in the shader. */
@@ -100,7 +100,7 @@ export function sightOf(model: Model, { eye, rows }: Projector): Sight {
   const along = (vector: Triple): Triple => [dot(rows[0], vector), dot(rows[1], vector), dot(rows[2], vector)];
   const [radius, ball] = [BORDER * Math.sqrt(SQUARED_RADIUS), ballOf(model)];
   const across = (size: number): number => Math.max(radius, ball / size) - 0.5;
-  const slope = (radius * (pitch[0] + pitch[1])) / LEAST_COSINE;
+  const slope = (radius * (pitch[0] + pitch[1])) / MIN_COSINE;
   return {
     start: along(offset),
     steps: [along(steps[0]), along(steps[1]), along(steps[2])],

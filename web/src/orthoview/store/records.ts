@@ -14,7 +14,7 @@ import {
   subtreeOf as ownerOf,
   type Triple,
 } from './layout';
-import { checked, documentOf, numbersOf, rowsOf } from './unpack';
+import { checkFormat, documentOf, numbersOf, rowsOf } from './unpack';
 
 /** Value for a cell that is unchanged since the generations before. */
 const AS_BEFORE = 0x8000_0000;
@@ -143,7 +143,7 @@ async function attributesOf(files: Files): Promise<Readonly<Record<string, unkno
   } catch {
     throw damaged(file, 'expected JSON');
   }
-  return checked(fields(fields(fields(group, file)['attributes'], file)['nearfar'], file), file, 'orthoview', VERSION);
+  return checkFormat(fields(fields(fields(group, file)['attributes'], file)['nearfar'], file), file, 'orthoview', VERSION);
 }
 
 async function document(

@@ -4,7 +4,7 @@ import { fields } from './layout';
 import type { Bytes } from './files';
 
 /** Greatest decompressed size of a list of guests. */
-const MOST_BYTES = 2 ** 26;
+const MAX_BYTES = 2 ** 26;
 
 /** Decodes little-endian uint32 numbers from base64 of zlib; throws an error if there are not `length`. */
 export async function numbersOf(text: unknown, length: number, file: string): Promise<Uint32Array> {
@@ -15,7 +15,7 @@ export async function numbersOf(text: unknown, length: number, file: string): Pr
 
 /** Decodes rows of `width` numbers in the same encoding, of any count. */
 export async function rowsOf(text: unknown, width: number, file: string): Promise<Uint32Array> {
-  const found = await unpacked(text, MOST_BYTES, 'guests', file);
+  const found = await unpacked(text, MAX_BYTES, 'guests', file);
   if (found.length % (4 * width) !== 0) throw damaged(file, `guests: expected rows, got ${found.length} bytes`);
   return wordsOf(found);
 }
@@ -72,11 +72,11 @@ export function documentOf(
   } catch {
     throw damaged(file, 'expected JSON');
   }
-  return checked(fields(found, file), file, kind, version);
+  return checkFormat(fields(found, file), file, kind, version);
 }
 
 /** Returns the object if its kind and version match. */
-export function checked(
+export function checkFormat(
   found: Readonly<Record<string, unknown>>,
   file: string,
   kind: string,

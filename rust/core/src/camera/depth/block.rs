@@ -21,12 +21,12 @@ pub struct DepthRow {
     pub parallel: bool,
 }
 
-/// Storage type of depth buffers, with values from 0 to `GREATEST`.
+/// Storage type of depth buffers, with values from 0 to `MAX`.
 pub trait Depth: Copy + Into<f64> + Send + Sync + 'static {
     /// Type of the ranges.
     type Range: Real + Into<f64>;
     /// Stored value of depth 1.
-    const GREATEST: f64;
+    const MAX: f64;
     /// Description of the accepted values, for messages.
     const EXPECTED: &'static str;
 }
@@ -65,9 +65,9 @@ fn secants(line: &DepthRow, column: i32, secants: &mut PixelLanes) {
 
 #[inline(always)]
 fn ranges_kernel<T: Depth>(line: &DepthRow, column: i32, depth: &[T; BLOCK], ranges: &mut [T::Range; BLOCK]) -> bool {
-    // For integers the ends are divided by `GREATEST` here, once instead of per pixel.
-    let [low, high] = [line.ends[0] / T::GREATEST, line.ends[1] / T::GREATEST];
-    let background = line.background * T::GREATEST;
+    // For integers the ends are divided by `MAX` here, once instead of per pixel.
+    let [low, high] = [line.ends[0] / T::MAX, line.ends[1] / T::MAX];
+    let background = line.background * T::MAX;
     let mut lengths = PixelLanes([1.0; BLOCK]);
     if !line.parallel {
         secants(line, column, &mut lengths);
@@ -75,12 +75,12 @@ fn ranges_kernel<T: Depth>(line: &DepthRow, column: i32, depth: &[T; BLOCK], ran
     let mut refused = 0u64;
     for i in 0..BLOCK {
         let value: f64 = depth[i].into();
-        let along = low * (T::GREATEST - value) + high * value;
+        let along = low * (T::MAX - value) + high * value;
         let range = if line.parallel { along } else { lengths.0[i] / along };
         // Background, or a point beyond infinity: a matrix may place its far plane there.
         let nothing = (value == background) | (along < 0.0);
         let range = if nothing { f64::INFINITY } else { range };
-        let fits = (value >= 0.0) & (value <= T::GREATEST);
+        let fits = (value >= 0.0) & (value <= T::MAX);
         refused |= u64::from(!fits);
         ranges[i] = T::Range::narrow(if fits { range } else { f64::NAN });
     }
@@ -118,7 +118,7 @@ macro_rules! stored {
     ($($value:ty, $range:ty, $most:expr, $expected:expr);*) => {$(
         impl Depth for $value {
             type Range = $range;
-            const GREATEST: f64 = $most;
+            const MAX: f64 = $most;
             const EXPECTED: &'static str = $expected;
         }
     )*};

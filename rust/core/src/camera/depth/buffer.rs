@@ -122,21 +122,21 @@ impl DepthBuffer {
     /// Writes the distances from the eye in metres; infinite where nothing was drawn. `depth` holds one or more images
     /// of the view.
     pub fn ranges<T: Depth>(&self, depth: &[T], ranges: &mut [T::Range], progress: &Progress) -> Result<()> {
-        let wrong = self.each(depth, ranges, block::ranges, progress)?;
+        let wrong = self.run_kernel(depth, ranges, block::ranges, progress)?;
         wrong.map_or(Ok(()), |(pixel, value)| Err(self.refusal("depth", T::EXPECTED, pixel, value)))
     }
 
     /// Writes the depths at distances from the eye: the inverse of `ranges`. Points beyond the far plane get the
     /// background's depth.
     pub fn depths<T: Ranged>(&self, ranges: &[T], depth: &mut [T], progress: &Progress) -> Result<()> {
-        let wrong = self.each(ranges, depth, block::depths, progress)?;
+        let wrong = self.run_kernel(ranges, depth, block::depths, progress)?;
         wrong.map_or(Ok(()), |(pixel, value)| {
             Err(self.refusal("ranges", "distances that are not before the near plane", pixel, value))
         })
     }
 
     /// Runs a kernel over all rows. Returns the index and value of the first refused value.
-    fn each<T: Copy + Into<f64> + Sync, U: Copy + Default + Into<f64> + Send>(
+    fn run_kernel<T: Copy + Into<f64> + Sync, U: Copy + Default + Into<f64> + Send>(
         &self,
         values: &[T],
         results: &mut [U],

@@ -92,7 +92,7 @@ impl Grid {
         let (height, width) = (f64::from(self.height), f64::from(self.width));
         if self.layout == Layout::Equirectangular {
             let (sine, cosine) = ((0.5 - p.y / height) * PI).sin_cos();
-            return around(sine, cosine, ((p.x / width - 0.5) * 2.0 * PI).sin_cos());
+            return direction_of_angles(sine, cosine, ((p.x / width - 0.5) * 2.0 * PI).sin_cos());
         }
         let p = p * 2.0 / width - 1.0;
         let y = 1.0 - p.x.abs() - p.y.abs();
@@ -126,7 +126,7 @@ impl Grid {
 }
 
 /// Returns the direction of a latitude (sine, cosine) and a longitude (sine, cosine).
-fn around(sine: f64, cosine: f64, longitude: (f64, f64)) -> DVec3 {
+fn direction_of_angles(sine: f64, cosine: f64, longitude: (f64, f64)) -> DVec3 {
     DVec3::new(cosine * longitude.0, sine, -cosine * longitude.1)
 }
 
@@ -158,7 +158,7 @@ impl GridRows {
             room_for((count * size_of::<(f64, f64)>()) as u64)?;
             rows.longitudes.reserve_exact(count);
             for sample in 0..across {
-                let within = rows.within(sample).x;
+                let within = rows.sample_offset(sample).x;
                 let angle = |column: u32| ((f64::from(column) + within) / f64::from(grid.width) - 0.5) * 2.0 * PI;
                 rows.longitudes.extend((0..grid.width).map(|column| angle(column).sin_cos()));
             }
@@ -172,13 +172,14 @@ impl GridRows {
     }
 
     /// Returns the position of a sample within its texel, 0 to 1.
-    fn within(&self, sample: u32) -> DVec2 {
+    fn sample_offset(&self, sample: u32) -> DVec2 {
         (DVec2::new(f64::from(sample % self.across), f64::from(sample / self.across)) + 0.5) / f64::from(self.across)
     }
 
     /// Writes the directions of a row from column `first` on, for one sample position.
     pub fn write(&self, sample: u32, row: u32, first: u32, out: &mut [[f64; 3]]) {
-        let (height, width, within) = (f64::from(self.grid.height), f64::from(self.grid.width), self.within(sample));
+        let (height, width, within) =
+            (f64::from(self.grid.height), f64::from(self.grid.width), self.sample_offset(sample));
         match self.grid.layout {
             Layout::Cube => {
                 let (face, row) = ((row / self.grid.height) as u8, row % self.grid.height);
@@ -192,7 +193,7 @@ impl GridRows {
                 let (sine, cosine) = ((0.5 - (f64::from(row) + within.y) / height) * PI).sin_cos();
                 let start = (sample % self.across * self.grid.width + first) as usize;
                 for (longitude, d) in self.longitudes[start..].iter().zip(out) {
-                    *d = around(sine, cosine, *longitude).to_array();
+                    *d = direction_of_angles(sine, cosine, *longitude).to_array();
                 }
             }
             Layout::Octahedral => {

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::super::faces::is_known;
-use super::super::lookup::{BLOCK, LEAST_WEIGHT, Placed, SampledPicture, Sampler, TexelFilter, keys};
+use super::super::lookup::{BLOCK, MIN_WEIGHT, Placed, SampledPicture, Sampler, TexelFilter, keys};
 use super::flat;
 use super::layout::Grid;
 use crate::base::{Error, Real, Result};
@@ -52,7 +52,7 @@ impl<T: Real> SampledPicture<T> for Panorama<'_, T> {
         } else {
             ([0.0, 1.0 - s, s, 0.0], [0.0, 1.0 - t, t, 0.0])
         };
-        let least = if matches!(filter, TexelFilter::Min | TexelFilter::Max) { LEAST_WEIGHT } else { 0.0 };
+        let least = if matches!(filter, TexelFilter::Min | TexelFilter::Max) { MIN_WEIGHT } else { 0.0 };
         let mut taps = [(0usize, 0.0f64); 16];
         let mut count = 0;
         for (row, y) in (before.y as i64 - 1..).zip(down) {

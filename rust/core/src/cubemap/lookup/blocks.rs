@@ -10,7 +10,7 @@ pub const BLOCK: usize = 64;
 
 /// Minimum weight of a texel that counts for minima and maxima. Rounding moves a position among 32,768
 /// texels by up to 2e-11 texels, so a smaller weight may be rounding alone.
-pub const LEAST_WEIGHT: f64 = 1e-10;
+pub const MIN_WEIGHT: f64 = 1e-10;
 
 /// 2⁵². Adding it to a number leaves the nearest integer in the low bits. It replaces a cast from float to integer,
 /// which saturates and therefore has no vector instruction.
@@ -268,7 +268,7 @@ fn mix_kernel<T: Real>(texels: &[BlockValues<T>; 4], weights: &[BlockValues<f64>
 
 /// Minimum or maximum of the texels with weight; NaN if all of them are NaN.
 #[inline(always)]
-fn extreme<T: Real, const GREATEST: bool>(
+fn extreme<T: Real, const MAX: bool>(
     texels: &[BlockValues<T>; 4],
     weights: &[BlockValues<f64>; 4],
     out: &mut BlockValues<T>,
@@ -277,8 +277,8 @@ fn extreme<T: Real, const GREATEST: bool>(
         let mut chosen = T::narrow(f64::NAN);
         for k in 0..4 {
             let texel = texels[k].0[i];
-            let before = if GREATEST { texel > chosen } else { texel < chosen };
-            let takes = (weights[k].0[i] > LEAST_WEIGHT) & (!is_known(chosen) | before);
+            let before = if MAX { texel > chosen } else { texel < chosen };
+            let takes = (weights[k].0[i] > MIN_WEIGHT) & (!is_known(chosen) | before);
             chosen = if takes { texel } else { chosen };
         }
         out.0[i] = chosen;
@@ -318,13 +318,13 @@ fn halve_kernel<T: Real>(above: &[T], below: &[T], weights: [&[f64]; 2], out: &m
 
 /// Minimum or maximum of each 2 × 2 values of two rows; NaN if all four are NaN.
 #[inline(always)]
-fn halve_extreme<T: Real, const GREATEST: bool>(above: &[T], below: &[T], out: &mut [T]) {
+fn halve_extreme<T: Real, const MAX: bool>(above: &[T], below: &[T], out: &mut [T]) {
     let count = out.len();
     let (above, below) = (&above[..2 * count], &below[..2 * count]);
     for i in 0..count {
         let mut chosen = above[2 * i];
         for other in [above[2 * i + 1], below[2 * i], below[2 * i + 1]] {
-            let before = if GREATEST { other > chosen } else { other < chosen };
+            let before = if MAX { other > chosen } else { other < chosen };
             chosen = if before | !is_known(chosen) { other } else { chosen };
         }
         out[i] = chosen;

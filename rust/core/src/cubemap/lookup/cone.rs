@@ -16,7 +16,7 @@ const MARGIN: f64 = 4e-15;
 
 /// Minimum squared cosine: half angles closer to 90° are reduced to 90° − 1e-15 rad. A cosine of 0 would cause a
 /// division by zero for axes in the plane of a face.
-const LEAST_COSINE_SQUARED: f64 = 1e-30;
+const MIN_COSINE_SQUARED: f64 = 1e-30;
 
 /// All directions within an angle of an axis.
 #[derive(Clone, Copy, Debug)]
@@ -39,7 +39,7 @@ impl Cone {
         // Scaled first, so that the length does not overflow.
         let axis = (d / d.abs().max_element()).normalize();
         let sine = (radius.sin().powi(2) + MARGIN).min(1.0).sqrt();
-        Self { axis, sine, cosine_squared: (radius.cos().powi(2) - MARGIN).max(LEAST_COSINE_SQUARED) }
+        Self { axis, sine, cosine_squared: (radius.cos().powi(2) - MARGIN).max(MIN_COSINE_SQUARED) }
     }
 
     /// Finds the texels of a face that the cone touches.
@@ -58,9 +58,9 @@ impl Cone {
         rows.first = index(tall[0].0);
         let last = (index(tall[1].0) + 1).min(size as usize);
         let edge = |row: usize| 2.0 * row as f64 / count - 1.0;
-        let mut above = section.at(edge(rows.first));
+        let mut above = section.interval(edge(rows.first));
         for row in rows.first..last {
-            let below = section.at(edge(row + 1));
+            let below = section.interval(edge(row + 1));
             let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
             for (from, to) in above.into_iter().chain(below) {
                 (low, high) = (low.min(from), high.max(to));
@@ -121,7 +121,7 @@ struct Section {
 impl Section {
     /// Returns the interval of a line of constant v inside the cone: (right u + k)² ≥ cos² (u² + w) on the side right
     /// u + k > 0, with k = down v + out and w = v² + 1.
-    fn at(&self, v: f64) -> Option<(f64, f64)> {
+    fn interval(&self, v: f64) -> Option<(f64, f64)> {
         let (k, w) = (self.down * v + self.out, v * v + 1.0);
         let (a, b) = (self.squares, self.right * k);
         let discriminant = k * k + w * a;

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::super::faces::{CubeFaces, is_known};
-use super::blocks::{self, BLOCK, BlockValues, Inner, LEAST_WEIGHT, Placed};
+use super::blocks::{self, BLOCK, BlockValues, Inner, MIN_WEIGHT, Placed};
 use super::cubic::Rim;
 use super::filter::TexelFilter;
 use super::sampler::{SampledPicture, Sampler};
@@ -61,7 +61,7 @@ fn mean<T: Real>(texels: [T; 4], taps: &Taps) -> T {
 fn extreme<T: Real>(texels: [T; 4], taps: &Taps, before: impl Fn(T, T) -> bool) -> T {
     let mut chosen = T::narrow(f64::NAN);
     for (&texel, &weight) in texels.iter().zip(&taps.weight) {
-        if weight > LEAST_WEIGHT && (!is_known(chosen) || before(texel, chosen)) {
+        if weight > MIN_WEIGHT && (!is_known(chosen) || before(texel, chosen)) {
             chosen = texel;
         }
     }

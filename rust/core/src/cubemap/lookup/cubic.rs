@@ -67,8 +67,8 @@ impl<'a, T: Real> Rim<'a, T> {
     fn add_face(&self, d: DVec3, axis: usize, share: f64, first: usize, sums: &mut [f64]) {
         let size = self.faces.size;
         let (face, u, v) = on_axis(d, axis);
-        let (column, across) = around(u, size);
-        let (row, down) = around(v, size);
+        let (column, across) = taps(u, size);
+        let (row, down) = taps(v, size);
         for (j, weight_down) in down.into_iter().enumerate() {
             for (i, weight_across) in across.into_iter().enumerate() {
                 let weight = share * weight_down * weight_across;
@@ -111,7 +111,7 @@ fn on_axis(d: DVec3, axis: usize) -> (u8, f64, f64) {
 
 /// Returns the texel before a position, from −1 to size − 1, and Keys' weights of four texels: the one before it,
 /// itself and two after it.
-fn around(position: f64, size: u32) -> (i32, [f64; 4]) {
+fn taps(position: f64, size: u32) -> (i32, [f64; 4]) {
     let x = (position + 1.0) * 0.5 * f64::from(size) - 0.5;
     let before = x.floor().clamp(-1.0, f64::from(size) - 1.0);
     // The neighbour's outermost centres lie slightly more than half a texel beyond the edge. The weight of this face is

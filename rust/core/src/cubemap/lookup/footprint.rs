@@ -35,31 +35,31 @@ pub fn footprint<T: Real, D: Real>(
         return Ok(());
     }
     match filter {
-        TexelFilter::Min => all::<T, D, false>(faces, directions, radius, out, progress),
-        TexelFilter::Max => all::<T, D, true>(faces, directions, radius, out, progress),
+        TexelFilter::Min => look_up_all::<T, D, false>(faces, directions, radius, out, progress),
+        TexelFilter::Max => look_up_all::<T, D, true>(faces, directions, radius, out, progress),
         _ => Err(Error::value("filter", "the least or the greatest", format!("{filter:?}"))),
     }
 }
 
-fn all<T: Real, D: Real, const GREATEST: bool>(
+fn look_up_all<T: Real, D: Real, const MAX: bool>(
     faces: CubeFaces<'_, T>,
     directions: &[[D; 3]],
     radius: f64,
     out: &mut [T],
     progress: &Progress,
 ) -> Result<()> {
-    let pyramid = Pyramid::new::<GREATEST>(faces, radius)?;
-    let nothing = if GREATEST { f64::NEG_INFINITY } else { f64::INFINITY };
+    let pyramid = Pyramid::new::<MAX>(faces, radius)?;
+    let nothing = if MAX { f64::NEG_INFINITY } else { f64::INFINITY };
     out.par_chunks_mut(TILE * faces.channels).zip(directions.par_chunks(TILE)).try_for_each(|(out, directions)| {
         let mut scratch = Scratch::default();
         for (out, d) in out.chunks_exact_mut(faces.channels).zip(directions) {
             out.fill(T::narrow(nothing));
             let cone = Cone::new(DVec3::from_array(d.map(Real::wide)), radius);
             for face in 0..6 {
-                pyramid.visit(&cone, face, &mut scratch, |values| take::<T, GREATEST>(out, values));
+                pyramid.visit(&cone, face, &mut scratch, |values| take::<T, MAX>(out, values));
             }
             if out.iter().any(|value| value.wide() == nothing) {
-                let known = pyramid.known(&cone, &mut scratch);
+                let known = pyramid.has_values(&cone, &mut scratch);
                 for (value, _) in out.iter_mut().zip(known).filter(|(_, known)| !known) {
                     *value = T::narrow(f64::NAN);
                 }
@@ -72,8 +72,8 @@ fn all<T: Real, D: Real, const GREATEST: bool>(
 
 /// Replaces each value that the new texel's value precedes; NaN never replaces a value.
 #[inline]
-fn take<T: Real, const GREATEST: bool>(out: &mut [T], values: &[T]) {
-    let before = |one: T, other: T| if GREATEST { one > other } else { one < other };
+fn take<T: Real, const MAX: bool>(out: &mut [T], values: &[T]) {
+    let before = |one: T, other: T| if MAX { one > other } else { one < other };
     if let [chosen] = out {
         for &value in values {
             *chosen = if before(value, *chosen) { value } else { *chosen };
@@ -102,7 +102,7 @@ struct Scratch {
 }
 
 impl<'a, T: Real> Pyramid<'a, T> {
-    fn new<const GREATEST: bool>(faces: CubeFaces<'a, T>, radius: f64) -> Result<Self> {
+    fn new<const MAX: bool>(faces: CubeFaces<'a, T>, radius: f64) -> Result<Self> {
         let mut levels: Vec<(usize, Vec<T>)> = Vec::new();
         let mut across = radius * f64::from(faces.size);
         while across > WIDE_CONE {
@@ -112,7 +112,7 @@ impl<'a, T: Real> Pyramid<'a, T> {
                 None => (faces.size as usize, faces.values),
             };
             room_for((6 * size.div_ceil(2).pow(2) * faces.channels * size_of::<T>()) as u64)?;
-            let halved = halve::<T, GREATEST>(values, size, faces.channels);
+            let halved = halve::<T, MAX>(values, size, faces.channels);
             levels.push((size.div_ceil(2), halved));
         }
         Ok(Self { faces, levels })
@@ -156,7 +156,7 @@ impl<'a, T: Real> Pyramid<'a, T> {
     }
 
     /// Returns, for each channel, whether a cone touches a value other than NaN.
-    fn known(&self, cone: &Cone, scratch: &mut Scratch) -> Vec<bool> {
+    fn has_values(&self, cone: &Cone, scratch: &mut Scratch) -> Vec<bool> {
         let mut known = vec![false; self.faces.channels];
         for face in 0..6 {
             self.visit(cone, face, scratch, |values| {
@@ -196,7 +196,7 @@ fn coarsen(rows: &ConeRows, size: usize, blocks: &mut ConeRows) {
 }
 
 /// Returns the extremes of the 2 × 2 blocks of six faces.
-fn halve<T: Real, const GREATEST: bool>(values: &[T], size: usize, channels: usize) -> Vec<T> {
+fn halve<T: Real, const MAX: bool>(values: &[T], size: usize, channels: usize) -> Vec<T> {
     let half = size.div_ceil(2);
     let row_length = size * channels;
     let mut out = vec![T::narrow(0.0); 6 * half * half * channels];
@@ -206,7 +206,7 @@ fn halve<T: Real, const GREATEST: bool>(values: &[T], size: usize, channels: usi
         let rows = &values[first * row_length..][..count * row_length];
         if channels == 1 && size.is_multiple_of(2) {
             let (above, below) = rows.split_at(row_length);
-            let halve = if GREATEST { halve_greatest } else { halve_least };
+            let halve = if MAX { halve_greatest } else { halve_least };
             return halve(above, below, out);
         }
         for (column, block) in out.chunks_exact_mut(channels).enumerate() {
@@ -215,7 +215,7 @@ fn halve<T: Real, const GREATEST: bool>(values: &[T], size: usize, channels: usi
                 let end = (2 * column + 2).min(size) * channels;
                 for texel in row[2 * column * channels..end].chunks_exact(channels) {
                     for (chosen, &value) in block.iter_mut().zip(texel) {
-                        let before = if GREATEST { value > *chosen } else { value < *chosen };
+                        let before = if MAX { value > *chosen } else { value < *chosen };
                         *chosen = if before | !is_known(*chosen) { value } else { *chosen };
                     }
                 }

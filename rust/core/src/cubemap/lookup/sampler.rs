@@ -56,7 +56,7 @@ impl<'a, T: Real, S: SampledPicture<T>> Sampler<'a, T, S> {
             let wrong = self.surface.find_places(block, self.texels.filter.reach(), &mut placed);
             if wrong == 0 {
                 if self.has_inside {
-                    self.texels.inside(&placed, out);
+                    self.texels.sample_inside(&placed, out);
                 }
                 self.at_seams(block, &placed.seam, out);
             }
@@ -81,7 +81,7 @@ impl<'a, T: Real, S: SampledPicture<T>> Sampler<'a, T, S> {
 // Shared by cube maps and flat pictures, so that the kernels are compiled once.
 impl<T: Real> Texels<'_, T> {
     /// Writes the values of a block; those of directions at seams are undefined.
-    fn inside(&self, placed: &Placed, out: &mut [T]) {
+    fn sample_inside(&self, placed: &Placed, out: &mut [T]) {
         match (self.filter, self.channels) {
             (TexelFilter::Cubic, _) => self.cubic(placed, out),
             (_, 1) => self.squares::<1>(placed, 0, out),

@@ -3,7 +3,7 @@
 use crate::base::{Error, Result, number};
 
 /// Maximum logarithm of the ratio of two consecutive codes' ranges.
-pub const MOST_STEP: f64 = 700.0 / 65535.0;
+pub const MAX_STEP: f64 = 700.0 / 65535.0;
 
 /// Layout of a map's faces, and its listed tiles.
 #[derive(Clone, Copy, Debug)]
@@ -30,8 +30,8 @@ impl Faces<'_> {
         if !listed.is_sorted_by(|a, b| a < b) || listed.last().is_some_and(|&last| last as usize >= tiles) {
             return Err(Error::value("tiles", format!("ascending numbers below {tiles}"), "others"));
         }
-        if !(step > 0.0 && step <= MOST_STEP) {
-            return Err(Error::value("step", format!("a number from 0 to {MOST_STEP}"), number(step)));
+        if !(step > 0.0 && step <= MAX_STEP) {
+            return Err(Error::value("step", format!("a number from 0 to {MAX_STEP}"), number(step)));
         }
         Ok(texels / area)
     }

@@ -13,7 +13,7 @@ mod scale;
 mod tests;
 mod walk;
 
-pub use faces::{Faces, MOST_STEP};
+pub use faces::{Faces, MAX_STEP};
 pub use scale::NOTHING;
 
 use crate::base::{Error, Progress, Result};

@@ -7,7 +7,7 @@ use super::scale::{NOTHING, Scale};
 use crate::base::{Progress, Result};
 
 /// Texels from which a run predicts, and from which a single run, or two that agree, is trusted.
-const LEAST: u32 = 3;
+const MIN: u32 = 3;
 const LONG: u32 = 8;
 /// Maximum code difference between a texel and its run, and between the first two texels of a run.
 const FIT: u16 = 1;
@@ -52,7 +52,7 @@ impl<'a> Walk<'a> {
         self.last = 0;
         let mut face = Face { codes, before, changed, link };
         for band in 0..across {
-            let listed = self.listed(number * across + band);
+            let listed = self.listed_tiles(number * across + band);
             let visited: Vec<bool> = listed.iter().map(|&is_listed| is_listed || before.is_none()).collect();
             let starts = band == 0;
             for (run, column) in self.columns.iter_mut().zip(0..) {
@@ -69,7 +69,7 @@ impl<'a> Walk<'a> {
     }
 
     /// Returns, for each tile of a row of tiles, whether it is listed.
-    fn listed(&self, row: usize) -> Vec<bool> {
+    fn listed_tiles(&self, row: usize) -> Vec<bool> {
         let across = self.faces.size / self.faces.tile;
         let is_listed = |tile: usize| self.faces.listed.binary_search_by(|&own| (own as usize).cmp(&tile)).is_ok();
         (row * across..(row + 1) * across).map(is_listed).collect()
@@ -113,21 +113,19 @@ impl<'a> Walk<'a> {
         let along = |run: &Run| (run.count > 0).then(|| self.scale.code(run.next(), distance, neighbour));
         let (by_row, by_column) = (along(row), along(column));
         if is_new {
-            let (guess, trust) =
-                match (by_row.filter(|_| row.count >= LEAST), by_column.filter(|_| column.count >= LEAST)) {
-                    (Some(a), Some(b)) if a.abs_diff(b) <= FIT => {
-                        let (n, m) = (f64::from(row.count), f64::from(column.count));
-                        let mean = (row.next() * n + column.next() * m) / (n + m);
-                        let trust = if row.count + column.count > 2 * LONG { Trust::High } else { Trust::Some };
-                        (self.scale.code(mean, distance, a), trust)
-                    }
-                    (Some(a), Some(b)) => {
-                        (if a.abs_diff(neighbour) <= b.abs_diff(neighbour) { a } else { b }, Trust::Some)
-                    }
-                    (Some(code), None) if code.abs_diff(neighbour) <= FIT => (code, trust_in(row)),
-                    (None, Some(code)) if code.abs_diff(neighbour) <= FIT => (code, trust_in(column)),
-                    _ => (neighbour, around.trust(face.codes)),
-                };
+            let (guess, trust) = match (by_row.filter(|_| row.count >= MIN), by_column.filter(|_| column.count >= MIN))
+            {
+                (Some(a), Some(b)) if a.abs_diff(b) <= FIT => {
+                    let (n, m) = (f64::from(row.count), f64::from(column.count));
+                    let mean = (row.next() * n + column.next() * m) / (n + m);
+                    let trust = if row.count + column.count > 2 * LONG { Trust::High } else { Trust::Some };
+                    (self.scale.code(mean, distance, a), trust)
+                }
+                (Some(a), Some(b)) => (if a.abs_diff(neighbour) <= b.abs_diff(neighbour) { a } else { b }, Trust::Some),
+                (Some(code), None) if code.abs_diff(neighbour) <= FIT => (code, trust_in(row)),
+                (None, Some(code)) if code.abs_diff(neighbour) <= FIT => (code, trust_in(column)),
+                _ => (neighbour, around.trust(face.codes)),
+            };
             let residual = face.link.residual(trust, fold(face.codes[place].wrapping_sub(guess)))?;
             face.codes[place] = guess.wrapping_add(unfold(residual));
             if face.codes[place] == NOTHING {

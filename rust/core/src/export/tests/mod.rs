@@ -33,7 +33,7 @@ fn plain_mesh(seed: u64, count: u64) -> Arc<Mesh> {
     Arc::new(Mesh::new(mesh.positions, mesh.faces, None, None, flat, FaceMap::Uniform(0)).unwrap())
 }
 
-fn placed(mesh: &Arc<Mesh>, to_scene: DAffine3, object: i32) -> Instance {
+fn instance(mesh: &Arc<Mesh>, to_scene: DAffine3, object: i32) -> Instance {
     Instance::new(Arc::clone(mesh), to_scene, Some(object)).unwrap()
 }
 
@@ -105,7 +105,7 @@ fn corners(triangles: &[Triangle]) -> impl Iterator<Item = [DVec3; 3]> + '_ {
 #[test]
 fn merged_triangles_are_the_scenes_on_the_grid_up_to_eight_kilometres() {
     for seed in 0..6 {
-        let parts = (0..4).map(|i| placed(&plain_mesh(10 * seed + i, 60), pose(seed + i, 8000.0), 0)).collect();
+        let parts = (0..4).map(|i| instance(&plain_mesh(10 * seed + i, 60), pose(seed + i, 8000.0), 0)).collect();
         let scene = scene(parts, vec![]);
         for settings in [PLAIN, COMPRESSED] {
             let file = glb(&export(&scene, &[0, 0], 1, settings), 0);
@@ -121,7 +121,7 @@ fn merged_triangles_are_the_scenes_on_the_grid_up_to_eight_kilometres() {
 
 #[test]
 fn far_corners_get_a_coarser_grid_and_say_so() {
-    let scene = scene(vec![placed(&plain_mesh(1, 50), DAffine3::from_translation(DVec3::X * 20_000.0), 0)], vec![]);
+    let scene = scene(vec![instance(&plain_mesh(1, 50), DAffine3::from_translation(DVec3::X * 20_000.0), 0)], vec![]);
     let file = glb(&export(&scene, &[0, 0], 1, COMPRESSED), 0);
     assert_eq!(file.statistics.position_error, 2.0 / 1024.0);
     let found = Read::new(&file.bytes, &[]).triangles();
@@ -132,7 +132,7 @@ fn far_corners_get_a_coarser_grid_and_say_so() {
 fn compressed_arrays_are_the_plain_ones_bit_for_bit() {
     let materials = FaceMap::PerFace((0..400).map(|face| face % 3 - 1).collect());
     let mesh = Arc::new(random_mesh(3, 400, FaceMap::Uniform(-1), materials));
-    let scene = scene(vec![placed(&mesh, pose(5, 100.0), 0)], vec![]);
+    let scene = scene(vec![instance(&mesh, pose(5, 100.0), 0)], vec![]);
     let [plain, compressed] = [PLAIN, COMPRESSED].map(|settings| {
         let file = glb(&export(&scene, &[0, 0], 1, settings), 0);
         Read::new(&file.bytes, &[])
@@ -169,8 +169,8 @@ fn compressed_arrays_are_the_plain_ones_bit_for_bit() {
 #[test]
 fn shared_meshes_are_written_once_and_placed_within_their_bound() {
     let mesh = plain_mesh(7, 40);
-    let standing: Vec<Instance> = (0..9).map(|i| placed(&mesh, pose(i, 500.0), i as i32)).collect();
-    let scene = scene(standing, vec![placed(&mesh, pose(99, 10.0), 9)]);
+    let standing: Vec<Instance> = (0..9).map(|i| instance(&mesh, pose(i, 500.0), i as i32)).collect();
+    let scene = scene(standing, vec![instance(&mesh, pose(99, 10.0), 9)]);
     let groups = [0, 0, 0, 1, 1, 1, 1, 1, 1, 0, 0];
     for settings in [PLAIN, COMPRESSED] {
         let export = export(&scene, &groups, 3, settings);
@@ -210,8 +210,8 @@ fn mirrored_placements_keep_their_fronts() {
     let mesh = plain_mesh(11, 30);
     let mirror = DAffine3::from_scale(DVec3::new(1.0, 1.0, -1.0));
     let poses = [pose(1, 50.0), pose(2, 50.0) * mirror, pose(3, 50.0) * mirror, pose(4, 50.0)];
-    let standing = poses.iter().map(|&pose| placed(&mesh, pose, 0)).collect();
-    let moving = vec![placed(&plain_mesh(12, 30), pose(5, 50.0) * mirror, 1)];
+    let standing = poses.iter().map(|&pose| instance(&mesh, pose, 0)).collect();
+    let moving = vec![instance(&plain_mesh(12, 30), pose(5, 50.0) * mirror, 1)];
     let scene = scene(standing, moving);
     for settings in [PLAIN, COMPRESSED] {
         let export = export(&scene, &[0, 0, 0], 1, settings);
@@ -265,8 +265,8 @@ fn moving_objects_are_nodes_with_names() {
     let wheel = plain_mesh(32, 10);
     let moving = vec![
         Instance::new(both, pose(1, 9.0), None).unwrap(),
-        placed(&wheel, pose(2, 9.0), 2),
-        placed(&wheel, pose(3, 9.0), 1),
+        instance(&wheel, pose(2, 9.0), 2),
+        instance(&wheel, pose(3, 9.0), 1),
     ];
     let scene = Scene { origin: DVec3::new(5.0, 0.0, -1e6), ..scene(vec![], moving.clone()) };
     let file = Read::new(&glb(&export(&scene, &[0, 1, 0, 0], 2, COMPRESSED), 0).bytes, &[]);
@@ -290,7 +290,7 @@ fn normals_and_faces_show_one_side() {
     let mesh = Mesh::new(positions.into(), faces.into(), None, None, none.clone(), none).unwrap();
     let mesh = Arc::new(mesh.with_normals(Some(normals.into())).unwrap());
     let file = Read::new(
-        &glb(&export(&scene(vec![placed(&mesh, DAffine3::IDENTITY, 0)], vec![]), &[0, 0], 1, PLAIN), 0).bytes,
+        &glb(&export(&scene(vec![instance(&mesh, DAffine3::IDENTITY, 0)], vec![]), &[0, 0], 1, PLAIN), 0).bytes,
         &[],
     );
     let primitives = file.list("meshes")[0]["primitives"].as_array().unwrap();
@@ -307,9 +307,12 @@ fn bytes_do_not_depend_on_the_number_of_threads() {
     let materials = || FaceMap::PerFace((0..5000).map(|face| face % 3 - 1).collect());
     let mesh = Arc::new(random_mesh(41, 5000, FaceMap::Uniform(-1), materials()));
     let tree = plain_mesh(42, 100);
-    let standing =
-        vec![placed(&mesh, DAffine3::IDENTITY, 0), placed(&tree, pose(1, 9.0), 0), placed(&tree, pose(2, 9.0), 0)];
-    let scene = scene(standing, vec![placed(&plain_mesh(43, 10), pose(3, 9.0), 1)]);
+    let standing = vec![
+        instance(&mesh, DAffine3::IDENTITY, 0),
+        instance(&tree, pose(1, 9.0), 0),
+        instance(&tree, pose(2, 9.0), 0),
+    ];
+    let scene = scene(standing, vec![instance(&plain_mesh(43, 10), pose(3, 9.0), 1)]);
     let files = [1, 2].map(|threads| {
         let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
@@ -331,7 +334,7 @@ fn groups_without_triangles_are_files_without_meshes() {
         FaceMap::Uniform(0),
     );
     let flat = Arc::new(flat.unwrap());
-    let standing = vec![placed(&flat, DAffine3::IDENTITY, 0), placed(&flat, pose(1, 1.0), 0)];
+    let standing = vec![instance(&flat, DAffine3::IDENTITY, 0), instance(&flat, pose(1, 1.0), 0)];
     let lone = Instance::new(Arc::clone(&plain_mesh(1, 0)), DAffine3::IDENTITY, Some(1)).unwrap();
     let export = export(&scene(standing, vec![lone]), &[1, 1, 1], 2, COMPRESSED);
     for group in [0, 1] {
@@ -346,7 +349,7 @@ fn groups_without_triangles_are_files_without_meshes() {
 
 #[test]
 fn wrong_arguments_are_refused() {
-    let scene = scene(vec![placed(&plain_mesh(1, 5), DAffine3::IDENTITY, 0)], vec![]);
+    let scene = scene(vec![instance(&plain_mesh(1, 5), DAffine3::IDENTITY, 0)], vec![]);
     let images = || vec![None];
     let new = |groups: &[u16], count, images, step| {
         Export::new(&scene, groups, count, vec![], images, Settings { step, ..PLAIN }, &Progress::new()).map(drop)

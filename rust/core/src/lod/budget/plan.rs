@@ -111,7 +111,7 @@ impl Plan<'_> {
     /// Returns the steps of a class whose slope exceeds the given one, and lower steps that lead to levels no finer
     /// than in the previous frame.
     fn regained(&self, own: u16, slope: f64, before: &[i32]) -> Vec<Step> {
-        self.steps(self.ratings.behind(self.rater, own, before), NEVER + 1..=own, |step| {
+        self.steps(self.ratings.coarser_than_before(self.rater, own, before), NEVER + 1..=own, |step| {
             let level = self.rater.ladder(step.object).level[usize::from(step.to)];
             step.slope > slope || (0..=level).contains(&before[step.object as usize])
         })

@@ -9,12 +9,12 @@ pub(super) const ALWAYS: u16 = CLASSES as u16 - 1;
 const DIGITS: u32 = 5;
 const SHIFT: u32 = f64::MANTISSA_DIGITS - 1 - DIGITS;
 /// Start of the range with separate classes, up to 2¹²⁸ times this slope; slopes outside share the outermost classes.
-const LEAST: f64 = 1.0 / (1u128 << 112) as f64;
+const MIN: f64 = 1.0 / (1u128 << 112) as f64;
 
 /// Returns the class of a slope; it increases monotonically.
 #[inline(always)]
 pub(super) fn class(slope: f64) -> u16 {
-    const FIRST: i64 = (LEAST.to_bits() >> SHIFT) as i64;
+    const FIRST: i64 = (MIN.to_bits() >> SHIFT) as i64;
     const LAST: i64 = ALWAYS as i64 - 1;
     let number = (slope.to_bits() >> SHIFT) as i64 - FIRST;
     let number = if number < 1 { 1 } else { number };

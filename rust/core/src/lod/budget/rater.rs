@@ -6,7 +6,7 @@ use super::rated::Ladder;
 use super::sizes::{SeenObjects, Weights};
 
 /// Maximum power of 2 by which weights are scaled; its inverse is a float, too.
-const MOST_EXPONENT: f64 = 1000.0;
+const MAX_EXPONENT: f64 = 1000.0;
 
 /// Computes scores and slopes of objects in view.
 pub(super) struct Rater<'a> {
@@ -64,7 +64,7 @@ impl<'a> Rater<'a> {
             Weights::Each(all) => all.iter().copied().fold(0.0, f64::max),
             _ => 1.0,
         };
-        let exponent = if most > 0.0 { most.log2().ceil().clamp(-MOST_EXPONENT, MOST_EXPONENT) } else { 0.0 };
+        let exponent = if most > 0.0 { most.log2().ceil().clamp(-MAX_EXPONENT, MAX_EXPONENT) } else { 0.0 };
         Self { ladders, objects, seen, weights, choice: Choice::All, scale: (-exponent).exp2(), hysteresis, floor }
     }
 
@@ -122,7 +122,7 @@ impl<'a> Rater<'a> {
         slopes(ladder, &room.scores, &floors, self.choice, &mut room.slopes);
         let worth = Worth {
             weights: weights.map(|weight| weight * self.scale),
-            held: self.held(ladder, block, room),
+            held: self.held_steps(ladder, block, room),
             hold: 1.0 + self.hysteresis,
             first: if self.choice == Choice::FromFloor { floors } else { [f64::INFINITY; LANES] },
         };
@@ -137,7 +137,7 @@ impl<'a> Rater<'a> {
     }
 
     /// Returns the step from which the previous frame's level is held; +∞ for none.
-    fn held(&self, ladder: &Ladder, block: &[u32], room: &Room) -> Lanes {
+    fn held_steps(&self, ladder: &Ladder, block: &[u32], room: &Room) -> Lanes {
         let mut held = [f64::INFINITY; LANES];
         let Some(previous) = self.objects.previous.filter(|_| self.hysteresis > 0.0) else { return held };
         for (lane, (to, &object)) in held.iter_mut().zip(block).enumerate() {

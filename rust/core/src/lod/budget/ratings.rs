@@ -65,7 +65,7 @@ impl Ratings {
     }
 
     /// Returns the objects with steps in a class, and those that even after all its steps are coarser than before.
-    pub fn behind(&self, rater: &Rater<'_>, class: u16, before: &[i32]) -> Vec<u32> {
+    pub fn coarser_than_before(&self, rater: &Rater<'_>, class: u16, before: &[i32]) -> Vec<u32> {
         self.pick(rater, class, class, |object, level, is_between| {
             is_between || (0..level).contains(&before[object as usize])
         })

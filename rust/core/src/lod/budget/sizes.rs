@@ -134,7 +134,7 @@ impl SizesOf<'_> {
             for k in 0..count {
                 let n = usize::from(open.place[k]);
                 if let Some(threshold) = threshold.get_mut(n) {
-                    *threshold = threshold.max(self.line.at(open.sigma[k]));
+                    *threshold = threshold.max(self.line.value(open.sigma[k]));
                 }
                 if open.read[k] <= read[n] {
                     continue;

@@ -147,7 +147,7 @@ fn descend_all(
     room: &mut logistic::LogisticScratch,
 ) -> EvaluatedLine {
     let descended = |start: &Start, rival: Option<&EvaluatedLine>, room: &mut logistic::LogisticScratch| {
-        let found = EvaluatedLine::at(samples, &frame.limits, start.line, room);
+        let found = EvaluatedLine::evaluate(samples, &frame.limits, start.line, room);
         descend::descend(samples, &frame.limits, found, rival, room)
     };
     let mut best = descended(&starts[0], None, room);
@@ -181,7 +181,7 @@ fn judged(frame: &SampleFrame, found: &EvaluatedLine) -> Status {
         return Status::Open;
     }
     let slope = |&v: &f64| {
-        let e = (-found.line.at(v).abs()).exp();
+        let e = (-found.line.value(v).abs()).exp();
         e / (1.0 + e).powi(2)
     };
     let between = frame.places.iter().map(slope).filter(|&slope| slope > ON_A_PLATEAU).count();

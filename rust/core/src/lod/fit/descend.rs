@@ -7,7 +7,7 @@ use super::logistic::{self, Line, LogisticScratch, LogisticSums, Samples};
 /// Maximum number of steps of one descent; ten are usual.
 const STEPS: usize = 60;
 /// Minimum predicted gain of a step, relative to the residual.
-const LEAST_PROMISE: f64 = 1e-11;
+const MIN_PREDICTED_GAIN: f64 = 1e-11;
 /// Squared residual per sample, for values of size 1, that is due to rounding.
 const ROUNDING: f64 = 1e-31;
 /// Maximum length of a step, in units of τ and of the logarithm of its rise.
@@ -21,7 +21,7 @@ const GAIN_LIMIT: f64 = 8.0;
 /// Maximum |τ| if all samples lie on one side. The second plateau is then e²⁵ times as far away as the samples reach.
 pub(super) const TAIL: f64 = 25.0;
 /// Minimum rise over half of the samples' range; below it a curve is a straight line over ln x to ten digits.
-pub(super) const LEAST_RISE: f64 = 1e-4;
+pub(super) const MIN_RISE: f64 = 1e-4;
 
 /// Bounds of lines; within them all numbers stay finite.
 #[derive(Clone, Copy, Debug)]
@@ -36,12 +36,12 @@ impl Limits {
     /// Returns the nearest allowed line, in the form that keeps digits in tails: σ exceeds ½ in at most half of the
     /// samples' range.
     fn apply(&self, line: Line) -> Line {
-        let mut line = if line.at(0.0) > 0.0 { line.turned() } else { line };
-        line.rise = line.rise.signum() * line.rise.abs().clamp(LEAST_RISE, self.steepest);
+        let mut line = if line.value(0.0) > 0.0 { line.complement() } else { line };
+        line.rise = line.rise.signum() * line.rise.abs().clamp(MIN_RISE, self.steepest);
         let steepness = line.rise.abs();
         // τ at the middle of the samples is at most 0. At the end of their range it is larger by the steepness.
         let least = (-TAIL - steepness).max(-steepness * self.farthest);
-        let missing = least - line.at(0.0);
+        let missing = least - line.value(0.0);
         if missing > 0.0 {
             line.level += missing;
         }
@@ -57,7 +57,7 @@ pub(super) struct EvaluatedLine {
 }
 
 impl EvaluatedLine {
-    pub(super) fn at(samples: &Samples<'_>, limits: &Limits, line: Line, room: &mut LogisticScratch) -> Self {
+    pub(super) fn evaluate(samples: &Samples<'_>, limits: &Limits, line: Line, room: &mut LogisticScratch) -> Self {
         let line = limits.apply(line);
         Self { line, sums: logistic::evaluate(samples, &line, room) }
     }
@@ -77,7 +77,7 @@ impl EvaluatedLine {
     /// Returns whether a descent would end at the rival's minimum.
     pub(super) fn leads_to(&self, rival: &Self) -> bool {
         let is_close = |v: f64| {
-            let (own, other) = (self.line.at(v), rival.line.at(v));
+            let (own, other) = (self.line.value(v), rival.line.value(v));
             (own - other).abs() < SAME_DESCENT * (1.0 + other.abs().min(PLATEAU_TAU))
         };
         is_close(-1.0) && is_close(1.0)
@@ -167,14 +167,14 @@ pub(super) fn descend(
     let mut local = LocalModel::new(&found, samples.count);
     for _ in 0..STEPS {
         let (step, promise) = local.step(radius);
-        if found.is_exact(samples) || promise <= LEAST_PROMISE * found.sums.residual {
+        if found.is_exact(samples) || promise <= MIN_PREDICTED_GAIN * found.sums.residual {
             break;
         }
         if rival.is_some_and(|rival| found.leads_to(rival) || found.is_lost(promise, rival)) {
             break;
         }
         let line = Line { level: local.line.level + step[0], rise: local.line.rise * step[1].exp(), ..local.line };
-        let trial = EvaluatedLine::at(samples, limits, line, room);
+        let trial = EvaluatedLine::evaluate(samples, limits, line, room);
         let gain = 0.5 * (found.sums.residual - trial.sums.residual);
         let length = step[0].abs().max(step[1].abs());
         if gain > 0.0 {

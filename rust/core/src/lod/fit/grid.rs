@@ -5,14 +5,14 @@
 use std::ops::Range;
 
 use super::super::elementary::exp;
-use super::descend::{LEAST_RISE, TAIL};
+use super::descend::{MIN_RISE, TAIL};
 use super::logistic::{LANES, Line};
 use crate::base::simd::vectorized;
 
 /// Number of columns per step of the product.
 const BLOCK: usize = 64;
 /// Minimum rise; with smaller rises curves are nearly straight lines over ln x.
-const LEAST_GRID_RISE: f64 = 0.25;
+const MIN_GRID_RISE: f64 = 0.25;
 /// Ratio of successive rises.
 const RISE_FACTOR: f64 = 1.7;
 /// Maximum ratio of a start's residual to its neighbours' at other rises; above 1 because rises are coarse.
@@ -21,7 +21,7 @@ const RIDGE_FACTOR: f32 = 1.1;
 /// finds those.
 const SAMPLE_STEEPNESS: f64 = 3.0;
 /// Maximum rise, however many samples there are.
-const GREATEST_GRID_RISE: f64 = 150.0;
+const MAX_GRID_RISE: f64 = 150.0;
 /// Number of columns whose p are computed together.
 const WIDTH: usize = 16;
 /// Distance between middles of transitions, in units of 1/rise.
@@ -132,10 +132,10 @@ fn picked(count: usize, ends: &[usize]) -> Vec<usize> {
 fn levels(places: &[f64]) -> (Vec<Level>, Vec<f64>) {
     let first = places.partition_point(|&v| v < -1.0);
     let finite = &places[first..];
-    let steepest = (SAMPLE_STEEPNESS * (finite.len() - 1) as f64).min(GREATEST_GRID_RISE);
-    let mut levels = vec![Level { rise: LEAST_RISE, columns: 0..1 }];
+    let steepest = (SAMPLE_STEEPNESS * (finite.len() - 1) as f64).min(MAX_GRID_RISE);
+    let mut levels = vec![Level { rise: MIN_RISE, columns: 0..1 }];
     let mut middles = vec![0.0];
-    let mut rise = LEAST_GRID_RISE;
+    let mut rise = MIN_GRID_RISE;
     while rise < RISE_FACTOR * steepest {
         let start = middles.len();
         let reach = 1.0 + MARGIN / rise;

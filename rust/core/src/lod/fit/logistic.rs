@@ -17,18 +17,18 @@ pub(super) struct Line {
 }
 
 impl Line {
-    pub(super) fn at(&self, v: f64) -> f64 {
+    pub(super) fn value(&self, v: f64) -> f64 {
         self.level + self.rise * (v - self.origin)
     }
 
     /// Returns the same curve expressed by 1 − σ(τ) = σ(−τ).
-    pub(super) fn turned(self) -> Self {
+    pub(super) fn complement(self) -> Self {
         Self { level: -self.level, rise: -self.rise, ..self }
     }
 
     /// Returns the same line with another origin.
     pub(super) fn seen_from(self, origin: f64) -> Self {
-        Self { level: self.at(origin), origin, ..self }
+        Self { level: self.value(origin), origin, ..self }
     }
 }
 

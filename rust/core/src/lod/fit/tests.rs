@@ -51,7 +51,7 @@ proptest! {
         let x = places(values.len());
         with_samples(&x, &values, |frame, samples, room| {
             let line = Line { level, rise: if falls { -rise } else { rise }, origin };
-            let found = EvaluatedLine::at(samples, &frame.limits, line, room);
+            let found = EvaluatedLine::evaluate(samples, &frame.limits, line, room);
             let (b, c) = (frame.over_ln(rise), frame.x(line.origin - line.level / line.rise));
             // Values have size 1: the rounding error is a multiple of 2⁻⁵³ of their squares.
             let total: f64 = values.iter().map(|y| y * y).sum();
@@ -109,7 +109,7 @@ fn steps_explain_what_they_say() {
         for start in steps::best(frame, &unit).into_iter().flatten() {
             // The steepest allowed line of the same transition.
             let limit = Line { rise: frame.limits.steepest * start.line.rise.signum(), ..start.line };
-            let found = EvaluatedLine::at(samples, &frame.limits, limit, room);
+            let found = EvaluatedLine::evaluate(samples, &frame.limits, limit, room);
             assert!((found.sums.residual / total - (1.0 - start.explained)).abs() < 1e-12);
         }
     });

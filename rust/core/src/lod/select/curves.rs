@@ -98,7 +98,7 @@ impl Model<'_> {
 
     /// Returns the coarsest sufficient level. Levels coarser than the previous one must exceed the threshold by the
     /// hysteresis.
-    pub(super) fn held(&self, previous: usize, asked: &SizeQuery, rules: &Rules) -> usize {
+    pub(super) fn level_with_hysteresis(&self, previous: usize, asked: &SizeQuery, rules: &Rules) -> usize {
         let most = self.curves.len();
         if previous == 0 && self.room(asked, rules) < rules.hysteresis {
             return 0;
@@ -108,7 +108,7 @@ impl Model<'_> {
     }
 
     /// Returns the fractional level during a fade to the next finer one.
-    pub(super) fn shown(&self, level: usize, asked: &SizeQuery, rules: &Rules) -> f64 {
+    pub(super) fn fading_level(&self, level: usize, asked: &SizeQuery, rules: &Rules) -> f64 {
         if level == 0 || rules.fade == 0.0 {
             return level as f64;
         }

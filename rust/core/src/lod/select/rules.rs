@@ -78,7 +78,7 @@ pub struct Acuity {
 }
 
 impl ThresholdLine {
-    pub(crate) fn at(&self, sigma: f64) -> f64 {
+    pub(crate) fn value(&self, sigma: f64) -> f64 {
         self.level + self.rise * sigma
     }
 }

@@ -130,7 +130,7 @@ impl EyeLens<'_> {
                 tan_omega: self.tan_omega,
                 exact: false,
             };
-            sizes.each(&centers[..count], &radii[..count], &mut open.seen[..count]);
+            sizes.solid_angles(&centers[..count], &radii[..count], &mut open.seen[..count]);
             return;
         }
         let OpenSizes { place, seen, angles, factor, .. } = open;

@@ -156,7 +156,7 @@ fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
 
 /// Returns the minimum and maximum threshold in one of `count` cells over σ, widened by rounding.
 fn range(line: &ThresholdLine, limit: f64, cell: u64, count: u64) -> [f64; 2] {
-    let ends = [cell, cell + 1].map(|n| line.at(limit * n as f64 / count as f64));
+    let ends = [cell, cell + 1].map(|n| line.value(limit * n as f64 / count as f64));
     let margin = 1e-14 * line.level.abs() + 2.0 * WIDENING * (line.rise * limit).abs();
     [ends[0].min(ends[1]) - margin, ends[0].max(ends[1]) + margin]
 }

@@ -132,18 +132,18 @@ impl Selection<'_> {
         let n = usize::from(open.sizes.place[k]);
         let model = &self.models[tile.objects.model[n] as usize];
         let (sigma, seen) = (open.sizes.sigma[k], open.sizes.seen[k]);
-        let question = SizeQuery { sigma, seen, read: open.sizes.read[k], threshold: rules.line.at(sigma) };
+        let question = SizeQuery { sigma, seen, read: open.sizes.read[k], threshold: rules.line.value(sigma) };
         let previous = tile.objects.previous.and_then(|previous| usize::try_from(previous[n]).ok());
         let level = match (found, previous.filter(|_| rules.hysteresis > 0.0)) {
             (Some((found, true)), _) => usize::from(found),
-            (_, Some(previous)) => model.held(previous, &question, rules),
+            (_, Some(previous)) => model.level_with_hysteresis(previous, &question, rules),
             (Some((found, false)), None) => model.coarsest(usize::from(found & !UNSURE), &question),
             (None, None) => model.coarsest(model.curves.len(), &question),
         };
         let best = &mut tile.level[n];
         let is_finer = *best == UNSEEN || (level as i32) < *best;
         if let Some(columns) = &mut tile.columns {
-            let shown = model.shown(level, &question, rules);
+            let shown = model.fading_level(level, &question, rules);
             columns[4][n] = if *best == UNSEEN { shown } else { columns[4][n].min(shown) };
             if is_finer {
                 let values = [sigma, seen, question.threshold, model.score(level, question.read)];

@@ -100,7 +100,7 @@ impl Frustum {
         let scale = if scale > 0.0 { scale } else { 1.0 };
         let place = self.axes.map(|axis| DVec3::from_array(axis).dot(offset / scale));
         (to.sigma[n], [to.sin_alpha[n], to.cos_alpha[n], to.sin_mu[n], to.cos_mu[n]], _) =
-            seen(self, hidden, place, radius / scale);
+            see_sphere(self, hidden, place, radius / scale);
     }
 }
 
@@ -181,7 +181,7 @@ fn see_blocks(
                 up[0] * x + up[1] * y + up[2] * z,
                 ahead[0] * x + ahead[1] * y + ahead[2] * z,
             ];
-            let (own, angles, is_plain) = seen(view, hidden, place, radius[n]);
+            let (own, angles, is_plain) = see_sphere(view, hidden, place, radius[n]);
             sigma[n] = own;
             sin_alpha[n] = angles[0];
             cos_alpha[n] = angles[1];
@@ -196,7 +196,7 @@ fn see_blocks(
 /// up, ahead).
 #[inline(always)]
 #[expect(clippy::manual_range_contains, reason = "ranges have branches, which do not become vectors")]
-fn seen(view: &Frustum, hidden: f64, place: [f64; 3], radius: f64) -> (f64, [f64; 4], bool) {
+fn see_sphere(view: &Frustum, hidden: f64, place: [f64; 3], radius: f64) -> (f64, [f64; 4], bool) {
     let [x, y, ahead] = place;
     let mut outside = f64::NEG_INFINITY;
     for side in &view.sides {

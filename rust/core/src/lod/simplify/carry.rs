@@ -14,7 +14,7 @@ use crate::trace::{Closest, closest};
 /// Number of triangles in one task.
 const TILE: usize = 1024;
 /// Maximum number of faces of the second ring that are tested if the first ring contains no nearer face.
-const MOST_SECOND: usize = 256;
+const MAX_SECOND_RING: usize = 256;
 
 /// A surface whose faces are connected by vertices with equal attributes.
 #[derive(Debug)]
@@ -57,12 +57,12 @@ impl<'a> Charts<'a> {
         closest(self.faces[face as usize].map(|v| Vec3::from_array(self.positions[v as usize]).as_dvec3() - goal))
     }
 
-    fn around(&self, vertex: u32) -> impl Iterator<Item = u32> + '_ {
+    fn faces_around(&self, vertex: u32) -> impl Iterator<Item = u32> + '_ {
         self.around[self.starts[vertex as usize] as usize..self.starts[vertex as usize + 1] as usize].iter().copied()
     }
 
     fn ring(&self, face: u32) -> impl Iterator<Item = u32> + '_ {
-        self.faces[face as usize].into_iter().flat_map(|vertex| self.around(vertex))
+        self.faces[face as usize].into_iter().flat_map(|vertex| self.faces_around(vertex))
     }
 
     /// Collects the vertices of the faces around a face, except its own.
@@ -71,7 +71,7 @@ impl<'a> Charts<'a> {
         let own = self.faces[face as usize];
         let others =
             self.ring(face).flat_map(|other| self.faces[other as usize]).filter(|vertex| !own.contains(vertex));
-        outline.extend(others.take(MOST_SECOND));
+        outline.extend(others.take(MAX_SECOND_RING));
         outline.sort_unstable();
         outline.dedup();
     }
@@ -96,7 +96,7 @@ impl<'a> Charts<'a> {
             if step.is_none() {
                 // The second ring lets the walk cross ridges.
                 self.outline(face, room);
-                let second = room.iter().flat_map(|&vertex| self.around(vertex)).take(MOST_SECOND);
+                let second = room.iter().flat_map(|&vertex| self.faces_around(vertex)).take(MAX_SECOND_RING);
                 step = self.nearer(second, goal, best);
             }
             match step {

@@ -6,7 +6,7 @@ use super::surface::check_faces;
 use crate::base::{Error, Result};
 
 /// Maximum number of attributes that meshoptimizer weighs beside positions.
-const MOST_ATTRIBUTES: usize = 32;
+const MAX_ATTRIBUTES: usize = 32;
 
 /// Vertices with the attributes that are weighed beside their positions.
 #[derive(Clone, Copy, Debug)]
@@ -43,7 +43,7 @@ pub fn collapse(
     let count = vertices.positions.len();
     check_faces(faces, count)?;
     let width = vertices.weights.len();
-    if vertices.attributes.len() != count * width || vertices.is_seam.len() != count || width > MOST_ATTRIBUTES {
+    if vertices.attributes.len() != count * width || vertices.is_seam.len() != count || width > MAX_ATTRIBUTES {
         return Err(Error::value(
             "attributes",
             format!("{width} for each of {count} vertices"),

@@ -30,7 +30,7 @@ pub fn discontinuity(
     // Each pair is visited once and counts for both points, so a task's sums extend into the next task's bands.
     let sums = |&first: &usize| {
         let bands = first..points.bands.len().min(first + GROUP);
-        PairSums::of(&points, bands, neighbourhood, progress)
+        PairSums::new(&points, bands, neighbourhood, progress)
     };
     let sums: Vec<PairSums> = groups.par_iter().map(sums).collect::<Result<_>>()?;
     let mut image = vec![f32::NAN; position.len()];
@@ -39,10 +39,10 @@ pub fn discontinuity(
         let before = number.checked_sub(1).map(|before| &sums[before]);
         for n in own.own.clone() {
             let (excess, count) = match before {
-                Some(before) if n < before.end() => before.at(n),
+                Some(before) if n < before.end() => before.point_sums(n),
                 _ => (0.0, 0.0),
             };
-            let (own_excess, own_count) = own.at(n);
+            let (own_excess, own_count) = own.point_sums(n);
             if count + own_count > 0.0 {
                 image[points.pixel[n] as usize] = (excess + own_excess) / (count + own_count);
             }

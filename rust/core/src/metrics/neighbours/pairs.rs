@@ -20,7 +20,7 @@ pub(super) struct PairSums {
 }
 
 impl PairSums {
-    pub fn of(points: &TruthPoints, bands: Range<usize>, around: Neighbourhood, progress: &Progress) -> Result<Self> {
+    pub fn new(points: &TruthPoints, bands: Range<usize>, around: Neighbourhood, progress: &Progress) -> Result<Self> {
         let own = points.bands[bands.start].1.start..points.bands[bands.end - 1].1.end;
         let last = points.bands.len().min(bands.end + BANDS) - 1;
         let room = points.bands[last].1.end - own.start + LANES;
@@ -45,7 +45,7 @@ impl PairSums {
     }
 
     /// Returns the sum over a point's pairs and their number.
-    pub fn at(&self, n: usize) -> (f32, f32) {
+    pub fn point_sums(&self, n: usize) -> (f32, f32) {
         (self.excess[n - self.own.start], self.count[n - self.own.start])
     }
 }

@@ -14,7 +14,7 @@ pub(super) const LANES: usize = 16;
 /// Bands per ε: narrower bands hold fewer points that are too far away, wider bands are fewer.
 pub(super) const BANDS: usize = 4;
 /// Maximum coordinate in pixels of the truth: float32 has no fractions beyond it, and such points have no neighbours.
-const GREATEST_PLACE: f64 = 1e7;
+const MAX_PLACE: f64 = 1e7;
 
 /// Points by their position in the truth: in bands of y, each sorted by x. A position is the pixel plus a separate
 /// shift, because float32 alone would be off by 1e-4 pixels and lose exact positions. The arrays end with padding for
@@ -77,7 +77,7 @@ impl TruthPoints {
             progress.check().ok()?;
             let point = Vec3::from_array(*at).as_dvec3() + origin;
             let truth = truth.project(point).filter(|there| there.is_finite())?.truncate();
-            let is_near = truth.abs().max_element() < GREATEST_PLACE;
+            let is_near = truth.abs().max_element() < MAX_PLACE;
             // The cast saturates.
             let band = (truth.y * BANDS as f64 / epsilon).floor() as i64;
             is_near.then_some(TruthPlace { band, pixel: pixel as u32, truth })

@@ -50,8 +50,8 @@ impl<'a> Patch<'a> {
                 let within = down == at_row as i64 && across == at_column as i64;
                 if mask.is_none_or(|mask| within && mask.names(at_row, at_column)) {
                     let at = row * width + column;
-                    patch.values[0][at] = pair.reference.at(at_row, at_column).wide();
-                    patch.values[1][at] = pair.test.at(at_row, at_column).wide();
+                    patch.values[0][at] = pair.reference.value(at_row, at_column).wide();
+                    patch.values[1][at] = pair.test.value(at_row, at_column).wide();
                     patch.seen[at] = 1.0;
                 }
             }

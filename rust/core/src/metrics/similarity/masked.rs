@@ -20,7 +20,7 @@ const ROWS: usize = 64;
 const FIELDS: usize = 5;
 
 /// Maximum distance of a window from the level, in units of its contrast: squares lose 2e-15 times its square.
-const GREATEST_DISTANCE: f64 = 50.0;
+const MAX_DISTANCE: f64 = 50.0;
 
 /// A comparison by windows that see only masked pixels. It uses float64: means can lie anywhere in a band's range of
 /// values, and the square of that distance cancels in the variances.
@@ -93,11 +93,10 @@ impl<P: PixelRows> Masked<'_, P> {
                 let (s, ss) = (window[1][at] * share, window[2][at] * share);
                 let (d, dd) = (window[3][at] * share, window[4][at] * share);
                 let Measurement { similarity, contrast, .. } =
-                    measure.of::<true, false>([s, ss - s * s], [d, dd - d * d]);
+                    measure.similarity::<true, false>([s, ss - s * s], [d, dd - d * d]);
                 // Squares about one level for all windows of a band lose precision in windows far from it.
                 let contrasts = 0.5 * (ss - s * s + dd - d * d) + self.constants[1];
-                let holds =
-                    s * s + d * d <= GREATEST_DISTANCE * GREATEST_DISTANCE * contrasts && similarity.is_finite();
+                let holds = s * s + d * d <= MAX_DISTANCE * MAX_DISTANCE * contrasts && similarity.is_finite();
                 lost |= !holds;
                 results[at] = [similarity, contrast, if holds { 1.0 } else { 0.0 }];
             }
@@ -139,7 +138,7 @@ impl<P: PixelRows> Masked<'_, P> {
         line.iter_mut().for_each(|field| field.fill(0.0));
         let Some(row) = row else { return };
         for column in (part.columns[0]..part.columns[1]).filter(|&column| self.mask.names(row, column)) {
-            let [x, y] = [&self.pair.reference, &self.pair.test].map(|image| image.at(row, column).wide());
+            let [x, y] = [&self.pair.reference, &self.pair.test].map(|image| image.value(row, column).wide());
             range.include(x);
             range.include(y);
             let [x, y] = [x - levels[0], y - levels[1]];
@@ -152,13 +151,13 @@ impl<P: PixelRows> Masked<'_, P> {
 }
 
 vectorized! {
-    fn sum_along(line: &[f64], weights: &[f64], sums: &mut [f64]) = fused along<_>;
+    fn sum_along(line: &[f64], weights: &[f64], sums: &mut [f64]) = fused filter_row<_>;
     fn sum_down(ring: &[Fields], field: usize, first: usize, weights: &[f64], sums: &mut [f64]) = fused down;
 }
 
 /// Writes weighted sums of a line's values; the nth sum begins at the nth value.
 #[inline(always)]
-fn along<R: Real, const FUSED: bool>(line: &[R], weights: &[R], sums: &mut [R]) {
+fn filter_row<R: Real, const FUSED: bool>(line: &[R], weights: &[R], sums: &mut [R]) {
     for (block, sums) in sums.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
         let mut sum = [R::default(); LANES];
         for (k, &weight) in weights.iter().enumerate() {

@@ -20,7 +20,11 @@ impl<R: RoundingLimits> Measure<R> {
     /// D the sum and the difference of both means, both factors are 1 minus a non-negative term: l = 1 −
     /// D²/((S²+D²)/2+c₁) and cs = 1 − σd²/((σs²+σd²)/2 + c₂). Swapping the images gives the same bits.
     #[inline(always)]
-    pub fn of<const CONTRAST: bool, const FUSED: bool>(&self, [s, s2]: [R; 2], [d, d2]: [R; 2]) -> Measurement<R> {
+    pub fn similarity<const CONTRAST: bool, const FUSED: bool>(
+        &self,
+        [s, s2]: [R; 2],
+        [d, d2]: [R; 2],
+    ) -> Measurement<R> {
         let (half, zero) = (R::narrow(0.5), R::default());
         // Negative variances are rounding; NaN fails the comparison and stays.
         let s2 = if s2 < zero { zero } else { s2 };
@@ -121,7 +125,7 @@ fn measure_row_kernel<R: RoundingLimits, const CONTRAST: bool, const FUSED: bool
         let mut contrast = [R::default(); LANES];
         for i in 0..LANES {
             let (s, d) = ([s_mean[block][i], s_variance[block][i]], [d_mean[block][i], d_variance[block][i]]);
-            let found = measure.of::<CONTRAST, FUSED>(s, d);
+            let found = measure.similarity::<CONTRAST, FUSED>(s, d);
             (similarity[block][i], contrast[i]) = (found.similarity, found.contrast);
             let must = all | (counts[i] > R::default());
             lost[i] |= u32::from(must & !found.holds);

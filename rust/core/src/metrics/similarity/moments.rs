@@ -87,18 +87,18 @@ pub(super) fn down_kernel<R: Real, const FUSED: bool>(
     let means = &mut moments.mean.as_chunks_mut::<LANES>().0[..blocks];
     let variances = &mut moments.variance.as_chunks_mut::<LANES>().0[..blocks];
     for block in 0..blocks {
-        let center: &[R; LANES] = at(&middle.mean, block);
+        let center: &[R; LANES] = block_values(&middle.mean, block);
         let (mut first, mut second) = ([R::default(); LANES], [R::default(); LANES]);
         if taps % 2 == 1 {
-            let spreads: &[R; LANES] = at(&middle.variance, block);
+            let spreads: &[R; LANES] = block_values(&middle.variance, block);
             for i in 0..LANES {
                 second[i] = weights[taps / 2] * spreads[i];
             }
         }
         for (k, &weight) in weights[..taps / 2].iter().enumerate() {
             let (one, other) = (&rows[order[k]], &rows[order[taps - 1 - k]]);
-            let values = [at(&one.mean, block), at(&other.mean, block)];
-            let spreads = [at(&one.variance, block), at(&other.variance, block)];
+            let values = [block_values(&one.mean, block), block_values(&other.mean, block)];
+            let spreads = [block_values(&one.variance, block), block_values(&other.variance, block)];
             for i in 0..LANES {
                 let away = [values[0][i] - center[i], values[1][i] - center[i]];
                 first[i] = R::fuse::<FUSED>(weight, away[0] + away[1], first[i]);
@@ -115,6 +115,6 @@ pub(super) fn down_kernel<R: Real, const FUSED: bool>(
 
 /// Returns a block of values.
 #[inline(always)]
-fn at<R>(values: &[R; COLUMNS], block: usize) -> &[R; LANES] {
+fn block_values<R>(values: &[R; COLUMNS], block: usize) -> &[R; LANES] {
     &values.as_chunks::<LANES>().0[block]
 }

@@ -59,7 +59,7 @@ fn shrunk<P: Pixel>(image: &Plane<'_, P>, factor: usize, progress: &Progress) ->
                     }
                     _ => {
                         for k in 0..factor {
-                            *sum += image.at(row, place(n * factor + k, image.width)).wide();
+                            *sum += image.value(row, place(n * factor + k, image.width)).wide();
                         }
                     }
                 }

@@ -38,7 +38,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
     /// Returns sums over the windows that count.
     pub(super) fn sums(&self, map: Option<&mut [P::Real]>) -> SimilaritySums {
         let (height, width) = (self.pair.reference.height, self.pair.reference.width);
-        let inside = self.inside();
+        let inside = self.inner_region();
         let band = |rows: [usize; 2], mut map: Option<&mut [P::Real]>| {
             let wanted = if map.is_some() { Region { rows, columns: [0, width] } } else { inside.within_rows(rows) };
             let mut bench = Bench::new(self.weights.len(), self.counted.contrast);
@@ -70,7 +70,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
     }
 
     /// Returns the region of the windows that count, before any mask.
-    fn inside(&self) -> Region {
+    fn inner_region(&self) -> Region {
         let (height, width) = (self.pair.reference.height, self.pair.reference.width);
         let taps = self.weights.len();
         let (before, after) = (taps / 2, taps - 1 - taps / 2);
@@ -127,8 +127,8 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         mut map: Option<&mut MapRows<'_, P::Real>>,
         mut load: impl FnMut(usize, &[usize], [&mut [R]; 2]),
     ) -> Option<SimilaritySums> {
-        if self.constants.iter().any(|&c| c < R::LEAST || c > R::GREATEST)
-            || levels.iter().any(|l| l.abs() > R::GREATEST)
+        if self.constants.iter().any(|&c| c < R::MIN_CONSTANT || c > R::MAX_LEVEL)
+            || levels.iter().any(|l| l.abs() > R::MAX_LEVEL)
         {
             return None;
         }

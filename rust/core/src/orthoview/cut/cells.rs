@@ -38,11 +38,11 @@ impl Grid {
 
 /// Knowledge about a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Known {
+pub enum Lookup {
     /// Bit mask of the directions from which the cell has a view; 0 for an empty cell.
     Cell(u32),
     /// The subtree with this cell has not been added.
-    Not,
+    Unknown,
 }
 
 /// Occupied cells of a tree.
@@ -81,7 +81,7 @@ impl Cells {
     }
 
     /// Returns the number of known subtrees.
-    pub fn known(&self) -> usize {
+    pub fn subtree_count(&self) -> usize {
         self.subtrees.len()
     }
 
@@ -92,13 +92,13 @@ impl Cells {
     }
 
     /// Returns the direction mask of a cell, if known.
-    pub fn at(&self, level: u32, place: UVec3) -> Known {
+    pub fn get(&self, level: u32, place: UVec3) -> Lookup {
         let key = self.subtree_of(level, place);
-        let Some(levels) = self.subtrees.get(&key) else { return Known::Not };
+        let Some(levels) = self.subtrees.get(&key) else { return Lookup::Unknown };
         let side = self.grid.side_of_shard(level);
-        let Some(masks) = levels.get((level % self.grid.subtree) as usize) else { return Known::Cell(0) };
+        let Some(masks) = levels.get((level % self.grid.subtree) as usize) else { return Lookup::Cell(0) };
         let within = place - key.1 * side as u32;
         let [x, y, z] = within.to_array().map(|n| n as usize);
-        Known::Cell(masks[(x * side + y) * side + z])
+        Lookup::Cell(masks[(x * side + y) * side + z])
     }
 }

@@ -6,7 +6,7 @@ mod lift;
 mod rule;
 mod traverse;
 
-pub use cells::{Cells, Grid, Known};
+pub use cells::{Cells, Grid, Lookup};
 pub use lift::Lift;
 pub use rule::{Gaze, Rule};
 pub use traverse::{Cut, Drawn, View, cut};

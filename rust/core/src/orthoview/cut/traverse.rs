@@ -2,7 +2,7 @@
 
 use glam::{DVec3, UVec3};
 
-use super::cells::{Cells, Known};
+use super::cells::{Cells, Lookup};
 use super::frustum::{Frustum, Side};
 use super::lift::Lift;
 use super::rule::Rule;
@@ -43,14 +43,14 @@ pub struct Drawn {
     /// Whether only some of its splats are drawn, and finer cells in the place of the others.
     pub is_partial: bool,
     /// Numbers of directions, the nearest first; the first `count` are drawn.
-    pub directions: [u8; Self::MOST],
+    pub directions: [u8; Self::MAX],
     /// Number of its views.
     pub count: usize,
 }
 
 impl Drawn {
     /// Maximum number of views of a cell.
-    pub const MOST: usize = 8;
+    pub const MAX: usize = 8;
 }
 
 /// Parts of a tree that a viewer sees, the nearest first.
@@ -69,8 +69,8 @@ pub struct Cut {
 
 /// Cuts a tree for a viewer.
 pub fn cut(cells: &Cells, view: &View<'_>) -> Result<Cut> {
-    if !(1..=Drawn::MOST).contains(&view.views) {
-        return Err(Error::value("views", format!("1 to {}", Drawn::MOST), view.views));
+    if !(1..=Drawn::MAX).contains(&view.views) {
+        return Err(Error::value("views", format!("1 to {}", Drawn::MAX), view.views));
     }
     if view.directions.len() > 32 {
         return Err(Error::value("directions", "at most 32", view.directions.len()));
@@ -81,9 +81,9 @@ pub fn cut(cells: &Cells, view: &View<'_>) -> Result<Cut> {
     let cut = Cut { reach: view.rule.reach, ..Cut::default() };
     let mut traversal = Traversal { cells, view, units, frustum, toward, cut };
     let top = cells.grid.levels - 1;
-    match cells.at(top, UVec3::ZERO) {
-        Known::Not => traversal.cut.unknown.push(cells.subtree_of(top, UVec3::ZERO)),
-        Known::Cell(mask) => traversal.visit(top, UVec3::ZERO, mask, Side::Across),
+    match cells.get(top, UVec3::ZERO) {
+        Lookup::Unknown => traversal.cut.unknown.push(cells.subtree_of(top, UVec3::ZERO)),
+        Lookup::Cell(mask) => traversal.visit(top, UVec3::ZERO, mask, Side::Across),
     }
     let mut cut = traversal.cut;
     cut.cells.sort_by(|one, other| one.distance.total_cmp(&other.distance));
@@ -119,7 +119,7 @@ impl Traversal<'_> {
         if mask == 0 || (lies == Side::Outside && !self.view.around) {
             return;
         }
-        let drawn = self.drawn(level, place, self.view.rule.distance(corner, side), lies != Side::Outside);
+        let drawn = self.new_drawn(level, place, self.view.rule.distance(corner, side), lies != Side::Outside);
         match self.fineness(level, corner, side) {
             Fineness::Whole => self.draw(drawn, center, mask),
             Fineness::Parts => self.refine(Drawn { is_partial: true, ..drawn }, center, mask, lies),
@@ -143,9 +143,9 @@ impl Traversal<'_> {
     fn refine(&mut self, drawn: Drawn, center: DVec3, mask: u32, lies: Side) {
         let level = drawn.level - 1;
         let octants = (0..8u32).map(|n| UVec3::new(n >> 2, n >> 1 & 1, n & 1));
-        let children: Vec<(UVec3, Known)> =
-            octants.map(|octant| drawn.place * 2 + octant).map(|place| (place, self.cells.at(level, place))).collect();
-        if children.iter().any(|(_, known)| *known == Known::Not) {
+        let children: Vec<(UVec3, Lookup)> =
+            octants.map(|octant| drawn.place * 2 + octant).map(|place| (place, self.cells.get(level, place))).collect();
+        if children.iter().any(|(_, known)| *known == Lookup::Unknown) {
             // All children of a cell lie in one subtree.
             self.cut.unknown.push(self.cells.subtree_of(level, children[0].0));
             self.draw(Drawn { is_partial: false, ..drawn }, center, mask);
@@ -155,14 +155,14 @@ impl Traversal<'_> {
             self.draw(drawn, center, mask);
         }
         for (place, known) in children {
-            if let Known::Cell(mask) = known {
+            if let Lookup::Cell(mask) = known {
                 self.visit(level, place, mask, lies);
             }
         }
     }
 
-    fn drawn(&self, level: u32, place: UVec3, distance: f64, in_picture: bool) -> Drawn {
-        Drawn { level, place, distance, in_picture, is_partial: false, directions: [0; Drawn::MOST], count: 0 }
+    fn new_drawn(&self, level: u32, place: UVec3, distance: f64, in_picture: bool) -> Drawn {
+        Drawn { level, place, distance, in_picture, is_partial: false, directions: [0; Drawn::MAX], count: 0 }
     }
 
     /// Draws a cell from those of its directions nearest to the viewer's raised direction.

@@ -49,7 +49,7 @@ pub fn blended(views: &[Placed<'_>], rule: &Rule) -> Vec<Vec<Option<Splats>>> {
             let chooser = Chooser::new(view, rule, band, has_parent);
             let chosen = chooser.choose(above.get(&(parent.0, parent.1, view.direction)));
             let along = chooser.along;
-            let kept = |layer: &&Splats| Some(layer.kept(|block| chosen.drawn[number_of(block, along)]));
+            let kept = |layer: &&Splats| Some(layer.select(|block| chosen.drawn[number_of(block, along)]));
             Some((number, view.layers.iter().map(kept).collect(), chosen.coarse))
         };
         let of_level: Vec<(usize, Vec<Option<Splats>>, Bits)> = views.par_iter().enumerate().filter_map(one).collect();

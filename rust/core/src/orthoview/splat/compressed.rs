@@ -218,7 +218,7 @@ mod tests {
         let depth = head[5] as i32 + rise(lane, slopes) + own[0] as i32;
         let base = [head[7] & 0xFFF, head[7] >> 12, head[8] & 255, head[8] >> 8 & 255, head[8] >> 16];
         let values: [u32; 5] = std::array::from_fn(|n| base[n] + own[1 + n]);
-        let texel = Packed::of(depth as u16, [values[0] as u16, values[1] as u16], [2, 3, 4].map(|n| values[n] as u8));
+        let texel = Packed::new(depth as u16, [values[0] as u16, values[1] as u16], [2, 3, 4].map(|n| values[n] as u8));
         Some((texel, kind + own[6]))
     }
 
@@ -261,7 +261,7 @@ mod tests {
             let texel = |lane: u64| {
                 let depth = value(10, lane, 16).max(1) as u16;
                 let normal = [value(20, lane, 12) as u16, value(30, lane, 12) as u16];
-                Packed::of(depth, normal, [40, 50, 60].map(|salt| value(salt, lane, 8) as u8))
+                Packed::new(depth, normal, [40, 50, 60].map(|salt| value(salt, lane, 8) as u8))
             };
             let texels = (0..u64::from(shown.count_ones())).map(texel).collect();
             (shown, random::bits(2, n, 0), random::bits(3, n, 0), texels)
@@ -274,7 +274,7 @@ mod tests {
         // Depths that rise by 12 and fall by 3.5 steps per pixel; all other fields are equal.
         let texel = |lane: u64| {
             let depth = 40_000 + 12 * (lane % 8) as i32 + ((-28 * (lane / 8) as i32) >> 3);
-            Packed::of(depth as u16, [7, 4000], [1, 200, 255])
+            Packed::new(depth as u16, [7, 4000], [1, 200, 255])
         };
         let block = (u64::MAX, u64::MAX, u64::MAX, (0..64).map(texel).collect());
         assert_eq!(check(&[block.clone(), block]), 2 * HEAD + 1);
@@ -282,7 +282,7 @@ mod tests {
 
     #[test]
     fn lines_and_lone_pixels_come_back() {
-        let texel = |lane: u32| Packed::of(1 + 9 * lane as u16, [0, 0], [0; 3]);
+        let texel = |lane: u32| Packed::new(1 + 9 * lane as u16, [0, 0], [0; 3]);
         for shown in [1, 1 << 63, 0xFF, 0x0101_0101_0101_0101] {
             let texels = lanes(shown).map(texel).collect();
             check(&[(shown, 0, 0, texels)]);

@@ -18,7 +18,7 @@ use crate::render::{Frame, Limits};
 const TILE: i32 = 256;
 
 /// Maximum width and height of a tile, pixels, so that several threads share a small picture, too.
-const MOST_PIXELS: i32 = 128;
+const MAX_PIXELS: i32 = 128;
 
 /// A box of a view in the picture.
 pub(super) struct Part<'a> {
@@ -36,18 +36,18 @@ pub fn draw(views: &[&Splats], picture: &Picture<'_>, progress: &Progress) -> Re
     let sampled = picture.sampled();
     let projector = Projector::new(&sampled);
     let whole = Rect { low: [0, 0], high: [sampled.width as i32, sampled.height as i32] };
-    let prepared = Prepared::all(views, &projector);
+    let prepared = Prepared::prepare_views(views, &projector);
     let parts = parts_of(&prepared, &whole);
     let projected = AtomicU64::new(0);
     let resolver = Resolver::new(picture, &sampled, &projector, &prepared);
     let mut frame = Frame::new(picture.channels, picture.pixel_count())?;
     let (columns, rows) = (picture.camera.width as i32, picture.camera.height as i32);
-    let tiles = tiles_of(columns, rows, (TILE / picture.grid as i32).min(MOST_PIXELS));
+    let tiles = tiles_of(columns, rows, (TILE / picture.grid as i32).min(MAX_PIXELS));
     progress.expect(tiles.len() as u64);
     let one = |tile: &Rect| {
         let scaled = |corner: [i32; 2]| corner.map(|at| at * picture.grid as i32);
         let rect = Rect { low: scaled(tile.low), high: scaled(tile.high) };
-        let mut screen = Screen::new(rect, |x, y| resolver.before(x, y));
+        let mut screen = Screen::new(rect, |x, y| resolver.initial_key(x, y));
         projected.fetch_add(draw_tile(&mut screen, &parts, &projector, &picture.limits), Ordering::Relaxed);
         progress.report(1)?;
         Ok((*tile, resolver.resolve(&screen, tile)))
@@ -79,7 +79,7 @@ pub(super) fn parts_of<'a>(prepared: &'a [Prepared<'a>], whole: &Rect) -> Vec<Pa
     let of_view = |(number, view): (usize, &'a Prepared<'a>)| {
         let number = number as u32;
         view.splats.boxes.iter().filter_map(move |contents| {
-            let seen = view.sight.seen(&contents.extent, whole)?;
+            let seen = view.sight.project_extent(&contents.extent, whole)?;
             (!seen.rect.is_empty()).then_some(Part { view, number, contents, seen, is_drawn: AtomicBool::new(false) })
         })
     };
@@ -104,7 +104,7 @@ fn draw_tile(screen: &mut Screen, parts: &[Part<'_>], projector: &Projector, lim
                 continue;
             }
             let [column, row] = block.corner.map(f64::from);
-            let start = view.sight.at([column + 0.5, row + 0.5, -0.5]);
+            let start = view.sight.evaluate([column + 0.5, row + 0.5, -0.5]);
             let count = lanes.gather(splats, block);
             lanes.project(count, start.map(|value| value as f32), &view.constants, &screen.rect, screen.pitch());
             if !limits.is_none() {
@@ -118,5 +118,5 @@ fn draw_tile(screen: &mut Screen, parts: &[Part<'_>], projector: &Projector, lim
 }
 
 fn reaches(sight: &Sight, extent: &Extent, rect: &Rect) -> bool {
-    sight.seen(extent, rect).is_some_and(|seen| !seen.rect.is_empty())
+    sight.project_extent(extent, rect).is_some_and(|seen| !seen.rect.is_empty())
 }

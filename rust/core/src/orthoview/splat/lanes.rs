@@ -1,7 +1,7 @@
 //! Projection of all splats of a block at once: positions, ellipses and nearness.
 
 use super::projector::{Projector, Rect, Sight, ordered};
-use super::splats::{BLOCK, BORDER, Block, LEAST_COSINE, SQUARED_RADIUS, Splats};
+use super::splats::{BLOCK, BORDER, Block, MIN_COSINE, SQUARED_RADIUS, Splats};
 use crate::base::simd::vectorized;
 use crate::render::Limits;
 
@@ -166,13 +166,13 @@ fn dot(axis: &[f32; 3], x: f32, y: f32, z: f32) -> f32 {
 
 /// Evaluates a function at a position in the block.
 #[inline(always)]
-fn at(start: f32, steps: &[[f32; 3]; 3], of: usize, column: f32, row: f32, depth: f32) -> f32 {
+fn evaluate(start: f32, steps: &[[f32; 3]; 3], of: usize, column: f32, row: f32, depth: f32) -> f32 {
     start + column * steps[0][of] + row * steps[1][of] + depth * steps[2][of]
 }
 
 /// Returns the derivative of a position X/W, given the changes of X and W.
 #[inline(always)]
-fn shown<const PARALLEL: bool>(change: f32, of_distance: f32, place: f32, over: f32) -> f32 {
+fn position_derivative<const PARALLEL: bool>(change: f32, of_distance: f32, place: f32, over: f32) -> f32 {
     if PARALLEL { change } else { (change - place * of_distance) * over }
 }
 
@@ -186,9 +186,9 @@ fn nearer<const PARALLEL: bool>(of_distance: f32, over: f32) -> f32 {
 #[inline(always)]
 fn disc<const PARALLEL: bool>(gradients: &[[f32; 3]; 3], of: usize, place: f32, over: f32) -> f32 {
     let (own, distance) = (&gradients[of], &gradients[2]);
-    let x = shown::<PARALLEL>(own[0], distance[0], place, over);
-    let y = shown::<PARALLEL>(own[1], distance[1], place, over);
-    let z = shown::<PARALLEL>(own[2], distance[2], place, over);
+    let x = position_derivative::<PARALLEL>(own[0], distance[0], place, over);
+    let y = position_derivative::<PARALLEL>(own[1], distance[1], place, over);
+    let z = position_derivative::<PARALLEL>(own[2], distance[2], place, over);
     x * x + y * y + z * z
 }
 
@@ -232,10 +232,10 @@ fn project_group<const PARALLEL: bool>(
     let radius = SQUARED_RADIUS.sqrt();
     for n in 0..GROUP {
         let (column, row, depth) = (lanes.column[group][n], lanes.row[group][n], lanes.depth[group][n]);
-        let w = at(start[2], steps, 2, column, row, depth);
+        let w = evaluate(start[2], steps, 2, column, row, depth);
         let over = if PARALLEL { 1.0 } else { 1.0 / w };
-        let x = at(start[0], steps, 0, column, row, depth) * over;
-        let y = at(start[1], steps, 1, column, row, depth) * over;
+        let x = evaluate(start[0], steps, 0, column, row, depth) * over;
+        let y = evaluate(start[1], steps, 1, column, row, depth) * over;
 
         // The unnormalised normal, and the depth steps by which its plane falls per pixel.
         let (a, b) =
@@ -244,7 +244,7 @@ fn project_group<const PARALLEL: bool>(
         let fold = (-c).max(0.0);
         let (a, b) = (a - fold.copysign(a), b - fold.copysign(b));
         let length = (a * a + b * b + c * c).sqrt();
-        let facing = 1.0 / dot(toward, a, b, c).max(LEAST_COSINE * length);
+        let facing = 1.0 / dot(toward, a, b, c).max(MIN_COSINE * length);
         let (by_column, by_row) = (dot(right, a, b, c) * facing, -dot(up, a, b, c) * facing);
         let factor = lanes.surfel[group][n];
         let is_surfel = factor > 0.0;
@@ -253,8 +253,14 @@ fn project_group<const PARALLEL: bool>(
         let (u2, v2) = (steps[0][2] + by_column * steps[2][2], steps[1][2] + by_row * steps[2][2]);
 
         // Axes of the ellipse in the picture.
-        let (ux, vx) = (shown::<PARALLEL>(u0, u2, x, over) * factor, shown::<PARALLEL>(v0, v2, x, over) * factor);
-        let (uy, vy) = (shown::<PARALLEL>(u1, u2, y, over) * factor, shown::<PARALLEL>(v1, v2, y, over) * factor);
+        let (ux, vx) = (
+            position_derivative::<PARALLEL>(u0, u2, x, over) * factor,
+            position_derivative::<PARALLEL>(v0, v2, x, over) * factor,
+        );
+        let (uy, vy) = (
+            position_derivative::<PARALLEL>(u1, u2, y, over) * factor,
+            position_derivative::<PARALLEL>(v1, v2, y, over) * factor,
+        );
         let (u_near, v_near) = (nearer::<PARALLEL>(u2, over) * factor, nearer::<PARALLEL>(v2, over) * factor);
         let (ball_x, ball_y) = (disc::<PARALLEL>(gradients, 0, x, over), disc::<PARALLEL>(gradients, 1, y, over));
         // Half extents along both axes over the radius. Roots and divisions are the slowest steps, so both kinds share

@@ -21,4 +21,4 @@ pub use compressed::{Compressed, HEAD};
 pub use draw::draw;
 pub use picture::{Counts, Picture};
 pub use plan::{Found, LANE_BITS, Piece, Plan, Rays, ViewNumbers};
-pub use splats::{BORDER, LEAST_COSINE, SQUARED_RADIUS, Splats};
+pub use splats::{BORDER, MIN_COSINE, SQUARED_RADIUS, Splats};

@@ -6,12 +6,12 @@ use super::splats::{BLOCK, Block, BoxOfBlocks, Extent, Splats};
 
 impl Splats {
     /// Returns the splats with centres in a half-open box, so that adjacent boxes share no splats.
-    pub fn within(&self, low: DVec3, high: DVec3) -> Self {
+    pub fn clip_to_box(&self, low: DVec3, high: DVec3) -> Self {
         self.part(|middle| middle.cmpge(low).all() && middle.cmplt(high).all())
     }
 
     /// Returns the splats with centres at least at a distance from the vertical axis through a point.
-    pub fn beyond(&self, center: DVec3, radius: f64) -> Self {
+    pub fn clip_outside_cylinder(&self, center: DVec3, radius: f64) -> Self {
         self.part(|middle| (middle - center).with_y(0.0).length() >= radius)
     }
 

@@ -10,7 +10,7 @@ use crate::camera::Camera;
 use crate::render::{Channels, Frame, Limits, Pixels};
 
 /// Maximum number of samples along each axis of a pixel.
-const MOST_GRID: u32 = 8;
+const MAX_GRID: u32 = 8;
 
 /// A picture to be drawn from views.
 #[derive(Clone, Copy, Debug)]
@@ -57,8 +57,8 @@ impl Picture<'_> {
     }
 
     pub(super) fn check(&self, views: &[&Splats]) -> Result<()> {
-        if !(1..=MOST_GRID).contains(&self.grid) {
-            return Err(Error::value("grid", format!("1 to {MOST_GRID}"), self.grid));
+        if !(1..=MAX_GRID).contains(&self.grid) {
+            return Err(Error::value("grid", format!("1 to {MAX_GRID}"), self.grid));
         }
         let total: u64 = views.iter().map(|splats| splats.count() as u64).sum();
         if total >= u64::from(u32::MAX) {
@@ -89,7 +89,7 @@ pub(super) struct Prepared<'a> {
 
 impl<'a> Prepared<'a> {
     /// Prepares all views of a picture.
-    pub fn all(views: &[&'a Splats], projector: &Projector) -> Vec<Self> {
+    pub fn prepare_views(views: &[&'a Splats], projector: &Projector) -> Vec<Self> {
         let mut first = 0;
         let prepare = |&splats: &&'a Splats| {
             let sight = Sight::new(splats, projector);

@@ -12,7 +12,7 @@ use super::picture::{Counts, Picture, Prepared};
 use super::projector::{Projector, Rect, Seen, ordered};
 use super::resolve::Resolver;
 use super::screen::{Key, OTHER};
-use super::splats::{BORDER, LEAST_COSINE, SQUARED_RADIUS, Splats};
+use super::splats::{BORDER, MIN_COSINE, SQUARED_RADIUS, Splats};
 use crate::base::{Error, Result};
 use crate::camera::Camera;
 use crate::render::{Frame, Sample};
@@ -126,7 +126,7 @@ impl<'a> Plan<'a> {
         picture.check(views)?;
         let camera = picture.sampled();
         let projector = Projector::new(&camera);
-        let prepared = Prepared::all(views, &projector);
+        let prepared = Prepared::prepare_views(views, &projector);
         let blocks: u64 = views.iter().map(|view| view.blocks.len() as u64).sum();
         if blocks >= u64::from(u32::MAX >> LANE_BITS) {
             return Err(Error::value("views", format!("fewer than {} blocks", u32::MAX >> LANE_BITS), blocks));
@@ -170,7 +170,9 @@ impl<'a> Plan<'a> {
     fn tiled(&self, number: u32, block: u32) -> Vec<Piece> {
         let view = &self.prepared[number as usize];
         let whole = Rect { low: [0, 0], high: self.size().map(|length| length as i32) };
-        let Some(seen) = view.sight.seen(&view.splats.blocks[block as usize].extent, &whole) else { return vec![] };
+        let Some(seen) = view.sight.project_extent(&view.splats.blocks[block as usize].extent, &whole) else {
+            return vec![];
+        };
         let (tiles, one) = (tiles_of(&seen.rect), self.piece(number, block..block + 1, &seen));
         let share = |n: usize| (u64::from(one.count) * n as u64 / tiles.len() as u64) as u32;
         let piece =
@@ -185,7 +187,7 @@ impl<'a> Plan<'a> {
         let corner = own.first().map(|block| block.corner).unwrap_or_default();
         let [column, row] = corner.map(f64::from);
         Piece {
-            start: view.sight.at([column + 0.5, row + 0.5, -0.5]).map(|value| value as f32),
+            start: view.sight.evaluate([column + 0.5, row + 0.5, -0.5]).map(|value| value as f32),
             order: ordered(seen.nearness),
             low: seen.rect.low,
             high: seen.rect.high,
@@ -206,7 +208,7 @@ impl<'a> Plan<'a> {
         }
         // The ellipse's axes u and v have |u|² + |v|² ≤ (x² + y²)/c² for a pixel of x × y metres and the minimum
         // cosine c.
-        let radius = f64::from(BORDER * SQUARED_RADIUS.sqrt() / LEAST_COSINE);
+        let radius = f64::from(BORDER * SQUARED_RADIUS.sqrt() / MIN_COSINE);
         let reach = radius * self.prepared[part.number as usize].splats.pitch().truncate().length();
         let [x, y, w] = self.projector.rows.map(DVec3::length);
         let extent = |axis: usize, own: f64| {
@@ -241,12 +243,12 @@ impl<'a> Plan<'a> {
     }
 
     /// Returns the initial keys of all samples, from the picture's `before`; `None` without one.
-    pub fn before(&self) -> Option<Vec<[u32; 2]>> {
+    pub fn initial_keys(&self) -> Option<Vec<[u32; 2]>> {
         self.picture.before?;
         let resolver = self.resolver();
         let [width, height] = self.size();
         let row = |y: u32| (0..width).map(move |x| (x, y));
-        let key = |(x, y): (u32, u32)| resolver.before(x as i32, y as i32).halves();
+        let key = |(x, y): (u32, u32)| resolver.initial_key(x as i32, y as i32).halves();
         Some((0..height).into_par_iter().flat_map_iter(row).map(key).collect())
     }
 

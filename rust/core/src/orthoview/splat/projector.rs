@@ -47,7 +47,7 @@ pub(super) struct Seen {
 
 /// Minimum distance along the axis at which a perspective camera shows splats, in pixel extents of their view: nearer
 /// splats would cover the whole picture.
-const LEAST_DISTANCE: f64 = 1.0;
+const MIN_DISTANCE: f64 = 1.0;
 
 impl Projector {
     /// Creates the functions of a camera.
@@ -68,18 +68,18 @@ impl Projector {
     }
 
     /// Evaluates the functions at a world position.
-    pub fn at(&self, place: DVec3) -> [f64; 3] {
+    pub fn evaluate(&self, place: DVec3) -> [f64; 3] {
         self.rows.map(|row| row.dot(place - self.eye))
     }
 
     /// Returns the functions' changes along a vector.
-    pub fn along(&self, vector: DVec3) -> [f64; 3] {
+    pub fn derivative(&self, vector: DVec3) -> [f64; 3] {
         self.rows.map(|row| row.dot(vector))
     }
 
     /// Returns whether a world position lies within limits.
     pub fn is_seen(&self, place: DVec3, limits: &Limits) -> bool {
-        let range = if self.is_parallel { self.at(place)[2] } else { place.distance(self.eye) } as f32;
+        let range = if self.is_parallel { self.evaluate(place)[2] } else { place.distance(self.eye) } as f32;
         (limits.segment.t_min..=limits.segment.t_max).contains(&range)
             && limits.planes().iter().all(|plane| plane.truncate().dot(place) + plane.w >= 0.0)
     }
@@ -112,10 +112,10 @@ pub(super) struct Sight {
 impl Sight {
     pub fn new(splats: &Splats, projector: &Projector) -> Self {
         let is_parallel = projector.is_parallel;
-        let least = LEAST_DISTANCE * splats.pitch().truncate().max_element();
+        let least = MIN_DISTANCE * splats.pitch().truncate().max_element();
         Self {
-            start: projector.at(splats.place(0.0, 0.0, 0.0)),
-            steps: splats.steps().map(|step| projector.along(step)),
+            start: projector.evaluate(splats.place(0.0, 0.0, 0.0)),
+            steps: splats.steps().map(|step| projector.derivative(step)),
             margin: splats.margin(),
             least: if is_parallel { 0.0 } else { least },
             is_parallel,
@@ -123,7 +123,7 @@ impl Sight {
     }
 
     /// Evaluates the functions at a column, a row and a number of depth steps.
-    pub fn at(&self, [column, row, depth]: [f64; 3]) -> [f64; 3] {
+    pub fn evaluate(&self, [column, row, depth]: [f64; 3]) -> [f64; 3] {
         let [of_column, of_row, of_depth] = &self.steps;
         [
             self.start[0] + column * of_column[0] + row * of_row[0] + depth * of_depth[0],
@@ -133,7 +133,7 @@ impl Sight {
     }
 
     /// Returns the image rectangle that may show a part of the view; `None` behind the camera.
-    pub fn seen(&self, extent: &Extent, whole: &Rect) -> Option<Seen> {
+    pub fn project_extent(&self, extent: &Extent, whole: &Rect) -> Option<Seen> {
         let mut low = [0.0; 3];
         let mut high = [0.0; 3];
         for axis in 0..3 {
@@ -144,7 +144,7 @@ impl Sight {
         let (mut least, mut most) = ([f64::MAX; 2], [f64::MIN; 2]);
         for n in 0..8 {
             let pick = |axis: usize| if n >> axis & 1 == 1 { high[axis] } else { low[axis] };
-            let [x, y, w] = self.at([pick(0), pick(1), pick(2)]);
+            let [x, y, w] = self.evaluate([pick(0), pick(1), pick(2)]);
             (nearest, farthest) = (nearest.min(w), farthest.max(w));
             let over = if self.is_parallel { 1.0 } else { 1.0 / w };
             (least[0], most[0]) = (least[0].min(x * over), most[0].max(x * over));

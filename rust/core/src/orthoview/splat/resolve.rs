@@ -53,7 +53,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// Returns the initial key of a sample, from `before`.
-    pub fn before(&self, x: i32, y: i32) -> Key {
+    pub fn initial_key(&self, x: i32, y: i32) -> Key {
         let Some(before) = self.picture.before else { return Key::default() };
         let range = before.range[self.index(x, y)];
         if !range.is_finite() {
@@ -74,7 +74,7 @@ impl<'a> Resolver<'a> {
 
     /// Same as `direction`, in float32.
     #[inline]
-    fn along(&self, x: i32, y: i32) -> Vec3 {
+    fn direction_f32(&self, x: i32, y: i32) -> Vec3 {
         let [start, right, down] = self.directions;
         start + right * (x as f32 + 0.5) + down * (y as f32 + 0.5)
     }
@@ -121,7 +121,7 @@ impl<'a> Resolver<'a> {
                     (before.color.get(self.index(x, y)).copied().unwrap_or_default(), 1.0)
                 }
                 _ if self.picture.pixels.bare => ([0.0; 3], 0.0),
-                _ => (background(self.along(x, y).normalize()), 0.0),
+                _ => (background(self.direction_f32(x, y).normalize()), 0.0),
             };
         }
         if number != last.number {
@@ -131,7 +131,7 @@ impl<'a> Resolver<'a> {
             let lit = |light: [f32; 3]| std::array::from_fn(|i| albedo[i] * light[i]);
             *last = Last { number, normal, colors: [lit(irradiance(normal)), lit(irradiance(-normal))], view };
         }
-        (last.colors[usize::from(faces_away(last.normal, self.along(x, y)))], 1.0)
+        (last.colors[usize::from(faces_away(last.normal, self.direction_f32(x, y)))], 1.0)
     }
 
     /// Adds the colours of `before` to a pixel, for the samples whose bits are set.
@@ -160,7 +160,7 @@ impl<'a> Resolver<'a> {
         let (start, direction) = self.camera.ray(f64::from(x) + 0.5, f64::from(y) + 0.5);
         let place = self.camera.position + start + direction * distance - self.picture.origin;
         let normal = splats.normal(texel);
-        let normal = if faces_away(normal, self.along(x, y)) { -normal } else { normal }.to_array();
+        let normal = if faces_away(normal, self.direction_f32(x, y)) { -normal } else { normal }.to_array();
         Sample {
             range: (direction.length() * distance) as f32,
             position: place.as_vec3().to_array(),

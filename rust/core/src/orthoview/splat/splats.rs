@@ -30,7 +30,7 @@ const ALL: u8 = 8;
 
 /// Minimum cosine between a surfel's normal and the direction of its view. Neighbours on steeper surfaces are not
 /// connected (`connect`), so only means over edges are steeper; they would be stretched far.
-pub const LEAST_COSINE: f32 = 0.25;
+pub const MIN_COSINE: f32 = 0.25;
 
 /// A part of a view: pixels from `low` to `high` (columns, rows, depth steps; `high` is exclusive).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,7 +82,7 @@ pub(super) struct BoxOfBlocks {
 pub(super) struct Packed(u64);
 
 impl Packed {
-    pub fn of(depth: u16, normal: [u16; 2], color: [u8; 3]) -> Self {
+    pub fn new(depth: u16, normal: [u16; 2], color: [u8; 3]) -> Self {
         let ([red, green, blue], [one, other]) = (color.map(u64::from), normal.map(u64::from));
         Self(red | green << 8 | blue << 16 | one << 24 | other << 36 | u64::from(depth) << 48)
     }
@@ -177,13 +177,13 @@ impl Splats {
             block.inner |= if neighbours == ALL { bit } else { 0 };
             let low = [x as u16, y as u16, texel.depth - 1];
             block.extent.add(&Extent { low, high: [x as u16 + 1, y as u16 + 1, texel.depth] });
-            self.texels.push(Packed::of(texel.depth, texel.normal, texel.color));
+            self.texels.push(Packed::new(texel.depth, texel.normal, texel.color));
         }
         (block.shown != 0).then_some(block)
     }
 
     /// Returns the splats selected by `bits`, a mask per block.
-    pub(super) fn kept(&self, bits: impl Fn(&Block) -> u64) -> Self {
+    pub(super) fn select(&self, bits: impl Fn(&Block) -> u64) -> Self {
         let mut kept = Self { boxes: vec![], blocks: vec![], texels: vec![], ..*self };
         for contents in &self.boxes {
             let (first, texel) = (kept.blocks.len(), kept.texels.len());
@@ -247,7 +247,7 @@ impl Splats {
     pub(super) fn margin(&self) -> [f64; 3] {
         let (pitch, ball, radius) = (self.pitch(), self.ball(), f64::from(BORDER * SQUARED_RADIUS.sqrt()));
         let across = |pitch: f64| radius.max(ball / pitch) - 0.5;
-        let slope = radius * (pitch.x + pitch.y) / f64::from(LEAST_COSINE);
+        let slope = radius * (pitch.x + pitch.y) / f64::from(MIN_COSINE);
         [across(pitch.x), across(pitch.y), slope.max(ball) / pitch.z]
     }
 

@@ -54,7 +54,7 @@ fn warp(image: &Image<'_>, pose: &Camera) -> Vec<Option<Color>> {
     let (lens, rays) = (Lens::new(pose), image.camera.rays());
     let (width, height) = (pose.width as usize, pose.height as usize);
     let shown = |pixel: usize| {
-        let (start, way) = rays.at((pixel % width) as f64 + 0.5, (pixel / width) as f64 + 0.5);
+        let (start, way) = rays.ray((pixel % width) as f64 + 0.5, (pixel / width) as f64 + 0.5);
         let inverse = 1.0 / f64::from(image.range[pixel]);
         let offset = (image.camera.position + start - lens.eye) * inverse + way;
         lens.shows(offset, inverse).place().map(|place| (place, distance(&lens, offset, inverse)))
@@ -85,6 +85,6 @@ fn warp(image: &Image<'_>, pose: &Camera) -> Vec<Option<Color>> {
 
 /// Returns the distance in metres from a lens to a homogeneous point.
 fn distance(lens: &Lens, offset: DVec3, inverse: f64) -> f32 {
-    let scaled = if lens.is_parallel { lens.along(offset) } else { offset.length() };
+    let scaled = if lens.is_parallel { lens.axial_distance(offset) } else { offset.length() };
     (scaled / inverse) as f32
 }

@@ -48,11 +48,11 @@ impl Lens {
     /// the eye, or the sky in the direction of `offset` if `inverse` is 0.
     pub fn shows(&self, offset: DVec3, inverse: f64) -> Shown {
         let plane = DVec2::new(self.rows[0].dot(offset), self.rows[1].dot(offset));
-        Shown { plane, weight: if self.is_parallel { inverse } else { self.along(offset) } }
+        Shown { plane, weight: if self.is_parallel { inverse } else { self.axial_distance(offset) } }
     }
 
     /// Returns the distance along the axis.
-    pub fn along(&self, offset: DVec3) -> f64 {
+    pub fn axial_distance(&self, offset: DVec3) -> f64 {
         self.rows[2].dot(offset)
     }
 }

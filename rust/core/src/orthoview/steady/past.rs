@@ -13,13 +13,13 @@ use crate::render::temporal::cubic;
 /// another distance is a different one.
 const SAME_DISTANCE: f64 = 0.02;
 /// Maximum distance in pixels at which a surface is still shown by the same pixel.
-const MOST_PARALLAX: f64 = 0.5;
+const MAX_PARALLAX: f64 = 0.5;
 /// Speed from which a surface fades as a moving one, pixels per picture. Each look-up between pixels blurs, but hardly
 /// at a tenth of a pixel.
 const MOVING: f64 = 0.1;
 /// Minimum total weight of the agreeing taps among the four around a position. A single tap reaches it only if it is
 /// the nearest.
-const LEAST_WEIGHT: f64 = 0.25;
+const MIN_WEIGHT: f64 = 0.25;
 
 /// Fade rate of colours: the time between two pictures divided by the time in which a difference falls to 1/e.
 #[derive(Clone, Copy, Debug)]
@@ -33,7 +33,7 @@ pub struct Fade {
 impl Fade {
     /// Returns the exponent at a speed, pixels per picture. It is also the maximum distance in pixels between two
     /// surfaces that count as one, so a vanished surface trails a moving one by at most a pixel while it fades.
-    fn at(&self, speed: f64) -> f64 {
+    fn exponent(&self, speed: f64) -> f64 {
         self.still + (self.moving - self.still) * (speed / MOVING).min(1.0)
     }
 }
@@ -104,17 +104,17 @@ impl<'a> Past<'a> {
             for column in 0..width {
                 let pixel = row * width + column;
                 let at = DVec2::new(column as f64 + 0.5, row as f64 + 0.5);
-                let (start, way) = rays.at(at.x, at.y);
+                let (start, way) = rays.ray(at.x, at.y);
                 let point = (now.camera.position + start - self.lens.eye, way, 1.0 / f64::from(now.range[pixel]));
                 let found = match motion {
-                    None => self.found(&lens, &fade, at, point),
-                    Some(motion) => self.moved(at - DVec2::from_array(motion[pixel].map(f64::from)), point),
+                    None => self.reproject(&lens, &fade, at, point),
+                    Some(motion) => self.reproject_moved(at - DVec2::from_array(motion[pixel].map(f64::from)), point),
                 };
                 let before = found.and_then(|(place, test)| Some((place, self.color(place, &test)?)));
                 let color = now.color[pixel];
                 agrees[column] = before.is_some();
                 mixed[column] = before.map_or(color, |(place, before)| {
-                    let weight = (-fade.at(at.distance(place))).exp() as f32;
+                    let weight = (-fade.exponent(at.distance(place))).exp() as f32;
                     std::array::from_fn(|i| color[i] + (before[i] - color[i]) * weight)
                 });
             }
@@ -124,7 +124,7 @@ impl<'a> Past<'a> {
 
     /// Returns the previous position of a point of a later picture, and the test for the surface there. The point lies
     /// at 1/`inverse` along `way` from `from`, which is relative to the earlier eye; `lens` shows it at `at`.
-    fn found(
+    fn reproject(
         &self,
         lens: &Lens,
         fade: &Fade,
@@ -134,8 +134,8 @@ impl<'a> Past<'a> {
         let offset = from * inverse + way;
         let place = self.lens.shows(offset, inverse).place()?;
         let (start, toward, s) = if self.lens.is_parallel {
-            let (start, toward) = self.rays.at(place.x, place.y);
-            (self.image.camera.position + start, toward, inverse / self.lens.along(offset))
+            let (start, toward) = self.rays.ray(place.x, place.y);
+            (self.image.camera.position + start, toward, inverse / self.lens.axial_distance(offset))
         } else {
             let length = offset.length();
             (self.lens.eye, offset / length, inverse / length)
@@ -143,14 +143,14 @@ impl<'a> Past<'a> {
         // The later lens shows the point at 1/s from `start` at (A s + B)/(a s + b).
         let (one, other) = (lens.shows(start - lens.eye, 1.0), lens.shows(toward, 0.0));
         let e = (one.plane - at * one.weight).length();
-        let farthest = fade.at(at.distance(place)).min(MOST_PARALLAX);
+        let farthest = fade.exponent(at.distance(place)).min(MAX_PARALLAX);
         Some((place, Test::Parallax { e, s, a: one.weight, b: other.weight, farthest }))
     }
 
     /// Same as `found`, for the given position from which a point has moved.
-    fn moved(&self, place: DVec2, (from, way, inverse): (DVec3, DVec3, f64)) -> Option<(DVec2, Test)> {
+    fn reproject_moved(&self, place: DVec2, (from, way, inverse): (DVec3, DVec3, f64)) -> Option<(DVec2, Test)> {
         let offset = from * inverse + way;
-        let distance = if self.lens.is_parallel { self.lens.along(offset) } else { offset.length() };
+        let distance = if self.lens.is_parallel { self.lens.axial_distance(offset) } else { offset.length() };
         place.is_finite().then_some((place, Test::Distance { s: inverse / distance }))
     }
 
@@ -185,7 +185,7 @@ impl<'a> Past<'a> {
                 total += weight;
             }
         }
-        (total >= LEAST_WEIGHT).then(|| sum.map(|value| (value / total) as f32))
+        (total >= MIN_WEIGHT).then(|| sum.map(|value| (value / total) as f32))
     }
 }
 

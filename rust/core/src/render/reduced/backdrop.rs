@@ -49,8 +49,8 @@ pub(super) struct Seen {
 
 impl Seen {
     /// Returns the visible segment of the eye's ray in a direction.
-    fn of(&self, direction: Vec3) -> Segment {
-        self.limits.of(self.eye, direction.as_dvec3())
+    fn clip_direction(&self, direction: Vec3) -> Segment {
+        self.limits.clip_ray(self.eye, direction.as_dvec3())
     }
 }
 
@@ -65,7 +65,7 @@ impl Backdrop<'_> {
                 if hit.is_miss() {
                     return background(direction);
                 }
-                Surface::of_hit(scene, &ray, &hit).color(scene, footprint().at(hit.t))
+                Surface::of_hit(scene, &ray, &hit).color(scene, footprint().width_at(hit.t))
             }
         }
     }
@@ -89,7 +89,7 @@ impl Backdrop<'_> {
                     return Sample::default();
                 }
                 let (surface, range) = (Surface::of_hit(scene, &ray, &hit), self.displayed(direction, hit.t));
-                surface.sample(scene, range, || footprint().at(hit.t), wanted)
+                surface.sample(scene, range, || footprint().width_at(hit.t), wanted)
             }
         }
     }
@@ -97,7 +97,7 @@ impl Backdrop<'_> {
     /// Returns whether the map is visible: the ray's segment is unbounded, and the map's surface is not nearer than
     /// its start. Maps without ranges are infinitely far.
     fn shows(&self, map: &EnvironmentMap, direction: Vec3) -> bool {
-        let Segment { t_min, t_max } = self.seen.of(direction);
+        let Segment { t_min, t_max } = self.seen.clip_direction(direction);
         let is_behind = || map.range.is_none() || self.displayed(direction, map.surface(direction).0) >= t_min;
         t_max.is_infinite() && (t_min == 0.0 || is_behind())
     }
@@ -116,7 +116,7 @@ impl Backdrop<'_> {
             Far::Traced(scene, radius) => self.cast(scene, radius, direction).1.t,
             _ => f32::INFINITY,
         };
-        let t_min = self.seen.of(direction).t_min;
+        let t_min = self.seen.clip_direction(direction).t_min;
         if t_min > 0.0 && self.displayed(direction, limit) < t_min { f32::INFINITY } else { limit }
     }
 
@@ -133,7 +133,7 @@ impl Backdrop<'_> {
 
     /// Traces the rays without a hit of a tile into the far part, if that is traced; as one packet, because they are
     /// coherent.
-    pub fn behind(&self, rays: &[Ray], hits: &[Hit]) -> Option<Behind> {
+    pub fn trace_far(&self, rays: &[Ray], hits: &[Hit]) -> Option<Behind> {
         let Far::Traced(scene, radius) = self.far else { return None };
         let mut behind = Behind { rays: [self.ray(radius, Vec3::Y); PIXELS], hits: [Hit::MISS; PIXELS] };
         for (far, (ray, hit)) in behind.rays.iter_mut().zip(rays.iter().zip(hits)) {
@@ -170,7 +170,7 @@ impl Behind {
         if hit.is_miss() {
             return background(ray.direction);
         }
-        Surface::of_hit(scene, ray, hit).color(scene, footprint.at(hit.t))
+        Surface::of_hit(scene, ray, hit).color(scene, footprint.width_at(hit.t))
     }
 }
 

@@ -89,6 +89,6 @@ impl Picture for Bent<'_> {
             return self.backdrop.sample(ray.direction, footprint, wanted);
         }
         let surface = Surface::of_hit(self.scene, ray, &self.on_scene(hit));
-        surface.sample(self.scene, hit.t, || footprint().at(hit.t), wanted)
+        surface.sample(self.scene, hit.t, || footprint().width_at(hit.t), wanted)
     }
 }

@@ -51,7 +51,7 @@ impl Bend {
     /// Returns the position of a ray's bend relative to the user, from the ray's direction and its position in the
     /// part.
     #[inline]
-    pub fn at(&self, direction: Vec3, [x, y]: [f32; 2]) -> Vec3 {
+    pub fn evaluate(&self, direction: Vec3, [x, y]: [f32; 2]) -> Vec3 {
         let v = match self {
             Self::Linear([one, right, down, both]) => *one + *right * x + (*down + *both * x) * y,
             Self::Quadratic(rows) => {
@@ -81,7 +81,7 @@ impl<'a> Cell<'a> {
 
     /// Converts a position in the tile to one in this part; `None` outside of it.
     #[inline]
-    pub fn within(&self, spot: [f32; 2]) -> Option<[f32; 2]> {
+    pub fn to_part(&self, spot: [f32; 2]) -> Option<[f32; 2]> {
         let TilePart { parts, x, y } = self.part;
         let [u, v] = spot.map(|share| share * parts as f32);
         // Positions in a tile are below 1, so each lies in exactly one part.
@@ -139,7 +139,7 @@ fn hulls(corners: [&Corner; 4], legs: usize, user: Vec3) -> Vec<Aabb> {
         let bend = corners[n].bend(k, legs);
         user + corners[n].direction * bend.w + bend.xyz()
     };
-    (0..=legs).map(|k| around([place(0, k), place(1, k), place(2, k), place(3, k)])).collect()
+    (0..=legs).map(|k| bounding_box([place(0, k), place(1, k), place(2, k), place(3, k)])).collect()
 }
 
 /// Returns the bounding box of all rays between four corners, wherever they bend.
@@ -158,7 +158,7 @@ pub(super) fn bounds(corners: [&Corner; 4], user: Vec3) -> Aabb {
 }
 
 /// Returns the bounding box of the rays between the four corners of a tile, given in row order.
-fn around(points: [Vec3; 4]) -> Aabb {
+fn bounding_box(points: [Vec3; 4]) -> Aabb {
     let mut region = Aabb::EMPTY;
     points.into_iter().for_each(|point| region.extend(point));
     let widest = (points[3] - points[0]).abs().max((points[2] - points[1]).abs()).max_element();

@@ -6,9 +6,9 @@ use crate::base::Aabb;
 use crate::bend::{RayCurve, Stretch};
 
 /// Maximum number of legs between the radii; rays that need more are bent one by one.
-pub(super) const MOST_LEGS: usize = 128;
+pub(super) const MAX_LEGS: usize = 128;
 /// Minimum number of legs, so that neighbouring corners can be compared there.
-pub(super) const LEAST_LEGS: usize = 4;
+pub(super) const MIN_LEGS: usize = 4;
 /// Tolerance of a bend's offset relative to the maximum offset. The error is about its square, float32's resolution.
 const OFFSET_PRECISION: f64 = 1e-4;
 
@@ -31,10 +31,10 @@ impl Corner {
     /// tolerance, in radians.
     pub fn new(curve: &RayCurve<'_>, tolerance: f64) -> Option<Self> {
         let stretch = between_radii(curve)?;
-        let (mut beside, mut legs) = ([0.0; MOST_LEGS + 1], 1);
+        let (mut beside, mut legs) = ([0.0; MAX_LEGS + 1], 1);
         beside[1] = curve.beside;
-        while legs < LEAST_LEGS || misses(curve, &stretch, &beside[..=legs], tolerance) {
-            if legs == MOST_LEGS {
+        while legs < MIN_LEGS || misses(curve, &stretch, &beside[..=legs], tolerance) {
+            if legs == MAX_LEGS {
                 return None;
             }
             halve(curve, &stretch, &mut beside, legs);
@@ -109,7 +109,7 @@ fn misses(curve: &RayCurve<'_>, stretch: &Stretch, beside: &[f64], tolerance: f6
 }
 
 /// Inserts a bend between each pair of neighbours.
-fn halve(curve: &RayCurve<'_>, stretch: &Stretch, beside: &mut [f64; MOST_LEGS + 1], legs: usize) {
+fn halve(curve: &RayCurve<'_>, stretch: &Stretch, beside: &mut [f64; MAX_LEGS + 1], legs: usize) {
     // In reverse, so that values are read before they are overwritten.
     for k in (0..legs).rev() {
         let (a, b) = (beside[k], beside[k + 1]);

@@ -52,7 +52,7 @@ impl<'a> Exact<'a> {
         scene.build(progress)?;
         let lattice = Lattice::new(camera, &morph, tolerance_px);
         let tolerance = tolerance_px * camera.least_pixel_angle();
-        let (inside, moving) = (Inside::of(&morph), Moving::of(scene));
+        let (inside, moving) = (Inside::new(&morph), Moving::from_scene(scene));
         Ok(Self { scene, morph, boundary, inside, backdrop, moving, lattice, tolerance })
     }
 
@@ -82,7 +82,7 @@ impl<'a> Exact<'a> {
             let mut within: [usize; PIXELS] = [0; PIXELS];
             let mut inner = 0;
             for &n in &open[..count] {
-                if let Some(place) = cell.within(spots.within(n)) {
+                if let Some(place) = cell.to_part(spots.position_in_tile(n)) {
                     (spot[n], within[inner]) = (place, n);
                     inner += 1;
                 }
@@ -125,8 +125,8 @@ impl<'a> Exact<'a> {
             let behind = cell.bend(k);
             for (leg, &n) in legs.iter_mut().zip(&open[..count]) {
                 let direction = rays[n].direction;
-                let start = before.as_ref().map_or(ends[n], |bend| bend.at(direction, spot[n]));
-                ends[n] = behind.at(direction, spot[n]);
+                let start = before.as_ref().map_or(ends[n], |bend| bend.evaluate(direction, spot[n]));
+                ends[n] = behind.evaluate(direction, spot[n]);
                 leg.origin = user + start;
                 leg.direction = ends[n] - start;
             }
@@ -235,7 +235,7 @@ impl Picture for Exact<'_> {
     }
 
     fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]) {
-        let behind = self.backdrop.behind(rays, hits);
+        let behind = self.backdrop.trace_far(rays, hits);
         let missed = |n: usize| match &behind {
             Some(behind) => behind.color(n, self.scene, footprint(n)),
             None => self.backdrop.color(rays[n].direction, || footprint(n)),
@@ -248,7 +248,7 @@ impl Picture for Exact<'_> {
             return self.backdrop.sample(ray.direction, footprint, wanted);
         }
         let surface = Surface::of_hit(self.scene, ray, hit);
-        surface.sample(self.scene, hit.t, || footprint().at(hit.t), wanted)
+        surface.sample(self.scene, hit.t, || footprint().width_at(hit.t), wanted)
     }
 }
 
@@ -261,7 +261,7 @@ struct Inside {
 }
 
 impl Inside {
-    fn of(morph: &Morph) -> Option<Self> {
+    fn new(morph: &Morph) -> Option<Self> {
         let user = on_ground(morph.user - morph.center);
         let power = user.length_squared() - morph.r1 * morph.r1;
         (power < 0.0 && morph.strength == 1.0).then_some(Self { user: user.as_vec2(), power: power as f32 })

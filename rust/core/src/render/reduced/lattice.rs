@@ -11,7 +11,7 @@ use glam::{Vec4, Vec4Swizzles};
 
 use super::super::tiles::TILE;
 use super::cell::{Cell, TilePart, bounds};
-use super::corner::{Corner, LEAST_LEGS};
+use super::corner::{Corner, MIN_LEGS};
 use crate::base::Aabb;
 use crate::bend::RayCurve;
 use crate::camera::{Camera, Rays};
@@ -95,7 +95,7 @@ impl Lattice {
     }
 
     fn bent(&self, column: f64, row: f64) -> Option<Corner> {
-        let direction = self.rays.at(column * TILE as f64, row * TILE as f64).1;
+        let direction = self.rays.ray(column * TILE as f64, row * TILE as f64).1;
         Corner::new(&RayCurve::new(&self.morph, direction), CHORD * self.tolerance_at(column, row))
     }
 
@@ -156,18 +156,18 @@ impl Lattice {
 
 /// Returns the angle by which bends miss their curve if their offsets and positions have these errors. An error δs of
 /// a bend's position along the ray moves it across the ray by δs times the curve's slope.
-fn angle_of(errors: &[Vec4; LEAST_LEGS + 1], bends: &[Vec4; LEAST_LEGS + 1]) -> f64 {
+fn angle_of(errors: &[Vec4; MIN_LEGS + 1], bends: &[Vec4; MIN_LEGS + 1]) -> f64 {
     let angle = |k: usize| {
-        let next = if k < LEAST_LEGS { k + 1 } else { k - 1 };
+        let next = if k < MIN_LEGS { k + 1 } else { k - 1 };
         let chord = bends[next] - bends[k];
         let slope = chord.xyz().length() / chord.w.abs();
         let miss = errors[k].xyz().length() + slope * errors[k].w.abs();
         f64::from(miss) / f64::from(bends[k].w).max(f64::MIN_POSITIVE)
     };
-    (0..=LEAST_LEGS).map(angle).fold(0.0, f64::max)
+    (0..=MIN_LEGS).map(angle).fold(0.0, f64::max)
 }
 
 /// Returns the bends that all corners have.
-fn coarse(corner: &Corner) -> [Vec4; LEAST_LEGS + 1] {
-    std::array::from_fn(|k| corner.bend(k * corner.legs / LEAST_LEGS, corner.legs))
+fn coarse(corner: &Corner) -> [Vec4; MIN_LEGS + 1] {
+    std::array::from_fn(|k| corner.bend(k * corner.legs / MIN_LEGS, corner.legs))
 }

@@ -44,7 +44,7 @@ pub(super) struct Moving {
 
 impl Moving {
     /// Extracts the moving objects; `None` if nothing moves, so that no ray is traced for it.
-    pub fn of(scene: &Scene) -> Option<Self> {
+    pub fn from_scene(scene: &Scene) -> Option<Self> {
         let moves = !scene.moving.instances().is_empty();
         moves.then(|| Self {
             scene: Scene { standing: Arc::default(), ..scene.clone() },

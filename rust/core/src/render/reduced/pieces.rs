@@ -15,7 +15,7 @@ use crate::scene::{Instance, Mesh, Scene};
 use crate::tessellate::{self, Precision, Rule, Settings};
 
 /// Maximum number of pieces that a split may add, about a gigabyte.
-const MOST_PIECES: u64 = 1 << 22;
+const MAX_PIECES: u64 = 1 << 22;
 /// Tolerance in radians above which triangles are left whole.
 const COARSEST: f64 = 0.5;
 /// Vertices morphed between two checks for cancellation.
@@ -58,11 +58,11 @@ impl NearPart {
     pub fn fixed(faces: Vec<(u32, u32)>, scene: &Scene) -> Result<Self> {
         let split = Split::new(&faces, scene, None, false, |_| true, &Progress::new())?;
         let positions = split.vertices.iter().map(|vertex| vertex.as_vec3().to_array()).collect();
-        split.placed(split.mesh_of(positions)?, 0)
+        split.near_part(split.mesh_of(positions)?, 0)
     }
 }
 
-/// Cuts triangles (instance, face) into pieces with corners; `None` if split triangles give more than `MOST_PIECES`
+/// Cuts triangles (instance, face) into pieces with corners; `None` if split triangles give more than `MAX_PIECES`
 /// pieces.
 fn cut(
     sources: &[(u32, u32)],
@@ -75,7 +75,7 @@ fn cut(
     let made = AtomicU64::new(0);
     let count = |pieces: usize| {
         let all = made.fetch_add(pieces as u64, Ordering::Relaxed) + pieces as u64;
-        if all > MOST_PIECES { Err(Error::Cancelled) } else { progress.check() }
+        if all > MAX_PIECES { Err(Error::Cancelled) } else { progress.check() }
     };
     let split = |whole: tessellate::Piece| {
         let Some(rule) = rule else { return Ok(vec![whole]) };
@@ -103,7 +103,7 @@ fn cut(
     });
     let triangles: Result<Vec<Vec<Placed>>> = triangles.collect();
     // The total does not depend on the number of threads, whichever of them found that it is too large.
-    if made.into_inner() > MOST_PIECES {
+    if made.into_inner() > MAX_PIECES {
         progress.check()?;
         return Ok(None);
     }
@@ -174,14 +174,14 @@ impl Split {
         let opposed = tiles.iter().flat_map(|(_, opposed)| opposed).sum();
         let positions = tiles.into_iter().flat_map(|(positions, _)| positions).collect();
         let mesh = match self.first.get() {
-            Some(first) => Arc::new(first.moved(positions)?),
+            Some(first) => Arc::new(first.with_positions(positions)?),
             None => {
                 let mesh = self.mesh_of(positions)?;
                 mesh.build_bvh(progress)?;
                 Arc::clone(self.first.get_or_init(|| mesh))
             }
         };
-        self.placed(mesh, opposed)
+        self.near_part(mesh, opposed)
     }
 
     fn mesh_of(&self, positions: Vec<[f32; 3]>) -> Result<Arc<Mesh>> {
@@ -189,7 +189,7 @@ impl Split {
         Ok(Arc::new(Mesh::new(positions.into(), self.faces.clone().into(), None, None, objects, materials)?))
     }
 
-    fn placed(&self, mesh: Arc<Mesh>, opposed: u64) -> Result<NearPart> {
+    fn near_part(&self, mesh: Arc<Mesh>, opposed: u64) -> Result<NearPart> {
         let instance = Instance::new(mesh, DAffine3::IDENTITY, None)?;
         Ok(NearPart { pieces: Arc::clone(&self.pieces), instance, opposed, bounded: self.bounded })
     }

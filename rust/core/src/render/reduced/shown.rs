@@ -97,7 +97,8 @@ impl NearGeometry {
         let poses = scene.moving.instances().iter().map(|instance| instance.to_scene).collect();
         let standing = self.split(standing, None, scene, morph, tolerance, progress)?;
         let moving = self.split(moving, Some(poses), scene, morph, tolerance, progress)?;
-        let (standing, moving) = (self.seen(&standing, morph, progress)?, self.seen(&moving, morph, progress)?);
+        let (standing, moving) =
+            (self.morphed_part(&standing, morph, progress)?, self.morphed_part(&moving, morph, progress)?);
         let (opposed, bounded) = (standing.opposed + moving.opposed, standing.bounded && moving.bounded);
         let parts = [fixed, standing, moving];
         let instances = parts.iter().map(|part| part.instance.clone()).collect();
@@ -119,7 +120,7 @@ impl NearGeometry {
     ) -> Result<Arc<Split>> {
         let settings = tolerance.map(|tolerance| {
             let reach = (morph.user - morph.center).length();
-            Settings::of(morph, self.radii[1], reach, tolerance).stepped()
+            Settings::from_morph(morph, self.radii[1], reach, tolerance).stepped()
         });
         let steps = settings.map(|(steps, _)| steps);
         let cause = Cause { steps, radii: [bent_from(morph), morph.r2], poses };
@@ -149,7 +150,7 @@ impl NearGeometry {
     }
 
     /// Returns a split as a user sees it, from the cache if possible.
-    fn seen(&self, split: &Arc<Split>, morph: &Morph, progress: &Progress) -> Result<NearPart> {
+    fn morphed_part(&self, split: &Arc<Split>, morph: &Morph, progress: &Progress) -> Result<NearPart> {
         let is_same = |(other, last, _): &&Seen| Arc::ptr_eq(other, split) && last == morph;
         if let Some((_, _, part)) = self.last().iter().find(is_same) {
             return Ok(part.clone());

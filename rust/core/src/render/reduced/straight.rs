@@ -31,7 +31,7 @@ impl<'a> Straight<'a> {
         progress: &Progress,
     ) -> Result<Self> {
         scene.build(progress)?;
-        let moving = if beyond == ConventionalDynamic::Omit { None } else { Moving::of(scene) };
+        let moving = if beyond == ConventionalDynamic::Omit { None } else { Moving::from_scene(scene) };
         Ok(Self { scene, moving, backdrop, radius, beyond })
     }
 
@@ -71,6 +71,6 @@ impl Picture for Straight<'_> {
             return self.backdrop.sample(ray.direction, footprint, wanted);
         }
         let surface = Surface::of_hit(self.scene, ray, hit);
-        surface.sample(self.scene, hit.t, || footprint().at(hit.t), wanted)
+        surface.sample(self.scene, hit.t, || footprint().width_at(hit.t), wanted)
     }
 }

@@ -55,11 +55,11 @@ pub fn read(bytes: &[u8], offsets: &[i64], progress: &Progress) -> Result<Outlin
     });
     // Reports the first error in row order, whichever task ends first.
     let parts: Vec<Result<Outlines>> = tasks.collect();
-    Ok(joined(&parts.into_iter().collect::<Result<Vec<_>>>()?))
+    Ok(concat(&parts.into_iter().collect::<Result<Vec<_>>>()?))
 }
 
 /// Concatenates parts; their offsets are ends, to which this adds the leading 0.
-fn joined(parts: &[Outlines]) -> Outlines {
+fn concat(parts: &[Outlines]) -> Outlines {
     let mut all = Outlines { rings: vec![0], polygons: vec![0], rows: vec![0], ..Outlines::default() };
     all.points.reserve_exact(parts.iter().map(|part| part.points.len()).sum());
     for part in parts {

@@ -10,7 +10,7 @@ use crate::base::{Aabb, Progress, REACH, Result};
 pub(super) const PIECE: usize = 1 << 10;
 
 /// Maximum number of shared vertices per corner. Vertices that faces do not use cost memory.
-const MOST_SPREAD: usize = 2;
+const MAX_SPREAD: usize = 2;
 
 /// Range of a set's vertices that faces use.
 #[derive(Clone)]
@@ -43,7 +43,7 @@ impl StoredMeshes {
             is_fit &= used.end <= set.count;
             if set.is_shared {
                 (set.first, set.count) = (used.least.min(used.end), used.end.saturating_sub(used.least));
-                is_fit &= set.count <= MOST_SPREAD * used.corners;
+                is_fit &= set.count <= MAX_SPREAD * used.corners;
             }
         }
         if is_fit {

@@ -7,8 +7,8 @@ use super::meshes::{FaceSet, StoredMesh, StoredMeshes, VertexSet};
 use super::rows::Number;
 use crate::base::{Buffer, Error, FaceMap, Progress, Result};
 use crate::scene::merge::pieces;
-use crate::scene::mesh::{Mesh, TILE, check_finite, turned};
-use crate::scene::normal::{normal_matrix, placed};
+use crate::scene::mesh::{Mesh, TILE, check_finite, flipped};
+use crate::scene::normal::{normal_matrix, place_normal};
 
 /// Tolerance on the squared length of a unit normal, so that normals of four digits count as unit.
 const UNIT: f32 = 1e-4;
@@ -38,7 +38,7 @@ impl StoredPart {
 impl StoredMeshes {
     /// Returns a mesh in its own frame, without objects. Arrays that the file stores in usable form are not copied.
     pub fn mesh(&self, mesh: usize, progress: &Progress) -> Result<Mesh> {
-        self.joined(&[StoredPart { mesh, to_scene: DAffine3::IDENTITY, object: -1 }], progress)
+        self.join(&[StoredPart { mesh, to_scene: DAffine3::IDENTITY, object: -1 }], progress)
     }
 
     /// Returns several meshes, each as by `mesh`.
@@ -48,7 +48,7 @@ impl StoredMeshes {
 
     /// Joins meshes in order. Vertices without an attribute that others have get a neutral value: white, no normal,
     /// texture coordinates 0.
-    pub fn joined(&self, parts: &[StoredPart], progress: &Progress) -> Result<Mesh> {
+    pub fn join(&self, parts: &[StoredPart], progress: &Progress) -> Result<Mesh> {
         if parts.iter().any(|part| !part.to_scene.is_finite()) {
             return Err(Error::value("transform", "finite numbers", "NaN or infinity"));
         }
@@ -79,7 +79,7 @@ impl StoredMeshes {
             parts.iter().map(|part| (FaceMap::Uniform(part.object), self.face_count(part.mesh))).collect();
         let face_sets = parts.iter().flat_map(|part| &self.meshes[part.mesh].faces);
         let materials: Vec<_> = face_sets.map(|faces| (FaceMap::Uniform(faces.material), faces.count)).collect();
-        let joined = |maps: &[(FaceMap, usize)]| FaceMap::joined(maps.iter().map(|(map, count)| (map, *count)));
+        let joined = |maps: &[(FaceMap, usize)]| FaceMap::concat(maps.iter().map(|(map, count)| (map, *count)));
         let (objects, materials) = (joined(&objects), joined(&materials));
         progress.check()?;
         let mesh = Mesh::unchecked(positions, faces, uvs.map(Into::into), colors.map(Into::into), objects, materials);
@@ -108,7 +108,7 @@ impl StoredMeshes {
             slots.iter_mut().for_each(|slot| *slot = unit(*slot, unit_enough));
             if !part.stands_in_place() {
                 let matrix = normal_matrix(&part.to_scene);
-                slots.iter_mut().for_each(|slot| *slot = placed(&matrix, *slot).to_array());
+                slots.iter_mut().for_each(|slot| *slot = place_normal(&matrix, *slot).to_array());
             }
         })
     }
@@ -168,7 +168,7 @@ impl StoredMeshes {
                     self.write_faces(faces, tile * TILE, slots);
                     for slot in slots {
                         let face = slot.map(|vertex| vertex.wrapping_add(shift));
-                        *slot = if mirrors { turned(&face) } else { face };
+                        *slot = if mirrors { flipped(&face) } else { face };
                     }
                     progress.check()
                 })

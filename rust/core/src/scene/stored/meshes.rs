@@ -129,7 +129,7 @@ impl StoredMeshes {
 
     /// Adds faces to their mesh; `known` maps attributes to vertex sets of the last mesh.
     fn add(&mut self, part: &StoredFaces, known: &mut HashMap<Attributes, usize>) -> Result<()> {
-        let count = self.checked(part)?;
+        let count = self.check_faces(part)?;
         if part.mesh.saturating_add(1) < self.meshes.len() || part.mesh > self.meshes.len() {
             return Err(Error::value("faces", "meshes that ascend without gaps", part.mesh));
         }
@@ -149,7 +149,7 @@ impl StoredMeshes {
     }
 
     /// Returns the number of faces, after checking that rows have the right widths and types.
-    fn checked(&self, part: &StoredFaces) -> Result<usize> {
+    fn check_faces(&self, part: &StoredFaces) -> Result<usize> {
         let wrong = |expected: &'static str| Error::value("faces", expected, format!("{part:?}"));
         let attributes = &part.attributes;
         let row = |number: usize| self.rows.get(number).ok_or_else(|| wrong("numbers of rows"));

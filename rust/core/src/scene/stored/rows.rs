@@ -182,9 +182,9 @@ impl<'a> Table<'a> {
     pub fn floats<const W: usize>(&self, first: usize, slots: &mut [[f32; W]]) {
         with_number!(self.rows.number, T => {
             if self.rows.is_fraction {
-                self.each(first, slots, T::fraction);
+                self.map_rows(first, slots, T::fraction);
             } else {
-                self.each(first, slots, T::plain);
+                self.map_rows(first, slots, T::plain);
             }
         });
     }
@@ -193,18 +193,18 @@ impl<'a> Table<'a> {
     pub fn corners(&self, first: usize, slots: &mut [[u32; 3]]) {
         let faces = Self { rows: Rows { step: 3 * self.rows.step, width: 3, ..self.rows }, bytes: self.bytes };
         match self.rows.number {
-            Number::U8 => faces.each(first, slots, |number: u8| u32::from(number)),
-            Number::U16 => faces.each(first, slots, |number: u16| u32::from(number)),
-            _ => faces.each(first, slots, |number: u32| number),
+            Number::U8 => faces.map_rows(first, slots, |number: u8| u32::from(number)),
+            Number::U16 => faces.map_rows(first, slots, |number: u16| u32::from(number)),
+            _ => faces.map_rows(first, slots, |number: u32| number),
         }
     }
 
     /// Writes rows of `W` numbers as fractions of 1: integers are always normalised.
     pub fn fractions<const W: usize>(&self, first: usize, slots: &mut [[f32; W]]) {
-        with_number!(self.rows.number, T => self.each(first, slots, T::fraction));
+        with_number!(self.rows.number, T => self.map_rows(first, slots, T::fraction));
     }
 
-    fn each<T: Stored, R, const W: usize>(&self, first: usize, slots: &mut [[R; W]], of: impl Fn(T) -> R) {
+    fn map_rows<T: Stored, R, const W: usize>(&self, first: usize, slots: &mut [[R; W]], of: impl Fn(T) -> R) {
         self.each_row(first, slots, |row: [T; W]| row.map(&of));
     }
 

@@ -98,7 +98,7 @@ fn joined_meshes_are_those_merged_from_arrays() {
     )
     .unwrap();
     let parts = [part(0, turn, 7), part(1, DAffine3::IDENTITY, 2), part(0, DAffine3::IDENTITY, 1)];
-    let found = stored.joined(&parts, &Progress::new()).unwrap();
+    let found = stored.join(&parts, &Progress::new()).unwrap();
     assert_eq!(found.positions[..], expected.positions[..]);
     assert_eq!(found.faces[..], expected.faces[..]);
     assert_eq!(found.uvs.as_deref(), expected.uvs.as_deref());
@@ -132,7 +132,7 @@ fn faces_of_one_mesh_share_vertices_and_other_meshes_take_their_range() {
     let mesh = stored.mesh(1, &Progress::new()).unwrap();
     assert_eq!((&mesh.faces[..], &mesh.positions[..]), (&[[0, 1, 3]][..], &pool[20..24]));
     let both = [part(0, DAffine3::IDENTITY, 4), part(1, DAffine3::IDENTITY, 5)];
-    let mesh = stored.joined(&both, &Progress::new()).unwrap();
+    let mesh = stored.join(&both, &Progress::new()).unwrap();
     assert_eq!(mesh.faces[..], [[0, 1, 2], [0, 1, 2], [3, 4, 6]]);
     assert_eq!([0, 1, 2].map(|face| (mesh.objects.get(face), mesh.materials.get(face))), [(4, 0), (4, 1), (5, 0)]);
 }
@@ -174,12 +174,12 @@ fn scaled_coordinates_are_rounded_at_their_place() {
     let faces = StoredFaces { mesh: 0, attributes: attributes(positions), corners: None, material: 0 };
     let stored = bytes.stored(&[faces]).scaled(0.3048);
     let away = DAffine3::from_translation(DVec3::new(-152_400.0, 0.0, 0.0));
-    let mesh = stored.joined(&[part(0, away, 0)], &Progress::new()).unwrap();
+    let mesh = stored.join(&[part(0, away, 0)], &Progress::new()).unwrap();
     let expected = feet.map(|[x, ..]| (f64::from(x) * 0.3048 - 152_400.0) as f32);
     assert_eq!([0, 1, 2].map(|vertex| mesh.positions[vertex][0]), expected);
     assert!(expected[0] != expected[1]);
     let far = DAffine3::from_scale(DVec3::splat(1e36));
-    assert!(stored.joined(&[part(0, far, 0)], &Progress::new()).is_err());
+    assert!(stored.join(&[part(0, far, 0)], &Progress::new()).is_err());
 }
 
 #[test]

@@ -3,7 +3,7 @@ use proptest::prelude::*;
 
 use super::{area, ground, miss, numbers, pieces, point};
 use crate::morph::{Kind, Morph};
-use crate::tessellate::grown_bound::MOST_RATIO;
+use crate::tessellate::grown_bound::MAX_RATIO;
 use crate::tessellate::rule::Rule;
 use crate::tessellate::settings::{Precision, Settings, Stages};
 use crate::tessellate::split::Piece;
@@ -23,7 +23,7 @@ fn greatest_miss(pieces: &[Piece], settings: &Settings, seed: u64, stages: usize
     let Stages::Cylinder { least, is_full } = settings.stages else { return f64::NAN };
     let mut next = numbers(seed);
     let mut greatest: f64 = 0.0;
-    let exempt = if is_full { 0.0 } else { 1.15 * settings.reach / MOST_RATIO };
+    let exempt = if is_full { 0.0 } else { 1.15 * settings.reach / MAX_RATIO };
     for _ in 0..stages {
         let aim = DVec3::new(next() - 0.5, (next() - 0.5) * next(), next() - 0.5).normalize_or_zero();
         let user = settings.center + aim * settings.reach * next().powf(0.1);

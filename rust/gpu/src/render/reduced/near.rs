@@ -78,8 +78,8 @@ impl Near {
         let scene = partition.scene();
         let [fixed, bending] = partition.nsf_inside(radius);
         Ok(Self {
-            fixed: Geometry::of(scene, fixed, progress)?,
-            bending: Geometry::of(scene, bending, progress)?,
+            fixed: Geometry::new(scene, fixed, progress)?,
+            bending: Geometry::new(scene, bending, progress)?,
             all: Mutex::default(),
             split: Mutex::default(),
             moved: Mutex::default(),
@@ -91,7 +91,7 @@ impl Near {
     /// Returns the triangles that a morph bends from this radius on, unsplit.
     pub fn unsplit(&self, from: f64, progress: &Progress) -> Result<Bent> {
         if from < self.radii[0] {
-            return Ok(Bent { geometry: self.all(progress)?, fixed: None, rule: None });
+            return Ok(Bent { geometry: self.all_triangles(progress)?, fixed: None, rule: None });
         }
         Ok(Bent { geometry: self.bending.clone(), fixed: Some(self.fixed.clone()), rule: None })
     }
@@ -100,7 +100,7 @@ impl Near {
     /// centre.
     pub fn split(&self, morph: &Morph, tolerance: f64, progress: &Progress) -> Result<Bent> {
         let reach = (morph.user - morph.center).length();
-        let (steps, settings) = Settings::of(morph, self.radii[1], reach, tolerance).stepped();
+        let (steps, settings) = Settings::from_morph(morph, self.radii[1], reach, tolerance).stepped();
         let cause = Cause { steps, stages: settings.stages, radii: [settings.r1, settings.r2] };
         if let Some(bent) = self.known_split(&cause) {
             return Ok(bent);
@@ -119,13 +119,13 @@ impl Near {
         Ok(bent)
     }
 
-    fn all(&self, progress: &Progress) -> Result<Geometry> {
+    fn all_triangles(&self, progress: &Progress) -> Result<Geometry> {
         let gathered = || self.all.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(known) = gathered().clone() {
             return Ok(known);
         }
         let [fixed, bending] = [&self.fixed.sources, &self.bending.sources];
-        let all = Geometry::of(&fixed.scene, [&fixed.faces[..], &bending.faces[..]].concat(), progress)?;
+        let all = Geometry::new(&fixed.scene, [&fixed.faces[..], &bending.faces[..]].concat(), progress)?;
         Ok(gathered().get_or_insert(all).clone())
     }
 
@@ -154,14 +154,14 @@ impl Near {
         let moving = short.iter().map(|(number, _)| *number).collect();
         let sources = Arc::new(Sources { scene: scene.clone(), faces: Vec::new(), moving });
         let split = match rule {
-            Some(rule) if !long.is_empty() => Some(self.moved(scene, rule, &long, progress)?),
+            Some(rule) if !long.is_empty() => Some(self.split_moving(scene, rule, &long, progress)?),
             _ => None,
         };
         Ok(Moving { placed: Geometry { scene: placed, sources }, split })
     }
 
     /// Returns moving instances as static geometry, split in their current poses.
-    fn moved(
+    fn split_moving(
         &self,
         scene: &Scene,
         rule: &Arc<Rule>,
@@ -178,7 +178,7 @@ impl Near {
             let number = *number;
             (0..instance.mesh.faces.len() as u32).map(move |face| (number, face))
         });
-        let whole = Geometry::of(scene, faces.collect(), progress)?;
+        let whole = Geometry::new(scene, faces.collect(), progress)?;
         let geometry = Geometry { scene: split_scene(&whole.scene, rule, progress)?.0, sources: whole.sources };
         *last() = Some(Moved { rule: Arc::clone(rule), poses, geometry: geometry.clone() });
         Ok(geometry)
@@ -192,7 +192,7 @@ impl Near {
 }
 
 impl Geometry {
-    fn of(scene: &Scene, faces: Vec<(u32, u32)>, progress: &Progress) -> Result<Self> {
+    fn new(scene: &Scene, faces: Vec<(u32, u32)>, progress: &Progress) -> Result<Self> {
         let mesh = scene.gathered(&faces, progress)?;
         let instance = Instance::new(Arc::new(mesh), DAffine3::IDENTITY, None)?;
         let (materials, textures) = (Arc::clone(&scene.materials), Arc::clone(&scene.textures));

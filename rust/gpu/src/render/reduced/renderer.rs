@@ -108,7 +108,7 @@ impl Reduced {
             bare: drawing.pixels.bare,
             conventional_dynamic: drawing.conventional_dynamic,
         };
-        let picture = Picture { mask: Mask::of(&drawing.pixels, camera)?, ..view.picture(device)? };
+        let picture = Picture { mask: Mask::from_pixels(&drawing.pixels, camera)?, ..view.picture(device)? };
         let job = Job::begin(device, picture, camera, drawing.channels, drawing.samples, progress)?;
         Ok((job, counts))
     }

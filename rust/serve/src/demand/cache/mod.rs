@@ -109,7 +109,7 @@ impl Cache {
     pub fn find(&self, key: &str) -> Option<Bytes> {
         let mut index = self.index();
         for name in index.places.get(key)?.files.clone() {
-            self.checked(&mut index, &name)?;
+            self.verify_file(&mut index, &name)?;
         }
         let entry = index.places.get_mut(key)?;
         let manifest = read(&entry.manifest).ok().filter(|manifest| is_named(&entry.manifest, manifest));
@@ -128,19 +128,19 @@ impl Cache {
 
     /// A file of a cached region.
     pub fn file(&self, name: &str) -> Option<Kept> {
-        let bytes = self.checked(&mut self.index(), name)?;
+        let bytes = self.verify_file(&mut self.index(), name)?;
         Some(Kept::OnDisk(self.path_of(name), bytes))
     }
 
     /// Tileset of a cached region, found by its manifest.
     pub fn tileset(&self, manifest: &[u8]) -> Option<Kept> {
-        let listed = listed(manifest)?;
+        let listed = parse_files(manifest)?;
         self.file(&listed.iter().find(|file| file.document() == TILESET)?.name)
     }
 
     /// Size of a file, checked against its hash at first use. A damaged file is removed with all regions that need
     /// it.
-    fn checked(&self, index: &mut Index, name: &str) -> Option<u64> {
+    fn verify_file(&self, index: &mut Index, name: &str) -> Option<u64> {
         let stored = index.files.get_mut(name)?;
         let path = self.path_of(name);
         let is_fine = if stored.is_checked { has_bytes(&path, stored.bytes) } else { is_whole(&path, stored) };
@@ -157,7 +157,7 @@ impl Cache {
     pub fn keep(&self, key: &str, content: &HashMap<String, Bytes>) -> io::Result<()> {
         let wrong = |what: &str| io::Error::new(io::ErrorKind::InvalidData, format!("{what} of a region is missing"));
         let manifest = content.get(MANIFEST).ok_or_else(|| wrong("the manifest"))?;
-        let listed = listed(manifest).ok_or_else(|| wrong("the list of files"))?;
+        let listed = parse_files(manifest).ok_or_else(|| wrong("the list of files"))?;
         let mut index = self.index();
         let path = self.folder.join(PLACES).join(format!("{key}.{}.json", &hash(manifest)[..DIGITS]));
         let new: Vec<&Listed> = listed.iter().filter(|file| !index.files.contains_key(&file.name)).collect();
@@ -201,7 +201,7 @@ impl Cache {
         let name = path.file_name()?.to_str()?.strip_suffix(".json")?;
         let (key, _) = name.rsplit_once('.')?;
         let manifest = read(path).ok().filter(|manifest| is_named(path, manifest))?;
-        let listed = listed(&manifest)?;
+        let listed = parse_files(&manifest)?;
         if !listed.iter().all(|file| has_bytes(&self.path_of(&file.name), file.bytes)) {
             return None;
         }
@@ -238,13 +238,13 @@ impl Cache {
     fn remove(&self, index: &mut Index, key: &str) -> io::Result<()> {
         let Some(entry) = index.places.remove(key) else { return Ok(()) };
         // The manifest is removed first, because its files may be missing afterwards.
-        gone(fs::remove_file(&entry.manifest))?;
+        ignore_missing(fs::remove_file(&entry.manifest))?;
         for name in entry.files {
             let Some(stored) = index.files.get_mut(&name) else { continue };
             stored.users -= 1;
             if stored.users == 0 {
                 index.files.remove(&name);
-                gone(fs::remove_file(self.path_of(&name)))?;
+                ignore_missing(fs::remove_file(self.path_of(&name)))?;
             }
         }
         Ok(())
@@ -295,7 +295,7 @@ impl Listed {
 }
 
 /// All files that a manifest lists, and its tileset; none if the manifest is invalid.
-fn listed(manifest: &[u8]) -> Option<Vec<Listed>> {
+fn parse_files(manifest: &[u8]) -> Option<Vec<Listed>> {
     #[derive(serde::Deserialize)]
     struct Described {
         bytes: u64,
@@ -359,7 +359,7 @@ fn write_whole(path: &Path, data: &[u8]) -> io::Result<()> {
 }
 
 /// A missing file need not be removed.
-fn gone(removed: io::Result<()>) -> io::Result<()> {
+fn ignore_missing(removed: io::Result<()>) -> io::Result<()> {
     match removed {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
         _ => Ok(()),

@@ -85,7 +85,7 @@ fn coming(answer: Result<Answer, Refusal>) -> Ticket {
 }
 
 /// Collects the lines up to the outcome.
-async fn all(mut ticket: Ticket) -> (Vec<Bytes>, Outcome) {
+async fn collect_events(mut ticket: Ticket) -> (Vec<Bytes>, Outcome) {
     let mut lines = Vec::new();
     loop {
         match ticket.event().await {
@@ -105,7 +105,7 @@ async fn a_place_that_several_ask_for_is_made_once_and_told_to_all() {
     assert_eq!(first.place().to_string(), "4,1.75,0");
     kitchen.permit.send(()).unwrap();
     kitchen.permit.send(()).unwrap();
-    for (lines, outcome) in [all(first).await, all(second).await] {
+    for (lines, outcome) in [collect_events(first).await, collect_events(second).await] {
         assert_eq!(lines, [&b"{\"stage\":0}\n"[..], b"{\"stage\":1}\n"]);
         assert_eq!(outcome, Outcome::Complete);
     }
@@ -122,7 +122,7 @@ async fn a_slow_client_finds_maps_that_came_first_when_full_ones_are_made() {
     let ticket = coming(kitchen.demand.ask(ANN, Place([4.0, 1.75, 0.0])));
     kitchen.permit.send(()).unwrap();
     kitchen.permit.send(()).unwrap();
-    assert_eq!(all(ticket).await.1, Outcome::Complete);
+    assert_eq!(collect_events(ticket).await.1, Outcome::Complete);
     assert!(matches!(kitchen.demand.ask(ANN, Place([4.0, 1.75, 0.0])), Ok(Answer::Whole(Whole::Manifest(_)))));
     assert!(matches!(kitchen.demand.file("files/4-0"), Some(Kept::Content(_))));
     assert!(kitchen.demand.file("manifest.json").is_none());
@@ -138,9 +138,9 @@ async fn a_new_client_is_served_before_late_stages_of_others() {
     for _ in 0..8 {
         kitchen.permit.send(()).unwrap();
     }
-    assert_eq!(all(late).await.1, Outcome::Complete);
+    assert_eq!(collect_events(late).await.1, Outcome::Complete);
     for ticket in flood {
-        assert_eq!(all(ticket).await.1, Outcome::Complete);
+        assert_eq!(collect_events(ticket).await.1, Outcome::Complete);
     }
     let order: Vec<(f64, u8)> = kitchen.log.try_iter().map(|(place, stage)| (place.0[0], stage)).collect();
     assert_eq!(order[0], (90.0, 0));
@@ -160,8 +160,8 @@ async fn one_thread_is_left_for_first_stages() {
     kitchen.permit.send(()).unwrap();
     kitchen.permit.send(()).unwrap();
     kitchen.permit.send(()).unwrap();
-    assert_eq!(all(first).await.1, Outcome::Complete);
-    assert_eq!(all(second).await.1, Outcome::Complete);
+    assert_eq!(collect_events(first).await.1, Outcome::Complete);
+    assert_eq!(collect_events(second).await.1, Outcome::Complete);
 }
 
 #[tokio::test]
@@ -184,8 +184,8 @@ async fn work_ends_when_the_last_client_leaves() {
     for _ in 0..4 {
         kitchen.permit.send(()).unwrap();
     }
-    assert_eq!(all(other).await.1, Outcome::Complete);
-    assert_eq!(all(again).await.1, Outcome::Complete);
+    assert_eq!(collect_events(other).await.1, Outcome::Complete);
+    assert_eq!(collect_events(again).await.1, Outcome::Complete);
     assert_eq!(kitchen.begun.load(Ordering::SeqCst), 3);
 }
 
@@ -205,13 +205,13 @@ async fn requests_are_bounded_for_each_client_and_in_all() {
 async fn failures_and_panics_are_told_and_others_notice_nothing() {
     let kitchen = kitchen(None, one());
     let lost = coming(kitchen.demand.ask(ANN, Place([2e6, 0.0, 0.0])));
-    assert_eq!(all(lost).await.1, Outcome::Failed("center: expected one with objects around it".into()));
+    assert_eq!(collect_events(lost).await.1, Outcome::Failed("center: expected one with objects around it".into()));
     let panics = coming(kitchen.demand.ask(ANN, Place([666.0, 0.0, 0.0])));
-    assert!(matches!(all(panics).await.1, Outcome::Failed(reason) if reason.contains("internal error")));
+    assert!(matches!(collect_events(panics).await.1, Outcome::Failed(reason) if reason.contains("internal error")));
     let fine = coming(kitchen.demand.ask(BOB, Place([0.0; 3])));
     kitchen.permit.send(()).unwrap();
     kitchen.permit.send(()).unwrap();
-    assert_eq!(all(fine).await.1, Outcome::Complete);
+    assert_eq!(collect_events(fine).await.1, Outcome::Complete);
 }
 
 #[tokio::test]
@@ -233,7 +233,7 @@ async fn complete_regions_come_from_the_disk() {
     let ticket = coming(kitchen.demand.ask(ANN, Place([0.0; 3])));
     kitchen.permit.send(()).unwrap();
     kitchen.permit.send(()).unwrap();
-    assert_eq!(all(ticket).await.1, Outcome::Complete);
+    assert_eq!(collect_events(ticket).await.1, Outcome::Complete);
     assert!(matches!(kitchen.demand.ask(BOB, Place([0.0; 3])), Ok(Answer::Whole(Whole::Manifest(_)))));
     assert_eq!(kitchen.begun.load(Ordering::SeqCst), 1);
 }
@@ -244,7 +244,7 @@ async fn a_server_that_ends_stops_the_work_and_tells() {
     let ticket = coming(kitchen.demand.ask(ANN, Place([0.0; 3])));
     kitchen.log.recv().unwrap();
     kitchen.demand.close();
-    assert!(matches!(all(ticket).await.1, Outcome::Failed(_)));
+    assert!(matches!(collect_events(ticket).await.1, Outcome::Failed(_)));
     assert_eq!(kitchen.demand.ask(ANN, Place([0.0; 3])).err(), Some(Refusal::Closing));
 }
 

@@ -10,7 +10,7 @@ use crate::rooms::Rooms;
 use crate::{Answering, HeaderValue, Server};
 
 /// Head and body of the response to a page.
-pub async fn told(server: &Server, target: &str, headers: &str) -> (String, String) {
+pub async fn get(server: &Server, target: &str, headers: &str) -> (String, String) {
     let mut stream = TcpStream::connect(server.address()).await.expect("a connection");
     let request = format!("GET {target} HTTP/1.1\r\nHost: localhost:80\r\nConnection: close\r\n{headers}\r\n");
     stream.write_all(request.as_bytes()).await.expect("sent");
@@ -26,28 +26,28 @@ async fn pages_are_told_what_rooms_can_do() {
     let begin = |rooms| start(Answering { rooms: Some(Arc::new(rooms)), ..answering(limits(), None) }, None);
     let server = begin(rooms());
     for target in ["/rooms", "/room%73", "/rooms?any"] {
-        let (head, body) = told(&server, target, "").await;
+        let (head, body) = get(&server, target, "").await;
         assert!(head.starts_with("http/1.1 200"), "{head}");
         assert!(head.contains("cache-control: no-store") && head.contains("content-type: application/json"), "{head}");
         assert_eq!(body, r#"{"peers":true,"datagrams":null}"#);
     }
     let server = begin(rooms().without_peers());
-    assert_eq!(told(&server, "/rooms", "").await.1, r#"{"peers":false,"datagrams":null}"#);
+    assert_eq!(get(&server, "/rooms", "").await.1, r#"{"peers":false,"datagrams":null}"#);
 }
 
 #[tokio::test]
 async fn pages_of_other_origins_are_told_nothing() {
     let origin = HeaderValue::from_static("*");
     let server = start(Answering { origin: Some(origin), ..answering(limits(), None) }, None);
-    assert!(told(&server, "/rooms", "Origin: https://evil.example\r\n").await.0.starts_with("http/1.1 403"));
-    assert!(told(&server, "/rooms", "Origin: http://localhost:80\r\n").await.0.starts_with("http/1.1 200"));
+    assert!(get(&server, "/rooms", "Origin: https://evil.example\r\n").await.0.starts_with("http/1.1 403"));
+    assert!(get(&server, "/rooms", "Origin: http://localhost:80\r\n").await.0.starts_with("http/1.1 200"));
     let hosts = Some(["other".to_owned()].into());
     let server = start(Answering { hosts, ..answering(limits(), None) }, None);
-    assert!(told(&server, "/rooms", "").await.0.starts_with("http/1.1 403"));
+    assert!(get(&server, "/rooms", "").await.0.starts_with("http/1.1 403"));
 }
 
 #[tokio::test]
 async fn a_server_without_rooms_tells_nothing() {
     let server = start(Answering { rooms: None, ..answering(limits(), None) }, None);
-    assert!(told(&server, "/rooms", "").await.0.starts_with("http/1.1 404"));
+    assert!(get(&server, "/rooms", "").await.0.starts_with("http/1.1 404"));
 }

@@ -2,7 +2,7 @@
 
 use super::support::pose;
 use crate::rooms::frame::{Fault, FromServer, FromUser, HEAD, To};
-use crate::rooms::pose::{Begin, MOST, Placed, Pose};
+use crate::rooms::pose::{Begin, MAX, Placed, Pose};
 
 fn whole() -> Pose {
     let placed = |x| Placed { position: [x, -0.0, 1e6], rotation: [23170, 0, -23170, 1] };
@@ -151,7 +151,7 @@ fn numbers_are_little_endian_and_poses_are_short() {
     assert_eq!(out, [3, 6, 0, 2, 1, 6, 5, 4, 3]);
     let bytes = |pose: Pose| FromServer::Pose { user: 1, pose }.bytes();
     assert_eq!((bytes(pose(1)), bytes(whole())), (38, 82));
-    assert_eq!(whole().bytes(), MOST);
+    assert_eq!(whole().bytes(), MAX);
 }
 
 #[test]

@@ -14,7 +14,7 @@ use crate::rooms::reason::{End, Reason};
 const BURST: Duration = Duration::from_secs(2);
 
 /// All queued frames, encoded.
-fn taken(outbox: &Outbox) -> Vec<Vec<u8>> {
+fn drain(outbox: &Outbox) -> Vec<Vec<u8>> {
     let (mut message, mut read) = (BytesMut::new(), Vec::new());
     match outbox.take(Part::All, &mut message, &mut read) {
         Taken::Nothing => Vec::new(),
@@ -35,7 +35,7 @@ fn bytes(frames: &[FromServer<'_>]) -> Vec<Vec<u8>> {
 #[test]
 fn newer_poses_overwrite_and_all_else_stays_in_order() {
     let (outbox, now) = (Outbox::new(1000, BURST), Instant::now());
-    assert!(taken(&outbox).is_empty());
+    assert!(drain(&outbox).is_empty());
     assert!(!outbox.add_pose(1, asking(1), now));
     outbox.add(&FromServer::Left { user: 9 });
     assert!(!outbox.add_pose(2, pose(7), now));
@@ -51,11 +51,11 @@ fn newer_poses_overwrite_and_all_else_stays_in_order() {
         FromServer::Pose { user: 2, pose: pose(7) },
         FromServer::Settled { sequence: 4 },
     ];
-    assert_eq!(taken(&outbox), bytes(&expected));
-    assert!(taken(&outbox).is_empty());
+    assert_eq!(drain(&outbox), bytes(&expected));
+    assert!(drain(&outbox).is_empty());
     outbox.add_pose(1, pose(3), now);
     outbox.forget(1);
-    assert!(taken(&outbox).is_empty());
+    assert!(drain(&outbox).is_empty());
 }
 
 #[test]
@@ -70,7 +70,7 @@ fn poses_of_a_large_group_wait_for_several_full_datagrams() {
         let passing = outbox.passing(30 * each + each / 2);
         assert_eq!(passing.bytes.len(), if full { 30 } else { 10 } * each);
         frames.extend(split(&passing.bytes));
-        assert_eq!(outbox.sent(&passing).len(), passing.bytes.len() / each);
+        assert_eq!(outbox.confirm_sent(&passing).len(), passing.bytes.len() / each);
     }
     let expected: Vec<_> = (0..100).map(|user| FromServer::Pose { user, pose: pose(1) }).collect();
     assert_eq!(frames, bytes(&expected));
@@ -98,15 +98,15 @@ fn what_a_later_one_replaces_is_sent_apart_from_what_must_arrive() {
     // Frames stay queued until sent; newer ones replace them.
     outbox.add_pose(1, pose(2), now);
     outbox.add_settled(5, false);
-    assert_eq!(outbox.sent(&passing).len(), 1);
+    assert_eq!(outbox.confirm_sent(&passing).len(), 1);
     let passing = outbox.passing(1000);
     let frames = [FromServer::Settled { sequence: 5 }, FromServer::Pose { user: 1, pose: pose(2) }];
     assert_eq!(split(&passing.bytes), bytes(&frames));
     outbox.add_settled(6, true);
-    assert_eq!(outbox.sent(&passing).len(), 1);
+    assert_eq!(outbox.confirm_sent(&passing).len(), 1);
     assert_eq!(outbox.passing(1000).bytes.len(), 0);
     assert_eq!(part(), (bytes(&[FromServer::Settled { sequence: 6 }]), 0));
-    assert!(taken(&outbox).is_empty());
+    assert!(drain(&outbox).is_empty());
 }
 
 #[test]
@@ -123,7 +123,7 @@ fn datagrams_hold_as_much_as_fits_and_leave_nobody_out() {
             let Ok((FromServer::Pose { user, .. }, _)) = FromServer::read(&frame) else { panic!("a pose") };
             seen.push(user);
         }
-        assert_eq!(outbox.sent(&passing).len(), 2);
+        assert_eq!(outbox.confirm_sent(&passing).len(), 2);
         (0..5).for_each(|user| _ = outbox.add_pose(user, pose(sequence), now));
     }
     assert_eq!(seen[..5], [0, 1, 2, 3, 4]);
@@ -135,7 +135,7 @@ fn datagrams_hold_as_much_as_fits_and_leave_nobody_out() {
 fn who_lets_too_much_wait_is_ended_and_holds_nothing() {
     let (outbox, frame) = (Outbox::new(20, BURST), FromServer::Left { user: 1 });
     (0..3).for_each(|_| outbox.add(&frame));
-    let _ = taken(&outbox);
+    let _ = drain(&outbox);
     // Frames in flight count, too.
     outbox.add(&frame);
     outbox.add(&frame);
@@ -159,7 +159,7 @@ fn who_fills_its_share_at_once_sends_too_much_and_its_receiver_stays() {
     let end = add(1, Duration::ZERO).expect_err("a quarter is 250 bytes");
     assert_eq!((end.reason, outbox.ended()), (Reason::Flood, None));
     assert!(add(2, Duration::ZERO).is_ok(), "shares are apart");
-    assert_eq!(taken(&outbox).len(), 3);
+    assert_eq!(drain(&outbox).len(), 3);
     assert!(add(1, Duration::ZERO).is_ok(), "all was taken");
     // A user who does not read for longer than a burst is disconnected itself, not the senders.
     assert!((0..10).all(|_| add(1, BURST).is_ok()));
@@ -174,7 +174,7 @@ fn poses_do_not_count_as_what_waits() {
             outbox.add_pose(user, pose(sequence), now);
         });
     }
-    assert_eq!(taken(&outbox).len(), 10);
+    assert_eq!(drain(&outbox).len(), 10);
 }
 
 #[test]

@@ -25,7 +25,7 @@ fn join(room: &Room, back: Option<(u16, u64)>) -> (u16, Arc<Outbox>) {
 }
 
 /// Queued frames, except those about joining and leaving.
-fn sent(outbox: &Outbox) -> Vec<Vec<u8>> {
+fn queued_frames(outbox: &Outbox) -> Vec<Vec<u8>> {
     let mut message = BytesMut::new();
     assert!(!matches!(outbox.take(Part::All, &mut message, &mut Vec::new()), Taken::End(_)));
     let is_sent = |frame: &Vec<u8>| {
@@ -52,11 +52,11 @@ fn a_connection_that_was_replaced_does_nothing() {
     };
     room.pose(By { user: peer, outbox: &hears }, pose(1), now);
     act(&old, 1_000_000);
-    assert_eq!(sent(&hears), Vec::<Vec<u8>>::new());
+    assert_eq!(queued_frames(&hears), Vec::<Vec<u8>>::new());
     // The replaced connection's pose does not supersede the user's own lower numbers.
     act(&own, 1);
-    assert_eq!(sent(&hears).len(), 5, "say, say, signal, pose, settled");
+    assert_eq!(queued_frames(&hears).len(), 5, "say, say, signal, pose, settled");
     room.leave(By { user, outbox: &old });
     act(&own, 2);
-    assert_eq!(sent(&hears).len(), 4, "the user has not left");
+    assert_eq!(queued_frames(&hears).len(), 4, "the user has not left");
 }

@@ -111,7 +111,7 @@ async fn pages_are_told_where_datagrams_are_taken() {
     assert_eq!(told.port, server.address().port());
     let hash = &told.hashes[0];
     let expected = format!(r#"{{"peers":true,"datagrams":{{"port":{},"hashes":["{hash}"]}}}}"#, told.port);
-    assert_eq!(about::told(&server, "/rooms", "").await.1, expected);
+    assert_eq!(about::get(&server, "/rooms", "").await.1, expected);
 }
 
 #[tokio::test]
@@ -189,7 +189,7 @@ async fn a_server_that_ends_tells_users_of_both_ways() {
 async fn counts_tell_of_sessions() {
     let server = server(limits(), None);
     let guest = join(&server, "hall", 1, "").await;
-    let (_, text) = about::told(&server, "/metrics", "").await;
+    let (_, text) = about::get(&server, "/metrics", "").await;
     assert!(text.contains("nearfar_room_datagram_connections 1") && text.contains("nearfar_room_users 1"), "{text}");
     drop(guest);
 }

@@ -6,7 +6,7 @@ use futures_util::SinkExt;
 use tokio::net::TcpSocket;
 use tokio_tungstenite::tungstenite::Message;
 
-use super::support::{HOURS, User, join, limits, over, pose, say_until_left, server};
+use super::support::{HOURS, User, join, limits, pose, say_until_left, server, upgrade};
 use crate::Server;
 use crate::rooms::frame::{FromServer, FromUser, To};
 use crate::rooms::{Limits, Reason};
@@ -21,7 +21,7 @@ async fn slow(server: &Server, group: u16) -> User {
     let socket = TcpSocket::new_v4().expect("a socket");
     socket.set_recv_buffer_size(KEPT).expect("a size");
     let stream = socket.connect(server.address()).await.expect("a connection");
-    let mut user = over(stream, server.address(), "/rooms/hall").await.expect("a socket");
+    let mut user = upgrade(stream, server.address(), "/rooms/hall").await.expect("a socket");
     user.hello(group, "slow", &[]).await;
     user
 }

@@ -80,11 +80,11 @@ pub struct User<S = TcpStream> {
 /// Connects to a path without joining.
 pub async fn connect(address: SocketAddr, path: &str) -> Result<User, Error> {
     let stream = TcpStream::connect(address).await?;
-    over(stream, address, path).await
+    upgrade(stream, address, path).await
 }
 
 /// Upgrades a connection to a WebSocket.
-pub async fn over(stream: TcpStream, address: SocketAddr, path: &str) -> Result<User, Error> {
+pub async fn upgrade(stream: TcpStream, address: SocketAddr, path: &str) -> Result<User, Error> {
     stream.set_nodelay(true)?;
     let request = format!("ws://{address}{path}").into_client_request()?;
     let (socket, _) = client_async(request, stream).await?;

@@ -20,7 +20,7 @@ const ROOM: usize = 5;
 /// Greatest number of connections per client; users belong to two clients.
 const SOCKETS: usize = 4;
 /// Greatest size of a datagram in bytes: two poses.
-const DATAGRAM: usize = 2 * (HEAD + 2 + pose::MOST);
+const DATAGRAM: usize = 2 * (HEAD + 2 + pose::MAX);
 /// Kinds of the frames that users send in datagrams: poses and acknowledgements.
 const PASSING: [u8; 2] = [2, 3];
 /// Unit of the time steps (up to 255 of them pass at once), and a time in which all rate limits recover.
@@ -247,7 +247,7 @@ impl Trial {
                 if has_datagrams(who) {
                     take_datagrams(&open.outbox, *loses, &mut message);
                 }
-                let bound = open.rooms.limits.queue_bytes + ROOM * (HEAD + 2 + pose::MOST) + HEAD + 4;
+                let bound = open.rooms.limits.queue_bytes + ROOM * (HEAD + 2 + pose::MAX) + HEAD + 4;
                 assert!(message.len() <= bound, "{} bytes waited", message.len());
                 let mut rest = &message[..];
                 while !rest.is_empty() {
@@ -310,7 +310,7 @@ fn take_datagrams(outbox: &Outbox, loses: bool, message: &mut BytesMut) {
         if !loses {
             message.extend_from_slice(&passing.bytes);
         }
-        let _ = outbox.sent(&passing).len();
+        let _ = outbox.confirm_sent(&passing).len();
     }
 }
 

@@ -28,7 +28,7 @@ fn to(value: &Value) -> To {
     if value == "room" { To::Room } else { To::Group }
 }
 
-fn placed(value: &Value) -> Option<Placed> {
+fn parse_placed(value: &Value) -> Option<Placed> {
     (!value.is_null()).then(|| Placed {
         position: serde_json::from_value(value["position"].clone()).unwrap(),
         rotation: serde_json::from_value(value["rotation"].clone()).unwrap(),
@@ -47,8 +47,8 @@ fn pose(value: &Value) -> Pose {
         clock: number(&value["clock"]),
         is_acknowledged: value["acknowledged"].as_bool().unwrap(),
         stops: value["stops"].as_bool().unwrap(),
-        head: placed(&value["head"]).unwrap(),
-        hands: [placed(&value["left"]), placed(&value["right"])],
+        head: parse_placed(&value["head"]).unwrap(),
+        hands: [parse_placed(&value["left"]), parse_placed(&value["right"])],
         pointer: (!pointer.is_null()).then(|| (begin(), pointer["length"].as_f64().unwrap() as f32)),
     }
 }

@@ -8,7 +8,7 @@ use super::{session, wire};
 /// Reads bytes as a session request, which has a path and a host if it is valid. Checks that varints among the bytes
 /// keep their values when they are written in their shortest form.
 pub fn run(bytes: &[u8]) {
-    let asked = session::asked(&mut &bytes[..]).now_or_never();
+    let asked = session::read_request(&mut &bytes[..]).now_or_never();
     if let Ok(request) = asked.expect("all bytes are there") {
         assert!(request.uri().path().starts_with('/'), "a request without a path");
         assert!(request.headers().contains_key(header::HOST), "a request without a host");

@@ -1,6 +1,6 @@
 /** GLSL of splats, of light and of the picture's samples. */
 import { BACKGROUND, float, IRRADIANCE, LINEAR, SRGB } from '../../../shaders/light';
-import { BORDER, LEAST_COSINE, SQUARED_RADIUS, VECTORS } from '../../splats/sight';
+import { BORDER, MIN_COSINE, SQUARED_RADIUS, VECTORS } from '../../splats/sight';
 
 export const HEAD = /* glsl */ `#version 300 es
 precision highp float;
@@ -47,7 +47,7 @@ void main() {
   float fold = max(-normal.z, 0.0);
   normal.xy -= vec2(normal.x < 0.0 ? -fold : fold, normal.y < 0.0 ? -fold : fold);
   normal = normalize(normal);
-  float facing = 1.0 / max(dot(view[6].xyz, normal), ${float(LEAST_COSINE)});
+  float facing = 1.0 / max(dot(view[6].xyz, normal), ${float(MIN_COSINE)});
   vec3 u = view[1].xyz + dot(view[4].xyz, normal) * facing * view[3].xyz;
   vec3 v = view[2].xyz - dot(view[5].xyz, normal) * facing * view[3].xyz;
   bool is_surfel = (splat.z >> 24 & 1u) == 1u;

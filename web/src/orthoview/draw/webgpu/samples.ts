@@ -4,7 +4,7 @@ import { Room } from './room';
 import { TILE } from './splat_shaders';
 
 /** Greatest number of bytes for the depths of a band's samples, and for their colours. */
-const MOST = 1 << 26;
+const MAX = 1 << 26;
 
 /** Range of rows of samples. */
 export interface Band {
@@ -16,7 +16,7 @@ export interface Band {
 /** Splits a picture into bands of whole pixels. */
 export function bandsOf(device: GPUDevice, width: number, height: number, grid: number): Band[] {
   const { maxStorageBufferBindingSize, maxTextureDimension2D } = device.limits;
-  const rows = Math.min(Math.min(maxStorageBufferBindingSize, MOST) / (4 * width), maxTextureDimension2D);
+  const rows = Math.min(Math.min(maxStorageBufferBindingSize, MAX) / (4 * width), maxTextureDimension2D);
   const most = Math.max(Math.floor(rows / grid), 1) * grid;
   return Array.from({ length: Math.ceil(height / most) }, (_, n) => ({
     number: n,

@@ -1,13 +1,13 @@
 /** WGSL of splats: splats raise the depths of samples, and the nearest splats then set the colours. */
 import { float, LIGHT_WGSL } from '../../../shaders/light';
-import { BORDER, LEAST_COSINE, SQUARED_RADIUS, VECTORS } from '../../splats/sight';
+import { BORDER, MIN_COSINE, SQUARED_RADIUS, VECTORS } from '../../splats/sight';
 
 /** Threads per workgroup, and workgroups per row of a dispatch. */
 export const [GROUP, ROW] = [64, 16384] as const;
 /** Width and height of a tile of samples whose farthest depth is stored. */
 export const TILE = 16;
 /** Greatest number of samples around a splat for one thread; the whole workgroup shares larger splats. */
-const MOST = 256;
+const MAX = 256;
 
 /** Uniforms of a call. */
 export const DRAW = /* wgsl */ `
@@ -119,7 +119,7 @@ fn ellipse_of(part: Part, number: u32) -> Ellipse {
 
   // The normal, and the depth steps by which its plane falls for each pixel.
   var normal = normal_of(word.y, column.w);
-  let facing = 1.0 / max(dot(column_of(own, 6u).xyz, normal), ${float(LEAST_COSINE)});
+  let facing = 1.0 / max(dot(column_of(own, 6u).xyz, normal), ${float(MIN_COSINE)});
   let u = column.xyz + dot(column_of(own, 4u).xyz, normal) * facing * step;
   let v = row.xyz - dot(column_of(own, 5u).xyz, normal) * facing * step;
   let is_surfel = ((word.z >> 24u) & 1u) == 1u;
@@ -244,7 +244,7 @@ fn splats(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
     for (var n = first + lane; n < end; n += GROUP) {
       let own = ellipse_of(part, n);
       let extent = extent_of(own);
-      if extent.x * extent.y > ${MOST}u {
+      if extent.x * extent.y > ${MAX}u {
         large[atomicAdd(&large_count, 1u)] = n;
         continue;
       }

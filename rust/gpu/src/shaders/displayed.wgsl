@@ -15,7 +15,7 @@ fn user_place() -> Place {
 }
 
 // Returns the displayed position of a point; both are relative to the eye.
-fn shown(p: vec3<f32>) -> vec3<f32> {
+fn displayed(p: vec3<f32>) -> vec3<f32> {
     let q = morphed(p);
     if STYLE == CYLINDER_FROM_CENTER {
         return as_far_as_from_center(q);
@@ -61,7 +61,7 @@ fn backdrop_range(direction: vec3<f32>, from_center: f32) -> f32 {
 }
 
 // A surface drawn at its distance from the centre is displayed at the cylinder's distance.
-fn shown_range(direction: vec3<f32>, range: f32) -> f32 {
+fn displayed_range(direction: vec3<f32>, range: f32) -> f32 {
     if STYLE == FROM_CENTER_ON_CYLINDER || STYLE == CYLINDER_FROM_CENTER {
         return backdrop_range(direction, range);
     }
