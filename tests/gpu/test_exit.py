@@ -14,7 +14,7 @@ nf.gpu.select({name!r})
 from nearfar._render import backend as backends
 large = nf.Camera((0, 1.3, 1), fov=nf.Fov.symmetric(60), size=(800, 800))
 settings = nf.Shot(cameras=(large,), channels=("color", "position", "normal")).settings
-device = backends.opened()
+device = backends.open_device()
 jobs = [job for _ in range({count}) for job in device.truth(scene._core, [large._core], settings)]
 """
 

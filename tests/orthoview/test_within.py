@@ -53,28 +53,28 @@ def test_parts_have_the_splats_whose_middles_are_in_the_box(cell: Any, at: NDArr
     views, known = cell
     for view, points in zip(views, points_of(known, views), strict=True):
         assert np.abs(points - at).min() > 1e-9  # roundings decide nothing
-        counts = [view.within(*box).count for box in divided(CELL, at)]
+        counts = [view.crop_to_box(*box).count for box in divided(CELL, at)]
         assert counts == [in_box(points, box).sum() for box in divided(CELL, at)]
         assert np.count_nonzero(counts) > 3
-        assert sum(view.within(*box).count for box in divided(ALL, at)) == view.count
-        assert view.within(*ALL).count == view.count
+        assert sum(view.crop_to_box(*box).count for box in divided(ALL, at)) == view.count
+        assert view.crop_to_box(*ALL).count == view.count
 
 
 def test_parts_of_parts_are_parts(cell: Any) -> None:
     views, known = cell
     for view, points in zip(views, points_of(known, views), strict=True):
         for box in divided(CELL, CORNER + SIDE / 2):
-            part = view.within(*box)
+            part = view.crop_to_box(*box)
             smaller = divided(box, np.mean(box, axis=0))
-            assert [part.within(*one).count for one in smaller] == [in_box(points, one).sum() for one in smaller]
-            assert [part.within(*one).count for one in smaller] == [view.within(*one).count for one in smaller]
+            assert [part.crop_to_box(*one).count for one in smaller] == [in_box(points, one).sum() for one in smaller]
+            assert [part.crop_to_box(*one).count for one in smaller] == [view.crop_to_box(*one).count for one in smaller]
 
 
 def test_a_box_without_splats_has_nothing(cell: Any) -> None:
     views, _ = cell
     low, high = CELL
     for box in ((high, high), ((CORNER - 9).tolist(), (CORNER - 1).tolist()), (high, low)):
-        parts = [view.within(*box) for view in views]
+        parts = [view.crop_to_box(*box) for view in views]
         assert [part.count for part in parts] == [0] * len(parts)
         image = draw_splats(parts, CAMERAS["perspective"])
         assert np.isinf(image["range"]).all()
@@ -87,7 +87,7 @@ def test_all_parts_show_the_whole(cell: Any, name: str) -> None:
     views, _ = cell
     view = views[len(views) // 2]
     whole = draw_splats([view], CAMERAS[name], CHANNELS)
-    parts = [view.within(*box) for box in divided(ALL, CORNER + SIDE / 2)]
+    parts = [view.crop_to_box(*box) for box in divided(ALL, CORNER + SIDE / 2)]
     together = draw_splats(parts, CAMERAS[name], CHANNELS)
     assert np.isfinite(whole["range"]).any()
     for channel in CHANNELS:
@@ -104,7 +104,7 @@ def test_a_part_lies_in_its_box(cell: Any) -> None:
     reach = 3 * SIDE / 16
     for view in views:
         for box in divided(CELL, CORNER + SIDE / 2):
-            image = draw_splats([view.within(*box)], CAMERAS["perspective"], ("range", "position"))
+            image = draw_splats([view.crop_to_box(*box)], CAMERAS["perspective"], ("range", "position"))
             places = image["position"][np.isfinite(image["range"])] + CORNER + SIDE / 2
             assert (places >= np.array(box[0]) - reach).all()
             assert (places <= np.array(box[1]) + reach).all()

@@ -73,6 +73,16 @@ def test_a_pose_of_a_user_who_is_gone_makes_no_pointer() -> None:
     assert heard(JOINED, posed(7, 1, 0.0), Left(7), posed(7, 2, 0.0))._rays == {}
 
 
+def test_a_message_counts_although_its_sender_has_left_the_room_since() -> None:
+    """The room knows of users who left before their last messages are processed."""
+
+    def leaves(room: Told) -> None:
+        room.users.pop(7)
+
+    said = Said(7, write(Score(Stage(1, 1), False, 3, 1)), "room")
+    assert sorted(heard(JOINED, leaves, said).task.scores) == [1]
+
+
 def test_whoever_returns_with_another_number_begins_anew() -> None:
     def renamed(room: Told) -> None:
         room.user, room.users = 9, {}

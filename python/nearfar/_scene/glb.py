@@ -95,7 +95,7 @@ class Encoder:
         turned = bool(np.linalg.det(placement[:, :3]) < 0)
         key = (self._ids[number], named == _NO_OBJECT, turned)
         if key not in self._written:
-            self._written[key] = self._mesh(mesh.turned() if turned else mesh, whole=named != _NO_OBJECT)
+            self._written[key] = self._mesh(mesh.flip_faces() if turned else mesh, whole=named != _NO_OBJECT)
         written = self._written[key]
         extras: dict[str, Any] = {} if written.order is None else {"order": written.order}
         if turned:

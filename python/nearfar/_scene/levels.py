@@ -308,7 +308,7 @@ def _table(
     mirrored = np.linalg.det(new.frames[:, :3, :3]) < 0 if len(new.frames) else np.zeros(0, bool)
     for model in np.unique(new.index[mirrored]).tolist():
         row[mirrored & (new.index == model)] = len(meshes) + len(rows)
-        rows = [*rows, tuple(mesh.turned() for mesh in rows[model])]
+        rows = [*rows, tuple(mesh.flip_faces() for mesh in rows[model])]
     none = np.full(objects, -1, np.int32)
     model_of, row_of = (none, none.copy()) if before is None else (before.model_of.copy(), before.row_of.copy())
     model_of[new.numbers], row_of[new.numbers] = new.index + len(models), row

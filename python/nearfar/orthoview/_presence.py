@@ -65,7 +65,7 @@ def shapes(layout: Layout, tier: int) -> list[tuple[int, int, int]]:
 
 
 def masks_of(described: Sequence[str], layout: Layout, tier: int) -> Masks:
-    """Decode the masks that `Presence.described` returned; UnusableError if they are invalid."""
+    """Decode the masks that `Presence.to_json` returned; UnusableError if they are invalid."""
     expected = shapes(layout, tier)
     if len(described) != len(expected):
         raise UnusableError(f"expected views of {len(expected)} levels, got {len(described)}")

@@ -9,6 +9,7 @@ from typing import Any, Unpack, overload
 
 from nearfar._base import cache, check
 from nearfar._base.distribute import distribute
+from nearfar._base.settings import gather
 from nearfar.lod._levels import Levels
 from nearfar.lod._measure.one_object import kept_scores, measure_one
 from nearfar.lod._measure.settings import MeasureKeywords, MeasureOptions, MeasureSettings
@@ -51,8 +52,8 @@ def measure(
         A `distributed.Client`: objects are distributed over a Dask cluster, whose workers need nearfar. Results are the
         same bytes in all three cases if the back ends are the same.
     keywords
-        Fields of `settings` in its place: `hmd`, or `fov` and `size`; `views`, `directions`, `distances`, `percentile`,
-        `step`, `saturated`, `samples`, `backend`, `cache`.
+        Fields of `settings`, which they replace: `hmd`, or `fov` and `size`; `views`, `directions`, `distances`,
+        `percentile`, `step`, `saturated`, `samples`, `backend`, `cache`.
 
     Returns
     -------
@@ -78,7 +79,7 @@ def measure(
     Liebisch (2021): published views, distances, percentile and curve. Swinbank, Purser (2006): even directions. Wang,
     Bovik, Sheikh, Simoncelli (2004): SSIM.
     """
-    chosen = _settings(settings, keywords)
+    chosen = gather(MeasureSettings, settings, keywords)
     names, objects = _objects(levels)
     measure_object = functools.partial(measure_one, settings=chosen)
     try:
@@ -93,15 +94,6 @@ def measure(
     if isinstance(levels, Levels):
         return models[0]
     return models if names is None else dict(zip(names, models, strict=True))
-
-
-def _settings(settings: MeasureSettings | None, keywords: MeasureKeywords) -> MeasureSettings:
-    if settings is None:
-        return MeasureSettings(**keywords)
-    check.instance("settings", settings, MeasureSettings, "MeasureSettings")
-    if keywords:
-        raise ValueError(f"{next(iter(keywords))}: expected it in settings alone, got it beside them too")
-    return settings
 
 
 def _describe_progress(objects: list[Levels], settings: MeasureSettings, client: Any) -> str:

@@ -91,8 +91,10 @@ class _User:
         self._rays: dict[int, Ray] = {}
         # Greatest sequence number of each user: datagrams can overtake each other and the stream.
         self._newest: dict[int, int] = {}
-        for number, other in room.users.items():
-            if other.group == room.group:
+        # Groups of the other users at the time of the event that is processed; `room.users` may be ahead of it.
+        self._groups = {number: other.group for number, other in room.users.items()}
+        for number, group in self._groups.items():
+            if group == room.group:
                 self.task.add_user(number)
 
     async def hear(self) -> None:
@@ -147,15 +149,18 @@ class _User:
         match event:
             case Joined(user, _, group):
                 self._newest.pop(user, None)
+                self._groups[user] = group
                 if group == self._room.group and user not in self.task.present:
                     self.task.add_user(user)
             case Left(user):
                 self.task.remove_user(user)
-                self.task.forget_scores({self.task.group, *(other.group for other in self._room.users.values())})
+                self._groups.pop(user, None)
+                self.task.forget_scores({self.task.group, *self._groups.values()})
                 self._rays.pop(user, None)
                 self._newest.pop(user, None)
             case Ended():
                 self.task.alone()
+                self._groups.clear()
                 self._rays.clear()
                 self._newest.clear()
             case Posed(user, pose):
@@ -166,8 +171,8 @@ class _User:
                 self._listen(user, data)
 
     def _listen(self, user: int, data: bytes) -> None:
-        other = self._room.users.get(user)
-        if other is None or data[:1] != bytes([MARK]):
+        group = self._groups.get(user)
+        if group is None or data[:1] != bytes([MARK]):
             return
         try:
             message = read(data)
@@ -175,7 +180,7 @@ class _User:
             # Malformed messages are ignored.
             return
         if message is not None:
-            self.task.hear(message, self._clock(), sender=user, group=other.group)
+            self.task.hear(message, self._clock(), sender=user, group=group)
 
     def _see(self, user: int, pose: Pose) -> None:
         places = {"head": pose.head, "left": pose.left, "right": pose.right}

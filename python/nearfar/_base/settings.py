@@ -1,0 +1,36 @@
+"""Groups of settings: frozen dataclasses whose fields a function also accepts as keywords."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import fields, replace
+from typing import Any, TypeVar
+
+from nearfar._base import check
+
+Settings = TypeVar("Settings")
+
+
+def gather(kind: type[Settings], settings: Settings | None, keywords: Mapping[str, Any]) -> Settings:
+    """Return settings with the fields that a caller passed as keywords replaced.
+
+    Parameters
+    ----------
+    kind
+        The dataclass, which checks its fields.
+    settings
+        The settings; None for the defaults.
+    keywords
+        New values of fields, by name.
+
+    Raises
+    ------
+    TypeError
+        `settings` of another type, or a keyword that is no field.
+    """
+    names = [field.name for field in fields(kind)]  # type: ignore[arg-type]
+    if unknown := sorted(keywords.keys() - set(names)):
+        raise TypeError(f"{unknown[0]}: expected a field of {kind.__name__} ({', '.join(names)})")
+    if settings is None:
+        return kind(**keywords)
+    return replace(check.instance("settings", settings, kind, kind.__name__), **keywords)  # type: ignore[type-var]
