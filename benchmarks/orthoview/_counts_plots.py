@@ -8,6 +8,8 @@ from typing import Any
 
 from numpy.typing import NDArray
 
+from benchmarks.harness.report import save_figure, subplots
+
 NAMES = ("in memory: the cut all around", "in the picture", "seen: not hidden")
 
 
@@ -18,8 +20,7 @@ def save_counts(
     path: Path,
 ) -> None:
     """Plot the three counts of each frame, and cells against distance and against the world's size."""
-    plt = pyplot()
-    figure, (left, right) = plt.subplots(1, 2, figsize=(10, 3.8), layout="constrained", width_ratios=(3, 2))
+    figure, (left, right) = subplots(1, 2, figsize=(10, 3.8), width_ratios=(3, 2))
     for name, column in zip(NAMES, counts.T, strict=True):
         left.plot(column, label=name)
     left.set(yscale="log", ylim=(counts.min() / 2, counts.max() * 8), xlabel="frame of the walk", ylabel="splats")
@@ -34,8 +35,7 @@ def save_counts(
 
 def save_changes(errors: NDArray[Any], lines: Mapping[str, NDArray[Any]], path: Path) -> None:
     """Plot changes from picture to picture against the error."""
-    plt = pyplot()
-    figure, axis = plt.subplots(figsize=(7, 3.4), layout="constrained")
+    figure, axis = subplots(figsize=(7, 3.4))
     for name, changes in lines.items():
         axis.plot(errors, changes, "o-", markersize=3, label=name)
     axis.set(xlabel="error_px of a camera that does not move", ylabel="RMS change, codes of 255")
@@ -43,18 +43,7 @@ def save_changes(errors: NDArray[Any], lines: Mapping[str, NDArray[Any]], path: 
     finish(figure, (axis,), path)
 
 
-def pyplot() -> Any:
-    import matplotlib as mpl
-
-    mpl.use("agg")
-    from matplotlib import pyplot as plt
-
-    return plt
-
-
 def finish(figure: Any, axes: Sequence[Any], path: Path) -> None:
     for axis in axes:
         axis.grid(alpha=0.3)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(path, dpi=90)
-    pyplot().close(figure)
+    save_figure(figure, path, dpi=90)

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 import nearfar as nf
+from benchmarks.harness.report import save_figure, subplots
 from benchmarks.orthoview._worlds import World
 
 RATE = 72
@@ -96,12 +97,7 @@ def flown(world: World, tree: nf.orthoview.OrthoTree, folder: Path, most: int) -
 
 def plot(parts: list[dict[str, Findings]], path: Path) -> None:
     """Plot SSIM of consecutive pictures over time."""
-    import matplotlib as mpl
-
-    mpl.use("agg")
-    from matplotlib import pyplot as plt
-
-    figure, axis = plt.subplots(figsize=(8, 3.8), layout="constrained")
+    figure, axis = subplots(figsize=(8, 3.8))
     colors = {"truth": "black", "orthoviews": "tab:red", "steady": "tab:blue"}
     for name, color in colors.items():
         for n, found in enumerate(parts):
@@ -115,6 +111,4 @@ def plot(parts: list[dict[str, Findings]], path: Path) -> None:
     )
     axis.grid(alpha=0.3)
     axis.legend(loc="lower left")
-    path.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(path, dpi=90)
-    plt.close(figure)
+    save_figure(figure, path, dpi=90)

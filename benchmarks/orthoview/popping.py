@@ -8,9 +8,7 @@ the table contains all available ones. The tree has 26 directions; see `benchmar
 
 from __future__ import annotations
 
-import argparse
-import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
@@ -18,7 +16,8 @@ from pathlib import Path
 import numpy as np
 
 import nearfar as nf
-from benchmarks.harness.timing import best, machine, table
+from benchmarks.harness.report import folder_or_temporary, start, table
+from benchmarks.harness.timing import best
 from benchmarks.orthoview._blends import Blend, render_blended
 from benchmarks.orthoview._flight import METHODS, PARTS, RATE, SAMPLES, camera_at, flown, plot, truth_at
 from benchmarks.orthoview._worlds import World, tokyo
@@ -34,35 +33,34 @@ Tree = nf.orthoview.OrthoTree
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("tables", nargs="*", help=f"of {', '.join(TABLES)}; by default all")
-    parser.add_argument("--tiles", help="folder of tiles of the whole of Tokyo, which nf.write_tiles wrote")
-    parser.add_argument("--trees", type=Path, help="folder for the tree; by default one that is removed")
-    parser.add_argument("--out", type=Path, help="folder for findings and the plot; by default one that is removed")
-    parser.add_argument("--parts", type=int, default=PARTS)
-    given = parser.parse_args()
+    given = start(
+        __doc__,
+        "--tiles",
+        "--trees",
+        tables={"nargs": "*", "help": f"of {', '.join(TABLES)}; by default all"},
+        out=(Path, "folder for findings and the plot; by default a temporary one"),
+        parts=PARTS,
+    )
     world = tokyo(given.tiles)
-    print(machine(), "\n")
-    with tempfile.TemporaryDirectory() as folder:
-        tree = nf.orthoview.open(world.build(given.trees or Path(folder)))
+    with folder_or_temporary() as folder:
+        tree = nf.orthoview.open(world.build(given.trees or folder))
         for name in given.tables or TABLES:
-            TABLES[name](world, tree, given.out or Path(folder), given.parts)
+            TABLES[name](world, tree, given.out or folder, given.parts)
 
 
 def flight(world: World, tree: Tree, out: Path, parts: int) -> None:
     """Table of the similarity of consecutive pictures, and their errors."""
     found = list(flown(world, tree, out, parts))
+    truth = np.concatenate([part["truth"].alike for part in found])
     rows = []
     for name in METHODS:
         alike, psnr, ssim = (
             np.concatenate([getattr(part[name], what) for part in found]) for what in ("alike", "psnr", "ssim")
         )
-        truth = np.concatenate([part["truth"].alike for part in found])
         numbers = [alike.mean(), np.percentile(alike, 1), alike.min(), (alike - truth).min()]
-        errors = [f"{psnr.mean():.2f}", f"{ssim.mean():.4f}"] if len(psnr) else ["", ""]
-        rows.append([name, *(f"{number:.4f}" for number in numbers), *errors])
-    header = ["pictures", "mean", "1st percentile", "least", "least above the truth's", "PSNR", "SSIM"]
-    print(table(f"Flight, {len(found)} parts", header, rows))
+        rows.append([name, *numbers, *([psnr.mean(), ssim.mean()] if len(psnr) else [None, None])])
+    header = "pictures | mean {:.4f} | 1st percentile {:.4f} | least {:.4f} | least above the truth's {:.4f}"
+    print(table(f"Flight, {len(found)} parts", header + " | PSNR {:.2f} | SSIM {:.4f}", rows))
     plot(found, out / "orthoview_steady.png")
 
 
@@ -78,7 +76,7 @@ def swaps(world: World, tree: Tree, out: Path, parts: int) -> None:
             rows.append([f"{time:g} s", name, *fades(start, other)])
         one, two = (tree.render(side, samples=SAMPLES) for side in bisector(tree, world, time))
         rows.append([f"{time:g} s", "other directions", *fades(one, two)])
-    print(table("Swapped cuts", ["place", "change", "without", "72 pictures a second", "30"], rows))
+    print(table("Swapped cuts", "place | change | without | 72 pictures a second | 30", rows))
 
 
 def fades(one: nf.Frame, other: nf.Frame) -> Iterator[str]:
@@ -109,22 +107,17 @@ def bisector(tree: Tree, world: World, start: float) -> tuple[nf.Camera, nf.Came
 def speed(world: World, tree: Tree, out: Path, parts: int) -> None:
     """Table of the time of a picture of 640 × 480 pixels."""
     del out, parts
-    moments = [12 + n / RATE for n in range(2)]
-    frames = [tree.render(camera_at(world, time, (640, 480))) for time in moments]
+    frames = [tree.render(camera_at(world, 12 + n / RATE, (640, 480))) for n in range(2)]
     steady, count = nf.orthoview.Steady(), iter(range(1000))
 
     def blend() -> nf.Frame:
         n = next(count)
         return steady.next(frames[n % 2], n / RATE)
 
-    rows = []
-    for name, job in (
-        ("Steady.next", blend),
-        ("motion_blur, 8 poses", lambda: nf.orthoview.motion_blur(frames[1], frames[0].camera)),
-    ):
-        timing = best(job, repeat=11)
-        rows.append([name, f"{timing.wall * 1e3:.1f}", f"{timing.cpu * 1e3:.1f}"])
-    print(table("640 × 480 pixels", ["", "ms", "CPU ms"], rows))
+    blur = best(lambda: nf.orthoview.motion_blur(frames[1], frames[0].camera), repeat=11)
+    times = {"Steady.next": best(blend, repeat=11), "motion_blur, 8 poses": blur}
+    rows = [(name, time.ms, time.cpu_ms) for name, time in times.items()]
+    print(table("640 × 480 pixels", " | ms {:.1f} | CPU ms {:.1f}", rows))
 
 
 def blends(world: World, tree: Tree, out: Path, parts: int) -> None:
@@ -138,12 +131,12 @@ def blends(world: World, tree: Tree, out: Path, parts: int) -> None:
     }
     nowhere = nf.Clip(box=tree.bounds + 10 * np.ptp(tree.bounds, axis=0))
     rows = []
-    for start in PLACES:
+    for moment in PLACES:
         alike: dict[str, list[float]] = {name: [] for name in ("truth", *blends)}
         errors: dict[str, list[tuple[float, float]]] = {name: [] for name in blends}
         last: dict[str, nf.Frame] = {}
         for n in range(BLENDED):
-            truth = truth_at(world, tree, start + n / RATE, SMALL)
+            truth = truth_at(world, tree, moment + n / RATE, SMALL)
             sky = nf.render(world.scene, truth.camera, clip=nowhere, channels=("color",))
             now = {"truth": truth}
             for name, blend in blends.items():
@@ -153,18 +146,13 @@ def blends(world: World, tree: Tree, out: Path, parts: int) -> None:
                 alike[name].append(float(nf.motion_ssim(frame, now[name])))
             last = now
         for name, values in alike.items():
-            row = [f"{start:g} s", name, f"{np.mean(values):.4f}", f"{min(values):.4f}"]
-            psnr, ssim = np.mean(errors[name], axis=0) if name in errors else (None, None)
-            rows.append([*row, *(["", ""] if psnr is None else [f"{psnr:.2f}", f"{ssim:.4f}"])])
-    print(table("Splats that blend", ["place", "splats", "mean", "least", "PSNR", "SSIM"], rows))
+            quality = np.mean(errors[name], axis=0) if name in errors else (None, None)
+            rows.append([moment, name, np.mean(values), min(values), *quality])
+    header = "place {:g} s | splats | mean {:.4f} | least {:.4f} | PSNR {:.2f} | SSIM {:.4f}"
+    print(table("Splats that blend", header, rows))
 
 
-TABLES: dict[str, Callable[[World, Tree, Path, int], None]] = {
-    "flight": flight,
-    "swaps": swaps,
-    "speed": speed,
-    "blends": blends,
-}
+TABLES = {each.__name__: each for each in (flight, swaps, speed, blends)}
 
 if __name__ == "__main__":
     main()

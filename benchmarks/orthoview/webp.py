@@ -7,7 +7,6 @@ its children, so that a resumed build reads the same colours; the last table com
 from __future__ import annotations
 
 import itertools
-import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
@@ -16,7 +15,8 @@ from numcodecs.zstd import Zstd
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import start, table
+from benchmarks.harness.timing import timed
 from benchmarks.orthoview._leaves import DIRECTIONS, SIZE, Leaf, helmet, layout_of, leaves
 from nearfar import _core
 from nearfar.orthoview import _codec, _webp
@@ -39,27 +39,16 @@ class Way:
 
 
 def main() -> None:
-    print(machine(), "\n")
+    start(__doc__)
     textured = helmet()
     every = [*leaves(), *([textured] if textured else [])]
-    header = [
-        "leaf",
-        "colours",
-        "kB a view",
-        "of zstd 3",
-        "all channels, kB",
-        "encode, ms",
-        "decode, ms",
-        "PSNR, dB",
-        "SSIM",
-    ]
+    header = "leaf | colours | kB a view {:.1f} | of zstd 3 {:.2f} | all channels, kB {:.1f} | encode, ms {:.1f}"
     rows = [row for leaf in every for row in of_leaf(leaf)]
-    print(
-        table(f"Colours of a view of {SIZE}² pixels; PSNR and SSIM of the pixels in which something is", header, rows)
-    )
+    title = f"Colours of a view of {SIZE}² pixels; PSNR and SSIM of the pixels in which something is"
+    print(table(title, header + " | decode, ms {:.1f} | PSNR, dB {:.1f} | SSIM {:.3f}", rows))
     deep = [leaf for leaf in every if leaf.name in ("forest, 80 m", "helmet, 0.75 m")]
     rows = [row for leaf in deep for row in of_levels(leaf, QUALITIES[-1])]
-    header = ["world", "level", "from exact children, dB", "from children as they are stored, dB"]
+    header = "world | level | from exact children, dB {:.1f} | from children as they are stored, dB {:.1f}"
     print(table(f"Quality {QUALITIES[-1]} over levels: PSNR with a tree without losses", header, rows))
 
 
@@ -88,7 +77,7 @@ def ways() -> list[Way]:
     ]
 
 
-def of_leaf(leaf: Leaf) -> Iterable[list[str]]:
+def of_leaf(leaf: Leaf) -> Iterable[list[object]]:
     layout = layout_of()
     views = leaf.views(layout)
     chunks = _codec.encoded(views, layout)
@@ -97,30 +86,23 @@ def of_leaf(leaf: Leaf) -> Iterable[list[str]]:
     pictures, seen = views.colors()[shown], views.depths()[shown, ..., 0] > 0
     first = 0.0
     for way in ways():
-        started = time.perf_counter()
-        files = [way.encode(picture, mask) for picture, mask in zip(pictures, seen, strict=True)]
-        written = time.perf_counter()
-        decoded = np.array([way.decode(data) for data in files])
-        read = time.perf_counter()
+        files, writing = timed(lambda encode: [*map(encode, pictures, seen)], way.encode)
+        decoded, reading = timed(lambda decode, files: np.array([*map(decode, files)]), way.decode, files)
         size = sum(map(len, files)) / len(shown)
         first = first or size
-        yield [
-            leaf.name,
-            way.name,
-            f"{size / 1e3:.1f}",
-            f"{size / first:.2f}",
-            f"{(size + others) / 1e3:.1f}",
-            *(f"{1e3 * seconds / len(shown):.1f}" for seconds in (written - started, read - written)),
-            *of_pictures(pictures, decoded, seen),
-        ]
+        sizes, times = (
+            (size / 1e3, size / first, (size + others) / 1e3),
+            (time.ms / len(shown) for time in (writing, reading)),
+        )
+        yield [leaf.name, way.name, *sizes, *times, *of_pictures(pictures, decoded, seen)]
 
 
-def of_pictures(right: Picture, decoded: Picture, seen: Seen) -> list[str]:
+def of_pictures(right: Picture, decoded: Picture, seen: Seen) -> list[object]:
     if (right == decoded)[seen].all():
         return ["exact", "1"]
     pairs = zip(right, decoded, seen, strict=True)
     ssim = [nf.ssim(one, other, data_range=255, mask=mask, masking="windows") for one, other, mask in pairs]
-    return [f"{psnr(right, decoded, seen):.1f}", f"{np.mean(ssim):.3f}"]
+    return [psnr(right, decoded, seen), np.mean(ssim)]
 
 
 def psnr(right: Picture, decoded: Picture, seen: Seen) -> float:
@@ -131,7 +113,7 @@ def psnr(right: Picture, decoded: Picture, seen: Seen) -> float:
 Views = dict[Place, _core.OrthoViews]
 
 
-def of_levels(world: Leaf, quality: int) -> Iterable[list[str]]:
+def of_levels(world: Leaf, quality: int) -> Iterable[list[object]]:
     """Errors of a tree whose root is the world's cell."""
     exact = small_leaves(world)
     stored = {place: settled(views, quality) for place, views in exact.items()}
@@ -140,8 +122,7 @@ def of_levels(world: Leaf, quality: int) -> Iterable[list[str]]:
             exact = parents(exact)
             stored = {place: settled(views, quality) for place, views in parents(stored).items()}
         alone = {place: settled(views, quality) for place, views in exact.items()}
-        found = (f"{between(exact, other):.1f}" for other in (alone, stored))
-        yield [world.name, str(level), *found]
+        yield [world.name, level, between(exact, alone), between(exact, stored)]
 
 
 def small_leaves(world: Leaf) -> Views:

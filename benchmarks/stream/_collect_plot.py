@@ -8,7 +8,7 @@ from typing import Protocol
 
 import numpy as np
 
-from benchmarks.stream._strategy_plots import pyplot, save
+from benchmarks.harness.report import save_figure, subplots
 
 COLORS = ("0.35", "C0", "C1", "C2")
 
@@ -31,7 +31,7 @@ class Row(Protocol):
 
 def levels(path: Path, names: Sequence[str], rows: Sequence[Row]) -> None:
     """Seconds with their deviations, and misses, by level; the first row is the paper's."""
-    figure, (left, right) = pyplot().subplots(1, 2, figsize=(9, 3.6), layout="constrained")
+    figure, (left, right) = subplots(1, 2, figsize=(9, 3.6))
     width = 0.8 / len(rows)
     for number, (row, color) in enumerate(zip(rows, COLORS, strict=False)):
         at = np.arange(len(names)) + (number - 0.5 * (len(rows) - 1)) * width
@@ -47,4 +47,4 @@ def levels(path: Path, names: Sequence[str], rows: Sequence[Row]) -> None:
     right.title.set_fontsize("small")
     left.set(ylim=(0.0, None))
     left.legend(fontsize="small", loc="upper left")
-    save(figure, path)
+    save_figure(figure, path, dpi=70)

@@ -6,13 +6,14 @@ from functools import partial
 
 import nearfar as nf
 from benchmarks.harness.timing import best
-from benchmarks.stream._near import STEP
-from nearfar import _core
+from benchmarks.stream._near import exporter
 
-HEADER = ["", "MB in", "gathered, CPU ms", "and encoded", "MB/s a core, all", "encoding alone"]
+HEADER = (
+    " | MB in {:.1f} | gathered, CPU ms {:.0f} | and encoded {:.0f} | MB/s a core, all {:.0f} | encoding alone {:.0f}"
+)
 
 
-def row(name: str, rings: nf.stream.Rings) -> list[str]:
+def row(name: str, rings: nf.stream.Rings) -> list[object]:
     """MB of the compressed arrays, CPU milliseconds, MB/s per core.
 
     The time of compression alone is the difference to the same files without it, which copy their arrays, with longer
@@ -20,25 +21,14 @@ def row(name: str, rings: nf.stream.Rings) -> list[str]:
     """
     raw = encode(rings, compressed=True)
     plain, packed = (best(partial(encode, rings, compressed=compressed), repeat=5).cpu for compressed in (False, True))
-    alone = packed - plain
-    shown = f"{raw / alone / 1e6:.0f}" if alone > 0.1 * packed else "–"
-    milliseconds = (f"{seconds * 1e3:.0f}" for seconds in (plain, packed))
-    return [name, f"{raw / 1e6:.1f}", *milliseconds, f"{raw / packed / 1e6:.0f}", shown]
+    megabytes, alone = raw / 1e6, packed - plain
+    speed = megabytes / alone if alone > 0.1 * packed else "–"
+    return [name, megabytes, 1e3 * plain, 1e3 * packed, megabytes / packed, speed]
 
 
 def encode(rings: nf.stream.Rings, *, compressed: bool) -> int:
     """Encode the rings' files; return the bytes of their arrays before compression."""
-    scene = rings.scene
-    textures = len(_core.scene_parts(scene._core)["textures"])
-    export = _core.Export(
-        scene._core,
-        rings.codes(),
-        rings.count + 2,
-        names=list(scene.object_names),
-        images=[f"{number}.webp" for number in range(textures)],
-        step=STEP,
-        compressed=compressed,
-    )
+    export = exporter(rings.scene, rings.codes(), rings.count + 2, named=True, images=True, compressed=compressed)
     shared = export.shared()
     uris: list[str | None] = [f"{number}.bin" for number in range(len(shared))]
     files = [export.glb(ring, uris=uris) for ring in range(1, rings.count + 1)]

@@ -25,9 +25,12 @@ def cameras(place: Place) -> Iterator[nf.Camera]:
             yield nf.Camera.look_at(eye, target, fov=FOV, size=SIZE)
 
 
+HEADER = " | PSNR {:.2f} | SSIM {:.4f} | least PSNR {:.1f} | least SSIM {:.4f} | PSNR to the truth {:.2f} | SSIM {:.4f}"
+
+
 def rows(
     place: Place, truth: nf.Scene, base: nf.ReducedScene, others: Mapping[str, nf.ReducedScene]
-) -> list[list[str]]:
+) -> list[list[object]]:
     """PSNR and SSIM of all pictures, in sRGB codes: mean and least against the base, mean against the truth."""
     sources = {"without loss": base, **others}
     against_base: dict[str, list[tuple[float, float]]] = {name: [] for name in sources}
@@ -39,21 +42,13 @@ def rows(
             against_truth[name].append(similarity(true, picture))
             if name != "without loss":
                 against_base[name].append(similarity(pictures["without loss"], picture))
-    return [[name, *_row(against_base[name]), *_means(against_truth[name])] for name in sources]
+    found: list[list[object]] = []
+    for name, own in against_base.items():
+        known = [*np.mean(own, axis=0), *np.min(own, axis=0)] if own else [None] * 4
+        found.append([name, *known, *np.mean(against_truth[name], axis=0)])
+    return found
 
 
 def similarity(reference: NDArray[np.uint8], test: NDArray[np.uint8]) -> tuple[float, float]:
     """PSNR in dB and SSIM."""
     return nf.psnr(reference, test, data_range=255), nf.ssim(reference, test, data_range=255)
-
-
-def _row(found: list[tuple[float, float]]) -> list[str]:
-    if not found:
-        return ["", "", "", ""]
-    least = np.min(found, axis=0)
-    return [*_means(found), f"{least[0]:.1f}", f"{least[1]:.4f}"]
-
-
-def _means(found: list[tuple[float, float]]) -> list[str]:
-    psnr, ssim = np.mean(found, axis=0)
-    return [f"{psnr:.2f}", f"{ssim:.4f}"]

@@ -1,26 +1,21 @@
 """CloVR's (2024) sphere collection by simulated users, compared with the printed figures.
 
-python -m benchmarks.stream.collect [--quick] [--pairs NUMBER] [--real] [--plots out/bench]
-
 --real also lets them play on a server of this machine, which takes as long as the trials do.
 """
 
 from __future__ import annotations
 
-import argparse
 import asyncio
 import multiprocessing
-import os
 import statistics
 from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
-from pathlib import Path
 
 import numpy as np
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import start, table
 from benchmarks.stream import _collect_plot as plot
 from nearfar.serve._rooms import Rooms
 from nearfar.serve._server import Server
@@ -79,14 +74,8 @@ def figures(name: str, outcomes: Sequence[Outcome], trips: np.ndarray | None = N
 
 def modelled(name: str, settings: Settings, person: Person, pairs: int) -> Figures:
     """Simulate pairs of groups, each with its own clock, spheres and people."""
-    return figures(
-        name,
-        [
-            outcome
-            for seed in range(pairs)
-            for outcome in simulate(replace(settings, seed=seed), person=person, groups=GROUPS, seed=seed)
-        ],
-    )
+    each = (simulate(replace(settings, seed=n), person=person, groups=GROUPS, seed=n) for n in range(pairs))
+    return figures(name, [outcome for outcomes in each for outcome in outcomes])
 
 
 def calibrated(uncalibrated: Figures) -> Person:
@@ -124,16 +113,14 @@ def real(settings: Settings, person: Person) -> Figures:
 
 def show(found: Sequence[Figures]) -> None:
     """Print the table of the paper's figures."""
-    rows = [["spheres of a trial", *(_pair(each.spheres, 1) for each in found)]]
+    rows: list[list[object]] = [["spheres of a trial", *("{:.1f} ± {:.1f}".format(*each.spheres) for each in found)]]
     for number, level in enumerate(LEVELS):
-        rows.append([f"seconds, {level}", *(_pair(each.seconds[number], 2) for each in found)])
+        rows.append([f"seconds, {level}", *("{:.2f} ± {:.2f}".format(*each.seconds[number]) for each in found)])
     for number, level in enumerate(LEVELS):
         both = (f"{each.misses[number]:.2f} / {each.trial_misses[number]:.1f}" for each in found[1:])
         rows.append([f"misses, {level}: of a sphere / of a trial", f"{PRINTED.misses[number]}", *both])
     rows.append(["r of seconds and misses", *(f"{each.r:.3f}" for each in found)])
-    trips = [
-        "" if each.round_trip is None else "{:.1f} ± {:.1f}, at most {:.0f}".format(*each.round_trip) for each in found
-    ]
+    trips = (each.round_trip and "{:.1f} ± {:.1f}, at most {:.0f}".format(*each.round_trip) for each in found)
     rows.append(["round trip, ms", *trips])
     print(table("Sphere collection", ["", *(each.name for each in found)], rows))
 
@@ -142,20 +129,15 @@ def _moments(values: Sequence[float]) -> tuple[float, float]:
     return statistics.mean(values), statistics.stdev(values)
 
 
-def _pair(moments: tuple[float, float], digits: int) -> str:
-    return f"{moments[0]:.{digits}f} ± {moments[1]:.{digits}f}"
-
-
 def main() -> None:
-    """Print the table, and draw it if a folder is named."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--quick", action="store_true", help="trials of 30 s")
-    parser.add_argument("--pairs", type=int, default=8, help="pairs of groups of the model")
-    parser.add_argument("--real", action="store_true", help="also on a server, in real time")
-    parser.add_argument("--plots", type=Path, default=os.environ.get("NEARFAR_BENCH_OUT"), help="folder of the plot")
-    chosen = parser.parse_args()
+    chosen = start(
+        __doc__,
+        "--quick",
+        "--plots",
+        pairs=(8, "pairs of groups of the model"),
+        real=(bool, "also on a server, in real time"),
+    )
     settings = Settings(duration=30.0, rest=1.0) if chosen.quick else Settings()
-    print(machine())
     plain = modelled("model, literature alone", settings, Person(), chosen.pairs)
     person = calibrated(plain)
     found = [PRINTED, plain, modelled(f"model, {person.search:.2f} s of search", settings, person, chosen.pairs)]
@@ -163,7 +145,7 @@ def main() -> None:
         found.append(real(settings, person))
     show(found)
     if chosen.plots is not None:
-        plot.levels(Path(chosen.plots) / "collect.png", LEVELS, found)
+        plot.levels(chosen.plots / "collect.png", LEVELS, found)
 
 
 if __name__ == "__main__":
