@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
@@ -19,9 +19,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.report import start, table
+from benchmarks.harness.report import save_figure, start, subplots, table
 from benchmarks.harness.timing import best
-from benchmarks.orthoview import _counts_plots as plots, _swaps
+from benchmarks.orthoview import _swaps
 from benchmarks.orthoview.splats import DIRECTIONS, FOV, HEIGHTS, SIZE, eye, full
 from nearfar import _core
 from nearfar._camera.shot import Shot
@@ -74,7 +74,7 @@ def walk(tree: Tree, out: Path | None) -> str:
         counts.append([stats[name] for name in ("splats", "splats_in_picture", "splats_seen")])
     found = np.array(counts)
     if out is not None:
-        plots.save_counts(found, cells_within(tree), flat_worlds(), out / "orthoview_counts.png")
+        save_counts(found, cells_within(tree), flat_worlds(), out / "orthoview_counts.png")
     rows = [
         [name, column.min(), np.median(column), column.max()]
         for name, column in zip(("in memory", "in the picture", "seen"), found.T / 1e3, strict=True)
@@ -124,7 +124,7 @@ def still(tree: Tree, out: Path | None) -> str:
             lines[f"{height:g} widths high, {'cells at once' if band is None else 'continuous'}"] = changes
         rows.append([height, band or "–", changes.max(), np.median(changes), changes.mean()])
     if out is not None:
-        plots.save_changes(errors[1:], lines, out / "orthoview_still.png")
+        save_changes(errors[1:], lines, out / "orthoview_still.png")
     title = f"RMS change of codes from picture to picture, {STEPS} steps of the error from 1 to 2"
     return table(title, "height, widths {:g} | band | greatest {:.2f} | median {:.2f} | mean {:.2f}", rows)
 
@@ -209,6 +209,45 @@ def swaps(tree: Tree, out: Path | None) -> str:
     shares = (f"{name} {{:.2f}}" for name in ("median", "90 %", "99 %", "99.9 %", "most"))
     header = ["height, widths {:g}", "splats {:,}", *shares]
     return table("Pixels that splats move where levels change, error_px=1", header, rows)
+
+
+NAMES = ("in memory: the cut all around", "in the picture", "seen: not hidden")
+
+
+def save_counts(
+    counts: NDArray[Any],
+    within: tuple[NDArray[Any], NDArray[Any]],
+    flat: tuple[Sequence[int], Sequence[int]],
+    path: Path,
+) -> None:
+    """Plot the three counts of each frame, and cells against distance and against the world's size."""
+    figure, (left, right) = subplots(1, 2, figsize=(10, 3.8), width_ratios=(3, 2))
+    for name, column in zip(NAMES, counts.T, strict=True):
+        left.plot(column, label=name)
+    left.set(yscale="log", ylim=(counts.min() / 2, counts.max() * 8), xlabel="frame of the walk", ylabel="splats")
+    left.legend(loc="upper right")
+    distance, cells = within
+    right.step(distance[distance > 0] / 1e3, cells[distance > 0], where="post", label="Tokyo: within this distance, km")
+    right.plot(*flat, "o-", label="flat worlds of this width, leaves")
+    right.set(xscale="log", xlabel="distance or width", ylabel="cells of the cut")
+    right.legend(loc="upper left")
+    finish(figure, (left, right), path)
+
+
+def save_changes(errors: NDArray[Any], lines: Mapping[str, NDArray[Any]], path: Path) -> None:
+    """Plot changes from picture to picture against the error."""
+    figure, axis = subplots(figsize=(7, 3.4))
+    for name, changes in lines.items():
+        axis.plot(errors, changes, "o-", markersize=3, label=name)
+    axis.set(xlabel="error_px of a camera that does not move", ylabel="RMS change, codes of 255")
+    figure.legend(loc="outside upper center", ncols=2)
+    finish(figure, (axis,), path)
+
+
+def finish(figure: Any, axes: Sequence[Any], path: Path) -> None:
+    for axis in axes:
+        axis.grid(alpha=0.3)
+    save_figure(figure, path, dpi=90)
 
 
 TABLES = {each.__name__: each for each in (walk, growth, still, bands, gaze, budget, swaps)}

@@ -3,18 +3,29 @@
 from __future__ import annotations
 
 import zlib
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.harness.report import folder_or_temporary, save_figure, start, subplots, table
-from benchmarks.harness.timing import timed
-from benchmarks.stream import _encoder, _instances, _quality, _stages
-from benchmarks.stream._near import Near, Packed, Place, error, in_front_of_map, in_one_file, one_scene, places
+from benchmarks.harness.timing import best, timed
+from benchmarks.stream import _instances, _stages
+from benchmarks.stream._near import (
+    Near,
+    Packed,
+    Place,
+    error,
+    exporter,
+    in_front_of_map,
+    in_one_file,
+    one_scene,
+    places,
+)
 from benchmarks.stream.maps import whole_range
 from nearfar.stream import _map_files as codec
 from nearfar.stream._radii import PUBLISHED
@@ -109,13 +120,59 @@ def sizes_and_quality(place: Place, folder: Path) -> tuple[Measured, list[Any]]:
     compared = {"bundle": bundle.at(bundle.count)}
     for name, parts in decoded.items():
         compared[f"{name}: geometry alone"] = in_front_of_map(one_scene(parts, bundle._moving), last)
-    print(table(f"{place.name}: pictures", _quality.HEADER, _quality.rows(place, scene, base, compared)))
+    print(table(f"{place.name}: pictures", PICTURES, picture_rows(place, scene, base, compared)))
     del base, compared, decoded, packed, found
     loadings, expanded = _instances.loadings(place, bundle)
     print(f"near part {expanded:.0f} MB plain with copies; maps {loadings[0].maps / 1e3:,.0f} kB, "
           f"decoded in {loadings[0].decode_maps:.2f} s\n")  # fmt: skip
     print(table(f"{place.name}: loading", _instances.HEADER, _instances.rows(loadings)))
     return measured, loadings
+
+
+FOV, SIZE = nf.Fov.symmetric(90, 1.6), (640, 400)
+"""Field of view and size of the views."""
+TURNS = (0.4, 2.0, 3.5, 5.1)
+"""Viewing directions of a user, radians."""
+
+
+def cameras(place: Place) -> Iterator[nf.Camera]:
+    """Views of users beside the centre."""
+    for user in place.users:
+        eye = np.add(place.center, user)
+        for turn in TURNS:
+            target = np.add(eye, (np.cos(turn), 0.03, np.sin(turn)))
+            yield nf.Camera.look_at(eye, target, fov=FOV, size=SIZE)
+
+
+PICTURES = (
+    " | PSNR {:.2f} | SSIM {:.4f} | least PSNR {:.1f} | least SSIM {:.4f} | PSNR to the truth {:.2f} | SSIM {:.4f}"
+)
+
+
+def picture_rows(
+    place: Place, truth: nf.Scene, base: nf.ReducedScene, others: Mapping[str, nf.ReducedScene]
+) -> list[list[object]]:
+    """PSNR and SSIM of all pictures, in sRGB codes: mean and least against the base, mean against the truth."""
+    sources = {"without loss": base, **others}
+    against_base: dict[str, list[tuple[float, float]]] = {name: [] for name in sources}
+    against_truth: dict[str, list[tuple[float, float]]] = {name: [] for name in sources}
+    for camera in cameras(place):
+        true = nf.render(truth, camera).to_image()
+        pictures = {name: nf.render(source, camera).to_image() for name, source in sources.items()}
+        for name, picture in pictures.items():
+            against_truth[name].append(similarity(true, picture))
+            if name != "without loss":
+                against_base[name].append(similarity(pictures["without loss"], picture))
+    found: list[list[object]] = []
+    for name, own in against_base.items():
+        known = [*np.mean(own, axis=0), *np.min(own, axis=0)] if own else [None] * 4
+        found.append([name, *known, *np.mean(against_truth[name], axis=0)])
+    return found
+
+
+def similarity(reference: NDArray[np.uint8], test: NDArray[np.uint8]) -> tuple[float, float]:
+    """PSNR in dB and SSIM."""
+    return nf.psnr(reference, test, data_range=255), nf.ssim(reference, test, data_range=255)
 
 
 def draw(path: Path, found: Sequence[tuple[Place, Measured, list[Any]]]) -> None:
@@ -155,7 +212,7 @@ def speed_and_memory(quick: bool, samples: int) -> None:
         memory.append(_stages.memory_row(place.name, found))
         for name, instanced in (("", True), (", copies", False)):
             rings = nf.stream.assign(place.make(instanced=instanced), center=place.center, radii=PUBLISHED)
-            speeds.append(_encoder.row(place.name + name, rings))
+            speeds.append(encoder_row(place.name + name, rings))
     memory.append(_stages.memory_row("city, crossing, copies", stages(0, instanced=False)))
     title = f"CPU seconds of stages, maps of 6 × {_stages.FACE_SIZE}², {samples} samples"
     sums = ("sum", "their wall time", "export, wall")
@@ -163,7 +220,34 @@ def speed_and_memory(quick: bool, samples: int) -> None:
     print(table(title, ["", *columns, "rays : one map {:.2f}", "bake : one map {:.2f}"], seconds))
     kinds = ("arrays", "loaded", "with tree", "peak", "peak : with tree")
     print(table("memory, GB", ["", "triangles {:,}", *(f"{kind} {{:.2f}}" for kind in kinds)], memory))
-    print(table("encoder of geometry", _encoder.HEADER, speeds))
+    print(table("encoder of geometry", ENCODER, speeds))
+
+
+ENCODER = (
+    " | MB in {:.1f} | gathered, CPU ms {:.0f} | and encoded {:.0f} | MB/s a core, all {:.0f} | encoding alone {:.0f}"
+)
+
+
+def encoder_row(name: str, rings: nf.stream.Rings) -> list[object]:
+    """MB of the compressed arrays, CPU milliseconds, MB/s per core.
+
+    The time of compression alone is the difference to the same files without it, which copy their arrays, with longer
+    normals: a few milliseconds too little. It is not shown if it is less than a tenth of the total.
+    """
+    raw = encode(rings, compressed=True)
+    plain, packed = (best(partial(encode, rings, compressed=compressed), repeat=5).cpu for compressed in (False, True))
+    megabytes, alone = raw / 1e6, packed - plain
+    speed = megabytes / alone if alone > 0.1 * packed else "–"
+    return [name, megabytes, 1e3 * plain, 1e3 * packed, megabytes / packed, speed]
+
+
+def encode(rings: nf.stream.Rings, *, compressed: bool) -> int:
+    """Encode the rings' files; return the bytes of their arrays before compression."""
+    export = exporter(rings.scene, rings.codes(), rings.count + 2, named=True, images=True, compressed=compressed)
+    shared = export.shared()
+    uris: list[str | None] = [f"{number}.bin" for number in range(len(shared))]
+    files = [export.glb(ring, uris=uris) for ring in range(1, rings.count + 1)]
+    return sum(facts["raw_bytes"] for facts in [*(facts for *_, facts in shared), *(facts for _, facts in files)])
 
 
 def main() -> None:

@@ -11,12 +11,12 @@ import statistics
 from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 import numpy as np
 
 import nearfar as nf
-from benchmarks.harness.report import start, table
-from benchmarks.stream import _collect_plot as plot
+from benchmarks.harness.report import save_figure, start, subplots, table
 from nearfar.serve._rooms import Rooms
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
@@ -129,6 +129,30 @@ def _moments(values: Sequence[float]) -> tuple[float, float]:
     return statistics.mean(values), statistics.stdev(values)
 
 
+COLORS = ("0.35", "C0", "C1", "C2")
+
+
+def draw(path: Path, names: Sequence[str], rows: Sequence[Figures]) -> None:
+    """Seconds with their deviations, and misses, by level; the first row is the paper's."""
+    figure, (left, right) = subplots(1, 2, figsize=(9, 3.6))
+    width = 0.8 / len(rows)
+    for number, (row, color) in enumerate(zip(rows, COLORS, strict=False)):
+        at = np.arange(len(names)) + (number - 0.5 * (len(rows) - 1)) * width
+        means, deviations = zip(*row.seconds, strict=True)
+        # Bars of deviations end at 0, as times do.
+        below = np.minimum(deviations, means)
+        left.bar(at, means, width, yerr=(below, deviations), color=color, capsize=3, label=row.name)
+        right.bar(at, row.misses, width, color=color)
+    for axes, label in ((left, "seconds of a sphere, ± one deviation"), (right, "misses of a sphere")):
+        axes.set_xticks(range(len(names)), names)
+        axes.set(ylabel=label)
+    right.set(title="of a sphere or a trial: the paper does not say", ylim=(0.0, None))
+    right.title.set_fontsize("small")
+    left.set(ylim=(0.0, None))
+    left.legend(fontsize="small", loc="upper left")
+    save_figure(figure, path, dpi=70)
+
+
 def main() -> None:
     chosen = start(
         __doc__,
@@ -145,7 +169,7 @@ def main() -> None:
         found.append(real(settings, person))
     show(found)
     if chosen.plots is not None:
-        plot.levels(chosen.plots / "collect.png", LEVELS, found)
+        draw(chosen.plots / "collect.png", LEVELS, found)
 
 
 if __name__ == "__main__":

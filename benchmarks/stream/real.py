@@ -27,9 +27,8 @@ from benchmarks.harness.link import no_link
 from benchmarks.harness.loads import Network, network
 from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.harness.timing import ahead_of_others
-from benchmarks.stream._loaded import Loaded, load
+from benchmarks.stream._loaded import Loaded, load, requests, round_trip, simulated_requests
 from benchmarks.stream._near import EYE_HEIGHT, Place, places
-from benchmarks.stream._requests import requests, round_trip, simulated_requests
 
 LINK = nf.stream.Link(50, rtt_ms=20, http=1, handshake=1)
 """Link of files from `nearfar serve`, by HTTP/1.1 without TLS."""
