@@ -29,7 +29,7 @@ def directions(count: int) -> Array:
     return np.stack([r * np.cos(turn), y, r * np.sin(turn)], axis=1)
 
 
-def bisected(rays: Array, points: int) -> Array:
+def bisect(rays: Array, points: int) -> Array:
     """Points (N, K, 3) at equal steps along each ray between the radii, each a root found by bisection."""
     center, user = np.array(RADII["center"]), np.array(USER)
     v = center - user
@@ -64,7 +64,7 @@ def error(lines: Array, rays: Array) -> float:
 
 def peer(rays: Array, count: int) -> Array:
     """Polylines of `count` bisected points, with the user in front, as `bend_rays` returns them."""
-    points = bisected(rays, count)
+    points = bisect(rays, count)
     return np.concatenate([np.broadcast_to(np.array(USER), (len(points), 1, 3)), points], axis=1)
 
 

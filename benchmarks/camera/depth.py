@@ -16,7 +16,7 @@ FOV = nf.hmd.QUEST_2.left.fov
 NEAR = 0.1
 
 
-def straightforward(depth: NDArray[Any]) -> NDArray[Any]:
+def divide(depth: NDArray[Any]) -> NDArray[Any]:
     """Straightforward formula in the type of the buffer."""
     height, width = depth.shape
     x = np.linspace(FOV.left, FOV.right, 2 * width + 1, dtype=depth.dtype)[1::2]
@@ -24,7 +24,7 @@ def straightforward(depth: NDArray[Any]) -> NDArray[Any]:
     return np.asarray(depth.dtype.type(NEAR) / depth * np.sqrt(1 + x * x + y * y))
 
 
-def unprojected(depth: Array) -> Array:
+def unproject(depth: Array) -> Array:
     """General code: every pixel through the inverse of the projection matrix."""
     height, width = depth.shape
     rows = np.zeros((4, 4), np.float32)
@@ -55,12 +55,12 @@ def ranges(side: int) -> str:
         return float(np.abs(result / true - 1).max())
 
     def in_float64() -> Array:
-        return straightforward(depth.astype(np.float64)).astype(np.float32)
+        return divide(depth.astype(np.float64)).astype(np.float32)
 
     cases = [
         Case(OURS, lambda: nf.range_from_depth(depth, FOV, near=NEAR), error),
-        Case("NumPy, float32, one expression", lambda: straightforward(depth), error),
-        Case("NumPy, float32, inverse matrix", lambda: unprojected(depth), error),
+        Case("NumPy, float32, one expression", lambda: divide(depth), error),
+        Case("NumPy, float32, inverse matrix", lambda: unproject(depth), error),
         Case("NumPy, float64, one expression", in_float64, error),
         Case("copying the buffer", depth.copy),
     ]

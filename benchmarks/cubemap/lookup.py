@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import map_coordinates
 
 import nearfar as nf
-from benchmarks.harness.compare import OURS, Case, Work, compare, comparisons, draw, print_limits
+from benchmarks.harness.compare import OURS, Case, Work, compare, comparisons, draw, greatest_error, print_limits
 from benchmarks.harness.report import start, table
 
 Array = NDArray[Any]
@@ -204,9 +204,7 @@ def conversions() -> str:
     around = smooth(nf.envmap_directions(shape, layout="equirectangular")).astype(np.float32)
 
     def cases(values: Array, truth: Array, peer: Callable[[], Array], **how: Any) -> list[Case]:
-        def error(result: Array) -> float:
-            return float(np.abs(result - truth).max())
-
+        error = greatest_error(truth)
         ours = [Case(f"{OURS} {n}", partial(nf.convert_envmap, values, **how, filter=n), error) for n in FILTERS]
         return [*ours, Case("NumPy and cv2.remap", peer, error)]
 

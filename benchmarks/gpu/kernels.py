@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.compare import OURS, Case, compare, print_limits
+from benchmarks.harness.compare import OURS, Case, compare, greatest_error, print_limits
 from benchmarks.harness.report import start
 from nearfar import _core, gpu
 
@@ -45,8 +45,7 @@ def frames(label: str) -> None:
     read = one.read(), other.read()
     mean, similarities = nf.ssim(*read, full=True)
 
-    def off(result: float) -> float:
-        return float(abs(result - mean))
+    off = greatest_error(mean)
 
     def map_off(result: Any) -> float:
         return greatest(result[1], similarities)

@@ -41,6 +41,11 @@ class Case:
     error: Callable[[Any], float] | None = None
 
 
+def greatest_error(truth: Any, part: Any = ...) -> Callable[[Any], float]:
+    """Return the function that computes the greatest difference of a result from the truth, in a part of both."""
+    return lambda result: float(np.abs(np.subtract(result, truth))[part].max())
+
+
 @dataclass(frozen=True)
 class Result:
     """Time and error of a case."""

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.compare import OURS, Case, Work, compare, print_limits
+from benchmarks.harness.compare import OURS, Case, Work, compare, greatest_error, print_limits
 from benchmarks.harness.report import save_figure, start, subplots
 
 Array = NDArray[np.float64]
@@ -31,9 +31,6 @@ def inverse(title: str, end: float) -> str:
     k1, k2 = RIFT_S.k
     coefficients = np.array([k1, k2, 0.0, 0.0])
 
-    def error(result: Array) -> float:
-        return float(np.abs(result - radii).max())
-
     def opencv() -> Array:
         result = cv2.undistortPoints(points, np.eye(3), coefficients)
         return np.asarray(result, np.float64)[:, 0, 0]
@@ -49,7 +46,7 @@ def inverse(title: str, end: float) -> str:
 
     nodes = np.linspace(0, end, 4096)
     images = RIFT_S.distort(nodes)
-    ours = functools.partial(RIFT_S.undistort, shown)
+    error, ours = greatest_error(radii), functools.partial(RIFT_S.undistort, shown)
     cases = [
         Case(f"{OURS}, newton", ours, error),
         Case(f"{OURS}, lut", functools.partial(ours, method="lut"), error),

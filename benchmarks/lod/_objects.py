@@ -16,7 +16,7 @@ from PIL import Image
 
 import nearfar as nf
 from benchmarks.harness import scenes
-from benchmarks.lod._dense import densified
+from benchmarks.lod._dense import densify
 from benchmarks.lod._printed_turns import RIFT_S as PRINTED_RIFT_S, VIVE_PRO as PRINTED_VIVE_PRO, PrintedTurn
 from nearfar._base import data
 from nearfar.lod._select.kernel_inputs import on_panel
@@ -104,9 +104,9 @@ VIEWS = 36
 
 @functools.cache
 def simplified(name: str, *, dense: bool) -> nf.lod.Levels:
-    """Simplify an object, which may be `densified` before."""
+    """Simplify an object, which may be `densify` before."""
     scene, method = sources()[name](), "meshopt" if name in BY_MESHOPT else "fast"
-    return nf.lod.simplify(densified(scene) if dense else scene, RATIOS, method=method, normals="smooth", name=name)
+    return nf.lod.simplify(densify(scene) if dense else scene, RATIOS, method=method, normals="smooth", name=name)
 
 
 def measured(

@@ -77,7 +77,7 @@ def main() -> None:
         Case(f"{OURS}: and its tree", lambda: scene.at_levels(levels)._core.build()),
         Case(f"{OURS}: picture of levels", functools.partial(picture, lod=choose_again)),
         Case("picture of level 0", picture),
-        Case("scene built anew", lambda: rebuilt(scene, levels)),
+        Case("scene built anew", lambda: rebuild(scene, levels)),
     ]
     print(compare(f"A frame of {OBJECTS:,} objects", cases, repeat=4))
 
@@ -85,7 +85,7 @@ def main() -> None:
 choose_again = functools.partial(nf.lod.select, mode="depth")
 
 
-def rebuilt(scene: nf.Scene, levels: NDArray[np.int32]) -> nf.Scene:
+def rebuild(scene: nf.Scene, levels: NDArray[np.int32]) -> nf.Scene:
     """Build a frame without shared levels: the chosen triangles as one new scene with its own search tree."""
     corners = scene.at_levels(levels).triangles().reshape(-1, 3)
     whole = nf.Scene.from_arrays(corners, np.arange(len(corners), dtype=np.uint32).reshape(-1, 3))

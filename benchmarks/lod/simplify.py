@@ -15,7 +15,7 @@ from PIL import Image
 from scipy.spatial import cKDTree
 
 import nearfar as nf
-from benchmarks.harness.compare import OURS, Case, compare, print_limits
+from benchmarks.harness.compare import OURS, Case, compare, greatest_error, print_limits
 from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import Timing, timed
 from nearfar import _core
@@ -94,11 +94,7 @@ def nearest(subdivisions: int, count: int) -> str:
     random = np.random.default_rng(0)
     points = trimesh.sample.sample_surface(mesh, count, seed=0)[0] + random.normal(size=(count, 3)) * 0.02
     exact, _, _ = _core.nearest_points(scene._core, points)
-
-    def error(distance: Array) -> float:
-        return float(np.abs(distance - exact).max())
-
-    tree = cKDTree(mesh.vertices)
+    error, tree = greatest_error(exact), cKDTree(mesh.vertices)
     cases = [
         Case(f"{OURS}, nearest_points", lambda: nf.nearest_points(scene, points).distance, error),
         Case("SciPy, nearest vertex, all cores", lambda: tree.query(points, workers=-1)[0], error),

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from skimage.metrics import peak_signal_noise_ratio, structural_similarity
 
 import nearfar as nf
-from benchmarks.harness.compare import OURS, Case, Work, compare, comparisons, draw, print_limits
+from benchmarks.harness.compare import OURS, Case, Work, compare, comparisons, draw, greatest_error, print_limits
 from benchmarks.harness.report import start
 
 Image = NDArray[Any]
@@ -64,11 +64,7 @@ def similarity(label: str, a: Image, b: Image, extent: float, *, window: str = "
     def opencv() -> float:
         return five_blurs(a, b, extent, gaussian if window == "gaussian" else box, size // 2)[0]
 
-    exact = scikit(a.astype(np.float64), b.astype(np.float64))
-
-    def error(result: float) -> float:
-        return abs(result - exact)
-
+    error = greatest_error(scikit(a.astype(np.float64), b.astype(np.float64)))
     # Five moments, along rows and columns: the separable form that every implementation here uses.
     work = Work(multiply_adds=5 * 2 * size * a.size, bytes=2 * a.nbytes, double=a.dtype == np.float64)
     cases = [
@@ -89,11 +85,7 @@ def maps_at_a_level() -> str:
     """Table of maps of float32 pictures at 10⁴ times their contrast; the truth is float64 about means."""
     a, b = (picture + np.float32(1e4) for picture in pictures(1080, 1920)[:2])
     doubles = a.astype(np.float64), b.astype(np.float64)
-    exact = nf.ssim(*doubles, data_range=1, full=True).map
-
-    def error(result: Image) -> float:
-        return float(np.abs(result - exact)[5:-5, 5:-5].max())
-
+    error = greatest_error(nf.ssim(*doubles, data_range=1, full=True).map, np.s_[5:-5, 5:-5])
     cases = [
         Case(OURS, lambda: nf.ssim(a, b, data_range=1, full=True).map, error),
         Case("OpenCV, five blurs", lambda: five_blurs(a, b, 1.0, gaussian, 5)[1], error),
@@ -118,10 +110,7 @@ def pairs() -> str:
         return result
 
     exact = nf.ssim_pairs(views.astype(np.float64), levels.astype(np.float64), data_range=1, masks=disc)
-
-    def error(result: Image) -> float:
-        return float(np.abs(result - exact).max())
-
+    error = greatest_error(exact)
     ours = partial(nf.ssim_pairs, views, levels, data_range=1, masks=disc)
     cases = [
         Case(OURS, ours, error),
@@ -139,9 +128,7 @@ def errors(dtype: Any) -> str:
     def numpy() -> float:
         return float(10 * np.log10(extent**2 / np.mean((a.astype(np.float64) - b.astype(np.float64)) ** 2)))
 
-    def error(result: float) -> float:
-        return abs(result - exact)
-
+    error = greatest_error(exact)
     cases = [
         Case(OURS, lambda: nf.psnr(a, b, data_range=extent), error),
         Case("OpenCV", lambda: cv2.PSNR(a, b, R=extent), error),
@@ -183,11 +170,7 @@ def frames() -> str:
         shares = [min(result.get(number, 0), pixels) / pixels for number, pixels in expected.items()]
         return float(np.mean([share > 0 for share in shares])), float(np.mean(shares))
 
-    exact = unique()
-
-    def error(result: tuple[float, float]) -> float:
-        return float(np.abs(np.subtract(result, exact)).max())
-
+    error = greatest_error(unique())
     # Each pair of neighbours within 17 pixels is processed once, hence half; about 25 multiply-adds per pair.
     pairs = 1920 * 1080 * np.pi * 17**2 / 2
     work, cases = Work(multiply_adds=25 * pairs), [Case(OURS, lambda: nf.discontinuity(torn))]

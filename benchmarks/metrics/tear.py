@@ -24,7 +24,7 @@ CASES: tuple[tuple[str, str, float, float], ...] = (
 """Name, motion of the halves, shear and curvature."""
 
 
-def measured(kind: str, shear: float, curvature: float, tear: float, direction: float) -> float:
+def measure(kind: str, shear: float, curvature: float, tear: float, direction: float) -> float:
     """Mean tear measured along the line."""
     frame = torn(tear, direction, kind=kind, shear=shear, curvature=curvature)
     return float(at_the_line(nf.tear(frame), tear, direction, kind=kind).mean())
@@ -34,7 +34,7 @@ def main() -> None:
     arguments = start(__doc__, "--quick", "--plots")
     directions = dict(list(DIRECTIONS.items())[:1]) if arguments.quick else DIRECTIONS
     found = {
-        name: np.array([[measured(kind, shear, bent, tear, way) for tear in TEARS] for way in directions.values()])
+        name: np.array([[measure(kind, shear, bent, tear, way) for tear in TEARS] for way in directions.values()])
         for name, kind, shear, bent in CASES
     }
     rows = [[name, *zip(values.min(axis=0), values.max(axis=0), strict=True)] for name, values in found.items()]

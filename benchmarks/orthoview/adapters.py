@@ -42,7 +42,7 @@ def main() -> None:
     )
     tree = nf.orthoview.open(given.tree)
     camera = eye(tree, 0.1)
-    cut, splats = gathered(tree, camera, given.millions * 1e6)
+    cut, splats = gather(tree, camera, given.millions * 1e6)
     count = sum(view.count for view in splats)
     print(f"{tree}: {len(cut)} cells, {len(splats)} views, {count / 1e6:.1f} million splats\n")
     print(sizes(splats))
@@ -54,7 +54,7 @@ def main() -> None:
             print(frames(f"{name}, {grid} × {grid} samples", splats, cameras, grid, given.repeat))
 
 
-def gathered(
+def gather(
     tree: nf.orthoview.OrthoTree, camera: nf.Camera, wanted: float
 ) -> tuple[nf.orthoview.OrthoCut, list[_core.OrthoSplats]]:
     """Find a cut whose views have the wanted number of splats, or the finest one."""

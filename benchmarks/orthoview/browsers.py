@@ -95,7 +95,7 @@ def standing(chromium: Any, url: str, way: Way, gate: Gate, given: argparse.Name
                 facts = client.settled(place, PATIENCE)
                 told = [f"{(gate.sent - begin) / 1e6:.2f}", f"{gate.requests - asked}", f"{facts['missing']}"]
                 row = [f"{place * way.step:g}", f"{megabytes:g}", name, *told]
-                rows.append(row + compared(name, client.picture(), truths[place], folder / file_of(name, row)))
+                rows.append(row + compare(name, client.picture(), truths[place], folder / file_of(name, row)))
                 print(rows[-1], facts, flush=True)
     rows.sort(key=lambda row: (float(row[0]), float(row[1])))
     header = "place, s | MB allowed | viewer | MB | requests | missing | PSNR, dB | SSIM | holes, %"
@@ -105,7 +105,7 @@ def standing(chromium: Any, url: str, way: Way, gate: Gate, given: argparse.Name
         sheet(truths, shown, folder, given.out / "orthoview_browsers.png")
 
 
-def compared(name: str, shown: NDArray[np.uint8], truth: Truth, file: Path) -> list[str]:
+def compare(name: str, shown: NDArray[np.uint8], truth: Truth, file: Path) -> list[str]:
     """Similarity of a viewer's picture to the truth, and its holes; the picture is saved."""
     right, solid, sky = truth
     picture = shown[..., :3] / 255.0

@@ -45,10 +45,10 @@ def main() -> None:
     header = ["world, leaf", *(f"{count} {{:.1f}}" for count in COUNTS), "chosen", "leaves", "seconds {:.1f}"]
     header += ["CPU seconds {:.1f}"]
     rows: list[list[object]] = []
-    choices = {world.label: measured(world, rows) for world in worlds()}
+    choices = {world.label: measure(world, rows) for world in worlds()}
     print(table("Share of what viewers see that no view shows, %, by the number of directions", header, rows))
     rows = []
-    by_angle = [measured(world, rows) for world in of_angles()]
+    by_angle = [measure(world, rows) for world in turned_worlds()]
     print(table("The same by the angle between Manhattan's streets and the axes", header, rows))
     if plots is not None:
         draw(choices, by_angle, plots / "orthoview-directions.png")
@@ -60,7 +60,7 @@ def worlds() -> Iterator[World]:
     city = nf.datasets.city(blocks=12, detail=1)
     yield World("city, streets along the axes", city, 40.0)
     yield World("city, streets along the axes", city, 80.0)
-    yield World("city, turned by 45°", rotated_about_y(city, 45.0), 80.0)
+    yield World("city, turned by 45°", rotate_about_y(city, 45.0), 80.0)
     for name, cells in {"Manhattan core": (125.0, 500.0), "Tokyo core": (125.0, 250.0, 500.0)}.items():
         for _, scene in scenes.present(name):
             yield from (World(name.removesuffix(" core"), scene, cell) for cell in cells)
@@ -72,21 +72,21 @@ def worlds() -> Iterator[World]:
     yield World("asteroids, viewers below too", asteroids, 1000.0, below=True)
 
 
-def of_angles() -> Iterator[World]:
+def turned_worlds() -> Iterator[World]:
     """Yield Manhattan at angles to the axes."""
     for _, scene in scenes.present("Manhattan core"):
         for angle in ANGLES:
-            yield World(f"Manhattan, {angle:g}°", rotated_about_y(scene, GRID + angle), 250.0)
+            yield World(f"Manhattan, {angle:g}°", rotate_about_y(scene, GRID + angle), 250.0)
 
 
-def rotated_about_y(scene: nf.Scene, degrees: float) -> nf.Scene:
+def rotate_about_y(scene: nf.Scene, degrees: float) -> nf.Scene:
     """Rotate the triangles of a scene about the y axis."""
     corners, (sine, cosine) = scene.triangles().reshape(-1, 3), np.sin(np.radians([degrees, degrees + 90]))
     matrix = np.array([[cosine, 0, -sine], [0, 1, 0], [sine, 0, cosine]], np.float32)
     return nf.Scene.from_arrays(corners @ matrix, np.arange(len(corners), dtype=np.uint32).reshape(-1, 3))
 
 
-def measured(world: World, rows: list[list[object]]) -> Choice:
+def measure(world: World, rows: list[list[object]]) -> Choice:
     """Choose directions for a world, and add a row to the table."""
     grid = Grid.from_bounds(world.source.bounds, world.cell)
     world.source.query(grid.box(0, (0, 0, 0)))  # makes the search tree of a scene in memory

@@ -89,7 +89,7 @@ def sigma(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
         shown = np.where(whole[..., None], picture[..., :3] + (1 - alpha[..., None]) * 0.5, grey)
         right = np.where(whole[..., None], ours.to_image() / 255.0, grey)
         shares = 100 * (alpha[whole] < 0.9).mean(), 100 * alpha[cover == 0].mean()
-        rows.append([width, *alike(right, shown), *shares])
+        rows.append([width, *quality(right, shown), *shares])
     header = "σ, pixels {:g} | PSNR, dB {:.1f} | SSIM {:.3f} | surface with alpha < 0.9, % {:.1f}"
     header += " | mean alpha beside, % {:.2f}"
     print(table(f"{Path(tree.path).name}, cell {key}", header, rows))
@@ -113,9 +113,9 @@ def pictures(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
         solid = np.asarray(truth.coverage) > 0.999
         own, holes = ours.to_image() / 255.0, (drawn[..., 3] < 0.5) & solid
         splats, share = count / 1e6, 100 * holes.sum() / solid.sum()
-        rows.append([name, "tree.render beside rays", len(keys), None, *alike(right, own), None])
-        rows.append([name, "Spark beside rays", len(keys), splats, *alike(right, theirs), share])
-        rows.append([name, "Spark beside tree.render", len(keys), splats, *alike(own, theirs), None])
+        rows.append([name, "tree.render beside rays", len(keys), None, *quality(right, own), None])
+        rows.append([name, "Spark beside rays", len(keys), splats, *quality(right, theirs), share])
+        rows.append([name, "Spark beside tree.render", len(keys), splats, *quality(own, theirs), None])
         sheet.append(np.concatenate([own, theirs], axis=1))
     header = "camera | program | cells | million splats {:.2f} | PSNR, dB {:.1f} | SSIM {:.3f} | holes, % {:.2f}"
     print(table(f"{Path(tree.path).name}, error_px = {given.error:g}, {VIEWS} views, no geometry", header, rows))
@@ -124,7 +124,7 @@ def pictures(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
         Image.fromarray(codes).quantize(128).save(given.out / "orthoview_splats.png", optimize=True)
 
 
-def alike(right: Array, shown: Array) -> list[float]:
+def quality(right: Array, shown: Array) -> list[float]:
     """PSNR and SSIM of pictures in 0..1."""
     return [nf.psnr(right, shown, data_range=1.0), float(nf.ssim(right, shown, data_range=1.0))]
 

@@ -77,7 +77,7 @@ def main() -> None:
     start(__doc__)
     rows, gains = [], []
     for cell in cells():
-        ratio, found = time_ratio(cell), gain(cell)
+        ratio, found = time_ratio(cell), measure_gain(cell)
         gains.append(found)
         kilobytes = (each.sum() / len(DIRECTIONS) / 1e3 for each in (found.first_bytes, found.second_bytes))
         shares = found.hidden, found.left, found.hidden_with_more, found.unseen.mean()
@@ -87,7 +87,7 @@ def main() -> None:
     print(table(f"Nine views of {SIZE}² pixels", header, rows))
     header = "kept where unseen exceeds {:g} | directions, % {:.0f} | bytes, % of first layers' {:.0f}"
     header += " | of what is filled, % {:.0f}"
-    print(table("Second layers that are kept", header, [of_bound(bound, gains) for bound in BOUNDS]))
+    print(table("Second layers that are kept", header, [bound_row(bound, gains) for bound in BOUNDS]))
 
 
 def cells() -> Iterator[Cell]:
@@ -111,7 +111,7 @@ def cells() -> Iterator[Cell]:
 def render_cell(cell: Cell, *, behind: bool, count: int = len(DIRECTIONS)) -> _core.OrthoViews:
     if cell.levels:
         children = [(octant, render_cell(child, behind=behind, count=count)) for octant, child in cell.children()]
-        return composed(children, behind=behind, count=count)
+        return compose(children, behind=behind, count=count)
     return leaf(cell.part()._core, cell, behind=behind, count=count)
 
 
@@ -120,7 +120,7 @@ def leaf(scene: _core.Scene, cell: Cell, *, behind: bool, count: int = len(DIREC
     return _core.OrthoViews.of_cell(scene, place, MORE[:count], LAYOUT.format, behind=behind)
 
 
-def composed(children: Children, *, behind: bool, count: int = len(DIRECTIONS)) -> _core.OrthoViews:
+def compose(children: Children, *, behind: bool, count: int = len(DIRECTIONS)) -> _core.OrthoViews:
     parent = _core.OrthoParent(MORE[:count], LAYOUT.format, behind=behind)
     for octant, views in children:
         parent.add(octant, views)
@@ -137,7 +137,7 @@ def time_ratio(cell: Cell) -> float:
 def fresh_parent(cell: Cell, *, behind: bool) -> Callable[[], object]:
     """Compose a cell of its children, which are drawn."""
     children = [(octant, render_cell(child, behind=behind)) for octant, child in cell.children()]
-    return lambda: composed(children, behind=behind)
+    return lambda: compose(children, behind=behind)
 
 
 def fresh_leaf(cell: Cell, *, behind: bool) -> Callable[[], object]:
@@ -147,7 +147,7 @@ def fresh_leaf(cell: Cell, *, behind: bool) -> Callable[[], object]:
     return lambda: leaf(scenes.pop(), cell, behind=behind)
 
 
-def gain(cell: Cell) -> Gain:
+def measure_gain(cell: Cell) -> Gain:
     views = render_cell(cell, behind=True)
     second = views.second_layer()
     firsts = render_cell(cell, behind=False, count=len(MORE)).depths()[..., 0]
@@ -159,16 +159,16 @@ def gain(cell: Cell) -> Gain:
         toward[1] = abs(toward[1])
         toward /= np.linalg.norm(toward)
         points = visible_points(part, cell, toward)
-        lost = lost_of(points, firsts, nearest(toward, len(DIRECTIONS)), cell)
+        lost = lost_points(points, firsts, nearest(toward, len(DIRECTIONS)), cell)
         found = {n: shows(seconds[n], n, lost, cell) for n in nearest(toward, len(DIRECTIONS))}
         for n, shown in found.items():
             filled[n] += shown.sum()
         total, hidden, left = total + len(points), hidden + len(lost), left + (~np.any([*found.values()], axis=0)).sum()
-        with_more += len(lost_of(points, firsts, nearest(toward, len(MORE)), cell))
+        with_more += len(lost_points(points, firsts, nearest(toward, len(MORE)), cell))
     return Gain(
         np.array(views.unseen()),
-        bytes_of(views),
-        bytes_of(second),
+        chunk_bytes(views),
+        chunk_bytes(second),
         hidden / total,
         left / total,
         with_more / total,
@@ -183,13 +183,13 @@ def nearest(toward: Floats, count: int) -> list[int]:
     return numbers
 
 
-def lost_of(points: Floats, firsts: NDArray[np.uint16], drawn_ones: list[int], cell: Cell) -> Floats:
+def lost_points(points: Floats, firsts: NDArray[np.uint16], drawn_ones: list[int], cell: Cell) -> Floats:
     """Return the points that none of the given views shows."""
     lost: Floats = points[~np.any([shows(firsts[n], n, points, cell) for n in drawn_ones], axis=0)]
     return lost
 
 
-def bytes_of(views: _core.OrthoViews | None) -> Floats:
+def chunk_bytes(views: _core.OrthoViews | None) -> Floats:
     """Return the bytes of each direction's chunks."""
     chunks = {} if views is None else _codec.encoded(views, LAYOUT)
     sizes = [sum(len(chunks.get((n, channel), b"")) for channel in CHANNELS) for n in range(len(DIRECTIONS))]
@@ -226,7 +226,7 @@ def shows(codes: NDArray[np.uint16], direction: int, points: Floats, cell: Cell)
     return shown_by(points, axes, extents, cell.corner + cell.side / 2, metres)
 
 
-def of_bound(bound: float, gains: list[Gain]) -> list[float]:
+def bound_row(bound: float, gains: list[Gain]) -> list[float]:
     kept = np.array([found.unseen > bound for found in gains])
     names = ("first_bytes", "second_bytes", "filled")
     first, second, filled = (np.array([getattr(found, name) for found in gains]) for name in names)

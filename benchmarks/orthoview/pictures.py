@@ -21,7 +21,7 @@ import numpy as np
 import nearfar as nf
 from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.orthoview import _sheets
-from benchmarks.orthoview._quality import Quality, Setting, Truth, compared, mean
+from benchmarks.orthoview._quality import Quality, Setting, Truth, compare, mean
 from benchmarks.orthoview._worlds import ALL, PICTURE, SIZE, World, forest, landscape, open_tree, tokyo
 from nearfar.orthoview._directions import directions_of, widest
 
@@ -77,8 +77,8 @@ def by_sets(worlds: list[World], trees: Path, out: Path | None) -> None:
         for place, cameras in places(world):
             shown = truths(world, cameras, found[ALL])
             for count, views in itertools.product(SETS, VIEWS):
-                quality = mean([compared(truth, found[count], Setting(views)) for truth in shown])
-                rows.append(told([place, count, views, *cells(quality), quality.leaves]))
+                quality = mean([compare(truth, found[count], Setting(views)) for truth in shown])
+                rows.append(print_row([place, count, views, *cells(quality), quality.leaves]))
     print(table("Directions and views", f"place | directions | views | {QUALITY} | leaves {{:.0f}}", rows))
 
 
@@ -91,8 +91,8 @@ def by_cuts(worlds: list[World], trees: Path, out: Path | None) -> None:
         for (place, cameras), count in itertools.product(places(world), SETS):
             tree = open_tree(path, count)
             setting = Setting(error_px=widest(tree.directions) / widest(directions_of(DIRECTIONS)), geometry=False)
-            quality = mean([compared(truth, tree, setting) for truth in truths(world, cameras, tree)])
-            rows.append(told([place, count, *amounts(quality), *cells(quality)]))
+            quality = mean([compare(truth, tree, setting) for truth in truths(world, cameras, tree)])
+            rows.append(print_row([place, count, *amounts(quality), *cells(quality)]))
     title = "Directions with equal cuts, 3 views, no geometry"
     print(table(title, f"place | directions | {AMOUNTS} | {QUALITY}", rows))
 
@@ -106,9 +106,9 @@ def by_errors(worlds: list[World], trees: Path, out: Path | None) -> None:
         for place, cameras in places(world):
             shown = truths(world, cameras, tree)
             for error in ERRORS:
-                quality = mean([compared(truth, tree, Setting(error_px=error)) for truth in shown])
+                quality = mean([compare(truth, tree, Setting(error_px=error)) for truth in shown])
                 lines.setdefault(place, []).append(quality)
-                rows.append(told([place, error, *amounts(quality), *cells(quality)]))
+                rows.append(print_row([place, error, *amounts(quality), *cells(quality)]))
     print(table(f"Error, 3 of {DIRECTIONS} views", f"place | error_px {{:g}} | {AMOUNTS} | {QUALITY}", rows))
     if out is not None:
         _sheets.plot_errors(lines, ERRORS, out / "orthoview_errors.png")
@@ -122,8 +122,8 @@ def by_geometry(worlds: list[World], trees: Path, out: Path | None) -> None:
         tree = open_tree(world.build(trees), DIRECTIONS)
         for (place, cameras), geometry in itertools.product(places(world), (True, False)):
             setting = Setting(geometry=geometry)
-            quality = mean([compared(truth, tree, setting) for truth in truths(world, cameras, tree)])
-            rows.append(told([place, "on" if geometry else "off", *amounts(quality), *cells(quality)]))
+            quality = mean([compare(truth, tree, setting) for truth in truths(world, cameras, tree)])
+            rows.append(print_row([place, "on" if geometry else "off", *amounts(quality), *cells(quality)]))
     print(table(f"Geometry, 3 of {DIRECTIONS} views", f"place | geometry | {AMOUNTS} | {QUALITY}", rows))
 
 
@@ -137,13 +137,13 @@ def by_layers(worlds: list[World], trees: Path, out: Path | None) -> None:
         for (place, cameras), views, layers in itertools.product(places(part), VIEWS, (1, 2)):
             tree = open_tree(path, DIRECTIONS, layers)
             setting = Setting(views, geometry=False)
-            quality = mean([compared(truth, tree, setting) for truth in truths(part, cameras, tree)])
-            rows.append(told([place, views, layers, *amounts(quality), *cells(quality)]))
+            quality = mean([compare(truth, tree, setting) for truth in truths(part, cameras, tree)])
+            rows.append(print_row([place, views, layers, *amounts(quality), *cells(quality)]))
     header = f"place | views | layers | {AMOUNTS} | {QUALITY}"
     print(table(f"Layers, {DIRECTIONS} directions, no geometry", header, rows))
 
 
-def told(row: list[object]) -> list[object]:
+def print_row(row: list[object]) -> list[object]:
     """Print a row, because the whole table takes long."""
     print(row, file=sys.stderr, flush=True)
     return row

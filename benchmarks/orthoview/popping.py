@@ -31,7 +31,6 @@ BLENDED = 8
 """Number of pictures of splats that blend."""
 Tree = nf.orthoview.OrthoTree
 
-
 RATE = 72
 """Pictures per second."""
 SECONDS = 30.0

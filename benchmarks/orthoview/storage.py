@@ -59,14 +59,14 @@ class Leaf:
 
 def main() -> None:
     plots = start(__doc__, "--plots").plots
-    found = [leaf for leaf in map(measured, worlds()) if leaf is not None]
+    found = [leaf for leaf in map(measure, worlds()) if leaf is not None]
     header = (
         "leaf | triangles {:,} | a km² {:,.0f} | a pixel {:.3g} | geometry, kB {:,.1f} | of it shared meshes {:,.1f}"
     )
     header += " | merged, kB {:,.1f} | views, kB {:,.1f} | merged, bytes a triangle {:.1f} | geometry / views {:.3g}"
     print(table(f"Geometry and nine views of {SIZE}² pixels", header, [leaf.row for leaf in found]))
     worlds_of = dict.fromkeys(leaf.world for leaf in found)
-    rows = [crossing_of(world, [leaf for leaf in found if leaf.world == world]) for world in worlds_of]
+    rows = [crossing_row(world, [leaf for leaf in found if leaf.world == world]) for world in worlds_of]
     columns = ["world", "triangles a leaf", "a pixel {:.2g}", *(f"a km², {side:g} m {{:,.0f}}" for side in SIDES)]
     print(table("Where merged geometry takes as much as views", columns, rows))
     if plots is not None:
@@ -86,7 +86,7 @@ def worlds() -> Iterator[tuple[str, Any, float]]:
     yield from (("asteroids", nf.datasets.asteroids(polygons=count), 1500.0) for count in (1_000, 10_000, 97_000))
 
 
-def measured(case: tuple[str, Any, float]) -> Leaf | None:
+def measure(case: tuple[str, Any, float]) -> Leaf | None:
     """Measure the bytes of the leaf in the middle of a world; None if it is empty."""
     name, world, side = case
     grid = Grid(corner_of(name, world, side), side, (3, 3, 3))
@@ -101,7 +101,7 @@ def measured(case: tuple[str, Any, float]) -> Leaf | None:
     merged = cell_glb(whole, grid, PLACE)
     assert merged is not None
     triangles = glb.header(geometry)[0]["asset"]["extras"]["triangles"]
-    sizes = len(geometry), shared(part, step_of(grid)), len(merged), chunks
+    sizes = len(geometry), shared_bytes(part, step_of(grid)), len(merged), chunks
     return Leaf(f"{name}, {side:g} m", side, triangles, *sizes)
 
 
@@ -117,14 +117,14 @@ def corner_of(name: str, world: Any, side: float) -> tuple[float, float, float]:
     return x, float(np.floor(world.query(column).bounds[0, 1])) - side, z
 
 
-def shared(part: nf.Scene, step: float) -> int:
+def shared_bytes(part: nf.Scene, step: float) -> int:
     """Bytes of meshes with several placements in the GLB of a leaf."""
     images: list[str | None] = [None] * part._core.texture_count
     export = _core.Export(part._core, np.zeros(1, np.uint16), 1, names=[], images=images, step=step, compressed=True)
     return sum(len(content) for content, _, _ in export.shared())
 
 
-def crossing_of(world: str, leaves: list[Leaf]) -> list[object]:
+def crossing_row(world: str, leaves: list[Leaf]) -> list[object]:
     """Row of a world: where the ratio is 1, by linear interpolation or extrapolation of its leaves' logarithms."""
     ordered = sorted(leaves, key=lambda leaf: leaf.triangles)
     dense = np.log([leaf.triangles for leaf in ordered])

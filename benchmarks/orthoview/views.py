@@ -25,13 +25,13 @@ def main() -> None:
     start(__doc__)
     rows, views = [], None
     for leaf in leaves():
-        views, row = of_leaf(leaf)
+        views, row = measure_leaf(leaf)
         rows.append(row)
     times = ("by triangles", "by rays", "nf.render", "Embree's rays")
     header = ["leaf", "triangles {:,}", "a pixel {:.2f}", *(f"{name}, ms {{:.0f}}" for name in times)]
     print(table(f"Nine views of {SIZE}² pixels, drawn at twice the size", header, rows))
     if views is not None:
-        print(table("Of the last leaf", "step | ms {:.1f} | GB/s {:.1f}", of_steps(views)))
+        print(table("Of the last leaf", "step | ms {:.1f} | GB/s {:.1f}", step_rows(views)))
 
 
 def leaves() -> Iterator[Leaf]:
@@ -42,22 +42,22 @@ def leaves() -> Iterator[Leaf]:
     yield from (in_the_middle(f"forest, {side:g} m", forest, side) for side in (20.0, 80.0, 400.0))
 
 
-def of_leaf(leaf: Leaf) -> tuple[_core.OrthoViews, list[object]]:
+def measure_leaf(leaf: Leaf) -> tuple[_core.OrthoViews, list[object]]:
     scene, place = leaf.scene, (leaf.corner, leaf.side)
 
     def draw(way: str) -> Callable[[], _core.OrthoViews]:
         # Each leaf of a build is a new scene, whose search tree must be built before rays.
-        fresh_ones = [fresh(scene)._core for _ in range(REPEAT + 1)]
+        fresh_ones = [copy_without_trees(scene)._core for _ in range(REPEAT + 1)]
         return lambda: _core.OrthoViews.of_cell(fresh_ones.pop(), place, DIRECTIONS, LAYOUT.format, way=way)
 
     times = [best(draw(way), repeat=REPEAT).ms for way in ("triangles", "rays")]
-    row = [leaf.name, scene.triangle_count, scene.triangle_count / (4 * SIZE * SIZE), *times, rendered(leaf)]
-    return draw("triangles")(), [*row, embree(leaf)]
+    row = [leaf.name, scene.triangle_count, scene.triangle_count / (4 * SIZE * SIZE), *times, time_renderer(leaf)]
+    return draw("triangles")(), [*row, time_embree(leaf)]
 
 
-def rendered(leaf: Leaf) -> float:
+def time_renderer(leaf: Leaf) -> float:
     """Milliseconds of the same pictures by the renderer: without limits, reduction and codes."""
-    fresh_ones = [fresh(leaf.scene) for _ in range(REPEAT + 1)]
+    fresh_ones = [copy_without_trees(leaf.scene) for _ in range(REPEAT + 1)]
 
     def job() -> None:
         scene = fresh_ones.pop()
@@ -71,12 +71,12 @@ def rendered(leaf: Leaf) -> float:
     return best(job, repeat=REPEAT).ms
 
 
-def fresh(scene: nf.Scene) -> nf.Scene:
+def copy_without_trees(scene: nf.Scene) -> nf.Scene:
     """Copy a scene without search trees."""
     return scene.subset(triangles=np.ones(scene.triangle_count, bool))
 
 
-def embree(leaf: Leaf) -> float | str:
+def time_embree(leaf: Leaf) -> float | str:
     """Milliseconds of Embree's search tree and its rays, of all views; "–" without it."""
     scene = leaf.scene
     mesh = trimesh.Trimesh(scene.triangles().reshape(-1, 3), np.arange(3 * scene.triangle_count).reshape(-1, 3),
@@ -101,7 +101,7 @@ def embree(leaf: Leaf) -> float | str:
     return best(job, repeat=2).ms
 
 
-def of_steps(views: _core.OrthoViews) -> list[list[object]]:
+def step_rows(views: _core.OrthoViews) -> list[list[object]]:
     parent = _core.OrthoParent(DIRECTIONS, LAYOUT.format)
     adds = itertools.cycle(OCTANTS)
     # A texel of a child is 10 bytes. A texel of a parent's picture, four for each pixel, is 16: read and written.

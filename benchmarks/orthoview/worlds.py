@@ -40,7 +40,7 @@ def main() -> None:
         one=str,
     )
     if given.one:
-        print(json.dumps(built(json.loads(given.one))))
+        print(json.dumps(build(json.loads(given.one))))
         return
     for name in given.worlds or ["forest"]:
         rows = []
@@ -81,7 +81,7 @@ def forest(given: argparse.Namespace) -> Iterator[Row]:
 SERIES = {"tokyo": tokyo, "asteroids": asteroids, "world": world, "forest": forest}
 
 
-def built(job: Row) -> Row:
+def build(job: Row) -> Row:
     """Build a tree and measure it."""
     source, aabb = open_world(job)
     before = resident("VmHWM")

@@ -21,7 +21,7 @@ SIZE = (1920, 1080)
 REPEAT = 3
 
 
-def loaded(files: list[str]) -> dict[str, nf.Scene]:
+def load_scenes(files: list[str]) -> dict[str, nf.Scene]:
     named = {Path(file).stem: nf.Scene.load(file) for file in files} or dict(scenes.present("Tokyo core"))
     return named or {"city": nf.datasets.city()}
 
@@ -95,7 +95,7 @@ def pyrender(scene: nf.Scene, camera: nf.Camera) -> Timing | None:
 def main() -> None:
     options = start(__doc__, files={"nargs": "*", "help": "scenes; by default the core of Tokyo or a city"})
     header = "job | wall ms {:.0f} | CPU ms {:.0f} | CPU of embreex' tracing {:.2f} | rms error {:.4f}"
-    for name, scene in loaded(options.files).items():
+    for name, scene in load_scenes(options.files).items():
         camera = view(scene, SIZE)
         reference = embree(scene, camera)
         rows = ours(scene, camera, reference)

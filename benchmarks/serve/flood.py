@@ -95,7 +95,7 @@ def first_ring(url: str, number: int) -> float:
     return taken
 
 
-def measured(url: str, first: int) -> list[float]:
+def measure(url: str, first: int) -> list[float]:
     """Cells of a row: times of a file, and of five new clients."""
     rings = [first_ring(url, number) for number in range(first, first + 5)]
     times = [file_time(url) for _ in range(300)]
@@ -105,9 +105,9 @@ def measured(url: str, first: int) -> list[float]:
 def main() -> None:
     scene, rows = scenes.city(start(__doc__, "--quick").quick), []
     with Server({"": Site.of_scene(OnDemand(scene), None)}) as server:
-        rows.append(["alone", *measured(server.url, 0), 0, 0])
+        rows.append(["alone", *measure(server.url, 0), 0, 0])
         with flood(server.url) as (refused, accepted):
-            rows.append(["beside the flood", *measured(server.url, 5), refused.value, accepted.value])
+            rows.append(["beside the flood", *measure(server.url, 5), refused.value, accepted.value])
     print(table(f"{ADDRESSES} addresses with {CLIENTS} requests each at once", HEADER, rows))
 
 

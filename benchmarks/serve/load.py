@@ -136,7 +136,8 @@ def run(folder: Path, seconds: int, rounds: int) -> None:
                 sizes.append(megabytes(process))
             memory.append([name, *sizes[:2], max(sizes), sizes[-1]])
     order = list(ASKED)
-    print(table("Load", HEADER, sorted(rows, key=lambda cells: (order.index(cells[0]), cells[2]))))
+    rows.sort(key=lambda cells: (order.index(cells[0]), cells[2]))
+    print(table("Load", HEADER, rows))
     header = f"server | MB before {{:.0f}} | after a round {{:.0f}} | most {{:.0f}} | after {rounds} {{:.0f}}"
     print(table("Memory", header, memory))
     if "nginx" not in servers:

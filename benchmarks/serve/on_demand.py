@@ -66,14 +66,14 @@ def ask(url: str, place: Place) -> tuple[Times, tuple[int, int]]:
     while line := answer.readline():
         told = json.loads(line)
         for name in told.get("files", ()):
-            sizes[told["stage"]] += len(fetched(url, name))
+            sizes[told["stage"]] += len(fetch(url, name))
         if told["event"] == "ring":
             came[told["stage"], told["ring"]] = time.perf_counter() - start
     last = len(PUBLISHED)
     return tuple(came[key] for key in ((0, 0), (0, last), (1, 0), (1, last))), (sizes[0], sizes[1])
 
 
-def fetched(url: str, name: str) -> bytes:
+def fetch(url: str, name: str) -> bytes:
     """Content of a file over a new connection, since the server closes idle ones."""
     files = http.client.HTTPConnection(urlsplit(url).netloc)
     files.request("GET", f"/{name}")
@@ -89,7 +89,7 @@ def row(name: str, found: list[tuple[Times, tuple[int, int]]]) -> list[object]:
     return [name, *seconds, *sizes]
 
 
-def measured(name: str, load: Callable[[], nf.Scene], places: tuple[Place, ...]) -> list[list[object]]:
+def measure(name: str, load: Callable[[], nf.Scene], places: tuple[Place, ...]) -> list[list[object]]:
     """Rows of a scene: one client after the other, then two at once; no place is requested twice."""
     maker, made = timed(lambda: OnDemand(load(), radii=PUBLISHED))
     _, tree = timed(nf.cast_rays, maker.scene, np.array([[0.0, 1.7, 0.0]]), np.array([[0.0, -1.0, 0.0]]))
@@ -117,12 +117,12 @@ def whole_of_tokyo() -> nf.Scene:
 def main() -> None:
     given = start(__doc__, "--quick", tokyo=(bool, "the whole of Tokyo alone, 29.8 million triangles"))
     if given.tokyo:
-        rows = measured("whole of Tokyo", whole_of_tokyo, WARDS)
+        rows = measure("whole of Tokyo", whole_of_tokyo, WARDS)
     elif given.quick:
-        rows = measured("city, small", lambda: scenes.city(quick=True), STREETS[:4])
+        rows = measure("city, small", lambda: scenes.city(quick=True), STREETS[:4])
     else:
-        rows = measured("city", lambda: nf.datasets.city(blocks=12, detail=2), STREETS)
-        rows += measured("city", lambda: nf.datasets.city(blocks=9, detail=3), STREETS)
+        rows = measure("city", lambda: nf.datasets.city(blocks=12, detail=2), STREETS)
+        rows += measure("city", lambda: nf.datasets.city(blocks=9, detail=3), STREETS)
     print(table("seconds from the request, maps of 6 × 1024², 4 samples", HEADER, rows))
 
 

@@ -80,7 +80,7 @@ def link(loss: float) -> Iterator[list[str]]:
         running.stdin.close()
 
 
-def by_users(seconds: float, way: list[str]) -> None:
+def measure_users(seconds: float, way: list[str]) -> None:
     """Measure users on loopback."""
     rows = []
     for users in USERS:
@@ -89,7 +89,7 @@ def by_users(seconds: float, way: list[str]) -> None:
     print(table("Users", f"users | poses/s each {{:.1f}} | {HEADER} | {COSTS}", rows))
 
 
-def by_loss(seconds: float, way: list[str]) -> None:
+def measure_losses(seconds: float, way: list[str]) -> None:
     """Measure users behind a link that loses packets."""
     rows = []
     for users, loss in itertools.product(LINK_USERS, LOSSES):
@@ -100,7 +100,7 @@ def by_loss(seconds: float, way: list[str]) -> None:
     print(table(title, f"users | loss % | {HEADER} | unsettled {{:.0f}}", rows))
 
 
-def by_attack(seconds: float, way: list[str]) -> None:
+def measure_attacks(seconds: float, way: list[str]) -> None:
     """Measure users while eight others misbehave in the group of the first four."""
     rows = []
     for attack in ("nobody", *ATTACKS, "nobody"):
@@ -110,7 +110,7 @@ def by_attack(seconds: float, way: list[str]) -> None:
     print(table("Attacks", f"meanwhile | {HEADER} | unsettled {{:.0f}}", rows))
 
 
-def by_hour(way: list[str]) -> None:
+def measure_hour(way: list[str]) -> None:
     """Measure the server's memory over an hour of eight users."""
     options = ["--stay", str(STAY_SECONDS), *way]
     figures = load(8, HOUR_RATE * HERTZ, HOUR_SECONDS, *options)
@@ -128,11 +128,11 @@ def main() -> None:
     command = ["cargo", "build", "--release", "--quiet", "-p", "nearfar-serve", "--examples"]
     subprocess.run(command, cwd=ROOT, check=True)
     parts = arguments.parts or ["users", "link", "attacks", "hour"]
-    for name, measure in {"users": by_users, "link": by_loss, "attacks": by_attack}.items():
+    for name, measure in {"users": measure_users, "link": measure_losses, "attacks": measure_attacks}.items():
         if name in parts:
             measure(arguments.seconds, ["--by", arguments.by])
     if "hour" in parts:
-        by_hour(["--by", arguments.by])
+        measure_hour(["--by", arguments.by])
 
 
 if __name__ == "__main__":

@@ -72,13 +72,13 @@ def figures(name: str, outcomes: Sequence[Outcome], trips: np.ndarray | None = N
     )
 
 
-def modelled(name: str, settings: Settings, person: Person, pairs: int) -> Figures:
+def simulate_groups(name: str, settings: Settings, person: Person, pairs: int) -> Figures:
     """Simulate pairs of groups, each with its own clock, spheres and people."""
     each = (simulate(replace(settings, seed=n), person=person, groups=GROUPS, seed=n) for n in range(pairs))
     return figures(name, [outcome for outcomes in each for outcome in outcomes])
 
 
-def calibrated(uncalibrated: Figures) -> Person:
+def calibrate(uncalibrated: Figures) -> Person:
     """People whose search times make easy spheres take the printed time; nothing else is fitted."""
     return Person(search=max(PRINTED.seconds[0][0] - uncalibrated.seconds[0][0], 0.0))
 
@@ -162,9 +162,9 @@ def main() -> None:
         real=(bool, "also on a server, in real time"),
     )
     settings = Settings(duration=30.0, rest=1.0) if chosen.quick else Settings()
-    plain = modelled("model, literature alone", settings, Person(), chosen.pairs)
-    person = calibrated(plain)
-    found = [PRINTED, plain, modelled(f"model, {person.search:.2f} s of search", settings, person, chosen.pairs)]
+    plain = simulate_groups("model, literature alone", settings, Person(), chosen.pairs)
+    person = calibrate(plain)
+    found = [PRINTED, plain, simulate_groups(f"model, {person.search:.2f} s of search", settings, person, chosen.pairs)]
     if chosen.real:
         found.append(real(settings, person))
     show(found)

@@ -73,7 +73,7 @@ def content(link: nf.stream.Link) -> nf.stream.Link:
     return replace(link, mbps=link.mbps * CONTENT)
 
 
-def simulated(
+def simulate_stages(
     bundle: nf.stream.Bundle, link: nf.stream.Link, strategy: str, seed: int, *, decode_mbs: float
 ) -> dict[str, float]:
     """Seconds until each stage is ready in a simulation, on an open connection."""
@@ -83,13 +83,13 @@ def simulated(
     return {name: float(getattr(line, name)) - link.handshake * link.rtt for name in STAGES}
 
 
-def decoding(bundle: nf.stream.Bundle, loads: list[Loaded]) -> float:
+def fit_decoding(bundle: nf.stream.Bundle, loads: list[Loaded]) -> float:
     """Megabytes per second with which a simulation over the fast link takes as long as the loads by clovrd."""
     goal = float(np.median([one.total["ready"] for one in loads]))
     low, high = 0.01, 1e4
     for _ in range(30):
         middle = (low * high) ** 0.5
-        slow = simulated(bundle, FAST, "clovrd", 0, decode_mbs=middle)["total"] > goal
+        slow = simulate_stages(bundle, FAST, "clovrd", 0, decode_mbs=middle)["total"] > goal
         low, high = (middle, high) if slow else (low, middle)
     return float((low * high) ** 0.5)
 
@@ -100,12 +100,12 @@ def median_of_seeds(job: Callable[[int], dict[str, float]], loss: float) -> dict
     return {name: float(np.median([run[name] for run in runs])) for name in runs[0]}
 
 
-def measured_decoding(bundle: nf.stream.Bundle, repeat: int) -> float:
+def measure_decoding(bundle: nf.stream.Bundle, repeat: int) -> float:
     """Megabytes per second of decoding, uploads and frames, from loads over the fast link."""
     with open_connection(FAST, bundle) as (way, chromium, url):
         # The first load of a browser also compiles its shaders.
         loads = [load(way, chromium, url, bundle, "clovrd") for _ in range(repeat + 1)][1:]
-    return decoding(bundle, loads)
+    return fit_decoding(bundle, loads)
 
 
 @contextmanager
@@ -155,12 +155,12 @@ def loads(place: str, bundle: nf.stream.Bundle, loss: float, repeat: int, mbs: f
                 loss,
                 strategy,
                 real=[{name: getattr(one, name) for name in STAGES} for one in found],
-                simulated=median_of_seeds(partial(simulated, bundle, link, strategy, decode_mbs=mbs), loss),
+                simulated=median_of_seeds(partial(simulate_stages, bundle, link, strategy, decode_mbs=mbs), loss),
                 megabytes=float(np.median([one.bytes for one in found])) / 1e6,
             )
 
 
-def of_the_link(found: list[Outcome]) -> str:
+def link_table(found: list[Outcome]) -> str:
     """Table of the link alone."""
     rows = []
     for one in found:
@@ -172,7 +172,7 @@ def of_the_link(found: list[Outcome]) -> str:
     return table("Seconds until the files were there, requests alone", ["", "lost {:.0%}", "", *stages], rows)
 
 
-def of_the_page(found: list[Outcome]) -> str:
+def page_table(found: list[Outcome]) -> str:
     """Table of the page."""
     rows: list[list[object]] = []
     for one in found:
@@ -206,16 +206,16 @@ def main() -> None:
             for loss in given.loss:
                 alone += requests_alone(place.name, bundle, loss, given.repeat)
             if not given.link_only:
-                mbs = measured_decoding(bundle, given.repeat)
+                mbs = measure_decoding(bundle, given.repeat)
                 for loss in given.loss:
                     whole += loads(place.name, bundle, loss, given.repeat, mbs)
         print(f"1-minute load of the machine: {os.getloadavg()[0]:.1f}", flush=True)
         if given.json:
             figures = {"requests": [asdict(one) for one in alone], "page": [asdict(one) for one in whole]}
             given.json.write_text(json.dumps(figures, indent=1) + "\n")
-    print(of_the_link(alone))
+    print(link_table(alone))
     if whole:
-        print(of_the_page(whole))
+        print(page_table(whole))
 
 
 if __name__ == "__main__":

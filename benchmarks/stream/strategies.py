@@ -37,7 +37,7 @@ class Case:
     bundle: nf.stream.Bundle
 
 
-def exported(quick: bool, chosen: int | None, folder: Path) -> list[Case]:
+def export_places(quick: bool, chosen: int | None, folder: Path) -> list[Case]:
     """Export four places, or one of them; the second centre of the factory is 30 m along the hall."""
     listed = places(quick)
     x, _, z = listed[-1].center
@@ -49,12 +49,12 @@ def exported(quick: bool, chosen: int | None, folder: Path) -> list[Case]:
 def export(place: Place, folder: Path, quick: bool, *, instanced: bool = True) -> Case:
     """Export a place's bundle; without instances also without compression."""
     scene = place.make(instanced=instanced)
-    bundle = written(scene, place, folder, PUBLISHED, quick, compression="meshopt" if instanced else None)
+    bundle = write_bundle(scene, place, folder, PUBLISHED, quick, compression="meshopt" if instanced else None)
     name = place.name if instanced else f"{place.name}, copies, plain"
     return Case(replace(place, name=name), scene, bundle)
 
 
-def written(
+def write_bundle(
     scene: nf.Scene, place: Place, folder: Path, radii: Sequence[float], quick: bool, **settings: str | None
 ) -> nf.stream.Bundle:
     """Write a bundle with given radii."""
@@ -84,7 +84,7 @@ def by_radius(case: Case, link: nf.stream.Link, gzip: bool, quick: bool) -> dict
     found: dict[str, list[float]] = {"vis0": [], "vis1": []}
     for count in range(1, len(PUBLISHED) + 1):
         with folder_or_temporary() as folder:
-            bundle = written(case.scene, case.place, folder / "bundle", PUBLISHED[:count], quick)
+            bundle = write_bundle(case.scene, case.place, folder / "bundle", PUBLISHED[:count], quick)
             for name, times in found.items():
                 times.append(nf.stream.simulate(bundle, link=link, strategy=name, gzip=gzip).total)
     return found
@@ -164,7 +164,7 @@ def main() -> None:
     parts = PARTS if options.part is None else (options.part,)
     link = nf.stream.Link(MBPS, rtt_ms=RTT)
     with folder_or_temporary() as folder:
-        cases = exported(quick, options.place, folder)
+        cases = export_places(quick, options.place, folder)
         lines = {case.place.name: lines_of(case, link, gzip) for case in cases}
         if "times" in parts:
             for other in (nf.stream.Link(MBPS), link, nf.stream.Link(MBPS, rtt_ms=RTT, loss=0.001)):

@@ -39,7 +39,7 @@ def surfaces() -> dict[str, trimesh.Trimesh]:
     return {"ground, 200 m wide": plane(100.0), **walls, "roof 4 to 12 m above the eye": roof}
 
 
-def worst(triangles: Array, stages: tuple[float, float, float]) -> float:
+def greatest_error(triangles: Array, stages: tuple[float, float, float]) -> float:
     """Greatest error in pixels at ten points of each triangle, for 40 users and stages, most of them at the borders."""
     least, greatest, weakest = stages
     random = np.random.default_rng(1)
@@ -75,7 +75,7 @@ def rows_of(stages: tuple[float, float, float]) -> list[list[object]]:
             bound = triangles[(rho > EXEMPT).all(axis=1)]
         else:
             bound = triangles
-        error = worst(bound, stages)
+        error = greatest_error(bound, stages)
         rows.append([name, len(triangles), error, error / TOLERANCE, best(job, repeat=1).wall])
     return rows
 

@@ -157,7 +157,7 @@ def rate(values: Sequence[float]) -> str:
     return f"{np.mean(values):.1f} ± {np.std(values):.1f}"
 
 
-def of_turns(seen: list[Seen]) -> str:
+def turns_table(seen: list[Seen]) -> str:
     """Table of turns."""
     rows = []
     for one in seen:
@@ -168,7 +168,7 @@ def of_turns(seen: list[Seen]) -> str:
     return table("Frames a second after loading, mean ± sd of a turn's sectors", header, rows)
 
 
-def of_loads(loads: list[Load]) -> str:
+def loads_table(loads: list[Load]) -> str:
     """Table of loads."""
     rows = []
     for one in loads:
@@ -208,9 +208,9 @@ def main() -> None:
             if given.json:
                 given.json.write_text(json.dumps(run.figures(), indent=1) + "\n")
     if run.seen:
-        print(of_turns(run.seen))
+        print(turns_table(run.seen))
     if run.loads:
-        print(of_loads(run.loads))
+        print(loads_table(run.loads))
 
 
 if __name__ == "__main__":

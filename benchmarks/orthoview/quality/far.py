@@ -39,7 +39,7 @@ def main() -> None:
     half = SIDE / 2
     world = World("far forest", whole.query, (-half, -40.0, -half), SIDE, 120.0, CELL)
     with folder_or_temporary(given.trees) as folder:
-        tree = built(world, folder)
+        tree = build(world, folder)
         camera = nf.Camera.look_at(EYE, TARGET, fov=FOV, size=PICTURE)
         clip = nf.Clip(box=tree.bounds)
         print(f"{world.scene.triangle_count:,} triangles; {tree.held['bytes'] / 1e6:.0f} MB of views\n")
@@ -61,7 +61,7 @@ def main() -> None:
 SHOWN = ("geometry, 4 × 4 samples", f"geometry, {LARGE[0]} × {LARGE[1]} reduced", "orthoviews, one sample")
 
 
-def built(world: World, folder: Path) -> nf.orthoview.OrthoTree:
+def build(world: World, folder: Path) -> nf.orthoview.OrthoTree:
     """Build the tree, unless the folder contains it, without geometry, since nothing is near."""
     path = folder / "far-forest.zarr"
     return nf.orthoview.build(world.scene, path, cell=CELL, aabb=world.box, size=256, directions=9, geometry=False)
@@ -82,14 +82,14 @@ def methods(
     return {
         "geometry, one sample": lambda: geometry(1).to_image(),
         SHOWN[0]: lambda: geometry(16).to_image(),
-        SHOWN[1]: lambda: reduced(geometry(1, LARGE)),
+        SHOWN[1]: lambda: average(geometry(1, LARGE)),
         SHOWN[2]: orthoviews(1),
         "orthoviews, 4 × 4 samples": orthoviews(16),
         "orthoviews, 4 × 4 samples, half the error": orthoviews(16, 0.5),
     }
 
 
-def reduced(frame: nf.Frame) -> Picture:
+def average(frame: nf.Frame) -> Picture:
     """Average linear light over each pixel of the smaller picture."""
     channels = [Image.fromarray(channel) for channel in np.moveaxis(frame.require("color"), -1, 0)]
     smaller = [np.asarray(channel.resize(PICTURE, Image.Resampling.BOX)) for channel in channels]

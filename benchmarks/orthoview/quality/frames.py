@@ -54,13 +54,13 @@ def main() -> None:
         one=str,
     )
     if given.one:
-        print(json.dumps(measured(given.tree, given.tiles, json.loads(given.one))))
+        print(json.dumps(measure(given.tree, given.tiles, json.loads(given.one))))
         return
     kept = given.found is not None and given.found.is_file()
     rows: list[Row] = json.loads(given.found.read_text()) if kept else []
     for side, way in itertools.product(given.sides, given.ways):
         if not any((row["side"], row["way"]) == (side, way) for row in rows):
-            rows.append({"side": side, "way": way, **in_process(given, side, way)})
+            rows.append({"side": side, "way": way, **run_separately(given, side, way)})
             print(rows[-1], file=sys.stderr, flush=True)
             if given.found is not None:
                 given.found.write_text(json.dumps(rows))
@@ -69,7 +69,7 @@ def main() -> None:
         plot(rows, given.out)
 
 
-def in_process(given: argparse.Namespace, side: float, way: str) -> Row:
+def run_separately(given: argparse.Namespace, side: float, way: str) -> Row:
     """Draw in a separate process; return the reason if it fails."""
     arguments = given.tree, "--tiles", given.tiles, "--one", json.dumps({"side": side, "way": way})
     try:
@@ -78,7 +78,7 @@ def in_process(given: argparse.Namespace, side: float, way: str) -> Row:
         return {"failed": str(error)}
 
 
-def measured(tree: str, tiles: str, job: Row) -> Row:
+def measure(tree: str, tiles: str, job: Row) -> Row:
     """Seconds of the first frame, and of the next ones."""
     half = 500.0 * (WHOLE if job["side"] == SIDES[-1] else job["side"])
     began, busy = time.perf_counter(), time.process_time()

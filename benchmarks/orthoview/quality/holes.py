@@ -50,17 +50,17 @@ def main() -> None:
     given = start(__doc__, "--tiles", "--trees", "--out", worlds=(["Tokyo", "forest", "landscape"], "of the choices"))
     city = tokyo(given.tiles)
     with folder_or_temporary(given.trees) as trees:
-        print(of_causes(city, trees, given.out))
+        print(causes_table(city, trees, given.out))
         title = f"Tokyo from {PLACES} other places, {VIEWS} views"
         header = "directions | higher by {}° | holes, % {:.2f} | at most {:.2f}"
-        print(table(title, header, elsewhere(city, trees)))
+        print(table(title, header, other_place_rows(city, trees)))
         worlds = [world for world in (city, forest(), landscape()) if world.name in given.worlds]
-        rows = [row for world in worlds for row in of_choices(world, trees)]
+        rows = [row for world in worlds for row in choice_rows(world, trees)]
     header = "place | views | thousand splats {:.0f} | holes, % {:.2f} | PSNR, dB {:.1f} | SSIM {:.3f}"
     print(table("Choices of views", header, rows))
 
 
-def of_causes(city: World, trees: Path, out: Path | None) -> str:
+def causes_table(city: World, trees: Path, out: Path | None) -> str:
     """Table of holes by cause and surface, and a picture of them."""
     tree, all_views = (open_tree(city.build(trees), count) for count in (DIRECTIONS, 26))
     counts = np.zeros((len(CAUSES), len(SURFACES)))
@@ -68,7 +68,7 @@ def of_causes(city: World, trees: Path, out: Path | None) -> str:
     for number, camera in enumerate(city.from_air()):
         channels = ("color", "range", "position", "normal")
         truth = nf.render(city.scene, camera, clip=nf.Clip(box=tree.bounds), channels=channels)
-        frame = render_choice(tree, camera, lifted(0))
+        frame = render_choice(tree, camera, raise_direction(0))
         cause, kind = causes(tree, all_views, truth, frame)
         surfaces += int(np.isfinite(truth.require("range")).sum())
         for n in range(len(CAUSES)):
@@ -139,7 +139,7 @@ def colored(truth: nf.Frame, cause: NDArray[np.int64]) -> NDArray[np.uint8]:
     return picture
 
 
-def lifted(degrees: float, views: int = VIEWS) -> Choice:
+def raise_direction(degrees: float, views: int = VIEWS) -> Choice:
     """Choose the views nearest to the viewer's direction raised by an angle."""
     return lambda tree, camera: tree.cut(camera, views=views, lift_deg=degrees)
 
@@ -155,28 +155,28 @@ def with_top(tree: nf.orthoview.OrthoTree, camera: nf.Camera) -> OrthoCut:
     return replace(cut, directions=np.array(several, np.int8))
 
 
-def of_choices(world: World, trees: Path) -> list[list[object]]:
+def choice_rows(world: World, trees: Path) -> list[list[object]]:
     """Rows of holes and quality by the choice of views."""
     tree = open_tree(world.build(trees), DIRECTIONS)
     rows: list[list[object]] = []
     for place, cameras in (("air", world.from_air()), ("ground", world.from_ground())):
         truths = [Truth(world, camera, tree.bounds) for camera in cameras]
         for name, choose in CHOICES.items():
-            found = np.mean([measured(tree, truth, choose) for truth in truths], axis=0)
+            found = np.mean([measure(tree, truth, choose) for truth in truths], axis=0)
             rows.append([f"{world.name}, {place}", name, *found])
             print(rows[-1], file=sys.stderr, flush=True)
     return rows
 
 
 CHOICES: dict[str, Choice] = {
-    "3 nearest": lifted(0),
-    **{f"3 nearest to {angle}° higher": lifted(angle) for angle in (10, 20, 30, 45)},
+    "3 nearest": raise_direction(0),
+    **{f"3 nearest to {angle}° higher": raise_direction(angle) for angle in (10, 20, 30, 45)},
     "2 nearest, and the top": with_top,
-    **{f"{views} nearest": lifted(0, views) for views in (4, 5, MAX_VIEWS)},
+    **{f"{views} nearest": raise_direction(0, views) for views in (4, 5, MAX_VIEWS)},
 }
 
 
-def elsewhere(world: World, trees: Path) -> list[list[float]]:
+def other_place_rows(world: World, trees: Path) -> list[list[float]]:
     """Rows of holes from other places in the air, by directions and by the angle."""
     draw = np.random.default_rng(0)
     eyes, targets = (draw.uniform(0, 1, (PLACES, 3)) for _ in range(2))
@@ -191,7 +191,7 @@ def elsewhere(world: World, trees: Path) -> list[list[float]]:
         for angle in (0, 20, 30, 45):
             shares = []
             for truth in truths:
-                found = render_choice(tree, truth.camera, lifted(angle)).require("range")
+                found = render_choice(tree, truth.camera, raise_direction(angle)).require("range")
                 is_there = np.isfinite(truth.range)
                 shares.append(100 * float((is_there & ~np.isfinite(found)).sum() / max(is_there.sum(), 1)))
             rows.append([directions, angle, float(np.mean(shares)), max(shares)])
@@ -199,7 +199,7 @@ def elsewhere(world: World, trees: Path) -> list[list[float]]:
     return rows
 
 
-def measured(tree: nf.orthoview.OrthoTree, truth: Truth, choose: Choice) -> list[float]:
+def measure(tree: nf.orthoview.OrthoTree, truth: Truth, choose: Choice) -> list[float]:
     """Thousands of splats in the picture, holes in percent of the surfaces, PSNR and SSIM."""
     frame = render_choice(tree, truth.camera, choose)
     is_there = np.isfinite(truth.range)

@@ -99,12 +99,12 @@ def main() -> None:
         read = tree._viewer.views.read_bytes
         rows, pictures = [], []
         for light in LIGHTS:
-            reference = shaded(truth, light, heads)
-            picture, spent = timed(shaded, views, light, heads)
+            reference = shade(truth, light, heads)
+            picture, spent = timed(shade, views, light, heads)
             psnr, ssim = (float(measure(reference, picture, data_range=255)) for measure in (nf.psnr, nf.ssim))
             rows.append([light.name, psnr, ssim, tree._viewer.views.read_bytes - read, spent.ms])
             pictures.append((reference, picture, f"{light.name}\n{psnr:.1f} dB, SSIM {ssim:.3f}"))
-        day = nf.psnr(encoded(truth.require("color")), shaded(truth, LIGHTS[0], heads), data_range=255)
+        day = nf.psnr(encode(truth.require("color")), shade(truth, LIGHTS[0], heads), data_range=255)
         print(f"{read / 1e6:.1f} MB of views are read once; {dict(views.stats)}")
         print(f"the truth by day and the picture of nf.render: {day:.1f} dB\n")
     print(table("Other lights", "light | PSNR, dB {:.1f} | SSIM {:.3f} | bytes read | shaded in, ms {:.0f}", rows))
@@ -121,7 +121,7 @@ def lamps(city: nf.Scene) -> NDArray[np.float64]:
     return np.array([poses[name][:3, :3] @ HEAD + poses[name][:3, 3] for name in names])
 
 
-def shaded(frame: nf.Frame, light: Light, heads: NDArray[np.float64]) -> NDArray[np.uint8]:
+def shade(frame: nf.Frame, light: Light, heads: NDArray[np.float64]) -> NDArray[np.uint8]:
     """Shade a frame's surfaces by a light, sRGB, one pixel for GRID × GRID samples."""
     _, rays = frame.camera.rays()
     linear = background(rays.astype(np.float32), light)
@@ -135,7 +135,7 @@ def shaded(frame: nf.Frame, light: Light, heads: NDArray[np.float64]) -> NDArray
     if any(light.lamp):
         bright += np.array(light.lamp, np.float32) * from_lamps(points, n, heads)[:, None]
     linear[is_there] = frame.require("albedo")[is_there] * bright
-    return encoded(linear)
+    return encode(linear)
 
 
 def from_lamps(points: NDArray[np.float64], normals: Floats, heads: NDArray[np.float64]) -> Floats:
@@ -157,7 +157,7 @@ def background(rays: Floats, light: Light) -> Floats:
     return sky
 
 
-def encoded(linear: Floats) -> NDArray[np.uint8]:
+def encode(linear: Floats) -> NDArray[np.uint8]:
     """Average the samples of each pixel, as sRGB."""
     blocks = np.minimum(linear, 1).reshape(SIZE[1], GRID, SIZE[0], GRID, 3)
     mean = np.ascontiguousarray(blocks.mean(axis=(1, 3)), np.float32)

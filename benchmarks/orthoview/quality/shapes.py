@@ -54,7 +54,7 @@ Shape = Callable[[_splats.Pixels, nf.Camera], _shapes.Sides]
 def main() -> None:
     given = start(__doc__, "--out", "--tiles", "--trees")
     if given.trees is not None:
-        print(of_trees([tokyo(given.tiles), forest(), landscape()], given.trees))
+        print(tree_table([tokyo(given.tiles), forest(), landscape()], given.trees))
         return
     leaf, layout = tree_and_wall(), layout_of()
     views, number = leaf.views(layout), layout.directions.index(FRONT)
@@ -67,7 +67,7 @@ def main() -> None:
         rows.append([name, *found.cells()])
         panels.append((f"{name}\n{found.psnr:.1f} dB, {found.holes:.1f} % holes", found.picture))
     print(table(f"{len(pixels.middle):,} splats", f"shape | {HEADER.replace('%', '% {:.1f}')}", rows))
-    kernel = truth.compared(*of_kernel(leaf, views, number, truth.fine))
+    kernel = truth.compared(*kernel_picture(leaf, views, number, truth.fine))
     ours = truth.compared(*_shapes.rasterize(pixels, shapes(views, number)["ours"](pixels, truth.fine), truth.fine))
     print(f"ours, by the kernel of tree.render: {', '.join(f'{value:.3g}' for value in kernel.cells())}")
     print(f"both pictures of ours: {nf.psnr(kernel.picture, ours.picture, data_range=255):.1f} dB\n")
@@ -75,7 +75,7 @@ def main() -> None:
         _sheets.save_panels(panels, 3, given.out / "orthoview_shapes.png", scale=2)
 
 
-def of_trees(worlds: list[World], trees: Path) -> str:
+def tree_table(worlds: list[World], trees: Path) -> str:
     """Compare pictures from the air by `tree.render` with surfels only, none of them larger at borders."""
     rows = []
     for world in worlds:
@@ -84,7 +84,7 @@ def of_trees(worlds: list[World], trees: Path) -> str:
         for views in (1, 3):
             for name, decoded in (("ours", _codec.decoded), ("ellipses", _surfels)):
                 with mock.patch.object(_codec, "decoded", decoded):
-                    found = seen.mean([seen.compared(truth, tree, seen.Setting(views)) for truth in shown])
+                    found = seen.mean([seen.compare(truth, tree, seen.Setting(views)) for truth in shown])
                 shares = (100 * share for share in (found.holes, found.through, found.before, found.false))
                 rows.append([f"{world.name}, air", views, name, found.psnr, found.ssim, *shares])
                 print(rows[-1], file=sys.stderr, flush=True)
@@ -192,13 +192,13 @@ class Truth:
     @property
     def picture(self) -> NDArray[np.uint8]:
         """Picture of averaged samples, sRGB."""
-        return reduced(self.frame.require("color"))
+        return average(self.frame.require("color"))
 
     def compared(self, color: NDArray[np.uint8], depth: Floats) -> Findings:
         """Compare a picture of the same samples."""
         is_there = np.isfinite(depth)
         linear = to_linear(color / 255.0)
-        picture = reduced(np.where(is_there[..., None], linear, self.sky))
+        picture = average(np.where(is_there[..., None], linear, self.sky))
         _, along = self.fine.rays()
         middle = along[along.shape[0] // 2, along.shape[1] // 2]
         truth = self.frame.require("range") * (along @ (middle / np.linalg.norm(middle)))
@@ -222,7 +222,9 @@ def visible_in_view(points: NDArray[Any], leaf: Leaf, views: _core.OrthoViews, l
     return seen.shown_by(points, axes, extents, leaf.box.mean(axis=0), metres_of(views, number, layout, leaf.side))
 
 
-def of_kernel(leaf: Leaf, views: _core.OrthoViews, number: int, fine: nf.Camera) -> tuple[NDArray[np.uint8], Floats]:
+def kernel_picture(
+    leaf: Leaf, views: _core.OrthoViews, number: int, fine: nf.Camera
+) -> tuple[NDArray[np.uint8], Floats]:
     """Picture of one view by the kernel of `tree.render`."""
     splats = _core.OrthoSplats(views, number, views.connected(CONNECTED), (leaf.corner, leaf.side))
     settings = Shot(cameras=(fine,), channels=("color", "range")).settings
@@ -239,7 +241,7 @@ def blocks(samples: NDArray[Any]) -> NDArray[Any]:
     return samples.reshape(height // GRID, GRID, width // GRID, GRID, *samples.shape[2:])
 
 
-def reduced(linear: NDArray[Any]) -> NDArray[np.uint8]:
+def average(linear: NDArray[Any]) -> NDArray[np.uint8]:
     """Average samples to a picture, sRGB."""
     mean = np.ascontiguousarray(blocks(linear).mean(axis=(1, 3)), np.float32)
     return _core.encode_srgb(mean.ravel()).reshape(mean.shape)
