@@ -35,9 +35,9 @@ def bakes(name: str, scene: nf.Scene, center: NDArray[np.float64], sizes: list[i
     for size in sizes:
         job = partial(nf.reduce, scene, center=center, r1=R1, r2=R2, face_size=size, samples=1)
         timing, stats = best(job, repeat=1), job().stats
-        rows.append([size, timing.wall, stats["rays"] / 1e6 / timing.cpu, stats["map_bytes"] / 1e6])
+        rows.append([f"6 × {size}²", timing.wall, stats["rays"] / 1e6 / timing.cpu, stats["map_bytes"] / 1e6])
     title = f"Bake of {name}, {scene.triangle_count:,} triangles, r₂ = {R2:g} m"
-    header = "faces 6 × {}² | seconds {:.2f} | million rays a CPU-second {:.2f} | MB {:.0f}"
+    header = "faces | seconds {:.2f} | million rays a CPU-second {:.2f} | MB {:.0f}"
     return table(title, header, rows)
 
 
