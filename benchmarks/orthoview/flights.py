@@ -41,7 +41,7 @@ LOOKS = 8
 
 
 def main() -> None:
-    given = start(__doc__, "tree", "--out", what={"choices": WHAT})
+    given = start(__doc__, "--out", what={"choices": WHAT}, tree={"help": "store of the whole of Tokyo"})
     print(WHAT[given.what](nf.orthoview.open(given.tree), given.out))
 
 
