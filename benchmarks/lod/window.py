@@ -61,9 +61,9 @@ def scores(levels: nf.lod.Levels, screen: Screen, distances: Sequence[int], view
     return found
 
 
-def rows(name: str, found: Array) -> list[list[object]]:
+def rows(name: str, found: Array) -> list[list[Any]]:
     """Make a row for each other window: changes of single scores and of the 25th percentiles of the views."""
-    listed: list[list[object]] = []
+    listed: list[list[Any]] = []
     for window, other in list(zip(WINDOWS, found, strict=True))[1:]:
         changes = [other - found[0], statistic.of_views(other, 25.0) - statistic.of_views(found[0], 25.0)]
         listed.append([name, window, *(number for one in changes for number in (one.mean(), np.abs(one).max()))])
