@@ -198,11 +198,11 @@ def test_memory_keeps_what_is_needed_and_little_else(tree: Tree) -> None:
                 needed = {part for part in plan.order if part[2] not in (GEOMETRY, RECORD)}
                 assert needed <= set(views._kept.values)
                 own = sum(layer.bytes for key in needed for layer in views._kept.values[key])
-                assert views.bytes == sum(layer.bytes for layers in views._kept.values.values() for layer in layers)
-                assert views.bytes <= max(cache_bytes, own)
+                assert views.cached_bytes == sum(layer.bytes for layers in views._kept.values.values() for layer in layers)
+                assert views.cached_bytes <= max(cache_bytes, own)
                 assert views.reads > reads
                 reads = views.reads
-            assert views.bytes < reads * 1000 or cache_bytes
+            assert views.cached_bytes < reads * 1000 or cache_bytes
 
 
 def test_leaves_that_are_needed_stay(tree: Tree, gate: Gate, monkeypatch: pytest.MonkeyPatch) -> None:
