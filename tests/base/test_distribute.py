@@ -1,4 +1,4 @@
-"""Tests that `distribute` gives the same results in this process, in processes and on a cluster, and ends on errors."""
+"""Tests of `distribute`: equal results in this process, in worker processes and on a cluster, and errors."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def test_processes_share_the_threads_of_the_machine(monkeypatch: pytest.MonkeyPa
     assert distribute(environment, ["NEARFAR_NUM_THREADS"], label="looking") == [(os.getpid(), "1")]
 
 
-def test_progress_is_that_of_all_items(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_progress_covers_all_items(monkeypatch: pytest.MonkeyPatch) -> None:
     shown: list[Any] = []
 
     @contextmanager
@@ -111,7 +111,7 @@ def started(folder: Path, code: str, *arguments: str) -> subprocess.Popen[str]:
 
 
 @pytest.mark.slow
-def test_a_script_without_a_guard_is_told_of_it(tmp_path: Path) -> None:
+def test_a_script_without_a_main_guard_is_told_so(tmp_path: Path) -> None:
     program = started(tmp_path, UNGUARDED)
     message = program.communicate(timeout=120)[1]
     assert message.splitlines()[-1].startswith("RuntimeError: workers: a process ended at once")

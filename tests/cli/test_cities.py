@@ -1,4 +1,4 @@
-"""Tests of commands on cities: the options that choose a level and heights, and what a folder keeps of them."""
+"""Tests of commands on cities: options for level and heights, and which of them a folder stores."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def test_info_takes_a_level(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     assert 0 < triangles(capsys, "-i", path, "--lod", "1") < triangles(capsys, "-i", path)
 
 
-def test_compare_takes_the_heights_that_reduce_took(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_compare_uses_the_heights_of_reduce(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     rows = (feature([square(10.0 * n, 0.0, 8.0)], roof=5.0 + n, height=1.0) for n in range(4))
     path, folder = str(written(tmp_path / "town.geojson", collection(*rows))), str(tmp_path / "reduced")
     assert run(["reduce", "-i", path, "-o", folder, *PLACE, "--height", "roof"]) == 0

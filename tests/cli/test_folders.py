@@ -1,4 +1,4 @@
-"""Tests of commands on folders that `nearfar reduce` wrote, and of the extent-dependent defaults."""
+"""Tests of commands on folders written by `nearfar reduce`, and of the extent-dependent defaults."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def test_render_shows_a_folder(
 
 @pytest.mark.slow
 @pytest.mark.stress
-def test_compare_measures_a_folder_against_the_scene_that_it_was_made_from(
+def test_compare_measures_a_folder_against_its_source_scene(
     city: Path, light: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     view = ("--user", "0,1.7,5", "--target", "90,1,0", "--size", "192x120", "--samples", "1", "--fov", "20", "--json")
@@ -87,7 +87,7 @@ def test_compare_measures_a_folder_against_the_scene_that_it_was_made_from(
         (("partition",), "expected a scene file, got a folder with a reduced scene"),
     ],
 )
-def test_what_a_folder_cannot_do_is_said(
+def test_unsupported_options_for_folders_are_errors(
     arguments: tuple[str, ...], words: str, light: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:  # fmt: skip
@@ -98,7 +98,7 @@ def test_what_a_folder_cannot_do_is_said(
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_folder_without_its_scene_asks_for_it(
+def test_a_folder_without_its_scene_requires_one(
     light: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     reduced = nf.ReducedScene.load(light)

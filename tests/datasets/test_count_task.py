@@ -1,4 +1,4 @@
-"""Tests of the task of counting: the conventional method alone shows spheres twice."""
+"""Tests of the counting task: only the conventional method shows spheres twice."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ FOV, SIZE = nf.Fov.symmetric(100, 4.0), (1200, 300)
 
 
 def pieces_of_spheres(reduced: nf.ReducedScene, user: tuple[float, float, float], **how: object) -> list[int]:
-    """Number of pieces in which a user who looks ahead sees each sphere, in order."""
+    """Return the number of pieces in which a user who looks ahead sees each sphere, in order."""
     eye = np.add(reduced.center, user)
     view = nf.Camera.look_at(eye, np.add(eye, (0.0, 3.0, -50.0)), fov=FOV, size=SIZE)
     ids: Ids = reduced.render(view, channels=("object_id",), **how).require("object_id")  # type: ignore[arg-type]

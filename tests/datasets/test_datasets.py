@@ -212,7 +212,7 @@ def test_geometry_has_the_same_bytes_everywhere() -> None:
 def test_street_view_is_free(blocks: int) -> None:
     (x, y, z), target = datasets.street_view()
     corners = datasets.city(blocks=blocks).triangles()
-    # Above the street's surface and its markings, nothing is near the eye.
+    # Nothing but the street's surface and its markings is near the eye.
     low, high = corners.min(axis=1), corners.max(axis=1)
     nearest = np.clip((x, z), low[:, [0, 2]], high[:, [0, 2]]) - np.array((x, z))
     near = np.hypot(nearest[:, 0], nearest[:, 1]) < 2.0
@@ -294,7 +294,7 @@ def test_forest_grows_with_detail(detail: int) -> None:
 
 
 @pytest.mark.parametrize("trees", [1, 7, 500])
-def test_forest_has_the_trees_asked_for(trees: int) -> None:
+def test_forest_has_the_requested_number_of_trees(trees: int) -> None:
     names = datasets.forest(trees, detail=0).object_names
     assert sum(name.startswith(("spruce_", "oak_", "birch_")) for name in names) == trees
 

@@ -1,4 +1,4 @@
-"""Tests of the task of the ball: the methods show where it flies, and what hides it."""
+"""Tests of the ball task: where the methods show its flight, and what occludes it."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def ball_ids(reduced: nf.ReducedScene, task: SphereTask, view: nf.Camera, t: flo
 
 
 def ball_path(reduced: nf.ReducedScene, task: SphereTask, view: nf.Camera, times: Array, **how: Any) -> Array:
-    """Middle of the ball's pixels at each time."""
+    """Return the centroid of the ball's pixels at each time."""
     number = reduced.scene.object_names.index("ball")
     path = []
     for t in times:
@@ -44,7 +44,7 @@ def ball_path(reduced: nf.ReducedScene, task: SphereTask, view: nf.Camera, times
 
 
 def jump(path: Array) -> float:
-    """Greatest change of the step between pictures, pixels."""
+    """Return the greatest change of the step between pictures, pixels."""
     return float(np.linalg.norm(np.diff(path, n=2, axis=0), axis=1).max())
 
 
@@ -58,7 +58,7 @@ def test_the_ball_jumps_with_the_conventional_method_only(
     times = np.arange(0.0, task.duration, 1.0 / RATE)
     places = np.array([task.position(t) for t in times])
     away = np.hypot(places[:, 0], places[:, 2])
-    # From before r₁ to where the crossbar hides some of it.
+    # From before r₁ to where the crossbar partly hides it.
     times, places = times[(away > 27.0) & (away < 60.0)], places[(away > 27.0) & (away < 60.0)]
     shown = nf.morph(places, user=view.position, center=task.center, r1=task.r1, r2=task.r2)
     expected = view.project(shown)[:, :2]

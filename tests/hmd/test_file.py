@@ -38,7 +38,7 @@ hmds = st.builds(
 
 
 @given(hmd=hmds)
-def test_files_come_back_bit_for_bit(tmp_path_factory: pytest.TempPathFactory, hmd: nf.Hmd) -> None:
+def test_files_load_bit_for_bit(tmp_path_factory: pytest.TempPathFactory, hmd: nf.Hmd) -> None:
     path = tmp_path_factory.getbasetemp() / "one.json"
     hmd.save(path)
     assert nf.Hmd.load(path) == hmd
@@ -46,7 +46,7 @@ def test_files_come_back_bit_for_bit(tmp_path_factory: pytest.TempPathFactory, h
 
 
 @given(hmd=hmds)
-def test_what_hmdq_has_a_place_for_comes_back(tmp_path_factory: pytest.TempPathFactory, hmd: nf.Hmd) -> None:
+def test_fields_that_hmdq_stores_are_restored(tmp_path_factory: pytest.TempPathFactory, hmd: nf.Hmd) -> None:
     path = tmp_path_factory.getbasetemp() / "one.hmdq.json"
     try:
         hmd.save(path, format="hmdq")
@@ -62,7 +62,7 @@ def test_what_hmdq_has_a_place_for_comes_back(tmp_path_factory: pytest.TempPathF
     assert again.lens is None
 
 
-def test_a_place_that_cannot_be_written_keeps_what_was_there(tmp_path: Path) -> None:
+def test_a_failed_save_keeps_the_old_file(tmp_path: Path) -> None:
     path = tmp_path / "one.json"
     nf.hmd.VIVE.save(path)
     with pytest.raises(ValueError, match="format: expected one of 'nearfar', 'hmdq', got 'xml'"):
@@ -98,7 +98,7 @@ def refused(tmp_path: Path, document: Any, words: str) -> None:
         nf.Hmd.load(path)
 
 
-def test_numbers_without_a_point_are_numbers(tmp_path: Path) -> None:
+def test_integers_are_accepted_as_numbers(tmp_path: Path) -> None:
     path = tmp_path / "one.json"
     nf.hmd.INDEX.save(path)
     good = json.loads(path.read_text(encoding="utf-8"))
@@ -108,14 +108,14 @@ def test_numbers_without_a_point_are_numbers(tmp_path: Path) -> None:
     assert isinstance(hmd.refresh_hz, float)
 
 
-def test_a_runtime_is_for_files_of_hmdq(tmp_path: Path) -> None:
+def test_a_runtime_is_only_for_files_of_hmdq(tmp_path: Path) -> None:
     path = tmp_path / "one.json"
     nf.hmd.INDEX.save(path)
     with pytest.raises(ValueError, match=r"runtime: expected None for .*one\.json"):
         nf.Hmd.load(path, runtime="oculus")
 
 
-def test_damaged_files_say_where(tmp_path: Path) -> None:
+def test_damaged_headset_files_name_the_key(tmp_path: Path) -> None:
     path = tmp_path / "one.json"
     nf.hmd.INDEX.save(path)
     good = json.loads(path.read_text(encoding="utf-8"))
