@@ -1,4 +1,4 @@
-"""Tests of pictures whose levels change splat by splat, that keep to a budget of splats, and that follow a gaze."""
+"""Tests of pictures whose levels change splat by splat, within a budget of splats, and by a direction of gaze."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def camera_at(tree: Tree, distance: float, angle: float = 0.3) -> nf.Camera:
 
 
 def holes(frame: nf.Frame, truth: nf.Frame) -> float:
-    """Share of the pixels that show something in truth and nothing in a frame."""
+    """Share of the pixels that show a surface in truth and none in a frame."""
     is_hit = np.isfinite(truth.require("range"))
     return float((is_hit & np.isinf(frame.require("range"))).sum() / is_hit.sum())
 
@@ -52,15 +52,15 @@ def changes(tree: Tree, camera: nf.Camera, errors: NDArray[np.float64], continuo
 
 
 @pytest.mark.parametrize("distance", [110.0, 170.0])
-def test_no_picture_changes_at_once_while_the_error_doubles(shown: Tree, distance: float) -> None:
-    """A camera that does not move: where cells change as wholes, some step changes most of what changes at all."""
+def test_pictures_change_gradually_while_the_error_doubles(shown: Tree, distance: float) -> None:
+    """Uses a still camera. If cells changed as a whole, a single step would cause most of the total change."""
     camera, errors = camera_at(shown, distance), np.geomspace(1, 2, 41)
     jumps, smooth = (changes(shown, camera, errors, continuous) for continuous in (False, True))
     assert jumps.max() > 0.01
     assert smooth.max() < 0.75 * jumps.max()
     whole = changes(shown, camera, errors[[0, -1]], True)[0]
     assert whole > 0.01
-    # Pixels change by chance, each about once: squares add up.
+    # Pixels change at random, each about once: squares add up.
     assert smooth.max() < 3 * whole / np.sqrt(len(errors) - 1)
 
 
@@ -77,8 +77,8 @@ def test_two_levels_leave_no_more_holes_than_one(shown: Tree, scene: nf.Scene, d
         assert frames[1].stats["splats"] != frames[0].stats["splats"]
 
 
-def test_half_a_pixel_of_error_moves_splats_by_less_than_one_where_levels_change(shown: Tree) -> None:
-    """Middles of four pixels lie √2/4 of their parent's from its own; those of steep surfaces lie farther away."""
+def test_an_error_of_half_a_pixel_moves_splats_by_less_than_a_pixel(shown: Tree) -> None:
+    """The centres of four pixels lie √2/4 from their parent's; on steep surfaces they lie farther away."""
     found = [
         swap_distances(shown, camera_at(shown, distance, angle), 0.5) for distance, angle in ((200, 0.3), (400, 2.1))
     ]
@@ -103,7 +103,7 @@ def test_a_flight_keeps_to_a_budget(shown: Tree, budget: int, continuous: bool) 
         error = frame.stats["error_px"]
         errors.append(error)
         splats.append(frame.stats["splats"])
-        # The same error without a budget has the same splats; a little less of an error has more than the budget.
+        # The same error without a budget draws the same splats; a slightly smaller error exceeds the budget.
         assert tree.render(camera, error_px=error, **settings).stats["splats"] == splats[-1]
         assert error > 1
         if not continuous:
@@ -113,7 +113,7 @@ def test_a_flight_keeps_to_a_budget(shown: Tree, budget: int, continuous: bool) 
     assert not continuous or min(splats) >= 0.9 * budget
 
 
-def test_a_budget_that_is_no_bound_changes_nothing(shown: Tree) -> None:
+def test_a_sufficient_budget_changes_nothing(shown: Tree) -> None:
     camera = camera_at(shown, 100)
     whole = shown.render(camera, geometry=False)
     bound = shown.render(camera, geometry=False, budget=int(whole.stats["splats"]))
@@ -122,8 +122,8 @@ def test_a_budget_that_is_no_bound_changes_nothing(shown: Tree) -> None:
     np.testing.assert_array_equal(bound.require("color"), whole.require("color"))
 
 
-def test_where_no_error_is_great_enough_views_are_left_out(shown: Tree) -> None:
-    """An eye in the world has leaves about it."""
+def test_views_are_omitted_if_no_error_meets_the_budget(shown: Tree) -> None:
+    """An eye inside the world is surrounded by leaves."""
     middle = shown.bounds.mean(axis=0)
     camera = nf.Camera.look_at(middle, middle + np.array([1, -0.2, 0.3]), fov=nf.Fov.symmetric(90), size=(64, 64))
     least = shown.render(camera, geometry=False, error_px=64)
@@ -133,7 +133,7 @@ def test_where_no_error_is_great_enough_views_are_left_out(shown: Tree) -> None:
     assert shown.render(camera, geometry=False, budget=1).stats["splats"] <= 1
 
 
-def test_the_gaze_is_drawn_as_finely_as_ever(shown: Tree) -> None:
+def test_the_gaze_keeps_full_detail(shown: Tree) -> None:
     camera, middle = replace(camera_at(shown, 45), size=(384, 384)), (192.0, 192.0)
     settings: dict[str, Any] = {"geometry": False, "error_px": 4.0}
     evenly, foveated = shown.render(camera, **settings), shown.render(camera, gaze=middle, **settings)
