@@ -1,4 +1,4 @@
-"""Cities that are damaged or lie: an error that names the file and the place, soon and in little memory."""
+"""Damaged or inconsistent cities: an error that names the file and the place, soon and in little memory."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ Json = dict[str, Any]
 
 
 def message(path: Path, **how: Any) -> str:
-    """The message of the error that loading the file raises, without its name."""
+    """Message of the error that loading the file raises, without the file's name."""
     with pytest.raises(nf.SceneError) as caught:
         nf.Scene.load(path, **how)
     text = str(caught.value)
@@ -223,7 +223,7 @@ def test_text_that_is_no_document_is_an_error(tmp_path: Path, text: bytes, words
     assert words in message(path)
 
 
-def test_surfaces_and_polygons_can_be_left_out(tmp_path: Path) -> None:
+def test_invalid_surfaces_and_polygons_can_be_omitted(tmp_path: Path) -> None:
     good = feature([square(0, 0, 5)], height=3)
     document = collection(good, feature([[[0, 0], [1, 1]]]), feature([square(0, 0, 9), [[0, 0], [1e31, 0], [1, 1]]]))
     scene = nf.Scene.load(written(tmp_path / "a.geojson", document), on_invalid="drop")
@@ -290,7 +290,7 @@ VALUES: list[Any] = [None, True, -1, 7, 0.5, 1e31, 2**63, "", "text", [], {}, [[
 
 
 def mutated(document: Any, random: np.random.Generator) -> Any:
-    """A copy in which one value, anywhere, is another, repeated or missing."""
+    """A copy in which one value, anywhere, is replaced, repeated or missing."""
     copied = copy.deepcopy(document)
     places: list[tuple[Any, Any]] = []
 
@@ -366,7 +366,7 @@ def test_lines_of_a_sequence_are_named(tmp_path: Path) -> None:
     assert "it is empty" in message(path)
 
 
-def test_rows_that_unpack_to_much_are_refused(tmp_path: Path) -> None:
+def test_rows_that_expand_greatly_are_refused(tmp_path: Path) -> None:
     path = parquet(tmp_path / "a.parquet", [ROW] * 200_000)
     assert path.stat().st_size < 100_000
     assert "it unpacks to more than 10,000,000 bytes" in message(path, max_bytes=10_000_000)
