@@ -109,7 +109,7 @@ def test_cube_faces_look_in_their_directions() -> None:
 
 
 def test_textures_are_neither_mirrored_nor_rotated() -> None:
-    """Each quarter of the picture shows one texel, of its own colour."""
+    """Each quarter of the picture shows one texel, in a distinct colour."""
     texture = np.zeros((2, 2, 4), np.uint8)
     texture[..., 3] = 255
     texture[0, 0, 0] = texture[0, 1, 1] = texture[1, 0, 2] = 255

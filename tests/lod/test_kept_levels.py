@@ -1,4 +1,4 @@
-"""Which levels a measurement keeps, how far it measures them, and when it renders nothing."""
+"""Levels kept by a measurement, how far it measures them, and measurements without rendering."""
 
 from __future__ import annotations
 

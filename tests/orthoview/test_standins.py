@@ -24,7 +24,7 @@ DIRECTIONS = range(5)
 
 
 class Memory:
-    """Loaded parts, and those of them that an update has changed."""
+    """Loaded parts, and the parts among them that an update has changed."""
 
     def __init__(self, parts: Iterable[Part] = (), old: Collection[Part] = ()) -> None:
         self.parts, self.old = set(parts), set(old)

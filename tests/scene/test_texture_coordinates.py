@@ -255,8 +255,8 @@ def test_huge_scales_are_drawn_without_an_error(tmp_path: Path, scale: float) ->
     assert np.isfinite(picture_of(scene, view)).all()
 
 
-def test_packed_ducks_look_like_the_plain_one() -> None:
-    """Their coordinates have 12 and 15 bits, and a transform; 3 and 6 bits would move edges by whole pixels."""
+def test_compressed_ducks_look_like_the_plain_one() -> None:
+    """Coordinates have 12 and 15 bits, and a transform; 3 and 6 bits would move edges by whole pixels."""
     folder = "wild/cesium-native/CesiumGltfReader/test/data/DucksMeshopt"
     view = nf.Camera.look_at((2.2, 1.6, 2.2), (0.1, 0.8, 0), fov=nf.Fov.symmetric(50, 1), size=(160, 160))
     plain = picture_of(nf.Scene.load(data(f"{folder}/Duck.glb")), view)

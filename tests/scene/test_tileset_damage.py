@@ -168,7 +168,7 @@ def test_composites_within_each_other(tmp_path: Path) -> None:
 )
 def test_damaged_documents(tmp_path: Path, root: Any, words: str) -> None:
     assert words in refusal(write(tmp_path, {"t.json": tileset(root)}))
-    # The same document, as another one refers to it.
+    # The same document, referred to by another one.
     if root is not None and "triangles" not in words:
         files = {"u.json": tileset(tile(0.0, "sub/t.json")), "sub/t.json": tileset(root)}
         assert f"sub/t.json: {words.split(':')[0]}" in refusal(write(tmp_path, files)) or words in refusal(
@@ -187,13 +187,13 @@ def test_damaged_documents(tmp_path: Path, root: Any, words: str) -> None:
         ({"extensionsRequired": 5}, "extensionsRequired: expected a list, got int 5"),
     ],
 )
-def test_documents_that_are_not_understood(tmp_path: Path, changes: dict[str, Any], words: str) -> None:
+def test_unsupported_documents_are_refused(tmp_path: Path, changes: dict[str, Any], words: str) -> None:
     path = write(tmp_path, {"t.json": tileset(tile(0.0, "a.b3dm"), **changes), "a.b3dm": CUBE})
     assert refusal(path).startswith(words)
 
 
 def wrong_subtree(**changes: Any) -> bytes:
-    """A JSON subtree of two levels with its bits beside it, and changed entries."""
+    """A JSON subtree of two levels with external bits, and changed entries."""
     data, _ = subtree([True] * 5, [True] * 5, [False] * 16, binary=False)
     return json.dumps(json.loads(data) | changes).encode()
 

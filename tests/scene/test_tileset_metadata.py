@@ -1,4 +1,4 @@
-"""Boxes of implicit tiles that metadata states: they take the place of the parts of the tiling's volume."""
+"""Bounding boxes of implicit tiles in metadata: they replace the parts of the tiling's volume."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ TILING = {
     "subtrees": {"uri": "{level}.subtree"},
 }
 BOXES = [((-5, -5, -5), (30, 30, 30)), ((0, 0, 0), (9, 1, 1)), ((20, 20, 20), (21, 21, 21))]
-"""Of the root, of its first child and of its last one; z up."""
+"""Boxes of the root, of its first child and of its last one; z up."""
 
 
 def schema(component: str = "FLOAT64", **changes: Any) -> dict[str, Any]:
@@ -67,7 +67,7 @@ def test_boxes_decide_which_tiles_touch(component: str, tmp_path: Path) -> None:
         part = np.array([[low[0], low[2], -high[1]], [high[0], high[2], -low[1]]], float)
         return {name.split("#")[0].removesuffix(".b3dm") for name in opened.read(box=part).nodes.objects}
 
-    # Parts of the volume would be those of 8 m beside (0, 0, 0) and before (16, 16, 16).
+    # The volume's parts would be the 8 m cubes at (0, 0, 0) and up to (16, 16, 16).
     assert touched((8.5, 0.5, 0.5), (9, 1, 1)) == {"0.0.0", "1.0.0"}
     assert touched((9.5, 0, 0), (15, 15, 15)) == {"0.0.0"}
     assert touched((2, 2, 2), (15, 15, 15)) == {"0.0.0"}

@@ -1,4 +1,4 @@
-"""Tests of what is not drawn of materials: reports say it, and files written from a scene hold it."""
+"""Tests of material properties that are not drawn: reports note them, and written files keep them."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def saved_near(scene: nf.Scene, folder: Path) -> Path:
         ),
     ],
 )
-def test_each_difference_is_a_note(tmp_path: Path, change: dict[str, Any], note: str) -> None:
+def test_each_undrawn_property_is_noted(tmp_path: Path, change: dict[str, Any], note: str) -> None:
     assert loaded(tmp_path, gltf([PLAIN])).report.notes == ()
     assert f"1 material {note}" in loaded(tmp_path, gltf([PLAIN | change])).report.notes
     assert (
@@ -74,7 +74,7 @@ def test_each_difference_is_a_note(tmp_path: Path, change: dict[str, Any], note:
 
 
 @pytest.mark.parametrize("suffix", ["ply", "glb"])
-def test_transparent_vertices_are_a_note(tmp_path: Path, suffix: str) -> None:
+def test_transparent_vertices_are_noted(tmp_path: Path, suffix: str) -> None:
     box = trimesh.creation.box()
     box.visual.vertex_colors = np.full((8, 4), 255, np.uint8)
     box.export(tmp_path / f"a.{suffix}")
@@ -84,7 +84,7 @@ def test_transparent_vertices_are_a_note(tmp_path: Path, suffix: str) -> None:
     assert "1 mesh with vertex alpha below 1 drawn opaque" in nf.Scene.load(tmp_path / f"a.{suffix}").report.notes
 
 
-def test_the_near_part_holds_materials_as_their_file(tmp_path: Path) -> None:
+def test_the_near_part_keeps_the_materials_of_the_file(tmp_path: Path) -> None:
     scene = loaded(tmp_path, gltf())
     near = saved_near(scene, tmp_path / "reduced")
     assert_same_materials(near, tmp_path / "source.glb")
@@ -114,7 +114,7 @@ def test_other_programs_see_the_same_materials(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("how", ["plain", "levels", "model", "place"])
-def test_levels_hold_materials_as_their_file(tmp_path: Path, how: str) -> None:
+def test_levels_keep_the_materials_of_the_file(tmp_path: Path, how: str) -> None:
     scene = loaded(tmp_path, gltf())
     target = tmp_path / "written.glb"
     levels = nf.lod.simplify(scene, [0.5], name="squares")
@@ -144,7 +144,7 @@ def test_levels_hold_materials_as_their_file(tmp_path: Path, how: str) -> None:
     assert_same_materials(target, tmp_path / "source.glb")
 
 
-def test_materials_that_look_alike_stay_apart(tmp_path: Path) -> None:
+def test_materials_that_look_alike_stay_separate(tmp_path: Path) -> None:
     pair = [PLAIN, PLAIN | {"name": "glowing", "emissiveFactor": [1.0, 1.0, 0.0]}]
     scene = loaded(tmp_path, gltf(pair))
     assert scene.report.materials == 2
@@ -164,8 +164,8 @@ def test_meshes_without_texture_coordinates_have_no_textures(tmp_path: Path) -> 
     assert "textures" not in decode(tmp_path / "written.glb")[0]
 
 
-def test_mirrored_instances_show_their_outsides_in_other_programs(tmp_path: Path) -> None:
-    """glTF reverses the faces of nodes whose matrix mirrors them, which matters where backs are invisible."""
+def test_mirrored_instances_face_outwards_in_other_programs(tmp_path: Path) -> None:
+    """glTF reverses the faces of nodes with a mirroring matrix, which matters if back faces are culled."""
     builder = nf.SceneBuilder()
     box = trimesh.creation.box()
     mesh = builder.mesh(np.asarray(box.vertices, np.float32), np.asarray(box.faces, np.uint32))
@@ -181,7 +181,7 @@ def test_mirrored_instances_show_their_outsides_in_other_programs(tmp_path: Path
 
     assert volume(scene.triangles()) == pytest.approx(2, rel=1e-5)
     assert volume(back.triangles()) == pytest.approx(2, rel=1e-5)
-    # In the mesh's own frame both nodes' faces look outwards.
+    # In the mesh's own frame both nodes' faces point outwards.
     seen = trimesh.load_scene(tmp_path / "boxes.glb")
     assert all(part.volume == pytest.approx(1, rel=1e-5) for part in seen.geometry.values())
     reduced = nf.reduce(scene, center=(2, 0, 3), r1=50, r2=90, face_size=4)
@@ -233,7 +233,7 @@ def test_wrong_entries_count_as_absent(tmp_path: Path, key: str, value: Any) -> 
     try:
         scene = nf.Scene.load(tmp_path / "source.glb")
     except nf.SceneError:
-        return  # trimesh refuses some
+        return  # trimesh refuses some.
     nf.lod.export(scene, tmp_path / "written.glb", view=FOV)
     assert nf.Scene.load(tmp_path / "written.glb").triangle_count == 2
 

@@ -1,4 +1,4 @@
-"""A simulated user's place in a room whose events a test chooses: late poses, users who leave, another number."""
+"""A simulated user in a room with scripted events: late poses, users who leave, changed numbers."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from nearfar.stream.collect._player import rotation_of
 
 
 class Told:
-    """A room that tells events one after the other; an action among them changes the room."""
+    """A room that delivers scripted events; an action among them changes the room."""
 
     group, is_connected = 1, True
 
@@ -38,11 +38,11 @@ class Told:
                 yield event
 
     async def say(self, data: bytes, *, to: str) -> None:
-        """Nobody hears it."""
+        """Discard a message."""
 
 
 def heard(*events: Event | Callable[[Told], None]) -> Any:
-    """A simulated user who has heard all events."""
+    """A simulated user who has received all events."""
 
     async def script() -> _User:
         user = _User(cast("Room", Told(*events)), Settings(users=64), Person(), 0)
@@ -53,7 +53,7 @@ def heard(*events: Event | Callable[[Told], None]) -> Any:
 
 
 def posed(user: int, sequence: int, yaw: float, *, stops: bool = False) -> Posed:
-    """A user points along a yaw."""
+    """A pose of a user who points along a yaw."""
     head = Placed(np.zeros(3, np.float32), np.array(rotation_of(yaw, 0.0)))
     return Posed(user, Pose(sequence, 0, False, stops, head, pointer=Pointer("head", 1.0)))
 
@@ -61,19 +61,19 @@ def posed(user: int, sequence: int, yaw: float, *, stops: bool = False) -> Posed
 JOINED = Joined(7, "", 1)
 
 
-def test_a_pose_that_comes_after_a_later_one_moves_no_pointer() -> None:
+def test_a_pose_older_than_the_last_one_moves_no_pointer() -> None:
     user = heard(JOINED, posed(7, 5, 0.0, stops=True), posed(7, 4, 1.0))
     np.testing.assert_allclose(user._rays[7][1], (0.0, 0.0, -1.0), atol=1e-6)
-    # Whoever comes anew counts from 1.
+    # A user with a new number starts at 1.
     user = heard(JOINED, posed(7, 5, 1.0), Left(7), JOINED, posed(7, 1, 0.0))
     np.testing.assert_allclose(user._rays[7][1], (0.0, 0.0, -1.0), atol=1e-6)
 
 
-def test_a_pose_of_a_user_who_is_gone_makes_no_pointer() -> None:
+def test_a_pose_of_an_absent_user_creates_no_pointer() -> None:
     assert heard(JOINED, posed(7, 1, 0.0), Left(7), posed(7, 2, 0.0))._rays == {}
 
 
-def test_a_message_counts_although_its_sender_has_left_the_room_since() -> None:
+def test_messages_of_users_who_left_since_are_processed() -> None:
     """The room knows of users who left before their last messages are processed."""
 
     def leaves(room: Told) -> None:
@@ -83,7 +83,7 @@ def test_a_message_counts_although_its_sender_has_left_the_room_since() -> None:
     assert sorted(heard(JOINED, leaves, said).task.scores) == [1]
 
 
-def test_whoever_returns_with_another_number_begins_anew() -> None:
+def test_a_user_with_a_new_number_starts_afresh() -> None:
     def renamed(room: Told) -> None:
         room.user, room.users = 9, {}
 
@@ -94,7 +94,7 @@ def test_whoever_returns_with_another_number_begins_anew() -> None:
     assert (after.task.user, after.task.present, after.task.conductor) == (9, {7, 9}, 7)
 
 
-def test_a_group_s_score_goes_with_its_last_user() -> None:
+def test_a_groups_score_is_removed_with_its_last_user() -> None:
     said = Said(8, write(Score(Stage(1, 1), False, 3, 1)), "room")
     others = (Joined(8, "", 4), Joined(9, "", 4))
     assert sorted(heard(*others, said, Left(8)).task.scores) == [4]

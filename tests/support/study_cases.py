@@ -19,7 +19,7 @@ USERS = [
 ]
 """Positions all around the centre, standing and stretching."""
 ASIDE = [user for user in USERS if abs(user[0]) > 3.0]
-"""Those who moved sideways; the others see a step along their view instead."""
+"""Users who moved sideways; the others see a step along their view instead."""
 
 HOW: list[dict[str, Any]] = [{"method": "vertex"}, {"method": "exact"}, {"method": "exact", "env": False}]
 """Ways to draw a reduced scene."""

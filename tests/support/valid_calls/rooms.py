@@ -18,7 +18,7 @@ class _Nowhere(Connection):
 
 
 class Told(client.Room):
-    """A room of which all has been told."""
+    """A room whose events have all been delivered."""
 
     async def __anext__(self) -> Any:
         raise StopAsyncIteration

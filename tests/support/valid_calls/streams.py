@@ -1,4 +1,4 @@
-"""Arguments of calls for levels of detail, orthoviews, bundles and rooms, where their names do not tell them."""
+"""Arguments of calls for levels of detail, orthoviews, bundles and rooms, if parameter names do not determine them."""
 
 from __future__ import annotations
 
