@@ -25,7 +25,7 @@ def content_of(target: Path) -> str:
     return (target / "manifest.json").read_text()
 
 
-def killed(code: str, *arguments: object) -> None:
+def run_killed(code: str, *arguments: object) -> None:
     """Run code whose process ends at once, as by kill −9."""
     head = "import os, sys; from nearfar import _core; from nearfar._base import aside, files\n"
     process = subprocess.run([sys.executable, "-c", head + code, *map(str, arguments)], timeout=600, check=False)
@@ -116,7 +116,7 @@ def test_a_folder_survives_a_kill_at_any_step(tmp_path: Path) -> None:
                 continue
             if not exchange and step == "os.rename":
                 continue  # not called
-            killed(f"{exchange}{die}{write}", target)
+            run_killed(f"{exchange}{die}{write}", target)
             aside.restore(target)
             assert content_of(target) in ("old", "new"), (step, exchange)
             save(target, "old")
@@ -127,7 +127,7 @@ def test_loading_restores_a_scene_that_was_set_aside(tmp_path: Path) -> None:
     reduced = nf.reduce(nf.datasets.room(), center=(-1.9, 1.55, 2.25), r1=1.7, r2=3.4, face_size=16)
     target = tmp_path / "light"
     reduced.save(target)
-    killed("os.rename(sys.argv[1], aside.replaced(files.Path(sys.argv[1]))); os._exit(9)", target)
+    run_killed("os.rename(sys.argv[1], aside.replaced(files.Path(sys.argv[1]))); os._exit(9)", target)
     assert not target.exists()
     assert nf.ReducedScene.load(target).stats["near"] == reduced.stats["near"]
     assert list(tmp_path.iterdir()) == [target]
@@ -138,7 +138,7 @@ def test_only_leftovers_of_dead_processes_are_removed(tmp_path: Path) -> None:
     target, other = tmp_path / "a.bin", tmp_path / ".a.notours.bin"
     other.write_bytes(b"")
     for _ in range(3):
-        killed("with files.atomic_file(sys.argv[1]): os._exit(9)", target)
+        run_killed("with files.atomic_file(sys.argv[1]): os._exit(9)", target)
     left = set(tmp_path.iterdir()) - {other}
     assert len(left) == 2  # A file and its lock: each process removes those that the previous one left.
     with files.atomic_file(target) as living, files.atomic_file(target) as second:

@@ -7,7 +7,7 @@ import pytest
 
 import nearfar as nf
 from nearfar.datasets import count_task
-from tests.support.study_cases import ASIDE, HOW, USERS, Ids, light, pieces
+from tests.support.study_cases import ASIDE, HOW, USERS, Ids, pieces, reduce_task
 
 # A texel of the map is 0.11°, a sphere 2°.
 FOV, SIZE = nf.Fov.symmetric(100, 4.0), (1200, 300)
@@ -27,7 +27,7 @@ def pieces_of_spheres(reduced: nf.ReducedScene, user: tuple[float, float, float]
 @pytest.mark.slow
 def test_only_the_conventional_method_adds_spheres() -> None:
     scene, task = count_task(5)
-    reduced = light(scene, task, 1024)
+    reduced = reduce_task(scene, task, 1024)
     conventional = reduced.with_morph("none")
     for user in USERS:
         for how in HOW:

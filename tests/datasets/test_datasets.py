@@ -26,7 +26,7 @@ from nearfar.datasets._buildings import Kind, building
 from nearfar.datasets._draw import Draw, turn
 from nearfar.datasets._layout import Grid, plots
 from nearfar.datasets._shapes import Soup, weld
-from tests.support.solids import areas, covered, digest, lone_edges, volume
+from tests.support.solids import areas, count_covered, digest, lone_edges, volume
 
 
 def test_turn_matches_the_library_within_rounding() -> None:
@@ -116,7 +116,7 @@ def test_prototypes_are_well_formed(name: str) -> None:
 
 @pytest.mark.parametrize("name", [name for name in PROTOTYPES if "building 3" not in name])
 def test_no_surface_lies_in_another(name: str) -> None:
-    assert covered(PROTOTYPES[name].corners) == 0
+    assert count_covered(PROTOTYPES[name].corners) == 0
 
 
 def test_facade_rows_meet_at_corners() -> None:
@@ -253,7 +253,7 @@ def test_furnishings_are_closed(name: str, detail: int) -> None:
     assert len(lone_edges(soup)) == 0
     assert volume(soup) > 0
     assert areas(soup.corners).min() > 0
-    assert detail > 2 or covered(soup.corners) == 0
+    assert detail > 2 or count_covered(soup.corners) == 0
 
 
 # Triangles by detail, as the documentation says.

@@ -28,7 +28,7 @@ from nearfar.datasets._factory import (
 from nearfar.datasets._palette import material
 from nearfar.datasets._shapes import Soup, weld
 from nearfar.datasets._stage import Stage
-from tests.support.solids import areas, covered, digest, lone_edges, volume
+from tests.support.solids import areas, count_covered, digest, lone_edges, volume
 
 STEEL = material("metal")
 
@@ -101,7 +101,7 @@ def test_prototypes_are_closed_and_face_outwards(name: str, detail: int) -> None
 @pytest.mark.parametrize("detail", [1, 2])
 @pytest.mark.parametrize("name", PROTOTYPES)
 def test_no_surface_of_a_prototype_lies_in_another(name: str, detail: int) -> None:
-    assert covered(PROTOTYPES[name](detail).corners) == 0
+    assert count_covered(PROTOTYPES[name](detail).corners) == 0
 
 
 def test_a_bent_pipe_keeps_its_radius() -> None:

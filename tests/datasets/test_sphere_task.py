@@ -10,7 +10,7 @@ from scipy import ndimage
 
 import nearfar as nf
 from nearfar.datasets import SphereTask, sphere_task
-from tests.support.study_cases import ASIDE, HOW, USERS, Array, Ids, light
+from tests.support.study_cases import ASIDE, HOW, USERS, Array, Ids, reduce_task
 
 BALL_FOV, BALL_SIZE = nf.Fov.symmetric(45, 16 / 9), (640, 360)
 BALL_FOCAL = 320 / np.tan(np.radians(22.5))
@@ -21,7 +21,7 @@ RATE = 30.0
 @pytest.fixture(scope="module")
 def ball() -> tuple[nf.ReducedScene, SphereTask]:
     scene, task = sphere_task(0, straight=False)
-    return light(scene, task, 2048), task
+    return reduce_task(scene, task, 2048), task
 
 
 def ball_view(task: SphereTask, user: tuple[float, float, float]) -> nf.Camera:
@@ -79,7 +79,7 @@ def test_the_ball_jumps_with_the_conventional_method_only(
 @pytest.mark.parametrize(("seed", "straight"), [(0, False), (1, True)])
 def test_the_ball_lands_on_the_right_box(seed: int, straight: bool) -> None:
     scene, task = sphere_task(seed, straight=straight)
-    reduced = light(scene, task, 1024)
+    reduced = reduce_task(scene, task, 1024)
     names = scene.object_names
     for user in USERS[::3]:
         view = ball_view(task, user)
@@ -94,7 +94,7 @@ def test_the_ball_lands_on_the_right_box(seed: int, straight: bool) -> None:
 @pytest.mark.slow
 def test_the_published_conventional_ball_flies_evenly_onto_a_wrong_box() -> None:
     scene, task = sphere_task(1)
-    conventional, names = light(scene, task, 1024).with_morph("none"), scene.object_names
+    conventional, names = reduce_task(scene, task, 1024).with_morph("none"), scene.object_names
     for user in ASIDE:
         view, how = ball_view(task, user), {"conventional_dynamic": "user"}
         times = np.linspace(0.35, 1.0, 12) * task.duration

@@ -9,7 +9,7 @@ import pytest
 
 import nearfar as nf
 from nearfar.datasets import TapeTask, tape_task
-from tests.support.study_cases import ASIDE, HOW, USERS, Array, Ids, light, pieces
+from tests.support.study_cases import ASIDE, HOW, USERS, Array, Ids, pieces, reduce_task
 
 # 40° across 960 pixels are 24 a degree, between a headset's 15 and the eye's 60.
 FOV, SIZE = nf.Fov.symmetric(40, 16 / 9), (960, 540)
@@ -20,14 +20,14 @@ Reduced = tuple[nf.ReducedScene, TapeTask]
 def tape() -> Reduced:
     """The published task: a tape that ends inside r₂."""
     scene, task = tape_task(3)
-    return light(scene, task, 1024), task
+    return reduce_task(scene, task, 1024), task
 
 
 @pytest.fixture(scope="module")
 def torn_tape() -> Reduced:
     """A seed whose correct answer has neighbours on both sides, so that a wrong answer is possible."""
     scene, task = tape_task(1, 7, ends="far")
-    return light(scene, task, 1024), task
+    return reduce_task(scene, task, 1024), task
 
 
 def middles_of(ids: Ids, number: int) -> list[tuple[Array, Array]]:

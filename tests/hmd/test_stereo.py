@@ -28,7 +28,7 @@ def reduced() -> nf.ReducedScene:
     return nf.reduce(street(), center=CENTER, r1=R1, r2=R2, face_size=128, channels=("color", "range", "object_id"))
 
 
-def alone(source: Any, hmd: nf.Hmd = QUEST, **arguments: Any) -> list[nf.Frame]:
+def render_separately(source: Any, hmd: nf.Hmd = QUEST, **arguments: Any) -> list[nf.Frame]:
     """Return frames of both eyes by two calls of `render`."""
     return [
         nf.render(source, hmd.camera(eye, HEAD, TURNED, size=SIZE), backend="cpu", **arguments)
@@ -54,18 +54,18 @@ def test_both_eyes_are_two_renders_of_a_scene(name: str) -> None:
     hmd, scene = nf.hmd.get(name), street()
     settings: dict[str, Any] = {"samples": 2, "channels": ("color", "range", "object_id", "normal"), "t_max": 60.0}
     stereo = nf.render_eyes(scene, hmd, HEAD, orientation=TURNED, size=SIZE, backend="cpu", **settings)
-    same(stereo, alone(scene, hmd, **settings))
+    same(stereo, render_separately(scene, hmd, **settings))
     assert stereo.hmd is hmd
 
 
 def test_each_eye_is_the_user_of_a_reduced_scene(reduced: nf.ReducedScene) -> None:
     common: dict[str, Any] = {"orientation": TURNED, "size": SIZE, "backend": "cpu"}
-    same(nf.render_eyes(reduced, QUEST, HEAD, **common), alone(reduced))
+    same(nf.render_eyes(reduced, QUEST, HEAD, **common), render_separately(reduced))
     one = middle_of(QUEST)
     at_middle = nf.render_eyes(reduced, QUEST, HEAD, user="middle", **common)
-    same(at_middle, alone(reduced, user=one))
-    same(nf.render_eyes(reduced, QUEST, HEAD, user=one, **common), alone(reduced, user=one))
-    assert at_middle.left.require("range").tobytes() != alone(reduced)[0].require("range").tobytes()
+    same(at_middle, render_separately(reduced, user=one))
+    same(nf.render_eyes(reduced, QUEST, HEAD, user=one, **common), render_separately(reduced, user=one))
+    assert at_middle.left.require("range").tobytes() != render_separately(reduced)[0].require("range").tobytes()
 
 
 def test_pictures_morphed_for_the_head_break_at_r2_and_per_eye_do_not(reduced: nf.ReducedScene) -> None:

@@ -56,7 +56,7 @@ def is_root(k: tuple[float, ...], r: float, x: float) -> bool:
     return bool(exactly(k, math.nextafter(r, 0)) <= x <= exactly(k, math.nextafter(r, math.inf)))
 
 
-def covered(lens: nf.RadialLens, count: int) -> Array:
+def domain_radii(lens: nf.RadialLens, count: int) -> Array:
     """Return distorted radii over the whole domain, dense at both ends of it."""
     end = min(1e3, float(lens.distort(lens.r_max))) if math.isfinite(lens.r_max) else 1e3
     share = np.linspace(0, 1, count)
@@ -83,7 +83,7 @@ def test_forward_is_within_an_ulp(k: tuple[float, ...]) -> None:
 @pytest.mark.parametrize("k", LENSES)
 def test_newton_finds_the_root(k: tuple[float, ...]) -> None:
     lens = nf.RadialLens(k)
-    x = covered(lens, 500)
+    x = domain_radii(lens, 500)
     for shown, root in zip(x, lens.undistort(x), strict=True):
         assert is_root(k, root, shown), (shown, root)
         assert root <= lens.r_max
@@ -94,7 +94,7 @@ def test_newton_finds_the_root_for_every_lens_in_the_data() -> None:
     assert len(found) == 4
     for k in found:
         lens = nf.RadialLens(k)
-        x = covered(lens, 300)
+        x = domain_radii(lens, 300)
         assert all(is_root(k, root, shown) for shown, root in zip(x, lens.undistort(x), strict=True))
 
 
@@ -212,7 +212,7 @@ def test_lenses_without_a_fold_refuse_overflow() -> None:
 @pytest.mark.parametrize("k", LENSES)
 def test_tables_keep_their_error_bound(k: tuple[float, ...]) -> None:
     lens = nf.RadialLens(k)
-    x = covered(lens, 60_000)
+    x = domain_radii(lens, 60_000)
     exact = lens.undistort(x)
     off = np.abs(lens.undistort(x, method="lut") - exact)
     assert lens.lut_bound <= 5e-10

@@ -110,7 +110,7 @@ def test_positions_are_within_the_stated_error(world: str, cell: float) -> None:
         if data is None:
             continue
         stated = glb.header(data)[0]["asset"]["extras"]
-        found, expected = loaded(data), standing(part)[mine]
+        found, expected = load_triangles(data), standing(part)[mine]
         assert stated["triangles"] == len(found) == len(expected)
         errors.append(farthest(found, expected))
         # The reader's own coordinates are float32.
@@ -123,7 +123,7 @@ def test_positions_are_within_the_stated_error(world: str, cell: float) -> None:
     assert 0.2 * step_of(grid) < max(errors) <= step_of(grid) * (1 if world == "balls" else 0.51)
 
 
-def loaded(data: bytes) -> NDArray[np.float64]:
+def load_triangles(data: bytes) -> NDArray[np.float64]:
     """Triangles of a file, world, metres. They are exact relative to its first node, about which they are read."""
     document, _ = glb.header(data)
     origin = np.array(document["nodes"][0].pop("translation", (0.0, 0.0, 0.0)))
@@ -149,7 +149,7 @@ def test_shared_corners_are_rounded_equally_in_all_leaves(cell: float) -> None:
     step = step_of(grid)
     assert step == (STEP if cell == 16 else 2.0**-12)
     files = [cell_glb(part, grid, place) for place, part in parts(world, grid)]
-    found = np.concatenate([loaded(data) for data in files if data is not None]).reshape(-1, 3)
+    found = np.concatenate([load_triangles(data) for data in files if data is not None]).reshape(-1, 3)
     expected = np.rint(corners / step) * step  # To the even step at ties.
     assert len(files) > 6
     assert set(keys(found + 0.0)) == set(keys(expected + 0.0))
@@ -192,7 +192,7 @@ def test_triangles_without_area_are_omitted_and_empty_leaves_have_no_file() -> N
     small, large = (cell_glb(world.query(grid.box(0, (x, 0, 0))), grid, (x, 0, 0)) for x in (0, 1))
     assert small is None
     assert large is not None
-    np.testing.assert_array_equal(loaded(large), corners[1:])
+    np.testing.assert_array_equal(load_triangles(large), corners[1:])
 
 
 def test_leaves_share_texture_files(tmp_path: Path) -> None:

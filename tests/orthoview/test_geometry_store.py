@@ -196,7 +196,7 @@ def test_subtrees_list_available_cells(levels: int, tmp_path: Path) -> None:
 
 
 # damage ---------------------------------------------------------------------------------------------------------------
-def damaged(folder: Path, change: Any) -> str:
+def error_after(folder: Path, change: Any) -> str:
     """The error message after a change to the first file of the geometry."""
     world, cell = boxes(3, 2.0)[0], 0.7
     grid = Grid.from_bounds(world.bounds, cell)
@@ -211,7 +211,7 @@ def damaged(folder: Path, change: Any) -> str:
 
 @pytest.mark.parametrize("length", [0, 11, 19, 300, -1])
 def test_truncated_files_are_refused(length: int, tmp_path: Path) -> None:
-    message = damaged(tmp_path, lambda path: path.write_bytes(path.read_bytes()[:length]))
+    message = error_after(tmp_path, lambda path: path.write_bytes(path.read_bytes()[:length]))
     assert ": damaged geometry: " in message
 
 
@@ -230,11 +230,11 @@ def test_inconsistent_files_are_refused(old: bytes, new: bytes, words: str, tmp_
         assert old in data
         path.write_bytes(data.replace(old, new, 1))
 
-    assert words in damaged(tmp_path, change)
+    assert words in error_after(tmp_path, change)
 
 
 def test_files_off_the_grid_are_refused(tmp_path: Path) -> None:
-    message = damaged(tmp_path, lambda path: path.rename(path.with_name("99.glb")))
+    message = error_after(tmp_path, lambda path: path.rename(path.with_name("99.glb")))
     assert "99.glb: expected a leaf among" in message
 
 

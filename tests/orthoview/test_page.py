@@ -22,11 +22,11 @@ from tests.support.flown_page import (
     SIZE,
     Pose,
     facts,
-    flown,
     grabbed,
     holes,
     likeness,
     link,
+    open_flight,
     page_camera,
     problems,
     rendered,
@@ -45,7 +45,7 @@ def test_pictures_equal_render(
     chromium: Any, city: nf.orthoview.OrthoTree, pose: Pose, least: float, samples: int
 ) -> None:
     with Server.of_bundle(city.path) as server, open_page(chromium, *SIZE) as page:
-        told = flown(page, f"{server.url}?geometry=0&samples={samples}{link(pose)}")
+        told = open_flight(page, f"{server.url}?geometry=0&samples={samples}{link(pose)}")
         found = grabbed(page)
         assert page.printed == []
     frame = rendered(city, pose, samples)
@@ -67,7 +67,7 @@ def test_webp_colours_are_drawn(chromium: Any, few: nf.Scene, tmp_path: Path) ->
         low, high = tree.bounds
         pose = {"position": [*(low[:2] + high[:2]) / 2, high[2] + 50], "yaw": 0.0, "pitch": 0.0}
         with Server.of_bundle(tree.path) as server, open_page(chromium, *SIZE) as page:
-            flown(page, f"{server.url}{link(pose)}")
+            open_flight(page, f"{server.url}{link(pose)}")
             pictures.append(grabbed(page))
     np.testing.assert_array_equal(pictures[0], pictures[1])
     assert len(np.unique(pictures[0].reshape(-1, 3), axis=0)) > 50
@@ -108,7 +108,7 @@ def test_the_old_picture_stays_when_the_server_fails(
 ) -> None:
     frame = rendered(city, AIR)
     with hosted(copied_city) as host, open_page(chromium, *SIZE) as page:
-        flown(page, f"{host.url}?geometry=0{link(FAR)}")
+        open_flight(page, f"{host.url}?geometry=0{link(FAR)}")
         host.status = 500
         page.evaluate("(pose) => window.orthoview.setPose(pose)", AIR)
         wait_until(page, lambda: problems(page))
@@ -138,7 +138,7 @@ def test_damage_is_reported_once_and_a_coarser_picture_stays(
     content[chunk.first + chunk.length - 2] ^= 1  # In the frame's checksum.
     (copied_city / chunk.file).write_bytes(content)
     with hosted(copied_city) as host, open_page(chromium, *SIZE) as page:
-        told = flown(page, f"{host.url}?geometry=0{link(AIR)}")
+        told = open_flight(page, f"{host.url}?geometry=0{link(AIR)}")
         (listed,) = problems(page)
         found = grabbed(page)
     assert listed.startswith(array)
@@ -177,7 +177,7 @@ def test_keys_fly_and_the_address_restores_the_pose(chromium: Any, city: nf.orth
         return bool(sign * (pose_of(page)["position"][axis] - before[axis]) > 1)
 
     with Server.of_bundle(city.path) as server, open_page(chromium, 640, 400) as page:
-        flown(page, f"{server.url}?geometry=0&error=16{link(AIR)}")
+        open_flight(page, f"{server.url}?geometry=0&error=16{link(AIR)}")
         assert pose_of(page)["position"] == AIR["position"]
         for key, axis, sign in (("w", 2, -1), ("e", 1, 1), ("d", 0, 1)):
             before = pose_of(page)["position"]
@@ -200,7 +200,7 @@ def test_keys_fly_and_the_address_restores_the_pose(chromium: Any, city: nf.orth
 def test_nothing_extends_beyond_the_screen(chromium: Any, city: nf.orthoview.OrthoTree) -> None:
     for size in ((1280, 800), (390, 844)):
         with Server.of_bundle(city.path) as server, open_page(chromium, *size) as page:
-            flown(page, f"{server.url}?geometry=0&error=64")
+            open_flight(page, f"{server.url}?geometry=0&error=64")
             home = pose_of(page)
             if size[0] < 600:
                 page.get_by_role("button", name="Figures").click()

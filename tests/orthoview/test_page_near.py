@@ -11,8 +11,19 @@ import pytest
 import nearfar as nf
 from nearfar.serve._server import Server
 from tests.support.browser import open_page
-from tests.support.flown_page import SIZE, Pose, flown, grabbed, holes, likeness, link, page_camera, problems, rendered
-from tests.support.range_server import served
+from tests.support.flown_page import (
+    SIZE,
+    Pose,
+    grabbed,
+    holes,
+    likeness,
+    link,
+    open_flight,
+    page_camera,
+    problems,
+    rendered,
+)
+from tests.support.range_server import serve_folder
 
 pytestmark = pytest.mark.slow
 
@@ -26,7 +37,7 @@ def test_pictures_equal_render_with_geometry(
     chromium: Any, city: nf.orthoview.OrthoTree, pose: Pose, least: float, samples: int
 ) -> None:
     with Server.of_bundle(city.path) as server, open_page(chromium, *SIZE) as page:
-        told = flown(page, f"{server.url}?samples={samples}{link(pose)}")
+        told = open_flight(page, f"{server.url}?samples={samples}{link(pose)}")
         found = grabbed(page)
         assert page.printed == []
         assert problems(page) == []
@@ -41,8 +52,8 @@ def test_pictures_equal_render_with_geometry(
 
 
 def test_textures_and_colours_are_drawn(chromium: Any, textured: nf.orthoview.OrthoTree) -> None:
-    with served(Path(textured.path)) as server, open_page(chromium, *SIZE) as page:
-        told = flown(page, f"{server.url}index.html{link(WALL)}")
+    with serve_folder(Path(textured.path)) as server, open_page(chromium, *SIZE) as page:
+        told = open_flight(page, f"{server.url}index.html{link(WALL)}")
         found = grabbed(page)
         assert problems(page) == []
     # Leaves share it, and the server sends no cache headers.
@@ -62,7 +73,7 @@ def test_damaged_geometry_is_reported_and_replaced_by_views(
     (file,) = copied_city.glob(f"geometry/content/*/{'/'.join(map(str, place))}.glb")
     with Server.of_bundle(copied_city) as server, open_page(chromium, *SIZE) as page:
         file.write_bytes(file.read_bytes()[:-3] + b"abc")
-        told = flown(page, f"{server.url}{link(NEAR)}")
+        told = open_flight(page, f"{server.url}{link(NEAR)}")
         (listed,) = problems(page)
         found = grabbed(page)
     assert file.name in listed

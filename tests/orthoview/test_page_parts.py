@@ -22,7 +22,7 @@ from nearfar.orthoview._layout import BEHIND, CHANNELS
 from tests.support import need
 from tests.support.orthoview_page import Damage, Store, ViewKey, cameras, cases_of, in_node
 from tests.support.orthoview_stores import masks_of
-from tests.support.range_server import served
+from tests.support.range_server import serve_folder
 from tests.support.shared_folders import make_once
 from tests.support.web_cases import web_tests
 
@@ -39,7 +39,7 @@ def _parts() -> None:
 
 
 @pytest.fixture(scope="module")
-def changed(few: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> nf.orthoview.OrthoTree:
+def updated_tree(few: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> nf.orthoview.OrthoTree:
     """A tree of two layers and 24-bit normals, of which parts were removed in two updates."""
 
     def make(path: Path) -> None:
@@ -162,7 +162,7 @@ def without_ranges(folder: Path) -> Iterator[str]:
             thread.join()
 
 
-def damaged(path: Path) -> list[Damage]:
+def damage_store(path: Path) -> list[Damage]:
     """Alter and remove files of a store; returns the errors that Node should report."""
     tree = nf.orthoview.open(path)
     of_leaves = [key for key in views_of(tree) if key[0] == 0]
@@ -207,7 +207,7 @@ def place_of(file: Path) -> Place:
 
 def test_stores_are_read_as_in_python(
     tree: nf.orthoview.OrthoTree,
-    changed: nf.orthoview.OrthoTree,
+    updated_tree: nf.orthoview.OrthoTree,
     large: nf.orthoview.OrthoTree,
     copied_few: Path,
     tmp_path: Path,
@@ -215,13 +215,13 @@ def test_stores_are_read_as_in_python(
 ) -> None:
     """Covers a tree, one with updates, one with large shards with and without ranges, and a damaged one."""
     folder = Path(tree.path).parent
-    with served(folder) as server, without_ranges(folder) as whole, served(tmp_path) as other:
-        trees = [tree, changed, large, large]
+    with serve_folder(folder) as server, without_ranges(folder) as whole, serve_folder(tmp_path) as other:
+        trees = [tree, updated_tree, large, large]
         urls = [f"{url}{Path(own.path).name}/" for own, url in zip(trees, [server.url] * 3 + [whole], strict=True)]
         stores = [sample(own, url, count) for own, url, count in zip(trees, urls, (60, 40, 12, 12), strict=True)]
         few = nf.orthoview.open(copied_few)
         cases = cases_of(few, cameras(few, 1, seed=3))
-        stores.append(Store(f"{other.url}{copied_few.name}/", cases, [], damaged(copied_few)))
+        stores.append(Store(f"{other.url}{copied_few.name}/", cases, [], damage_store(copied_few)))
         layers = in_node(web_tests(tmp_path_factory), tmp_path, stores)
     for own, store, found in zip(trees, stores, layers, strict=False):
         check(own, store, found)
@@ -229,7 +229,7 @@ def test_stores_are_read_as_in_python(
     assert {method for method, _, _ in requests} == {"GET"}
     # Metadata of arrays follow from the layout.
     documents = [name for _, name, _ in requests if name.endswith("zarr.json")]
-    assert sorted(documents) == sorted(f"{Path(own.path).name}/zarr.json" for own in (tree, changed, large))
+    assert sorted(documents) == sorted(f"{Path(own.path).name}/zarr.json" for own in (tree, updated_tree, large))
     names = " ".join(name for _, name, _ in requests)
     assert all(f"changed.zarr/nearfar/generations/{number}/" in names for number in (1, 2))
     assert any(status == 206 for _, name, status in requests if name.startswith("large.zarr/0/"))

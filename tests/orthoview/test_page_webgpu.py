@@ -18,11 +18,11 @@ from tests.support.flown_page import (
     SIZE,
     Pose,
     facts,
-    flown,
     grabbed,
     holes,
     likeness,
     link,
+    open_flight,
     page_camera,
     problems,
     rendered,
@@ -60,7 +60,7 @@ def draw(program: Any, address: str, script: str = "") -> tuple[dict[str, Any], 
     """The page's figures, and its picture by WebGPU."""
     with open_page(program, *SIZE) as page:
         page.add_init_script(f"{FRAMES}; {script}")
-        flown(page, address)
+        open_flight(page, address)
         found = grabbed(page)
         wait_until(page, lambda: facts(page)["unhidden"] is not None)
         told = facts(page)
@@ -106,7 +106,7 @@ def test_pictures_equal_webgl(with_webgpu: Any, city: nf.orthoview.OrthoTree) ->
         for query, script in (("", REFUSED), ("graphics=webgpu&", "")):
             with open_page(with_webgpu, *SIZE) as page:
                 page.add_init_script(f"{FRAMES}; {script}")
-                told = flown(page, f"{server.url}?{query}{link(NEAR)}")
+                told = open_flight(page, f"{server.url}?{query}{link(NEAR)}")
                 pictures.append(grabbed(page).astype(int))
                 assert problems(page) == []
                 assert any("because WebGPU fails" in line for line in page.printed) == (not query)

@@ -48,7 +48,7 @@ def pilot_of(tree: Tree, settings: Settings | None = None, **ahead: Any) -> Pilo
     return Pilot(cutter, settings or Settings(), Ahead(**ahead))
 
 
-def flown(pilot: Pilot, offset: Any, velocity: Any, time: float = 10.0) -> None:
+def fly(pilot: Pilot, offset: Any, velocity: Any, time: float = 10.0) -> None:
     """Two looks of a viewer on a straight path, the last one at an offset."""
     pilot.look(camera_at(np.array(offset) - 0.2 * np.array(velocity)), time - 0.2)
     pilot.look(camera_at(offset), time)
@@ -149,7 +149,7 @@ def test_the_speed_limit_follows_from_the_link(tree: Tree, height: float) -> Non
     pilot = pilot_of(tree, margin=None)
     measured(pilot, 60_000)
     offset, velocity = np.array([0.0, height, 0.0]), np.array([30.0, 0.0, 0.0])
-    flown(pilot, offset, velocity)
+    fly(pilot, offset, velocity)
     pilot.plan(everything)
     camera = camera_at(offset)
     ahead = min(tree.prefetch_queue(camera.position, camera=camera).ahead, 30.0)
@@ -164,7 +164,7 @@ def test_the_speed_limit_grows_with_the_height(tree: Tree) -> None:
     for height in (0.0, 100.0, 300.0):
         pilot = pilot_of(tree, margin=None)
         measured(pilot, 60_000)
-        flown(pilot, (0, height, 0), (25, 0, 0))
+        fly(pilot, (0, height, 0), (25, 0, 0))
         pilot.plan(everything)
         limits.append(pilot.limit)
     assert limits == sorted(limits)
@@ -176,7 +176,7 @@ def test_without_a_course_or_a_measurement_there_is_no_speed_limit(tree: Tree) -
         pilot = pilot_of(tree, adapt=adapt)
         if is_measured:
             measured(pilot, 6_000)
-        flown(pilot, (0, 10, 0), velocity)
+        fly(pilot, (0, 10, 0), velocity)
         assert pilot.plan(everything).error_px == 1.0
         assert pilot.limit == math.inf
         assert pilot.settings.error_px == 1.0
@@ -186,7 +186,7 @@ def fast(tree: Tree, held: Any, rate: float = 60_000) -> tuple[Pilot, Any]:
     """A pilot above the speed limit of the link, with its plan."""
     pilot = pilot_of(tree, margin=None)
     measured(pilot, rate)
-    flown(pilot, (0, 10, 0), (400, 0, 0))
+    fly(pilot, (0, 10, 0), (400, 0, 0))
     return pilot, pilot.plan(held)
 
 
@@ -255,7 +255,7 @@ def test_a_picture_becomes_finer_with_slack_only(tree: Tree) -> None:
         pilot = pilot_of(tree, margin=None)
         measured(pilot, 6_000_000)
         pilot._error = pilot._wished = error_px
-        flown(pilot, (0, 10, 0), (speed, 0, 0), 30.0)
+        fly(pilot, (0, 10, 0), (speed, 0, 0), 30.0)
         pilot.plan(nothing)
         assert pilot._wished == 1.0 or speed < pilot.limit < SLACK * speed
         assert (pilot._wished > 1.0) == is_coarse

@@ -105,7 +105,7 @@ THIRD = SECOND - {(1, 0, 0)}
 
 
 @pytest.fixture(scope="module")
-def changed(tmp_path_factory: pytest.TempPathFactory) -> list[Tree]:
+def three_generations(tmp_path_factory: pytest.TempPathFactory) -> list[Tree]:
     """Three generations of a store, each opened when it was the newest."""
     first, second, third = (flat(here, 90.0, [(4, 4)]) for here in (FIRST, SECOND, THIRD))
     tree = built(first, tmp_path_factory.mktemp("changed") / "world.zarr")
@@ -114,19 +114,19 @@ def changed(tmp_path_factory: pytest.TempPathFactory) -> list[Tree]:
     return [tree, once, once.update([[81, 0, 1], [87, 9, 7]], third)]
 
 
-def test_records_list_views_of_each_generation(changed: list[Tree]) -> None:
+def test_records_list_views_of_each_generation(three_generations: list[Tree]) -> None:
     """Open trees keep their generation."""
-    for tree, here in zip(changed, (FIRST, SECOND, THIRD), strict=True):
+    for tree, here in zip(three_generations, (FIRST, SECOND, THIRD), strict=True):
         found = masks_of(tree)
         assert found == count_views(tree)
         assert {place for level, place in found if level == 3} == here
         assert len(found) == tree.held["cells"]
 
 
-def test_records_of_copies_list_views(changed: list[Tree], tmp_path: Path) -> None:
-    compacted = changed[-1].compact(tmp_path / "compact.zarr")
+def test_records_of_copies_list_views(three_generations: list[Tree], tmp_path: Path) -> None:
+    compacted = three_generations[-1].compact(tmp_path / "compact.zarr")
     assert compacted.generation == 0
-    assert masks_of(compacted) == count_views(compacted) == masks_of(changed[-1])
+    assert masks_of(compacted) == count_views(compacted) == masks_of(three_generations[-1])
 
 
 def test_records_follow_changed_directions(tmp_path: Path) -> None:

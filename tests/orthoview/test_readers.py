@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from tests.support import need
-from tests.support.range_server import served
+from tests.support.range_server import serve_folder
 from tests.support.reader_cases import FOLDER, SECONDS, node
 from tests.support.shared_folders import make_once
 
@@ -113,7 +113,7 @@ def test_zarr_python_reads_over_http(path: Path) -> None:
 
     need("fsspec")
     need("aiohttp")
-    with served(path.parent) as server:
+    with serve_folder(path.parent) as server:
         group = zarr.open_group(server.url + path.name, mode="r")
         found = check_views(nf.orthoview.open(path), group, 0, places(group, 0)[::16])
         assert min(found.values()) > 5
@@ -163,7 +163,7 @@ def test_zarrita_reads_chunks_and_fills_missing_ones(path: Path) -> None:
     group = zarr.open_group(str(path), mode="r")
     chunks = some_chunks(group)
     local, read = by_zarrita(str(path), chunks)
-    with served(path.parent) as server:
+    with serve_folder(path.parent) as server:
         remote, again = by_zarrita(server.url + path.name, chunks)
         shards = Counter({key: count for key, count in server.answers.items() if "/c/" in key[1]})
     assert local == remote == dict(group.attrs)

@@ -19,7 +19,7 @@ from nearfar._camera.shot import Shot
 from nearfar.orthoview._files import Local
 from tests.support import need
 from tests.support.orthoview_stores import SIZE, box_about, world_of
-from tests.support.range_server import served
+from tests.support.range_server import serve_folder
 
 need("zarr")
 
@@ -292,7 +292,7 @@ def test_a_tree_behind_a_web_server_looks_the_same(shown: Tree, monkeypatch: pyt
     camera = camera_at(shown, 90)
     local = shown.render(camera, channels=CHANNELS)
     assert local.stats["leaves"] > 0
-    with served(Path(shown.path).parent) as server:
+    with serve_folder(Path(shown.path).parent) as server:
         remote = nf.orthoview.open(f"{server.url}{Path(shown.path).name}")
         assert_same(remote.render(camera, channels=CHANNELS), local)
         asked = sum(server.answers.values())

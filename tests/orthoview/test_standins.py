@@ -187,7 +187,7 @@ def leaves_of(cell: Cell) -> set[Place]:
     return set(itertools.product(*ranges))  # type: ignore[arg-type]
 
 
-def covered(cells: Iterable[Cell]) -> list[Place]:
+def covered_leaves(cells: Iterable[Cell]) -> list[Place]:
     """Counts of the leaves in cells, by place."""
     return sorted(place for cell in cells for place in leaves_of(cell))
 
@@ -242,7 +242,7 @@ def test_every_place_is_drawn_exactly_once(
             memory.parts |= {part for parts in wanted.values() for part in parts}
         shown = memory.choose(wanted, before)
         is_there = {cell: all(map(memory.holds, parts)) for cell, parts in wanted.items()}
-        places, all_places = covered(shown_cells(shown)), covered(wanted)
+        places, all_places = covered_leaves(shown_cells(shown)), covered_leaves(wanted)
         assert len(set(places)) == len(places)
         assert set(places) <= set(all_places)
         if has_top:

@@ -59,7 +59,7 @@ struct Pair {
     size: f32,
 }
 
-fn made(at: vec2<f32>, far: bool) -> Pair {
+fn new_pair(at: vec2<f32>, far: bool) -> Pair {
     var pair = Pair(at, A);
     if far && !(at.x < -A) {
         pair.size = select(2.0, length(at) * 0.5, at.y != 0.0);
@@ -84,7 +84,7 @@ struct Pair {
     float size;
 };
 
-Pair made(vec2 at, bool far) {
+Pair new_pair(vec2 at, bool far) {
     Pair pair = Pair(at, A);
     if (far && !(at.x < -A)) {
         pair.size = ((at.y != 0.0) ? length(at) * 0.5 : 2.0);

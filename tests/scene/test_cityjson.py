@@ -18,13 +18,13 @@ from nearfar._scene.city.classes import OBJECTS, SURFACES
 from nearfar._scene.city.collector import Collector, Part
 from nearfar._scene.city.surfaces import Surfaces
 from tests.support import data as data_file
-from tests.support.city_cases import CUBE, SHELL, city, solid, written
+from tests.support.city_cases import CUBE, SHELL, city, solid, write_json
 
 THREE = "city/cityjson/3dbag_sub.city.json"
 
 
 def load(tmp_path: Path, document: Any, **how: Any) -> nf.Scene:
-    return nf.Scene.load(written(tmp_path / "a.city.json", document), **how)
+    return nf.Scene.load(write_json(tmp_path / "a.city.json", document), **how)
 
 
 def areas(scene: nf.Scene) -> NDArray[np.float64]:
@@ -178,7 +178,7 @@ def test_a_sequence_is_read_line_by_line(tmp_path: Path) -> None:
 
 
 def test_a_plain_json_is_read_by_its_type(tmp_path: Path) -> None:
-    assert nf.Scene.load(written(tmp_path / "a.json", city())).triangle_count == 12
+    assert nf.Scene.load(write_json(tmp_path / "a.json", city())).triangle_count == 12
 
 
 def surfaces_of(document: Any) -> Surfaces:

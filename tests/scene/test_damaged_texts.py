@@ -62,7 +62,7 @@ def files() -> dict[str, bytes]:
     return {name: data.encode() if isinstance(data, str) else data for name, data in exported.items()}
 
 
-def damaged(data: bytes, chance: random.Random) -> bytes:
+def damage(data: bytes, chance: random.Random) -> bytes:
     """A copy with changed, added or lost bytes or lines."""
     place, lines = chance.randrange(len(data)), data.split(b"\n")
     match chance.randrange(6):
@@ -87,7 +87,7 @@ def test_no_message_is_about_the_reader(tmp_path: Path, name: str) -> None:
     chance, data = random.Random(name), files()[name]
     path = tmp_path / f"ball.{name}"
     for _ in range(60):
-        path.write_bytes(damaged(data, chance))
+        path.write_bytes(damage(data, chance))
         said = sentence(path)
         assert not FOREIGN.search(said), said
         assert not any(word in said for word in READERS), said

@@ -31,7 +31,7 @@ def strength(value: Any) -> dict[str, Any]:
     return {"extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": value}}}
 
 
-def loaded(folder: Path, *entries: dict[str, Any], **changes: Any) -> nf.Scene:
+def load_materials(folder: Path, *entries: dict[str, Any], **changes: Any) -> nf.Scene:
     (folder / "source.glb").write_bytes(gltf([PLAIN | entry for entry in entries], **changes))
     return nf.Scene.load(folder / "source.glb")
 
@@ -64,7 +64,7 @@ def glow(scene: nf.Scene, number: int = 0) -> np.ndarray | None:
 def test_emission_in_gltf_is_factor_times_strength(
     tmp_path: Path, entry: dict[str, Any], expected: list[float]
 ) -> None:
-    scene = loaded(tmp_path, entry)
+    scene = load_materials(tmp_path, entry)
     assert emissions(scene) == [expected]
     assert parts_of(scene._core)["material_unlit"].tolist() == [entry.get("extensions") == UNLIT["extensions"]]
     assert scene.report.notes == ()
@@ -72,14 +72,14 @@ def test_emission_in_gltf_is_factor_times_strength(
 
 def test_unlit_materials_need_no_notes_on_gloss_or_maps(tmp_path: Path) -> None:
     maps = {"normalTexture": {"index": 1}, "occlusionTexture": {"index": 1}, "pbrMetallicRoughness": {}}
-    assert loaded(tmp_path, maps | UNLIT).report.notes == ()
-    assert len(loaded(tmp_path, maps).report.notes) == 3
+    assert load_materials(tmp_path, maps | UNLIT).report.notes == ()
+    assert len(load_materials(tmp_path, maps).report.notes) == 3
 
 
 def test_emission_textures_are_read_with_the_base_colour(tmp_path: Path) -> None:
     base = {"pbrMetallicRoughness": {"metallicFactor": 0.0, "baseColorTexture": {"index": 2}}}
     lamp = {"emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 3}}
-    scene = loaded(tmp_path, base | lamp, lamp, base | lamp | {"emissiveTexture": {"index": 2}})
+    scene = load_materials(tmp_path, base | lamp, lamp, base | lamp | {"emissiveTexture": {"index": 2}})
     assert scene.report.textures == 2
     for number, image in ((0, 3), (1, 3), (2, 2)):
         np.testing.assert_array_equal(glow(scene, number), texels(picture(image, "png")))
@@ -103,7 +103,7 @@ def test_emission_with_unsupported_coordinates_is_not_drawn(
 ) -> None:
     surface = {"metallicFactor": 0.0} | ({} if base is None else {"baseColorTexture": {"index": 2} | base})
     entry = {"pbrMetallicRoughness": surface, "emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 3} | map_}
-    scene = loaded(tmp_path, entry)
+    scene = load_materials(tmp_path, entry)
     assert emissions(scene) == [[0, 0, 0]]
     assert f"1 material {note}" in scene.report.notes
     nf.lod.export(scene, tmp_path / "written.glb", view=FOV)
@@ -141,11 +141,11 @@ def test_a_damaged_emission_image_is_noted_and_kept(tmp_path: Path) -> None:
 
 def test_meshes_without_coordinates_show_no_emission_map(tmp_path: Path) -> None:
     meshes = [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 2, "material": 0}]}]
-    scene = loaded(tmp_path, {"emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 3}}, meshes=meshes)
+    scene = load_materials(tmp_path, {"emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 3}}, meshes=meshes)
     assert emissions(scene) == [[0, 0, 0]]
     ending = "with a map of emission but no texture coordinates drawn and saved without it"
     assert scene.report.notes == (f"1 mesh {ending}",)
-    assert emissions(loaded(tmp_path, {"emissiveFactor": [1, 1, 1]}, meshes=meshes)) == [[1, 1, 1]]
+    assert emissions(load_materials(tmp_path, {"emissiveFactor": [1, 1, 1]}, meshes=meshes)) == [[1, 1, 1]]
 
 
 def wavefront(folder: Path, lines: str) -> nf.Scene:
@@ -214,7 +214,7 @@ def test_written_files_look_like_the_scene(tmp_path: Path, kind: str) -> None:
     else:
         lamp = {key: MATERIALS[0][key] for key in ("emissiveTexture", "emissiveFactor", "extensions")}
         base = {"pbrMetallicRoughness": {"metallicFactor": 0.0, "baseColorTexture": {"index": 1}}}
-        scene = loaded(tmp_path, lamp, base | lamp, base | UNLIT, {"emissiveFactor": [0.1, 0.2, 0.3]})
+        scene = load_materials(tmp_path, lamp, base | lamp, base | UNLIT, {"emissiveFactor": [0.1, 0.2, 0.3]})
     nf.reduce(scene, center=(1, 1, 1), r1=50, r2=90, face_size=4).save(tmp_path / "reduced")
     back = nf.ReducedScene.load(tmp_path / "reduced")
     same_surfaces(scene, back.scene)

@@ -24,7 +24,7 @@ from nearfar._scene.city.index import BoxIndex
 from nearfar._scene.city.read import CityOptions, open_footprints
 from nearfar._scene.content import assemble
 from tests.support import data as data_file, need
-from tests.support.city_cases import collection, feature, parquet, polygon_bytes, square, written
+from tests.support.city_cases import collection, feature, parquet, polygon_bytes, square, write_json
 
 MANHATTAN = "city/manhattan_deckgl/buildings.json"
 TOKYO = "city/tokyo23/tokyo23_buildings.parquet"
@@ -41,7 +41,7 @@ def volume(scene: nf.Scene) -> float:
 
 
 def load(tmp_path: Path, document: Any, **how: Any) -> nf.Scene:
-    return nf.Scene.load(written(tmp_path / "a.geojson", document), **how)
+    return nf.Scene.load(write_json(tmp_path / "a.geojson", document), **how)
 
 
 def test_a_block_stands_on_the_ground_in_its_grid(tmp_path: Path) -> None:
@@ -141,7 +141,7 @@ def test_a_single_geometry_and_a_packed_file_are_read(tmp_path: Path) -> None:
     path = tmp_path / "a.geojson.gz"
     path.write_bytes(gzip.compress(json.dumps(root).encode()))
     assert nf.Scene.load(path).triangle_count == 7
-    assert nf.Scene.load(written(tmp_path / "b.json", {"type": "Feature", "geometry": root})).triangle_count == 7
+    assert nf.Scene.load(write_json(tmp_path / "b.json", {"type": "Feature", "geometry": root})).triangle_count == 7
 
 
 def test_manhattan_equals_its_glb(tmp_path: Path) -> None:
@@ -150,7 +150,7 @@ def test_manhattan_equals_its_glb(tmp_path: Path) -> None:
     rows = json.loads(path.read_bytes())
     to_utm = pyproj.Transformer.from_crs("EPSG:4326", "EPSG:32618", always_xy=True)
     features = [feature([np.stack(to_utm.transform(*np.array(r["polygon"]).T), 1).tolist()], **r) for r in rows]
-    prints = open_footprints(written(tmp_path / "a.geojson", collection(*features, epsg=32618)))
+    prints = open_footprints(write_json(tmp_path / "a.geojson", collection(*features, epsg=32618)))
     glb = trimesh.load_scene(data_file("city/manhattan_deckgl/manhattan_core.glb"))
     placed = [glb.graph[f"b{number}"] for number in range(999)]
     other = np.array([trimesh.transform_points(glb.geometry[name].bounds, matrix) for matrix, name in placed])
@@ -273,7 +273,7 @@ def test_no_rows_have_no_triangles(tmp_path: Path) -> None:
 
 
 def test_arguments_without_effect_on_a_file_are_refused(tmp_path: Path) -> None:
-    path = written(tmp_path / "a.geojson", collection(feature([square(X, Y, 1)])))
+    path = write_json(tmp_path / "a.geojson", collection(feature([square(X, Y, 1)])))
     with pytest.raises(ValueError, match=r"lod: expected none for a\.geojson"):
         nf.Scene.load(path, lod="2")
     with pytest.raises(ValueError, match=r"lod: expected a level of detail such as '2\.2'"):
@@ -285,9 +285,9 @@ def test_arguments_without_effect_on_a_file_are_refused(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="triangles: expected none with"):
         nf.Scene.load(path, triangles=5)
     with pytest.raises(nf.SceneError, match="it is no tileset: error does not apply to it"):
-        nf.Scene.load(written(tmp_path / "a.json", collection(feature([square(X, Y, 1)]))), error=2)
+        nf.Scene.load(write_json(tmp_path / "a.json", collection(feature([square(X, Y, 1)]))), error=2)
     with pytest.raises(nf.SceneError, match="lod does not apply"):
-        nf.Scene.load(written(tmp_path / "a.json", collection(feature([square(X, Y, 1)]))), lod="2")
+        nf.Scene.load(write_json(tmp_path / "a.json", collection(feature([square(X, Y, 1)]))), lod="2")
 
 
 def test_text_columns_with_units_are_heights() -> None:

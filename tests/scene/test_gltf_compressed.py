@@ -154,7 +154,7 @@ def split(content: bytes) -> tuple[dict[str, Any], bytes]:
     return document, content[28 + length :]
 
 
-def changed(**changes: Any) -> bytes:
+def square_with(**changes: Any) -> bytes:
     """A square with a changed description of its first stream."""
     first = square()[0]
     return glb([replace(first, extension=first.extension | changes), triangles(FACES)], meshes=PLAIN)
@@ -185,7 +185,7 @@ def changed(**changes: Any) -> bytes:
 )
 def test_streams_that_cannot_be_decoded_are_errors(tmp_path: Path, changes: dict[str, Any], words: str) -> None:
     with pytest.raises(nf.SceneError, match=f"a\\.glb: .*({words})"):
-        load(tmp_path, changed(**changes))
+        load(tmp_path, square_with(**changes))
 
 
 def test_rows_whose_length_differs_from_their_view_are_errors(tmp_path: Path) -> None:
@@ -231,7 +231,7 @@ def test_claimed_counts_are_not_trusted(tmp_path: Path) -> None:
     """2³¹ rows of 12 bytes, refused by the limit, and by the decoder if the limit is raised."""
     need("linux")
     path = tmp_path / "a.glb"
-    path.write_bytes(changed(count=1 << 31))
+    path.write_bytes(square_with(count=1 << 31))
     code = f"{PEAK}\nimport sys, nearfar as nf\nstart = peak()\nfor most in (None, 1 << 40):\n"
     code += "    try: nf.Scene.load(sys.argv[1], max_bytes=most)\n"
     code += "    except nf.SceneError as error: print(error)\nprint(peak() - start)"

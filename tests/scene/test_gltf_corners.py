@@ -48,7 +48,7 @@ def primitive(mode: int, corners: np.ndarray | None) -> bytes:
     return encode(document, binary)
 
 
-def expected(mode: int, corners: list[int]) -> list[tuple[int, int, int]]:
+def expected_triangles(mode: int, corners: list[int]) -> list[tuple[int, int, int]]:
     """Triangles one by one, as in glTF 2.0, 3.7.2.1, without those with two equal corners."""
     found = []
     for i in range(len(corners) - 2):
@@ -72,7 +72,7 @@ def least_corner_first(faces: Any) -> list[tuple[int, ...]]:
 )
 def test_triangles_equal_the_specification(mode: int, corners: list[int], kind: type[np.generic]) -> None:
     faces = of_corners.faces(mode, np.array(corners, kind), is_indexed=True)
-    assert least_corner_first(faces) == least_corner_first(expected(mode, corners))
+    assert least_corner_first(faces) == least_corner_first(expected_triangles(mode, corners))
 
 
 @pytest.mark.parametrize("mode", [STRIP, FAN])
@@ -80,7 +80,7 @@ def test_triangles_equal_the_specification(mode: int, corners: list[int], kind: 
 def test_strips_and_fans_load(tmp_path: Path, mode: int, kind: type[np.generic] | None) -> None:
     corners = None if kind is None else np.array([3, 1, 4, 1, 5, 9, 2, 6, 5, 5, 5, 8], kind)
     scene = load(tmp_path, primitive(mode, corners))
-    faces = expected(mode, list(range(len(POINTS))) if corners is None else corners.tolist())
+    faces = expected_triangles(mode, list(range(len(POINTS))) if corners is None else corners.tolist())
     numbers = [[int(np.argmin(np.abs(POINTS - corner).sum(axis=1))) for corner in face] for face in scene.triangles()]
     assert sorted(least_corner_first(numbers)) == sorted(least_corner_first(faces))
     assert scene.report.degenerate_faces == 0

@@ -200,7 +200,7 @@ def test_truncated_draco_streams_are_errors(tmp_path: Path) -> None:
             load(tmp_path, simple(stream[:length], numbers))
 
 
-def damaged(stream: bytes, seed: int) -> bytes:
+def damage(stream: bytes, seed: int) -> bytes:
     dice = np.random.default_rng(seed)
     changed = bytearray(stream)
     for _ in range(dice.choice([1, 1, 2, 8])):
@@ -215,7 +215,7 @@ def test_damaged_streams_are_errors_or_other_triangles(tmp_path: Path, level: in
     refused = 0
     for seed in range(150):
         try:
-            assert load(tmp_path, simple(damaged(stream, seed), numbers)).triangle_count <= len(FACES)
+            assert load(tmp_path, simple(damage(stream, seed), numbers)).triangle_count <= len(FACES)
         except nf.SceneError as error:
             assert str(error).startswith(str(tmp_path / "a.glb: "))  # noqa: PT017
             refused += 1

@@ -87,10 +87,10 @@ def test_files_in_the_wild_are_read_equally(monkeypatch: pytest.MonkeyPatch) -> 
     assert folder is not None
     scenes = 0
     for path in sorted(path for path in folder.rglob("*") if path.suffix in (".glb", ".gltf")):
-        stored = loaded(path)
+        stored = load_or_message(path)
         with monkeypatch.context() as within:
             within.setattr(load, "read_gltf", partial(document.read, stores=False))
-            slow = loaded(path)
+            slow = load_or_message(path)
         if isinstance(stored, nf.Scene) and isinstance(slow, nf.Scene):
             assert_alike(stored, slow)
             assert stored._notes == slow._notes
@@ -100,7 +100,7 @@ def test_files_in_the_wild_are_read_equally(monkeypatch: pytest.MonkeyPatch) -> 
     assert scenes > 30
 
 
-def loaded(path: Path) -> nf.Scene | str:
+def load_or_message(path: Path) -> nf.Scene | str:
     """The scene of a file, or the error message."""
     try:
         return nf.Scene.load(path)

@@ -175,7 +175,7 @@ def sample(folder: Path) -> dict[str, bytes]:
     }
 
 
-def damaged(data: bytes, dice: random.Random) -> bytes:
+def corrupt(data: bytes, dice: random.Random) -> bytes:
     """Cut a file off, flip some of its bytes, or repeat a piece."""
     if dice.random() < 0.25:
         return data[: dice.randrange(len(data))]
@@ -201,7 +201,7 @@ def test_damaged_files_never_do_more_than_raise(tmp_path: Path) -> None:
     for name, data in files.items():
         for seed in range(30):
             dice = random.Random(f"{name} {seed}")
-            (tmp_path / name).write_bytes(damaged(data, dice))
+            (tmp_path / name).write_bytes(corrupt(data, dice))
             kinds[type(outcome(tmp_path / name, dice.choice(["raise", "drop"])))] += 1
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()

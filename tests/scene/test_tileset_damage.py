@@ -28,7 +28,7 @@ from tests.support.tile_cases import (
 CUBE = b3dm(glb())
 
 
-def damaged(data: bytes, at: int, value: int) -> bytes:
+def damage(data: bytes, at: int, value: int) -> bytes:
     return data[:at] + struct.pack("<I", value) + data[at + 4 :]
 
 
@@ -41,14 +41,14 @@ INSTANCES = instanced(glb(), 3, POSITION=np.zeros((3, 3), np.float32))
         ("a.b3dm", b"", "it is empty"),
         ("a.b3dm", b"b3dm\1\0", "it ends within its header"),
         ("a.b3dm", b"b3xm" + CUBE[4:], "it begins with b'b3xm'"),
-        ("a.b3dm", damaged(CUBE, 4, 2), "it is b3dm of version 2"),
-        ("a.b3dm", damaged(CUBE, 8, len(CUBE) + 1), f"states {len(CUBE) + 1:,} bytes, and it has {len(CUBE):,}"),
-        ("a.b3dm", damaged(CUBE, 8, 0), "its header states 0 bytes"),
+        ("a.b3dm", damage(CUBE, 4, 2), "it is b3dm of version 2"),
+        ("a.b3dm", damage(CUBE, 8, len(CUBE) + 1), f"states {len(CUBE) + 1:,} bytes, and it has {len(CUBE):,}"),
+        ("a.b3dm", damage(CUBE, 8, 0), "its header states 0 bytes"),
         ("a.b3dm", CUBE[:-1], f"states {len(CUBE):,} bytes"),
-        ("a.b3dm", damaged(CUBE, 8, 20), "it ends within its header of 28 bytes"),
-        ("a.b3dm", damaged(CUBE, 12, 0xFFFFFFFF), "its tables have 4,294,967,295"),
-        ("a.b3dm", damaged(CUBE, 24, 0x7FFFFFFF), "2,147,483,647 bytes as its header states"),
-        ("a.b3dm", damaged(CUBE, 12, 4), "it cannot be read"),
+        ("a.b3dm", damage(CUBE, 8, 20), "it ends within its header of 28 bytes"),
+        ("a.b3dm", damage(CUBE, 12, 0xFFFFFFFF), "its tables have 4,294,967,295"),
+        ("a.b3dm", damage(CUBE, 24, 0x7FFFFFFF), "2,147,483,647 bytes as its header states"),
+        ("a.b3dm", damage(CUBE, 12, 4), "it cannot be read"),
         ("a.b3dm", b3dm(glb(), {"BATCH_LENGTH": 10**30}), "feature table, BATCH_LENGTH: expected a whole number"),
         ("a.b3dm", b3dm(glb(), {"BATCH_LENGTH": -1}), "feature table, BATCH_LENGTH: expected a whole number"),
         ("a.b3dm", b3dm(glb(), {"BATCH_LENGTH": {"byteOffset": 9}}), "feature table, BATCH_LENGTH.byteOffset"),
@@ -93,10 +93,10 @@ INSTANCES = instanced(glb(), 3, POSITION=np.zeros((3, 3), np.float32))
             instanced(glb(), 1, POSITION_QUANTIZED=np.zeros((1, 3), np.uint16)),
             "QUANTIZED_VOLUME_OFFSET: expected 3",
         ),
-        ("a.i3dm", damaged(INSTANCES, 28, 7), "it states the format 7 of its model"),
+        ("a.i3dm", damage(INSTANCES, 28, 7), "it states the format 7 of its model"),
         ("a.i3dm", instanced(b"missing.glb", 1, embedded=False, POSITION=[0, 0, 0]), "missing.glb"),
         ("a.i3dm", INSTANCES[:40], "bytes"),
-        ("a.cmpt", damaged(cmpt(CUBE), 12, 10**9), "it states 1,000,000,000 tiles, and ends after 1"),
+        ("a.cmpt", damage(cmpt(CUBE), 12, 10**9), "it states 1,000,000,000 tiles, and ends after 1"),
         ("a.cmpt", cmpt(CUBE[:-9]), f"states {len(CUBE):,} bytes"),
         ("a.cmpt", cmpt()[:14] + bytes(2), "no triangles"),
     ],

@@ -32,7 +32,9 @@ def schema(component: str = "FLOAT64", **changes: Any) -> dict[str, Any]:
     return {"id": "s", "classes": {"kind": {"properties": {"n": other, "b": stated | changes}}}}
 
 
-def written(folder: Path, *, rows: Any = None, component: str = "FLOAT64", count: int = 3, **changes: Any) -> Path:
+def write_tileset(
+    folder: Path, *, rows: Any = None, component: str = "FLOAT64", count: int = 3, **changes: Any
+) -> Path:
     """A tileset whose root has the tile's box of 16 m, and whose children's boxes lie elsewhere."""
     numbers = np.array([box(*pair)["box"] for pair in BOXES]) if rows is None else rows
     data = np.asarray(numbers, "<f4" if component == "FLOAT32" else "<f8").tobytes()
@@ -60,7 +62,7 @@ def written(folder: Path, *, rows: Any = None, component: str = "FLOAT64", count
 
 @pytest.mark.parametrize("component", ["FLOAT32", "FLOAT64"])
 def test_boxes_decide_which_tiles_touch(component: str, tmp_path: Path) -> None:
-    opened = Tileset.open(written(tmp_path, component=component))
+    opened = Tileset.open(write_tileset(tmp_path, component=component))
 
     def touched(low: Any, high: Any) -> set[str]:
         """Tiles that touch a box, z up; the scene's z is −y of tiles."""
@@ -76,8 +78,8 @@ def test_boxes_decide_which_tiles_touch(component: str, tmp_path: Path) -> None:
 
 def test_metadata_of_other_classes_is_ignored(tmp_path: Path) -> None:
     table = [{"class": "other", "count": 1, "properties": {}}]
-    assert nf.Scene.load(written(tmp_path, propertyTables=table)).triangle_count == 3 * 12
-    assert nf.Scene.load(written(tmp_path, tileMetadata=None)).triangle_count == 3 * 12
+    assert nf.Scene.load(write_tileset(tmp_path, propertyTables=table)).triangle_count == 3 * 12
+    assert nf.Scene.load(write_tileset(tmp_path, tileMetadata=None)).triangle_count == 3 * 12
 
 
 @pytest.mark.parametrize(
@@ -96,7 +98,7 @@ def test_metadata_of_other_classes_is_ignored(tmp_path: Path) -> None:
     ],
 )
 def test_damaged_metadata_is_refused(changes: dict[str, Any], words: str, tmp_path: Path) -> None:
-    assert words in refusal(written(tmp_path, **changes))
+    assert words in refusal(write_tileset(tmp_path, **changes))
 
 
 @pytest.mark.parametrize(
@@ -107,7 +109,7 @@ def test_damaged_metadata_is_refused(changes: dict[str, Any], words: str, tmp_pa
     ],
 )
 def test_boxes_of_another_type_are_refused(changes: dict[str, Any], words: str, tmp_path: Path) -> None:
-    path = written(tmp_path)
+    path = write_tileset(tmp_path)
     document = json.loads(path.read_text())
     path.write_text(json.dumps(document | {"schema": schema(**changes)}))
     assert words in refusal(path)

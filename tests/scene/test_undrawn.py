@@ -23,7 +23,7 @@ PBR = trimesh.visual.material.PBRMaterial
 PLAIN: dict[str, Any] = {"pbrMetallicRoughness": {"metallicFactor": 0.0}, "doubleSided": True}
 
 
-def loaded(folder: Path, data: bytes, **options: Any) -> nf.Scene:
+def load_bytes(folder: Path, data: bytes, **options: Any) -> nf.Scene:
     (folder / "source.glb").write_bytes(data)
     return nf.Scene.load(folder / "source.glb", **options)
 
@@ -66,10 +66,11 @@ def saved_near(scene: nf.Scene, folder: Path) -> Path:
     ],
 )
 def test_each_undrawn_property_is_noted(tmp_path: Path, change: dict[str, Any], note: str) -> None:
-    assert loaded(tmp_path, gltf([PLAIN])).report.notes == ()
-    assert f"1 material {note}" in loaded(tmp_path, gltf([PLAIN | change])).report.notes
+    assert load_bytes(tmp_path, gltf([PLAIN])).report.notes == ()
+    assert f"1 material {note}" in load_bytes(tmp_path, gltf([PLAIN | change])).report.notes
     assert (
-        f"2 materials {note}" in loaded(tmp_path, gltf([PLAIN | change, {"name": "b"} | PLAIN | change])).report.notes
+        f"2 materials {note}"
+        in load_bytes(tmp_path, gltf([PLAIN | change, {"name": "b"} | PLAIN | change])).report.notes
     )
 
 
@@ -85,7 +86,7 @@ def test_transparent_vertices_are_noted(tmp_path: Path, suffix: str) -> None:
 
 
 def test_the_near_part_keeps_the_materials_of_the_file(tmp_path: Path) -> None:
-    scene = loaded(tmp_path, gltf())
+    scene = load_bytes(tmp_path, gltf())
     near = saved_near(scene, tmp_path / "reduced")
     assert_same_materials(near, tmp_path / "source.glb")
     used = ["KHR_materials_emissive_strength", "KHR_texture_transform"]
@@ -97,7 +98,7 @@ def test_the_near_part_keeps_the_materials_of_the_file(tmp_path: Path) -> None:
 
 
 def test_other_programs_see_the_same_materials(tmp_path: Path) -> None:
-    near = saved_near(loaded(tmp_path, gltf()), tmp_path / "reduced")
+    near = saved_near(load_bytes(tmp_path, gltf()), tmp_path / "reduced")
     seen = {}
     for path in (near, tmp_path / "source.glb"):
         meshes = trimesh.load_scene(path).geometry.values()
@@ -115,7 +116,7 @@ def test_other_programs_see_the_same_materials(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("how", ["plain", "levels", "model", "place"])
 def test_levels_keep_the_materials_of_the_file(tmp_path: Path, how: str) -> None:
-    scene = loaded(tmp_path, gltf())
+    scene = load_bytes(tmp_path, gltf())
     target = tmp_path / "written.glb"
     levels = nf.lod.simplify(scene, [0.5], name="squares")
     a, b, c, d, rms = (np.array([x]) for x in (1.0, 1.0, 1.0, 0.95, 0.0))
@@ -146,7 +147,7 @@ def test_levels_keep_the_materials_of_the_file(tmp_path: Path, how: str) -> None
 
 def test_materials_that_look_alike_stay_separate(tmp_path: Path) -> None:
     pair = [PLAIN, PLAIN | {"name": "glowing", "emissiveFactor": [1.0, 1.0, 0.0]}]
-    scene = loaded(tmp_path, gltf(pair))
+    scene = load_bytes(tmp_path, gltf(pair))
     assert scene.report.materials == 2
     for way in (pickle.loads(pickle.dumps(scene)), copy.deepcopy(scene), scene.subset(objects=["square1"])):
         nf.lod.export(way, tmp_path / "written.glb", view=FOV)
@@ -156,7 +157,7 @@ def test_materials_that_look_alike_stay_separate(tmp_path: Path) -> None:
 def test_meshes_without_texture_coordinates_have_no_textures(tmp_path: Path) -> None:
     document_meshes = [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 2, "material": 0}]}]
     lamp = {key: value for key, value in MATERIALS[0].items() if key != "pbrMetallicRoughness"}
-    scene = loaded(tmp_path, gltf([lamp], meshes=document_meshes))
+    scene = load_bytes(tmp_path, gltf([lamp], meshes=document_meshes))
     nf.lod.export(scene, tmp_path / "written.glb", view=FOV)
     written = materials(tmp_path / "written.glb")["lamp"]
     assert "emissiveFactor" not in written

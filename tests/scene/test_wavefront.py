@@ -35,7 +35,7 @@ def triangles_of(text: str) -> NDArray[np.float64]:
     return np.array(triangles)
 
 
-def written(random: np.random.Generator) -> str:
+def random_text(random: np.random.Generator) -> str:
     """A random text that uses every notation of the format."""
     lines, count, normals = [], 0, 0
 
@@ -75,7 +75,7 @@ def in_any_order(triangles: NDArray[np.float64]) -> NDArray[np.float64]:
 def test_every_notation_gives_the_same_triangles(tmp_path: Path) -> None:
     random = np.random.default_rng(0)
     for _ in range(150):
-        text = written(random)
+        text = random_text(random)
         expected = in_any_order(triangles_of(text))
         found = in_any_order(load(tmp_path, text).triangles().astype(np.float64))
         np.testing.assert_allclose(found, expected, rtol=0, atol=2e-5)

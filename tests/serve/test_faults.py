@@ -42,7 +42,7 @@ def server(place: Path) -> Iterator[Server]:
 
 
 @contextmanager
-def served(**limits: Any) -> Iterator[Server]:
+def large_server(**limits: Any) -> Iterator[Server]:
     """A server with a large document and the given limits."""
     site = Site({"files/large": bytes(LARGE), "files/other": b"other"})
     with Server({"": site}, limits=Limits(**limits)) as running:
@@ -136,7 +136,7 @@ def test_the_server_does_not_block_on_special_files(place: Path, tmp_path: Path)
 
 def test_incomplete_requests_time_out_alone() -> None:
     halves = (b"", b"GET", b"GET / HTTP/1.1\r\nHost: localhost\r\n", b"GET /files/other HTTP/1.1\r\nHo")
-    with served(header_seconds=1.0) as hasty:
+    with large_server(header_seconds=1.0) as hasty:
         lines = []
         for text in 20 * halves:
             lines.append(connect(hasty))
@@ -151,7 +151,7 @@ def test_incomplete_requests_time_out_alone() -> None:
 
 
 def test_slow_headers_time_out() -> None:
-    with served(header_seconds=1.0) as hasty:
+    with large_server(header_seconds=1.0) as hasty:
         with connect(hasty) as line:
             line.sendall(b"GET / HTTP/1.1\r\nHost: localhost\r\n")
 
@@ -167,7 +167,7 @@ def test_slow_headers_time_out() -> None:
 
 
 def test_clients_that_do_not_read_are_disconnected() -> None:
-    with served(silent_seconds=0.5) as hasty:
+    with large_server(silent_seconds=0.5) as hasty:
         lines = [connect(hasty, receives=4096) for _ in range(10)]
         for line in lines:
             line.sendall(b"GET /files/large HTTP/1.1\r\nHost: localhost\r\n\r\n")
@@ -179,7 +179,7 @@ def test_clients_that_do_not_read_are_disconnected() -> None:
 
 
 def test_a_slow_client_receives_everything() -> None:
-    with served(silent_seconds=2.0) as hasty, connect(hasty, receives=4096) as line:
+    with large_server(silent_seconds=2.0) as hasty, connect(hasty, receives=4096) as line:
         line.sendall(
             b"GET /files/large HTTP/1.1\r\nHost: localhost\r\nRange: bytes=0-199999\r\nConnection: close\r\n\r\n"
         )
@@ -192,7 +192,7 @@ def test_a_slow_client_receives_everything() -> None:
 
 
 def test_vanished_clients_leave_nothing_behind() -> None:
-    with served() as server:
+    with large_server() as server:
         for taken in (0, 1, 70_000):
             lines = [connect(server, receives=4096) for _ in range(20)]
             for line in lines:

@@ -34,7 +34,7 @@ def request_region(stack: ExitStack, server: Server, place: str, source: str) ->
     return answer
 
 
-def waiting(server: Server) -> int:
+def count_waiting(server: Server) -> int:
     lines = get(server.url + "metrics").text.splitlines()
     return sum(int(line.rsplit(" ", 1)[1]) for line in lines if line.startswith("nearfar_regions_waiting"))
 
@@ -57,7 +57,7 @@ def test_a_flood_is_bounded_and_other_clients_are_next() -> None:
         assert last_event(other) == {"event": "end", "center": [-50.0, 0.0, 0.0]}
         assert kitchen.begun[1] == [-50.0, 0.0, 0.0]
         stack.close()
-        wait_until(lambda: waiting(server) == 0)
+        wait_until(lambda: count_waiting(server) == 0)
 
 
 def test_a_flood_from_many_addresses_is_bounded_and_leaves_nothing_behind() -> None:
@@ -73,10 +73,10 @@ def test_a_flood_from_many_addresses_is_bounded_and_leaves_nothing_behind() -> N
         assert statuses.count(200) == 16
         assert set(statuses) == {200, 429, 503}
         assert all(answer.headers["retry-after"] for answer in flood if answer.status != 200)
-        assert waiting(server) == 16
+        assert count_waiting(server) == 16
         assert get(server.url + "files/other").content == b"another file"
         stack.close()
-        wait_until(lambda: waiting(server) == 0)
+        wait_until(lambda: count_waiting(server) == 0)
         kitchen.let(1)
         assert last_event(request_region(stack, server, "-50,0,0", "127.0.0.2"))["event"] == "end"
 

@@ -25,7 +25,7 @@ from tests.support.waiting import wait_until
 
 
 @pytest.fixture(scope="module")
-def served(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Server]:
+def make_server(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Server]:
     """A factory of servers of a bundle with limits."""
     folder = tmp_path_factory.mktemp("serve")
     nf.stream.export(nf.datasets.room(), folder / "room", center=(0.3, 1.6, 0.2), radii=[1.5], face_size=64, samples=1)
@@ -36,16 +36,16 @@ def served(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Server]:
 
 
 @pytest.fixture(scope="module")
-def idle(served: Callable[..., Server]) -> Iterator[Server]:
+def idle(make_server: Callable[..., Server]) -> Iterator[Server]:
     """A server with short timeouts for idle clients, for the sum of both limits."""
-    with served(header_seconds=2, silent_seconds=1) as running:
+    with make_server(header_seconds=2, silent_seconds=1) as running:
         yield running
 
 
 @pytest.fixture(scope="module")
-def silent(served: Callable[..., Server]) -> Iterator[Server]:
+def silent(make_server: Callable[..., Server]) -> Iterator[Server]:
     """A server with short timeouts for clients that do not read."""
-    with served(silent_seconds=1) as running:
+    with make_server(silent_seconds=1) as running:
         yield running
 
 
@@ -133,8 +133,8 @@ def test_a_client_with_incomplete_headers_is_disconnected(idle: Server) -> None:
             pass
 
 
-def test_many_concurrent_responses_equal_the_files(served: Callable[..., Server]) -> None:
-    with served() as server, httpx.Client(http2=True, verify=False, timeout=60) as asking:
+def test_many_concurrent_responses_equal_the_files(make_server: Callable[..., Server]) -> None:
+    with make_server() as server, httpx.Client(http2=True, verify=False, timeout=60) as asking:
         contents = {asking.get(server.url + "page.js").content for _ in range(20)}
         assert len(contents) == 1
         assert (

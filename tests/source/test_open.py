@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._source.tiles import TileFolder
-from tests.support.city_cases import everything, written
+from tests.support.city_cases import everything, write_json
 from tests.support.gltf_cases import MATERIALS, gltf
 from tests.support.query_cases import BOXES, soup
 from tests.support.tile_cases import tile, tileset, write
@@ -49,7 +49,7 @@ def test_a_scene_file_is_read_completely(tmp_path: Path) -> None:
 
 
 def test_cities_are_read_up_to_a_level(tmp_path: Path) -> None:
-    path = written(tmp_path / "town.city.json", everything())
+    path = write_json(tmp_path / "town.city.json", everything())
     source, loaded = nf.open_source(path, lod=1), nf.Scene.load(path, lod=1)
     assert isinstance(source, nf.Scene)
     assert 0 < source.triangle_count == loaded.triangle_count < nf.Scene.load(path).triangle_count

@@ -20,7 +20,7 @@ EVERYWHERE = np.array([[-np.inf] * 3, [np.inf] * 3])
 
 
 @pytest.fixture(scope="module", params=[(0, 0, 0), (4.0e6, 10.0, -9.0e5)], ids=["near", "far"])
-def written(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[nf.Scene, Path]:
+def scene_and_folder(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[nf.Scene, Path]:
     scene = soup(request.param)
     folder = tmp_path_factory.mktemp("written") / "tiles"
     nf.write_tiles(scene, folder, cell=3)
@@ -49,8 +49,8 @@ def rows(scene: nf.Scene) -> NDArray[Any]:
     return np.sort(table)
 
 
-def test_every_triangle_is_in_one_tile_bit_for_bit(written: tuple[nf.Scene, Path]) -> None:
-    scene, folder = written
+def test_every_triangle_is_in_one_tile_bit_for_bit(scene_and_folder: tuple[nf.Scene, Path]) -> None:
+    scene, folder = scene_and_folder
     source = open_tiles(folder)
     assert len(source) > 10
     assert source.triangle_count == scene.triangle_count
@@ -61,8 +61,8 @@ def test_every_triangle_is_in_one_tile_bit_for_bit(written: tuple[nf.Scene, Path
 
 
 @pytest.mark.parametrize("box", BOXES)
-def test_queries_equal_those_of_the_scene(written: tuple[nf.Scene, Path], box: ArrayLike) -> None:
-    scene, folder = written
+def test_queries_equal_those_of_the_scene(scene_and_folder: tuple[nf.Scene, Path], box: ArrayLike) -> None:
+    scene, folder = scene_and_folder
     aabb = np.asarray(box, np.float64) + np.rint(scene.bounds.mean(axis=0))
     part, expected = open_tiles(folder).query(aabb), scene.query(aabb)
     assert expected.triangle_count
@@ -71,8 +71,8 @@ def test_queries_equal_those_of_the_scene(written: tuple[nf.Scene, Path], box: A
     assert not open_tiles(folder).touches(aabb + 10**6) or np.isinf(aabb).any()
 
 
-def test_materials_and_pictures_are_unchanged(written: tuple[nf.Scene, Path]) -> None:
-    scene, folder = written
+def test_materials_and_pictures_are_unchanged(scene_and_folder: tuple[nf.Scene, Path]) -> None:
+    scene, folder = scene_and_folder
     middle = scene.bounds.mean(axis=0)
     camera = nf.Camera.look_at(middle + np.array([0, 5, 30]), middle, fov=nf.Fov.symmetric(40), size=(96, 96))
     shown = nf.render(open_tiles(folder).query(EVERYWHERE), camera, channels=("color", "range"))
@@ -85,8 +85,8 @@ def test_materials_and_pictures_are_unchanged(written: tuple[nf.Scene, Path]) ->
     assert (np.abs(shown.color - truth.color).max(axis=2) < 1 / 255).mean() > 0.999
 
 
-def test_a_moving_object_stays_one_moving_object(written: tuple[nf.Scene, Path]) -> None:
-    scene, folder = written
+def test_a_moving_object_stays_one_moving_object(scene_and_folder: tuple[nf.Scene, Path]) -> None:
+    scene, folder = scene_and_folder
     whole = open_tiles(folder).query(EVERYWHERE)
     assert whole.poses.keys() == scene.poses.keys()
     pose = scene.poses["car 2"].copy()
@@ -96,8 +96,8 @@ def test_a_moving_object_stays_one_moving_object(written: tuple[nf.Scene, Path])
     assert np.array_equal(whole.transform("car 2"), scene.transform("car 2"))
 
 
-def test_only_touching_tiles_are_read(written: tuple[nf.Scene, Path]) -> None:
-    scene, folder = written
+def test_only_touching_tiles_are_read(scene_and_folder: tuple[nf.Scene, Path]) -> None:
+    scene, folder = scene_and_folder
     source = open_tiles(folder)
     aabb = np.asarray(BOXES[0], np.float64) + np.rint(scene.bounds.mean(axis=0))
     source.query(aabb)
@@ -109,8 +109,8 @@ def test_only_touching_tiles_are_read(written: tuple[nf.Scene, Path]) -> None:
 
 
 @pytest.mark.parametrize("most", [0, 100_000])
-def test_the_cache_is_bounded_and_changes_nothing(written: tuple[nf.Scene, Path], most: int) -> None:
-    scene, folder = written
+def test_the_cache_is_bounded_and_changes_nothing(scene_and_folder: tuple[nf.Scene, Path], most: int) -> None:
+    scene, folder = scene_and_folder
     source = open_tiles(folder, cache_bytes=most)
     middle = np.rint(scene.bounds.mean(axis=0))
     for box in BOXES:
@@ -120,8 +120,8 @@ def test_the_cache_is_bounded_and_changes_nothing(written: tuple[nf.Scene, Path]
     assert (len(source._kept) > 0) == (most > 0)
 
 
-def test_indexes_have_tight_boxes_and_fit_their_schema(written: tuple[nf.Scene, Path]) -> None:
-    _, folder = written
+def test_indexes_have_tight_boxes_and_fit_their_schema(scene_and_folder: tuple[nf.Scene, Path]) -> None:
+    _, folder = scene_and_folder
     document = json.loads((folder / "tiles.json").read_text())
     jsonschema.validate(document, formats.load_schema("tiles"))
     for tile in document["tiles"]:
@@ -219,8 +219,10 @@ def test_folders_of_other_content_are_left_alone(tmp_path: Path) -> None:
         (lambda d: d.update(tiles={"a": 1}), "tiles: expected a list"),
     ],
 )
-def test_damaged_indexes_are_named(written: tuple[nf.Scene, Path], tmp_path: Path, change: Any, words: str) -> None:
-    document = json.loads((written[1] / "tiles.json").read_text())
+def test_damaged_indexes_are_named(
+    scene_and_folder: tuple[nf.Scene, Path], tmp_path: Path, change: Any, words: str
+) -> None:
+    document = json.loads((scene_and_folder[1] / "tiles.json").read_text())
     change(document)
     (tmp_path / "tiles.json").write_text(json.dumps(document))
     with pytest.raises(nf.FormatError, match=r"tiles\.json: ") as raised:

@@ -139,7 +139,7 @@ def test_a_game_runs_as_in_the_vectors(case: dict[str, Any]) -> None:
         for task in tasks.values():
             task.add_user(user)
 
-    def tell(speaker: int, messages: list[Message], now: float) -> None:
+    def deliver(speaker: int, messages: list[Message], now: float) -> None:
         for message in messages:
             said.append(words(speaker, message))
             for user, task in tasks.items():
@@ -159,7 +159,7 @@ def test_a_game_runs_as_in_the_vectors(case: dict[str, Any]) -> None:
             for task in tasks.values():
                 task.remove_user(step["goes"])
         if now == 0.0:
-            tell(3, tasks[3].start(settings, now), now)
+            deliver(3, tasks[3].start(settings, now), now)
         for user in sorted(tasks, reverse=True):
             task = tasks[user]
             center = task.place(now) or (0.0, 0.0, 0.0)
@@ -168,13 +168,13 @@ def test_a_game_runs_as_in_the_vectors(case: dict[str, Any]) -> None:
                 # A ray of zero length to the middle, or straight up from far away.
                 begin = (center[0], center[1], center[2] + 4.0)
                 rays[other] = (begin, (0.0, 0.0, -1.0) if other in step["aiming"] else UP)
-            tell(user, task.conduct(now, rays), now)
+            deliver(user, task.conduct(now, rays), now)
         assert said == step["said"], now
         said.clear()
     assert all(task.is_over for task in tasks.values())
 
 
-def aimed(task: Task, users: Iterable[int], now: float) -> dict[int, Ray]:
+def rays_at_sphere(task: Task, users: Iterable[int], now: float) -> dict[int, Ray]:
     """Rays of users who aim at the middle of the sphere."""
     x, y, z = task.place(now) or (0.0, 0.0, 0.0)
     return dict.fromkeys(users, ((x, y, z + 4.0), (0.0, 0.0, -1.0)))
@@ -191,11 +191,11 @@ def test_the_state_that_a_user_derives_equals_the_vectors(case: dict[str, Any]) 
         if "message" in step:
             taken = task.hear(message_of(step["message"]), step["now"], sender=step["sender"], group=case["group"])
             assert taken == step["taken"], step
-    said = task.conduct(case["now"], aimed(task, task.present, case["now"]))
+    said = task.conduct(case["now"], rays_at_sphere(task, task.present, case["now"]))
     assert [words(case["user"], message) for message in said] == case["said"]
 
 
-def begun(users: int) -> Task:
+def start_trial(users: int) -> Task:
     """The task of a conductor whose trial has begun, with a still sphere."""
     task = Task(0, 0)
     for user in range(1, users):
@@ -206,33 +206,33 @@ def begun(users: int) -> Task:
 
 
 def test_flickering_pointers_do_not_exceed_the_rate_of_messages() -> None:
-    task, end = begun(64), 8
+    task, end = start_trial(64), 8
     size = 0
     for moment in range(1, 512 * end + 1):
         now = moment / 512.0
-        found = aimed(task, range(64), now) if moment % 2 else {}
+        found = rays_at_sphere(task, range(64), now) if moment % 2 else {}
         size += sum(max(len(write(message)) + 5, 64) for message in task.conduct(now, found))
     # At most 16 KiB per second of the trial and 8 KiB at once; half of that shows that it keeps sending.
     assert 8000 * end < size <= 16_384 * end + 8192
     # The last state is sent as soon as the rate allows.
     for moment in range(80):
-        task.conduct(end + 1.0 + moment / 80.0, aimed(task, range(64), now))
+        task.conduct(end + 1.0 + moment / 80.0, rays_at_sphere(task, range(64), now))
     assert task.aims == tuple(range(64))
 
 
 def test_the_conductor_judges_at_most_as_often_as_it_receives_poses() -> None:
-    task = begun(1)
+    task = start_trial(1)
     said = []
     for moment in range(1, 1001):
         now = moment / 1000.0
-        said += task.conduct(now, aimed(task, [0], now) if moment % 2 else {})
+        said += task.conduct(now, rays_at_sphere(task, [0], now) if moment % 2 else {})
     assert 0 < len(said) <= 80
 
 
 def test_a_former_conductor_is_processed_to_the_end() -> None:
     task = Task(9, 0)
     task.add_user(7)
-    trial = begun(1).trial
+    trial = start_trial(1).trial
     assert trial is not None
     seats = tuple(Seat(user, (0.0, 1.7, 0.0)) for user in (3, 7, 9))
     assert task.hear(dataclasses.replace(trial, seats=seats), 0.0, sender=7)

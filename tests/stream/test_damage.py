@@ -112,7 +112,7 @@ def places(node: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
                 yield from places(node[key], (*path, key))
 
 
-def changed(document: Any, path: tuple[Any, ...], value: Any) -> Any:
+def replace_value(document: Any, path: tuple[Any, ...], value: Any) -> Any:
     """A copy with the value at a path replaced; `...` removes it."""
     document = copy.deepcopy(document)
     node = document
@@ -148,7 +148,7 @@ def check_values(folder: Path, values: tuple[Any, ...]) -> int:
     refused, let = 0, []
     for place in places(whole):
         for value in values:
-            document = changed(whole, place, value)
+            document = replace_value(whole, place, value)
             path.write_text(json.dumps(document))
             message = refusal(folder)
             if message:
@@ -195,7 +195,7 @@ def test_no_manifest_that_breaks_the_schema_is_opened(copied: Path) -> None:
 )
 def test_defects_of_a_manifest_are_explained(copied: Path, place: tuple[Any, ...], value: Any, text: str) -> None:
     path = copied / "manifest.json"
-    path.write_text(json.dumps(changed(json.loads(path.read_text()), place, value)))
+    path.write_text(json.dumps(replace_value(json.loads(path.read_text()), place, value)))
     with pytest.raises(nf.FormatError, match=rf"{re.escape(str(path))}: .*{text}"):
         nf.stream.open(copied)
 
@@ -244,7 +244,7 @@ class Fuzz:
         path = folder / "manifest.json"
         document = json.loads(path.read_text())
         for _ in range(data.draw(st.integers(1, 3))):
-            document = changed(
+            document = replace_value(
                 document, data.draw(st.sampled_from(list(places(document)))), data.draw(VALUES | st.just(...))
             )
             if not document:

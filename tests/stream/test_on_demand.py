@@ -34,7 +34,7 @@ def make_parts(maker: OnDemand, place: tuple[float, float, float] = PLACE) -> li
     return found
 
 
-def written(folder: Path, parts: list[Part]) -> nf.stream.Bundle:
+def write_bundle(folder: Path, parts: list[Part]) -> nf.stream.Bundle:
     (folder / _store.FOLDER).mkdir(parents=True)
     for part in parts:
         for name, data in part.files.items():
@@ -54,7 +54,7 @@ def parts(city: nf.Scene) -> list[Part]:
 
 def test_the_whole_equals_an_export(city: nf.Scene, parts: list[Part], tmp_path: Path) -> None:
     still = city.subset(objects=[name for name in city.object_names if name not in city.poses])
-    found = written(tmp_path / "found", make_parts(OnDemand(still, **SETTINGS)))
+    found = write_bundle(tmp_path / "found", make_parts(OnDemand(still, **SETTINGS)))
     nf.stream.export(still, tmp_path / "expected", center=PLACE, **SETTINGS)
     for name in (_store.MANIFEST, _store.TILESET):
         assert (tmp_path / "found" / name).read_bytes() == (tmp_path / "expected" / name).read_bytes()
@@ -63,7 +63,7 @@ def test_the_whole_equals_an_export(city: nf.Scene, parts: list[Part], tmp_path:
 
 def test_dynamic_objects_equal_an_export(city: nf.Scene, parts: list[Part], tmp_path: Path) -> None:
     assert city.poses
-    found = written(tmp_path / "found", parts)
+    found = write_bundle(tmp_path / "found", parts)
     expected = nf.stream.export(city, tmp_path / "expected", center=PLACE, **SETTINGS)
     view = nf.Camera.look_at((2.6, 1.5, -1.4), (30, 3, -20), fov=nf.Fov.symmetric(90, 1.6), size=(160, 100))
     pictures = [bundle.at(3).render(view, samples=1, method="vertex").to_image() for bundle in (found, expected)]

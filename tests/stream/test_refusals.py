@@ -25,26 +25,26 @@ def _no_work(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(_export, name, work)
 
 
-def refused(path: Any, kind: type[Exception], text: str) -> None:
+def check_refused(path: Any, kind: type[Exception], text: str) -> None:
     with pytest.raises(kind, match=text):
         nf.stream.export(bundle_cases.village(), path, **{**bundle_cases.SETTINGS, "radii": None})
 
 
 def test_a_folder_without_a_parent(tmp_path: Path) -> None:
     for path in (tmp_path / "none" / "b", f"file://{tmp_path}/none/b", f"local://{tmp_path}/none/b"):
-        refused(path, FileNotFoundError, "path: expected a path whose parent is a folder.*none/b")
+        check_refused(path, FileNotFoundError, "path: expected a path whose parent is a folder.*none/b")
     (tmp_path / "file").write_text("mine")
-    refused(tmp_path / "file" / "b", FileNotFoundError, "path: expected a path whose parent is a folder.*file/b")
-    refused(tmp_path / "file", NotADirectoryError, "is a file, expected a place for a folder.*file")
+    check_refused(tmp_path / "file" / "b", FileNotFoundError, "path: expected a path whose parent is a folder.*file/b")
+    check_refused(tmp_path / "file", NotADirectoryError, "is a file, expected a place for a folder.*file")
     assert content(tmp_path) == {"file": b"mine"}
 
 
 @pytest.mark.parametrize("text", ['{"name": "a web page", "icons": []}', "[]", '{"format": "nearfar.reduced"}'])
 def test_a_folder_with_other_files(tmp_path: Path, text: str) -> None:
     (tmp_path / "mine.txt").write_text("mine")
-    refused(tmp_path, FileExistsError, r"holds other files \(no manifest.json\)")
+    check_refused(tmp_path, FileExistsError, r"holds other files \(no manifest.json\)")
     (tmp_path / "manifest.json").write_text(text)
-    refused(tmp_path, FileExistsError, r"path: holds a manifest\.json of another program")
+    check_refused(tmp_path, FileExistsError, r"path: holds a manifest\.json of another program")
     assert content(tmp_path) == {"mine.txt": b"mine", "manifest.json": text.encode()}
 
 
@@ -52,7 +52,7 @@ def test_a_folder_with_other_files(tmp_path: Path, text: str) -> None:
 def test_a_read_only_folder_is_refused(tmp_path: Path) -> None:
     tmp_path.chmod(0o500)
     try:
-        refused(tmp_path / "b", PermissionError, "cannot be written")
+        check_refused(tmp_path / "b", PermissionError, "cannot be written")
     finally:
         tmp_path.chmod(0o700)
 
@@ -60,18 +60,18 @@ def test_a_read_only_folder_is_refused(tmp_path: Path) -> None:
 @pytest.mark.parametrize("path", ["", 3, None, b"x", "a\0b", "memory://\udcff", "memory://", "file://"])
 def test_no_path_at_all(path: Any) -> None:
     need("fsspec")
-    refused(path, (ValueError, TypeError), "^path: expected")  # type: ignore[arg-type]
+    check_refused(path, (ValueError, TypeError), "^path: expected")  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize("url", ["nothing-known://a/b", "https://example.org/b", "http://example.org/b"])
 def test_unwritable_urls_are_refused(url: str) -> None:
     need("fsspec")
-    refused(url, ValueError, "^path: expected a (URL that fsspec can open|place that can be written), got")
+    check_refused(url, ValueError, "^path: expected a (URL that fsspec can open|place that can be written), got")
 
 
 def test_a_missing_fsspec_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
-    refused("memory://a/b", ValueError, r"path: expected a folder, or fsspec installed \(pip install fsspec\)")
+    check_refused("memory://a/b", ValueError, r"path: expected a folder, or fsspec installed \(pip install fsspec\)")
     with pytest.raises(ValueError, match=r"fsspec installed \(pip install 'fsspec\[http\]'\), got 'http://a/b'"):
         nf.stream.open("http://a/b")
     with pytest.raises(ValueError, match=r"path: expected a folder, or fsspec installed"):

@@ -76,7 +76,7 @@ def collection(*features: Json, epsg: int | None = 28992) -> Json:
     return {"type": "FeatureCollection", "features": list(features), **crs}
 
 
-def written(path: Path, document: Any) -> Path:
+def write_json(path: Path, document: Any) -> Path:
     """The path of a file with JSON."""
     path.write_text(json.dumps(document))
     return path

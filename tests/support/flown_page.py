@@ -46,7 +46,7 @@ def facts(page: Any) -> dict[str, Any]:
     return dict(page.evaluate(FACTS) or {"isComplete": False})
 
 
-def flown(page: Any, address: str) -> dict[str, Any]:
+def open_flight(page: Any, address: str) -> dict[str, Any]:
     """Open the page, and wait until all views have arrived or failed."""
     page.goto(address)
     wait_until(page, lambda: facts(page)["isComplete"])

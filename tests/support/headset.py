@@ -275,7 +275,9 @@ def share_alike(found: NDArray[np.uint8], codes: NDArray[np.float64], inner: NDA
     return float((off[inner] <= 2).mean())
 
 
-def alike(bundle: nf.stream.Bundle, picture: dict[str, Any], found: Captured, cameras: dict[str, nf.Camera]) -> float:
+def share_equal(
+    bundle: nf.stream.Bundle, picture: dict[str, Any], found: Captured, cameras: dict[str, nf.Camera]
+) -> float:
     """The lesser share of both eyes' pixels that equal nearfar's."""
     return min(
         share_alike(pixels, *expected(bundle, picture, cameras[side]))

@@ -48,7 +48,7 @@ class Served:
 
 
 @contextmanager
-def served(folder: Path) -> Iterator[Served]:
+def serve_folder(folder: Path) -> Iterator[Served]:
     """Serve a folder to this machine."""
     answers: Counter[tuple[str, str, int]] = Counter()
 

@@ -32,7 +32,7 @@ def areas(corners: NDArray[Any]) -> NDArray[np.float64]:
     return np.asarray(np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1) / 2.0)
 
 
-def covered(corners: NDArray[np.float64]) -> int:
+def count_covered(corners: NDArray[np.float64]) -> int:
     """Number of triangles whose centroid lies inside another coplanar one with the same facing, which would flicker."""
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     normals /= np.linalg.norm(normals, axis=1)[:, None]

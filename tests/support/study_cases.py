@@ -25,7 +25,7 @@ HOW: list[dict[str, Any]] = [{"method": "vertex"}, {"method": "exact"}, {"method
 """Ways to draw a reduced scene."""
 
 
-def light(scene: nf.Scene, task: CountTask | TapeTask | SphereTask, face_size: int) -> nf.ReducedScene:
+def reduce_task(scene: nf.Scene, task: CountTask | TapeTask | SphereTask, face_size: int) -> nf.ReducedScene:
     """Reduce a task's scene with a map of colour and objects."""
     where: dict[str, Any] = {"center": task.center, "r1": task.r1, "r2": task.r2}
     return nf.reduce(scene, **where, face_size=face_size, samples=1, channels=("color", "object_id"))

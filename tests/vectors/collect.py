@@ -93,7 +93,7 @@ MESSAGES: dict[str, dict[str, Any]] = {
 }  # fmt: skip
 
 
-def refused() -> dict[str, bytes]:
+def malformed_messages() -> dict[str, bytes]:
     """Bytes that begin like a message and are malformed."""
     good = {name: WRITE[fields["kind"]](fields) for name, fields in MESSAGES.items()}
     whole = {"kind": "trial", **STAGE, **RULES, "seats": SEATS}
@@ -292,7 +292,7 @@ def files() -> dict[str, str]:
             {"region": name, "message": fields, "bytes": WRITE[fields["kind"]](fields).hex()}
             for name, fields in MESSAGES.items()
         ],
-        refused=[{"region": name, "bytes": data.hex()} for name, data in refused().items()],
+        refused=[{"region": name, "bytes": data.hex()} for name, data in malformed_messages().items()],
         places=places(),
         plays=plays(),
         hearings=hearings(),

@@ -128,7 +128,7 @@ def of_servers() -> list[dict[str, Any]]:
     return found
 
 
-def refused() -> list[dict[str, Any]]:
+def malformed() -> list[dict[str, Any]]:
     """Bytes that are no valid frame of the server; those of a pose are none of a user, either."""
     good = pose(POSES["a head alone"])
     far = pose(_pose(1, head=_place(1.1e6, 0.0, 0.0, 0, 0, 0, 32767)))
@@ -188,6 +188,6 @@ def files() -> dict[str, str]:
         tolerance={"all": "None: what is read has these fields, and what is written has these bytes."},
         users=of_users(),
         servers=of_servers(),
-        refused=refused(),
+        refused=malformed(),
     )
     return {"rooms.json": text}

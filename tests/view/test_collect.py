@@ -73,7 +73,7 @@ def join_room(chromium: Any, stack: ExitStack, url: str, name: str) -> Player:
     return Player(page, dict(START))
 
 
-def started(chromium: Any, stack: ExitStack, url: str, names: tuple[str, ...]) -> list[Player]:
+def start_trial(chromium: Any, stack: ExitStack, url: str, names: tuple[str, ...]) -> list[Player]:
     """Pages of one group, the conductor first, whose first trial has begun."""
     players = [join_room(chromium, stack, url, name) for name in names]
     first = players[0].page
@@ -92,7 +92,9 @@ def started(chromium: Any, stack: ExitStack, url: str, names: tuple[str, ...]) -
 def test_two_pages_collect_a_sphere(chromium: Any, url: str) -> None:
     with ExitStack() as stack:
         other = join_room(chromium, stack, f"{url}&room=two&group=2", "Eve")
-        ada, bob = started(chromium, stack, f"{url}&room=two&group=1&hold=0.2&pause=0&duration=3000", ("Ada", "Bob"))
+        ada, bob = start_trial(
+            chromium, stack, f"{url}&room=two&group=1&hold=0.2&pause=0&duration=3000", ("Ada", "Bob")
+        )
         state = ada.task()
         assert (state["level"], state["needed"], state["aims"]) == ("easy", 2, [])
         for player in (ada, bob):

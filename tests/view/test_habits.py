@@ -35,7 +35,7 @@ def url(street: Path) -> Iterator[str]:
 
 
 @pytest.fixture(scope="module")
-def loaded(chromium: Any, url: str) -> Iterator[Any]:
+def loaded_page(chromium: Any, url: str) -> Iterator[Any]:
     with open_page(chromium, *DESKTOP, device_scale_factor=FINE) as shown:
         shown.add_init_script(f"({PAD})()")
         shown.goto(url)
@@ -45,12 +45,12 @@ def loaded(chromium: Any, url: str) -> Iterator[Any]:
 
 
 @pytest.fixture
-def page(loaded: Any) -> Any:
+def page(loaded_page: Any) -> Any:
     """The page with nothing focused, at its start."""
-    loaded.evaluate(
+    loaded_page.evaluate(
         "() => { document.activeElement.blur(); window.nearfar.setPose(window.start ??= window.nearfar.pose); }"
     )
-    return loaded
+    return loaded_page
 
 
 def pose(page: Any) -> dict[str, Any]:

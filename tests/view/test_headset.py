@@ -17,7 +17,6 @@ from tests.support.headset import (
     Quaternion,
     Vector,
     about,
-    alike,
     capture,
     empty_hands,
     expected,
@@ -30,6 +29,7 @@ from tests.support.headset import (
     point,
     rest,
     share_alike,
+    share_equal,
     squeeze,
     times,
     worn,
@@ -129,4 +129,4 @@ def test_walking_on_leads_to_the_next_region(chromium: Any, tmp_path: Path) -> N
         assert np.hypot(*(floor.position - centers[1])[[0, 2]]) < 7
         region, grown = bundle.region(1), found.shown["grown"]
         cameras = eyes(floor, (FIRST, level), HEADSETS["quest3"], SIZE)
-        assert alike(region, {"ring": 1, **grown}, found, cameras) >= 0.98
+        assert share_equal(region, {"ring": 1, **grown}, found, cameras) >= 0.98

@@ -21,7 +21,6 @@ from tests.support.headset import (
     Quaternion,
     Vector,
     about,
-    alike,
     capture,
     empty_hands,
     eyes,
@@ -31,6 +30,7 @@ from tests.support.headset import (
     frames,
     look,
     push,
+    share_equal,
     times,
     worn,
 )
@@ -76,7 +76,8 @@ def test_a_browser_layer_shows_the_map_while_nothing_changes(chromium: Any, city
         found = capture(page, f"shown.grown.strength === 1 && {CLEAR}")
         assert counts(page)["writes"] == 1
         assert (
-            alike(bundle, {"ring": 1, **found.shown["grown"]}, found, cameras(floor_under(START, YAW, FIRST))) >= 0.99
+            share_equal(bundle, {"ring": 1, **found.shown["grown"]}, found, cameras(floor_under(START, YAW, FIRST)))
+            >= 0.99
         )
         # The map stays in place when the user turns.
         push(page, "right", 1.0, 0.0)
@@ -84,7 +85,7 @@ def test_a_browser_layer_shows_the_map_while_nothing_changes(chromium: Any, city
         turned = floor_of(page, CENTER)
         assert np.degrees(turned.yaw - YAW) == pytest.approx(-30)
         found = capture(page, CLEAR)
-        assert alike(bundle, {"ring": 1, **found.shown["grown"]}, found, cameras(turned)) >= 0.99
+        assert share_equal(bundle, {"ring": 1, **found.shown["grown"]}, found, cameras(turned)) >= 0.99
         assert counts(page)["writes"] == 1
         # A map lost by the browser is copied again, and drawn by the page in the meantime.
         page.evaluate("() => { window.emulated.layers.cube.needsRedraw = true; }")
@@ -104,6 +105,6 @@ def test_a_browser_layer_shows_the_map_while_nothing_changes(chromium: Any, city
         assert page.evaluate("() => window.clearThen") == 0
         assert found.shown["fading"]["ring"] == 2
         found = capture(page, f"shown.ring === 2 && shown.grown.radius === {RADII[1]} && {CLEAR}")
-        assert alike(bundle, {"ring": 2, **found.shown["grown"]}, found, cameras(turned)) >= 0.99
+        assert share_equal(bundle, {"ring": 2, **found.shown["grown"]}, found, cameras(turned)) >= 0.99
         assert counts(page)["writes"] == 3
         assert page.printed == []

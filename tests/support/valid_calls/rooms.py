@@ -17,7 +17,7 @@ class _Nowhere(Connection):
         del data
 
 
-class Told(client.Room):
+class FinishedRoom(client.Room):
     """A room whose events have all been delivered."""
 
     async def __anext__(self) -> Any:
