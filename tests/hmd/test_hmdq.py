@@ -218,5 +218,5 @@ def test_failed_and_missing_runtimes_are_reported(tmp_path: Path) -> None:
     content["oculus"]["geometry"]["default_fov"]["error@"] = "Geometry data are invalid"
     assert load(tmp_path, content).render_size == (1100, 1234)
     del content["oculus"]
-    with pytest.raises(nf.FormatError, match=r"geometry: expected it in openvr or oculus"):
+    with pytest.raises(nf.FormatError, match=r"geometry: expected valid geometry in openvr or oculus"):
         load(tmp_path, content)

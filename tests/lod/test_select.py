@@ -244,7 +244,7 @@ def test_thresholds_that_no_level_reaches_select_level_0() -> None:
 @pytest.mark.parametrize(
     ("changed", "error", "message"),
     [
-        ({"models": []}, ValueError, "model_index: expected no objects where there are no models, got 0 at index 0"),
+        ({"models": []}, ValueError, "model_index: expected no objects without models, got 0 at index 0"),
         ({"model_index": [1]}, ValueError, "model_index: expected whole numbers from 0 to 0, got 1 at index 0"),
         ({"model_index": [-1]}, ValueError, "model_index: expected whole numbers from 0 to 0, got -1 at index 0"),
         ({"model_index": [0, 0]}, ValueError, r"model_index: expected shape \(1,\), got \(2,\)"),

@@ -52,5 +52,5 @@ def test_bad_arguments_are_named(change: dict[str, Any], error: type[Exception],
 
 def test_workers_and_clients_exclude_each_other() -> None:
     own = levels(4)
-    with pytest.raises(ValueError, match="workers: expected None beside a client"):
+    with pytest.raises(ValueError, match="workers: expected None with a client"):
         nf.lod.measure([own], **SMALL, workers=2, client=object())

@@ -153,7 +153,7 @@ def test_results_are_written_to_the_callers_array() -> None:
         (points.astype(np.float32), r"out: expected \(1000, 3\) of float64, got \(1000, 3\) of float32"),
         (np.empty((3, 1000)).T, "out: expected a C-contiguous array that can be written"),
         (frozen, "out: expected a C-contiguous array that can be written"),
-        (points, "out: expected memory of its own"),
+        (points, "out: expected an array that shares no memory"),
     ):
         with pytest.raises(ValueError, match=words):
             nf.morph(points, out=out, **where)

@@ -223,5 +223,5 @@ def test_second_layers_are_restored_from_arrays_and_omitted_by_direction() -> No
     assert _core.OrthoViews.with_behind(alone, nothing).second_layer() is None
     with pytest.raises(ValueError, match="keep: expected 9 values"):
         views.keep_behind([True] * 8)
-    with pytest.raises(ValueError, match="directions and the format of the views before it"):
+    with pytest.raises(ValueError, match="directions and the format of the first layer"):
         _core.OrthoViews.with_behind(alone, leaf(scene, directions=NINE[:5]))

@@ -238,9 +238,9 @@ GEO = {"version": "1.1.0", "primary_column": "geometry", "columns": {"geometry":
 @pytest.mark.parametrize(
     ("row", "words"),
     [
-        (ROW[:-1], "geometry of row 1: it claims 5 parts, for which its bytes have no room"),
+        (ROW[:-1], "geometry of row 1: it claims 5 parts, more than its bytes can hold"),
         (ROW[:3], "geometry of row 1: it is cut off"),
-        (b"\x05" + ROW[1:], "geometry of row 1: its order of bytes is 5, not 0 or 1"),
+        (b"\x05" + ROW[1:], "geometry of row 1: its byte order is 5, not 0 or 1"),
         (struct.pack("<BII", 1, 3, 2**32 - 1), "geometry of row 1: it claims 4294967295 parts"),
         (struct.pack("<BII", 1, 6, 2**31) + ROW, "geometry of row 1: it claims 2147483648 parts"),
         (ROW + b"x", "geometry of row 1: 1 bytes follow its geometry"),

@@ -259,7 +259,7 @@ def accessor(**changes: object) -> list[dict[str, object]]:
         (triangle(asset={"version": "3\n4" * 300}), "only glTF 2 is read|glTF 3"),
         (triangle(extensionsRequired=["A\nB" * 300]), "needs the extension A B"),
         (triangle(nodes=[{"mesh": 0, "name": "a\nb" * 300, "scale": [float("nan"), 1, 1]}]), r"at node 'a\\nb"),
-        (triangle(nodes=[{"mesh": 0, "name": "\ud800"}]), "a text in it holds a lone surrogate"),
+        (triangle(nodes=[{"mesh": 0, "name": "\ud800"}]), "a string in it contains a lone surrogate"),
         (triangle(meshes=[{"primitives": [{"attributes": {"POSITION": 0}, "mode": 3}]}]), "; 1 line primitive ignored"),
         (triangle(buffers=[{"byteLength": 36, "uri": "gone.bin"}]), "refers to cannot be read"),
         (triangle()[:-4], "cannot be read"),

@@ -32,7 +32,7 @@ def test_entering_requires_a_valid_token() -> None:
             ("1.2&token=3", made_for_this_room),
             (token("yard", KEY), made_for_this_room),
             (token("hall", bytes(16)), made_for_this_room),
-            (_core.room_token("hall", 1000, bytes(16), KEY), "expected a token that has not ended"),
+            (_core.room_token("hall", 1000, bytes(16), KEY), "expected a token that has not expired"),
         ]:
             error = await is_refused(server, token=given)
             assert (error.reason, error.sentence) == ("token", sentence)
@@ -96,7 +96,7 @@ def test_a_site_does_not_hide_rooms() -> None:
         ({"key": "secret" * 5}, "key: expected bytes, got str"),
         ({"peers": 1}, "peers: expected"),
         ({"datagrams": None}, "datagrams: expected"),
-        ({"needs_token": True}, "needs_token: expected a key beside it"),
+        ({"needs_token": True}, "needs_token: expected a key as well, got none"),
     ],
 )
 def test_unusable_limits_are_named(given: dict[str, object], message: str) -> None:

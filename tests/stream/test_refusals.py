@@ -35,7 +35,7 @@ def test_a_folder_without_a_parent(tmp_path: Path) -> None:
         check_refused(path, FileNotFoundError, "path: expected a path whose parent is a folder.*none/b")
     (tmp_path / "file").write_text("mine")
     check_refused(tmp_path / "file" / "b", FileNotFoundError, "path: expected a path whose parent is a folder.*file/b")
-    check_refused(tmp_path / "file", NotADirectoryError, "is a file, expected a place for a folder.*file")
+    check_refused(tmp_path / "file", NotADirectoryError, "is a file, expected a folder path.*file")
     assert content(tmp_path) == {"file": b"mine"}
 
 

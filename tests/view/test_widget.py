@@ -142,7 +142,7 @@ def test_invalid_values_of_a_view_are_refused(view: Any) -> None:
     look_at: dict[str, Any] = {"eye": (0, 1, 0), "target": (0, 1, -1), "size": SIZE}
     rolled = nf.Camera((0, 1, 0), (0, 0, math.sin(0.05), math.cos(0.05)), fov=FOV, size=SIZE)
     for camera, error, message in [
-        (rolled, ValueError, "not rolled, got 5.73 degrees"),
+        (rolled, ValueError, "without roll, got 5.73 degrees"),
         (nf.Camera.look_at(**look_at, fov=nf.Fov(-1, 0.5, -1, 1)), ValueError, "same field of view to both sides"),
         (nf.Camera.look_at(**look_at, fov=nf.Fov.symmetric(175, 1)), ValueError, "field of view: expected"),
         (nf.Camera.look_at(**look_at, fov=nf.Orthographic(-1, 1, -1, 1)), TypeError, "perspective"),

@@ -55,10 +55,10 @@ async fn what_is_no_message_ends_its_sender_alone() {
     let good = bytes(FromUser::Say { to: To::Group, payload: b"before" });
     for (message, sentence) in [
         (vec![0xff; 500], "a frame is too short"),
-        (vec![99, 0, 0], "a frame is of no kind that users send"),
-        (vec![0x82, 0, 0], "a frame is of no kind that users send"),
+        (vec![99, 0, 0], "a frame has a kind that users do not send"),
+        (vec![0x82, 0, 0], "a frame has a kind that users do not send"),
         (bytes(FromUser::Pose(nowhere)), "a position is none"),
-        (bytes(FromUser::Pose(lost)), "a rotation is no unit quaternion"),
+        (bytes(FromUser::Pose(lost)), "a rotation is not a unit quaternion"),
         (half, "a frame is too short"),
         ([good, vec![3, 1, 0, 9]].concat(), "a frame is too short"),
         (bytes(FromUser::Hello { group: 1, name: "again", ticket: &[] }), "expected one hello"),

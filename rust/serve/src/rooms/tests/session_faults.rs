@@ -23,7 +23,7 @@ async fn garbage_on_the_stream_ends_its_sender_alone() {
     let server = server(limits(), None);
     let mut witness = support::join(&server, "hall", 1, "").await;
     for (sent, sentence) in [
-        (vec![99, 0, 0], "a frame is of no kind that users send"),
+        (vec![99, 0, 0], "a frame has a kind that users do not send"),
         (vec![2, 3, 0, 1, 1, 1], "a pose is too short"),
         (vec![4, 0xff, 0xff], "expected frames of at most 32768 bytes"),
         (bytes(&[FromUser::Hello { group: 1, name: "again", ticket: &[] }]), "expected one hello"),
@@ -47,7 +47,7 @@ async fn garbage_in_datagrams_ends_its_sender_alone() {
     let server = server(limits(), None);
     let mut witness = support::join(&server, "hall", 1, "").await;
     for (sent, sentence) in [
-        (vec![99, 0, 0], "a frame is of no kind that users send"),
+        (vec![99, 0, 0], "a frame has a kind that users do not send"),
         (vec![2], "a frame is too short"),
         (bytes(&[FromUser::Pose(pose(1)), FromUser::Bye]), "expected poses and acknowledgements alone in datagrams"),
         (

@@ -34,7 +34,7 @@ fn a_token_is_valid_for_its_room_until_it_ends() {
     let text = key.token("hall", 1000, number);
     assert!(text.starts_with("1000.0707"));
     assert_eq!(key.check("hall", 999, &text), Ok(number));
-    assert_eq!(key.check("hall", 1000, &text), Err("expected a token that has not ended"));
+    assert_eq!(key.check("hall", 1000, &text), Err("expected a token that has not expired"));
     let wrong = Err("expected a token that was made for this room");
     assert_eq!(key.check("hal", 999, &text), wrong);
     assert_eq!(super::tokens::key(2).check("hall", 999, &text), wrong);
@@ -83,7 +83,7 @@ async fn nobody_enters_without_a_valid_token() {
         (String::new(), "expected a token that was made for this room"),
         (token(&key, "yard", number), "expected a token that was made for this room"),
         (token(&super::tokens::key(2), "hall", number), "expected a token that was made for this room"),
-        (key.token("hall", 1000, number), "expected a token that has not ended"),
+        (key.token("hall", 1000, number), "expected a token that has not expired"),
     ] {
         assert_eq!(is_refused(with_token(&server, "hall", &token).await).await, sentence);
     }
