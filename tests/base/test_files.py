@@ -154,7 +154,7 @@ def test_pipes_and_devices_are_not_replaced(tmp_path: Path) -> None:
     need("linux")
     pipe = tmp_path / "pipe.json"
     os.mkfifo(pipe)
-    with pytest.raises(OSError, match="is a pipe, a socket or a device, expected a place") as raised:
+    with pytest.raises(OSError, match="is a pipe, a socket or a device, expected a file path") as raised:
         nf.hmd.VIVE_PRO.save(pipe)
     assert raised.value.filename == str(pipe)
     assert stat.S_ISFIFO(pipe.stat().st_mode)
