@@ -1,16 +1,15 @@
 /** Opens the content named by the page's address: a bundle, or a scene whose regions a server makes on demand. */
+import { filesOfGeometry, upTo } from './bundle/contents';
 import { BundleError } from './bundle/error';
-import { filesOfGeometry } from './bundle/contents';
 import type { Point } from './bundle/manifest';
 import { parseJson, readManifest } from './bundle/parse';
 import { createFiles, type Files, readDocument, type Received } from './bundle/source';
 import { NETWORK } from './bundle/transfer';
-import { upTo } from './bundle/up_to';
 import type { Pose } from './control/pose';
-import { type Making } from './demand/place';
+import type { Making } from './demand/place';
 import { isSite, readScene, readSite } from './demand/scene';
 import { createDemandWorld } from './demand/world';
-import type { Strategy } from './show/strategy';
+import type { Strategy } from './show/stage';
 import { type World, worldOf } from './show/world';
 
 export interface Opened {

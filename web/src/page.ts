@@ -2,23 +2,19 @@
 import { BundleError, damagedFile } from './bundle/error';
 import type { RegionEntry } from './bundle/manifest';
 import { createControls } from './control/controls';
+import { directionTo, placeFor } from './control/floor';
 import { distance } from './control/limit';
-import { readLink, writeLink } from './control/link';
-import { directionTo, placeFor } from './control/places';
-import type { Pose } from './control/pose';
+import { type Pose, readLink, writeLink } from './control/pose';
 import { openAddress } from './opened';
 import type { Room } from './room';
 import { createMeter } from './show/meter';
-import { strategyOf } from './show/strategy';
+import { strategyOf } from './show/stage';
 import { createViewer, type Viewer } from './show/viewer';
-import { createDivider } from './ui/divider';
 import { clearMessage, FATAL, showFatal } from './ui/messages';
+import { createDivider, createThumbMark, createWait } from './ui/overlays';
 import { createPanel } from './ui/panel';
 import type { Commands } from './ui/status';
-import { createThumbMark } from './ui/thumb';
-import { createWait } from './ui/wait';
-import { offerHeadset } from './xr/offer';
-import type { Headset } from './xr/session';
+import { type Headset, offerHeadset } from './xr/session';
 
 /** Vertical field of view, degrees. */
 const ANGLE = 75;

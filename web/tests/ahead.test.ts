@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { Texture } from 'three';
-import { createAhead } from '../src/show/ahead';
-import { createStore, type MeshArrays } from '../src/show/store';
+import { createStore, type MeshArrays } from '../src/show/buffers';
+import { createAhead } from '../src/show/job';
 import { createUploads, type Step } from '../src/show/uploads';
 
 const SIZES: Readonly<Record<string, number>> = { a: 10, b: 20, c: 30 };

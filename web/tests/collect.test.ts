@@ -4,7 +4,7 @@ import vectors from '../../tests/vectors/collect.json';
 import { LEVELS, type Message, read, type Rules, type Tally, write } from '../src/collect/messages';
 import { folded, isAimed, type Ray, seatsOf, sphereOf } from '../src/collect/spheres';
 import { Task } from '../src/collect/task';
-import type { Vector } from '../src/control/vector';
+import type { Vector } from '../src/control/pose';
 import { FrameError } from '../src/rooms/bytes';
 
 const bytesOf = (hex: string): Uint8Array => Uint8Array.from(Buffer.from(hex, 'hex'));

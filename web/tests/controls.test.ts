@@ -1,11 +1,11 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createControls, type Controls } from '../src/control/controls';
-import { type Pad, readPads } from '../src/control/gamepad';
+import { type Controls, createControls } from '../src/control/controls';
+import { type Pad, readPads } from '../src/control/drive';
 import type { Thumb } from '../src/control/pointers';
 import type { Pose } from '../src/control/pose';
-import { nextShare } from '../src/ui/divider';
-import { listen } from '../src/ui/shortcuts';
+import { listen } from '../src/ui/help';
+import { nextShare } from '../src/ui/overlays';
 import { fakeElement, letGo, point, press, send } from './fakes';
 
 const START: Pose = { position: [0, 1.7, 0], yaw: 0, pitch: 0 };

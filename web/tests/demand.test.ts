@@ -3,11 +3,10 @@ import { test } from 'node:test';
 import { BundleError } from '../src/bundle/error';
 import type { Described } from '../src/bundle/manifest';
 import type { Network } from '../src/bundle/transfer';
-import { ask } from '../src/demand/ask';
-import { createGrid } from '../src/demand/grid';
-import { linesOf } from '../src/demand/lines';
 import { type Making, readPlace } from '../src/demand/place';
+import { ask, linesOf } from '../src/demand/request';
 import { isSite, readScene, readSite } from '../src/demand/scene';
+import { createGrid } from '../src/demand/world';
 import { FACES, FILE, manifest } from './support/manifest';
 
 const OTHER = 'files/fedcba9876543210.webp';

@@ -1,19 +1,19 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import type { Vector } from '../src/control/vector';
 import {
+  clampToBounds,
   EYE_APART,
   floorUnder,
-  headBounds,
   type Head,
+  headBounds,
   headOf,
-  clampToBounds,
   inWorld,
   localOf,
   moveFloor,
   turnFloor,
   worldOf,
 } from '../src/control/floor';
+import type { Vector } from '../src/control/pose';
 
 const HEAD: Head = { position: [0.4, 1.5, -0.3], yaw: 0.7, pitch: -0.2 };
 const FLOOR = { position: [10, 3, -20], yaw: 1.1 } as const;

@@ -1,11 +1,10 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { confine, distance, settle } from '../src/control/limit';
-import type { Pose } from '../src/control/pose';
-import type { Vector } from '../src/control/vector';
+import type { Pose, Vector } from '../src/control/pose';
 import { createJourney, type Leg, type Regions } from '../src/show/journey';
-import { knownPlaces } from '../src/show/places';
 import { createStage, type Shown, type Stage } from '../src/show/stage';
+import { knownPlaces } from '../src/show/world';
 
 const NEAR_SHARE = 0.7;
 const RADII = [10, 22];

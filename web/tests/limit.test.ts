@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { allowedShare, type Bounds, confine, distance, settle, clampToLimit } from '../src/control/limit';
-import type { Vector } from '../src/control/vector';
+import { allowedShare, type Bounds, clampToLimit, confine, distance, settle } from '../src/control/limit';
+import type { Vector } from '../src/control/pose';
 
 const LIMIT = { center: [5, 0, -3], metres: 10 } as const;
 const BOUNDS: Bounds = { open: [LIMIT], shown: [LIMIT] };

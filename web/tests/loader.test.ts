@@ -1,10 +1,10 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { readManifest } from '../src/bundle/parse';
+import { createStore } from '../src/show/buffers';
 import type { Decoder } from '../src/show/decoder';
 import type { Course, Loading } from '../src/show/job';
 import { loadRegion } from '../src/show/loader';
-import { createStore } from '../src/show/store';
 import { manifest } from './support/manifest';
 
 const [FIRST, SECOND, THIRD, SHARED] = [

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { deflateSync } from 'node:zlib';
-import { sizeOf } from '../src/decode/images';
+import { sizeOf } from '../src/decode/files';
 import { createMaps, type Maps } from '../src/decode/maps';
 import type { FileData, FirstMapRequest, NextMapRequest } from '../src/decode/messages';
 import { fileOf } from './support/glb';

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { BundleError } from '../src/bundle/error';
 import { openAddress, type Opened } from '../src/opened';
-import { strategyOf } from '../src/show/strategy';
+import { strategyOf } from '../src/show/stage';
 import { FATAL } from '../src/ui/messages';
 import { manifest } from './support/manifest';
 

@@ -2,15 +2,13 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { REST } from '../src/control/drive';
-import { flown } from '../src/orthoview/controls/fly';
-import { startOf } from '../src/orthoview/controls/start';
 import { Cells } from '../src/orthoview/cut/cells';
 import type { Cut } from '../src/orthoview/cut/cut';
-import { crc32c, statedSize, unpacked } from '../src/orthoview/decode/codecs';
-import { xxh64 } from '../src/orthoview/decode/xxh64';
+import { crc32c, statedSize, unpacked, xxh64 } from '../src/orthoview/decode/codecs';
+import { flown, startOf } from '../src/orthoview/fly';
 import { Queue } from '../src/orthoview/show/queue';
-import { Resident } from '../src/orthoview/show/resident';
 import { choose, type Near } from '../src/orthoview/show/stand_in';
+import { Resident } from '../src/orthoview/show/stock';
 import type { Failure } from '../src/orthoview/store/error';
 import { type Layout, parseLayout, shapesOf, type Triple } from '../src/orthoview/store/layout';
 

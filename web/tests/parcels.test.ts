@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { Band, Piece } from '../src/decode/messages';
-import { contentsOf, parcelled, samplesOf } from '../src/decode/parcels';
+import { contentsOf, parcelled, samplesOf } from '../src/decode/pieces';
 
 /** A piece of so many vertices. */
 function piece(vertices: number, changes: Partial<Piece> = {}): Piece {

@@ -1,7 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { refusalHere, refusalThere, UNWANTED } from '../src/peers/allowed';
-import { createChoice } from '../src/peers/choice';
+import { createChoice, refusalHere, refusalThere, UNWANTED } from '../src/peers/choice';
 
 function storage(): Storage {
   const kept = new Map<string, string>();

@@ -1,12 +1,11 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createBucket } from '../src/peers/bucket';
-import { type Message, MAX_FILES_PER_MESSAGE, PART, readMessage, writeMessage } from '../src/peers/messages';
-import { createOutbox } from '../src/peers/outbox';
-import { readSignal, type Signal, writeSignal } from '../src/peers/signals';
+import { createOutbox, readSignal, type Signal, writeSignal } from '../src/peers/call';
+import { MAX_FILES_PER_MESSAGE, type Message, PART, readMessage, writeMessage } from '../src/peers/messages';
+import { isBefore } from '../src/peers/share';
 import { createStore } from '../src/peers/store';
-import { isBefore } from '../src/peers/weights';
 import { FrameError } from '../src/rooms/bytes';
+import { createBucket } from '../src/rooms/clock';
 import { makeContent, steppedClock } from './support/peers';
 import { randomOf } from './support/random';
 

@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { directionTo, placeFor } from '../src/control/places';
-import { createTaps } from '../src/control/taps';
-import type { Vector } from '../src/control/vector';
+import { directionTo, placeFor } from '../src/control/floor';
+import { createTaps } from '../src/control/pointers';
+import type { Vector } from '../src/control/pose';
 
 const EYE: Vector = [1, 1.7, 2];
 const near = (a: Vector, b: Vector): void =>

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createArrivals } from '../src/rooms/arrivals';
-import { createSeldom } from '../src/rooms/seldom';
+import { createArrivals } from '../src/rooms/card';
+import { createSeldom } from '../src/rooms/pointing';
 
 test('who comes alone is named, and many who come together are one sentence', () => {
   const said: string[] = [];

@@ -3,7 +3,7 @@ import { test } from 'node:test';
 import { inviteOf, readAddress, relayOf, shownName } from '../src/rooms/address';
 import { connect, type Connection, type State } from '../src/rooms/connection';
 import type { FromServer } from '../src/rooms/frames';
-import type { Listener, Socket } from '../src/rooms/socket';
+import type { Listener, Socket } from '../src/rooms/server';
 import { framed, REST, served } from './support/room_frames';
 
 /** A socket that a test opens and closes. */

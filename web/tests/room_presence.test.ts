@@ -1,11 +1,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { between } from '../src/rooms/between';
-import type { Body, Pose } from '../src/rooms/pose';
+import { ahead } from '../src/control/pose';
+import { between, type Body, type Pose, rotated, rotationAlong, rotationOf, slerp } from '../src/rooms/pose';
 import { createPresence } from '../src/rooms/presence';
-import { rotated, rotationAlong, rotationOf, slerp } from '../src/rooms/rotation';
 import { createTrack } from '../src/rooms/track';
-import { ahead } from '../src/control/vector';
 import { REST } from './support/room_frames';
 
 const HERTZ = 72;

@@ -1,8 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { followPage } from '../src/rooms/away';
 import type { Connection } from '../src/rooms/connection';
-import { createTicketStore } from '../src/rooms/ticket';
+import { createTicketStore, followPage } from '../src/rooms/ticket';
 
 /** Storage of a tab, as far as it is used. */
 function fakeStorage(): Storage & { readonly held: Map<string, string> } {

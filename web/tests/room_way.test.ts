@@ -1,8 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { askAbout, type Datagrams, readAbout } from '../src/rooms/about';
 import { addressOf, gatherer, openDatagrams, readAll, splitter } from '../src/rooms/datagrams';
-import type { Listener, Socket } from '../src/rooms/socket';
+import { askAbout, type Datagrams, type Listener, readAbout, type Socket } from '../src/rooms/server';
 import { createOpen } from '../src/rooms/way';
 
 const TO: Datagrams = { port: 8443, hashes: [] };

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createSlots } from '../src/bundle/slots';
+import { createSlots } from '../src/bundle/requests';
 
 test('a place that somebody no longer waits for goes to the next', async () => {
   const slots = createSlots(1);

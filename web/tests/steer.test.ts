@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { REST } from '../src/control/drive';
-import { createSteering, SNAP } from '../src/xr/steer';
+import { createSteering, SNAP } from '../src/xr/inputs';
 
 const still = { x: 0, y: 0, isPressed: false };
 

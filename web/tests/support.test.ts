@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { whyNoHeadset } from '../src/xr/support';
+import { whyNoHeadset } from '../src/xr/session';
 
 function system(answer: () => Promise<boolean>): XRSystem {
   return { isSessionSupported: answer } as unknown as XRSystem;

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { upTo } from '../src/bundle/contents';
 import { parseManifest } from '../src/bundle/parse';
-import { upTo } from '../src/bundle/up_to';
 import { asManifest, manifest } from './support/manifest';
 
 test('a bundle ends with the ring that is asked for', () => {

@@ -3,8 +3,7 @@ import { test } from 'node:test';
 import { REST } from '../src/control/drive';
 import type { Bounds } from '../src/control/limit';
 import { createOrbit } from '../src/control/orbit';
-import type { Pose } from '../src/control/pose';
-import { ahead } from '../src/control/vector';
+import { ahead, type Pose } from '../src/control/pose';
 import { createWalk } from '../src/control/walk';
 
 const START: Pose = { position: [0, 1.7, 0], yaw: 0, pitch: 0 };

@@ -2,9 +2,8 @@
 import { BundleError } from './error';
 import type { Described, Manifest } from './manifest';
 import { parseManifest } from './parse';
-import { createShared } from './share';
-import { createSlots } from './slots';
-import { type Network, NETWORK, transfer } from './transfer';
+import { createShared, createSlots } from './requests';
+import { NETWORK, type Network, transfer } from './transfer';
 
 /** Pauses before each retry of a transfer, seconds. */
 const PAUSES = [0.5, 1, 2, 4] as const;

@@ -1,11 +1,15 @@
-/** Drawing of a sphere: its colour shows how many users aim at it, a ring around it for how long all have. */
+/** A sphere in the picture: its colour shows how many users aim at it, a ring around it for how long all have. */
 import { BufferAttribute, BufferGeometry, Color, Matrix4, SphereGeometry, Vector3, Vector4 } from 'three';
 import type { Point } from '../bundle/manifest';
-import { minus, type Vector } from '../control/vector';
-import { NEAR_VERTEX } from '../shaders/near';
+import { directionTo } from '../control/floor';
+import { addScaled, minus, type Pose, type Vector } from '../control/pose';
+import type { Place } from '../rooms/hold';
+import { createMesh, type Drawn } from '../rooms/meshes';
+import { HEAD } from '../rooms/shaders';
+import { shownAt } from '../rooms/unmorph';
+import { NEAR_VERTEX } from '../shaders/scene';
 import type { Shared } from '../show/materials';
-import { type Drawn, createMesh } from '../rooms/drawn';
-import { RING_VERTEX } from './shaders';
+import type { Viewer } from '../show/viewer';
 
 /** Colours for no aiming user, some, all, and for the remaining part of the ring. */
 const [NOBODY, SOME, ALL, REST] = ['#e6ebf2', '#ffb52e', '#35d07f', '#3a434e'].map((name) => new Color(name));
@@ -79,4 +83,52 @@ function turn(): BufferGeometry {
   made.setAttribute('position', new BufferAttribute(new Float32Array(places), 3));
   made.setIndex(corners);
   return made;
+}
+
+/** Vertex shader of the ring around a sphere; its fragment shader is that of near geometry. */
+export const RING_VERTEX = /* glsl */ `
+${HEAD}
+// Share of the way from begin to end of the part that is drawn; 0 inside, 1 outside.
+in vec3 position;
+uniform vec3 begin;
+uniform float radius;
+// Shares of a turn, clockwise from above, between which the ring is drawn.
+uniform float shares[2];
+// Inner and outer radius in radii of the sphere.
+const vec2 RING = vec2(1.25, 1.45);
+
+void main() {
+  v_point = begin;
+  vec3 at = displayed(v_point);
+  mat3 axes = facing(at);
+  float angle = 6.2831853 * mix(shares[0], shares[1], position.x);
+  float size = radius * mix(RING.x, RING.y, position.y);
+  v_shown = at + size * (sin(angle) * axes[0] + cos(angle) * axes[1]);
+  gl_Position = projectionMatrix * vec4(mat3(viewMatrix) * v_shown, 1.0);
+}
+`;
+
+/** Greatest tangent of the angle between the direction and the sphere's centre at which the sphere is meant. */
+const MEANT = 0.5;
+
+/**
+ * Target beside or on a sphere for a place of the picture, at the sphere's distance, so that a hand beside the eyes
+ * points there, too; null for directions that miss the sphere.
+ */
+export function pointBeside(
+  viewer: Viewer,
+  nearShare: number,
+  pose: Pose,
+  place: Place,
+  sphere: Vector,
+): Vector | null {
+  const { camera, facts } = viewer;
+  const { radius, strength } = facts.shown?.grown ?? { radius: 0, strength: 0 };
+  const center: Vector = facts.entry?.center ?? pose.position;
+  const morph = { user: minus(pose.position, center), inner: nearShare * radius, radius, strength };
+  const seen = shownAt(minus(sphere, center), morph);
+  const [dx, dy, dz] = directionTo(pose, place, Math.tan((camera.fov * Math.PI) / 360), camera.aspect);
+  const along = seen[0] * dx + seen[1] * dy + seen[2] * dz;
+  const aside = minus([along * dx, along * dy, along * dz], seen);
+  return along > 0 && Math.hypot(...aside) <= MEANT * along ? addScaled(sphere, aside, 1) : null;
 }

@@ -1,5 +1,5 @@
 /** Binary messages of the sphere collection, sent as payloads of a room: the tables of docs/collect.md. */
-import type { Vector } from '../control/vector';
+import type { Vector } from '../control/pose';
 import { FrameError, Reader, Writer } from '../rooms/bytes';
 
 /** First byte of all messages of the task, and their format version. */
@@ -256,4 +256,25 @@ function checkRange(value: number, low: number, high: number): number {
 
 function floats(out: Writer, ...lists: readonly (readonly number[])[]): void {
   for (const value of lists.flat()) out.f32(value);
+}
+
+/** Whether two messages belong to the same trial. */
+export function isSameStage(a: Stage, b: Stage): boolean {
+  return a.run === b.run && a.trial === b.trial;
+}
+
+/** Number of spheres collected in a trial. */
+export function countOf({ tallies }: Trial): number {
+  return tallies.reduce((sum, { spheres }) => sum + spheres, 0);
+}
+
+/** Whether a message about a trial is older than another one. */
+export function isEarlier(a: Trial, b: Trial): boolean {
+  // Run numbers are cyclic.
+  const ahead = (a.run - b.run) & MAX_COUNT;
+  if (ahead !== 0) return ahead > MAX_COUNT / 2;
+  const age = (trial: Trial): number[] => [trial.trial, Number(trial.over), countOf(trial)];
+  const [own, other] = [age(a), age(b)];
+  const at = own.findIndex((value, place) => value !== other[place]);
+  return at >= 0 && (own[at] ?? 0) < (other[at] ?? 0);
 }

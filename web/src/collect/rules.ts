@@ -1,5 +1,5 @@
 /** Rules of a trial: the published ones, changed by the page's address parameters. */
-import type { Vector } from '../control/vector';
+import type { Vector } from '../control/pose';
 import { type Box, LONGEST, MAX_USERS, type Rules } from './messages';
 
 /** Sizes of the seats along and across the view, and of the box across, up and along it, metres. */

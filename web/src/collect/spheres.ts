@@ -1,8 +1,6 @@
-/** Positions and motion of spheres, aiming tests, and seats of users. */
-import type { Vector } from '../control/vector';
-import { minus } from '../control/vector';
-import { uniform } from './draws';
-import { LEVELS, type Box, type Rules, type Seat, type Sphere, type Stage } from './messages';
+/** Positions and motion of spheres, aiming tests, and seats of users, from nearfar's random numbers (docs/base.md). */
+import { minus, type Vector } from '../control/pose';
+import { type Box, LEVELS, type Rules, type Seat, type Sphere, type Stage } from './messages';
 
 export interface Ray {
   readonly begin: Vector;
@@ -80,4 +78,21 @@ export function isAimed({ begin, direction: [dx, dy, dz] }: Ray, center: Vector,
 function drawsOf({ seed }: Rules, { run, trial }: Stage, group: number, first: number): (number: number) => number {
   const cell = group * 2 ** 24 + run * 2 ** 8 + trial;
   return (number) => uniform(seed, cell, first + number);
+}
+
+const GOLDEN = 0x9e3779b97f4a7c15n;
+const word = (value: bigint): bigint => BigInt.asUintN(64, value);
+
+/** SplitMix64's finaliser. */
+function mixed(value: bigint): bigint {
+  let z = word((value ^ (value >> 30n)) * 0xbf58476d1ce4e5b9n);
+  z = word((z ^ (z >> 27n)) * 0x94d049bb133111ebn);
+  return z ^ (z >> 31n);
+}
+
+/** Random number in [0, 1) (docs/base.md): a function of seed, cell and index, identical in all languages. */
+export function uniform(seed: number, cell: number, index: number): number {
+  let state = mixed(word(BigInt(seed) + GOLDEN));
+  for (const each of [cell, index]) state = mixed(word((state ^ BigInt(each)) + GOLDEN));
+  return Number(state >> 11n) / 2 ** 53;
 }

@@ -1,18 +1,15 @@
 /** Sphere collection in the page, loaded as a separate script only by its users. */
 import type { Point } from '../bundle/manifest';
-import type { Pose } from '../control/pose';
-import { minus, type Vector } from '../control/vector';
+import { minus, type Pose, type Vector } from '../control/pose';
 import type { Host, Room } from '../room';
-import type { Activity } from '../rooms/activity';
 import { FrameError } from '../rooms/bytes';
 import { CLOCK } from '../rooms/clock';
 import type { FromServer } from '../rooms/frames';
 import type { Place } from '../rooms/hold';
-import type { Body } from '../rooms/pose';
-import { rotated } from '../rooms/rotation';
+import type { Activity } from '../rooms/pointing';
+import { type Body, rotated } from '../rooms/pose';
 import { make } from '../ui/dom';
-import { pointBeside } from './aim';
-import { createBall } from './ball';
+import { createBall, pointBeside } from './ball';
 import { audienceOf, type Box, type Message, read, type Trial, write } from './messages';
 import { createPanel, type Told, type TrialTold } from './panel';
 import { type Asked, readRules, rulesAt } from './rules';

@@ -1,15 +1,18 @@
 /** State of the task as one user knows it, and the messages of its conductor. Independent of room and clock. */
-import type { Vector } from '../control/vector';
-import { createBucket } from '../peers/bucket';
+import type { Vector } from '../control/pose';
+import { createBucket } from '../rooms/clock';
+import { type Aiming, aimsOf, judge, type Rays } from './judge';
 import {
   type Aims,
   type Collected,
-  type Event,
+  countOf,
+  isEarlier,
+  isSameStage,
   LEVELS,
   LONGEST,
-  type Message,
   MAX_COUNT,
   MAX_USERS,
+  type Message,
   type Rules,
   type Score,
   type Sphere,
@@ -17,7 +20,7 @@ import {
   type Tallies,
   type Trial,
 } from './messages';
-import { isAimed, placeOf, type Ray, seatsOf, sphereOf } from './spheres';
+import { placeOf, seatsOf, sphereOf } from './spheres';
 
 /** Least seconds from a collected sphere to the next sphere; bounds the conductor's message rate for any rules. */
 const MIN_PAUSE = 0.05;
@@ -29,9 +32,6 @@ const [AIMS_RATE, AIMS_AT_ONCE] = [1 << 14, 1 << 13] as const;
 const [AIMS_BYTES, USER_BYTES] = [64, 2] as const;
 /** Seconds after entering in which every sender is accepted, because the conductor is not known yet. */
 const ENTERING = 5;
-
-/** Last pointers of users by number; users without a pointer are missing. */
-export type Rays = ReadonlyMap<number, Ray>;
 
 const NOTHING: Tallies = [0, 1, 2].map(() => ({ spheres: 0, misses: 0, seconds: 0 })) as unknown as Tallies;
 
@@ -263,7 +263,7 @@ export class Task {
     const told: Message[] = [{ ...this.trial, elapsed: Math.min(this.elapsed(now), LONGEST) }];
     if (this.sphere) {
       told.push({ ...this.sphere, age: Math.min(now - this.appeared, LONGEST) });
-      told.push(this.aiming(this.sphere, 'told', 0, this.aims, now));
+      told.push(aimsOf(this.aimingAt(this.sphere, now), 'told', 0, this.aims));
     }
     return told;
   }
@@ -284,60 +284,13 @@ export class Task {
       return isNext ? this.begun(trial, { run: trial.run, trial: trial.trial + 1 }) : null;
     }
     if (elapsed >= trial.duration) return { ...trial, over: true, elapsed: Math.min(elapsed, LONGEST) };
-    if (sphere) return rays && this.judge(trial, sphere, now, rays);
+    if (sphere) return rays && judge(this.aimingAt(sphere, now), trial, rays);
     return now >= this.nextAt && this.count < MAX_COUNT ? sphereOf(trial, trial, this.group, this.count) : null;
   }
 
-  private judge(trial: Trial, sphere: Sphere, now: number, rays: Rays): Message | null {
-    const center = placeOf(sphere, trial.box, now - this.appeared);
-    const found = this.seated().filter((user) => {
-      const ray = rays.get(user);
-      return ray !== undefined && isAimed(ray, center, trial.radius);
-    });
-    const lost = this.aims.find((user) => !found.includes(user));
-    if (lost !== undefined) {
-      const users = this.aims.filter((user) => user !== lost);
-      // A user who has left is no miss.
-      return this.aiming(sphere, this.present.has(lost) ? 'lost' : 'told', lost, users, now);
-    }
-    const [selected] = found.filter((user) => !this.aims.includes(user)).sort((a, b) => a - b);
-    if (selected !== undefined) {
-      const users = [...this.aims, selected].sort((a, b) => a - b);
-      return this.aiming(sphere, 'selected', selected, users, now);
-    }
-    if (this.aims.length >= this.needed !== (this.heldSince !== null)) {
-      return this.aiming(sphere, 'told', 0, this.aims, now);
-    }
-    if (this.heldSince === null || now - this.heldSince < trial.hold) return null;
-    const { run, trial: played } = trial;
-    const seconds = Math.min(now - this.appeared, LONGEST);
-    const { number, level } = sphere;
-    return { kind: 'collected', run, trial: played, number, level, misses: this.misses, seconds };
+  private aimingAt(sphere: Sphere, now: number): Aiming {
+    const { aims, misses, needed, heldSince, present } = this;
+    const held = heldSince === null ? null : now - heldSince;
+    return { sphere, age: now - this.appeared, aims, misses, needed, held, present, seated: this.seated() };
   }
-
-  private aiming(sphere: Sphere, event: Event, user: number, users: readonly number[], now: number): Aims {
-    const { run, trial, number } = sphere;
-    const held = users.length >= this.needed ? Math.min(now - (this.heldSince ?? now), LONGEST) : null;
-    const misses = Math.min(this.misses + Number(event === 'lost'), MAX_COUNT);
-    return { kind: 'aims', run, trial, number, event, user, misses, held, users };
-  }
-}
-
-function isSameStage(a: Stage, b: Stage): boolean {
-  return a.run === b.run && a.trial === b.trial;
-}
-
-function countOf({ tallies }: Trial): number {
-  return tallies.reduce((sum, { spheres }) => sum + spheres, 0);
-}
-
-/** Whether a message about a trial is older than another one. */
-function isEarlier(a: Trial, b: Trial): boolean {
-  // Run numbers are cyclic.
-  const ahead = (a.run - b.run) & MAX_COUNT;
-  if (ahead !== 0) return ahead > MAX_COUNT / 2;
-  const age = (trial: Trial): number[] => [trial.trial, Number(trial.over), countOf(trial)];
-  const [own, other] = [age(a), age(b)];
-  const at = own.findIndex((value, place) => value !== other[place]);
-  return at >= 0 && (own[at] ?? 0) < (other[at] ?? 0);
 }

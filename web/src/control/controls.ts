@@ -1,12 +1,9 @@
 /** User movement: walking or orbiting a point, by keyboard, mouse, touch and gamepads. */
-import { type Drive, together } from './drive';
-import { type Pad, readPads } from './gamepad';
-import { createKeys } from './keys';
+import { createKeys, type Drive, type Pad, readPads, together } from './drive';
 import type { Bounds } from './limit';
 import { createOrbit } from './orbit';
 import { createPointers, type Mode, type Thumb } from './pointers';
-import type { Pose } from './pose';
-import { isSamePose } from './vector';
+import { isSamePose, type Pose } from './pose';
 import { createWalk } from './walk';
 
 export type { Mode, Thumb };

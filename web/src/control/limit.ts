@@ -1,5 +1,5 @@
 /** Keeps a user within radii about centres' vertical axes, because pictures fold beyond them. */
-import type { Vector } from './vector';
+import type { Vector } from './pose';
 
 export interface Limit {
   readonly center: Vector;

@@ -1,8 +1,7 @@
 /** Orbiting a point in the middle of the picture; independent of a browser. */
 import type { Drive } from './drive';
 import { allowedShare, type Bounds, confine, settle } from './limit';
-import type { Pose } from './pose';
-import { ahead, bounded, addScaled, rightOf, STEEPEST, upOf, type Vector } from './vector';
+import { addScaled, ahead, bounded, type Pose, rightOf, STEEPEST, upOf, type Vector } from './pose';
 
 /** Least and greatest distance from the point, and the default distance, metres. */
 const [NEAREST, FARTHEST, USUAL] = [0.3, 2000, 4] as const;

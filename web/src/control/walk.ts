@@ -1,8 +1,7 @@
 /** First-person walking at a constant eye height; independent of a browser. */
 import type { Drive } from './drive';
 import { type Bounds, confine, settle } from './limit';
-import type { Pose } from './pose';
-import { bounded, rightOf, STEEPEST, type Vector } from './vector';
+import { bounded, type Pose, rightOf, STEEPEST, type Vector } from './pose';
 
 /** Walking speed, metres per second, and factor for running. */
 const [SPEED, HASTE] = [1.6, 3] as const;

@@ -1,11 +1,10 @@
 /** Decodes the geometry of a ring, or of dynamic objects, into pieces, each drawn by one call. */
 import type { Point } from '../bundle/manifest';
-import { contentOf, reasonOf } from './files';
-import { entryAt, entries, type Glb, openGlb } from './glb';
-import { pictureOf } from './images';
+import { contentOf, pictureOf, reasonOf } from './files';
+import { entries, entryAt, type Glb, openGlb } from './glb';
 import type { FileData, GeometryRequest, Piece, Triangles } from './messages';
 import { chopped } from './pieces';
-import { isIdentity, placementsOf, ROWS, rounded } from './placements';
+import { isIdentity, placementsOf, rounded, ROWS } from './placements';
 import { splitPlaced } from './split/placed';
 import { createRule, NOTHING_GROWS, type Rule, TOLERANCE } from './split/rule';
 import { type Budget, splitArrays } from './split/triangles';

@@ -1,6 +1,5 @@
 /** Maps of a region: the whole map of ring 0, then the changes of each ring. */
-import { contentOf, inflated, reasonOf } from './files';
-import { pixelsOf } from './images';
+import { contentOf, inflated, pixelsOf, reasonOf } from './files';
 import type { FileData, FirstMapRequest, MapUpdate, NextMapRequest } from './messages';
 import { decodeRanges } from './ranges';
 

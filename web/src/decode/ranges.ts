@@ -1,6 +1,5 @@
 /** Decodes the ranges of a map: docs/stream.md, "Files of ranges". All decoders yield bit-identical codes. */
-import { damaged, NOTHING, type Planes, readPlanes, TRUST } from './planes';
-import { createScale, type Scale } from './scale';
+import { createScale, damaged, NOTHING, type Planes, readPlanes, type Scale, TRUST } from './planes';
 
 /** Division of a map. */
 export interface Layout {

@@ -1,10 +1,19 @@
 /** Worker that decodes geometry and maps, one request after the other. */
-import { reasonOf } from './files';
+import { bandsOf, reasonOf } from './files';
 import { type Buffers, decodeGeometry } from './geometry';
-import { bandsOf } from './images';
 import { createMaps, type Maps } from './maps';
-import type { Answer, ForgetRequest, Geometry, GeometryRequest, Job, Kept, Part, PartRequest, Result } from './messages';
-import { contentsOf, parcelled, samplesOf } from './parcels';
+import type {
+  Answer,
+  ForgetRequest,
+  Geometry,
+  GeometryRequest,
+  Job,
+  Kept,
+  Part,
+  PartRequest,
+  Result,
+} from './messages';
+import { contentsOf, parcelled, samplesOf } from './pieces';
 import { FOLDER } from './surfaces';
 
 /** Maps by region. */

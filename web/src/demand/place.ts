@@ -1,11 +1,9 @@
 /** Region of a place that a server makes on demand, read from the streamed lines that announce its parts. */
 import { choice, type Fields, integer, object, text } from '../bundle/checks';
-import { type Coming, thereOf } from '../bundle/coming';
+import { type Coming, thereOf, upTo } from '../bundle/contents';
 import { BundleError } from '../bundle/error';
 import type { Described, Manifest, MapEntry, RingEntry } from '../bundle/manifest';
 import { outlinedRing, readFiles, readManifest, ring as readRing, tilesOf } from '../bundle/parse';
-import { upTo } from '../bundle/up_to';
-import { type Awaited, createAwaited } from './awaited';
 
 /** Progress of the server with a place. */
 export type Making =
@@ -152,4 +150,33 @@ function createPlace(outline: Manifest, listener: Listener): Place {
 
 function unexpected(event: string): BundleError {
   return new BundleError(`parts: expected another event, got ${event}`);
+}
+
+export interface Awaited<T> {
+  readonly promise: Promise<T>;
+  /** The value, once it has arrived. */
+  readonly now: T | null;
+  done(value: T): void;
+  failed(reason: unknown): void;
+}
+
+export function createAwaited<T>(): Awaited<T> {
+  let now: T | null = null;
+  let [done, failed] = [(_: T): void => undefined, (_: unknown): void => undefined];
+  const promise = new Promise<T>((resolve, reject) => {
+    [done, failed] = [resolve, reject];
+  });
+  // A rejection without listeners is no unhandled error.
+  promise.catch(() => undefined);
+  return {
+    promise,
+    get now() {
+      return now;
+    },
+    done(value) {
+      now = value;
+      done(value);
+    },
+    failed: (reason) => failed(reason),
+  };
 }

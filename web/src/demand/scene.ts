@@ -4,7 +4,7 @@ import { BundleError } from '../bundle/error';
 import type { Point } from '../bundle/manifest';
 import { parseJson, point } from '../bundle/parse';
 import type { Network } from '../bundle/transfer';
-import { ask } from './ask';
+import { ask } from './request';
 
 const [FORMAT, SCENE, VERSION] = ['nearfar.on_demand', 'nearfar.scene', 1] as const;
 

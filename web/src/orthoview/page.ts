@@ -1,15 +1,14 @@
 /** Page for flying through a tree of orthoviews. */
-import { readLink, writeLink } from '../control/link';
-import type { Pose } from '../control/pose';
+import { type Pose, readLink, writeLink } from '../control/pose';
 import { createMeter } from '../show/meter';
 import { showFatal, showProblems } from '../ui/messages';
-import { createThumbMark } from '../ui/thumb';
-import { createFly } from './controls/fly';
-import { startOf } from './controls/start';
+import { createThumbMark } from '../ui/overlays';
 import { cameraOf } from './cut/camera';
+import { createFly, startOf } from './fly';
 import { createPanel } from './panel';
 import type { Graphics } from './show/start';
-import { type Facts, Viewer } from './show/viewer';
+import type { Facts } from './show/facts';
+import { Viewer } from './show/viewer';
 import { type Failure, isPassing } from './store/error';
 import type { Layout } from './store/layout';
 

@@ -1,8 +1,7 @@
 /** Panel of statistics, and the buttons below the picture. */
-import { icon, make, write } from '../ui/dom';
+import { icon, ICONS, make, write } from '../ui/dom';
 import { bytes, count, metres, milliseconds, rate } from '../ui/format';
-import { ICONS } from '../ui/icons';
-import type { Facts } from './show/viewer';
+import type { Facts } from './show/facts';
 
 const NAMES = {
   frame: 'Frame',

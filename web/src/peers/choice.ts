@@ -1,4 +1,5 @@
-/** User's choice whether to exchange files, stored for all pages of this origin. */
+/** Conditions for exchanging files between pages of a room: server, user and browser must allow it. */
+import type { About } from '../rooms/server';
 
 /** Key of the choice in the storage; without an entry files are exchanged. */
 const KEY = 'nearfar peers';
@@ -28,4 +29,23 @@ export function createChoice(storage: () => Storage = () => localStorage): Choic
       attempt((found) => (wanted ? found.removeItem(KEY) : found.setItem(KEY, 'off')));
     },
   };
+}
+
+/** Query parameter by which a user declines. */
+const PARAMETER = 'peers';
+/** Reason if the user has switched it off. */
+export const UNWANTED = 'the user does not want it';
+
+/** Returns why this page's address, user or browser prevents the exchange; null if nothing does. */
+export function refusalHere(query: URLSearchParams, choice: Choice): string | null {
+  if (query.get(PARAMETER) === 'off') return 'the address of the page says so';
+  if (!choice.isOn) return UNWANTED;
+  if (!globalThis.crypto?.subtle) return 'the browser checks files on https and on this machine alone';
+  return typeof RTCPeerConnection === 'function' ? null : 'the browser has no WebRTC';
+}
+
+/** Returns why the server prevents the exchange; null if it allows it. */
+export function refusalThere(about: About | null): string | null {
+  if (!about) return 'the server does not tell whether pages may';
+  return about.peers ? null : 'the server does not want it';
 }

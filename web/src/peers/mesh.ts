@@ -1,12 +1,10 @@
 /** Connections between users: each connects to its nearest neighbours, and the smaller number sends the offer. */
 import { FrameError } from '../rooms/bytes';
-import type { Clock } from '../rooms/clock';
+import { type Clock, createBucket } from '../rooms/clock';
 import type { FromServer } from '../rooms/frames';
-import { createBucket } from './bucket';
-import type { Call, CallEvents } from './call';
+import { type Call, type CallEvents, readSignal, type Signal } from './call';
 import { TICK } from './downloads';
 import type { Line } from './peer';
-import { readSignal, type Signal } from './signals';
 
 /** Neighbours on each side in the circle of numbers; greatest number of connections. */
 const [REACH, MAX_CALLS] = [6, 16] as const;

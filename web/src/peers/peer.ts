@@ -1,10 +1,9 @@
 /** Page with an open channel: its files, its requests and the requests to it. */
 import type { Received } from '../bundle/source';
 import { FrameError } from '../rooms/bytes';
-import type { Clock } from '../rooms/clock';
-import { type Bucket, createBucket } from './bucket';
+import { type Bucket, type Clock, createBucket } from '../rooms/clock';
 import { type Answer, createDownloads, type Wanted } from './downloads';
-import { type Holding, type Message, MAX_FILES_PER_MESSAGE, readMessage, writeMessage } from './messages';
+import { type Holding, MAX_FILES_PER_MESSAGE, type Message, readMessage, writeMessage } from './messages';
 import { createUploads, type Shelf } from './uploads';
 
 /** Rate per second and burst of messages except parts; number of listed files that count as one message. */

@@ -10,7 +10,6 @@ import type { Answer } from './downloads';
 import type { Peer } from './peer';
 import type { Store } from './store';
 import type { Shelf } from './uploads';
-import { isBefore } from './weights';
 
 /**
  * Timeouts for another page: for the first picture, and later. Pages with software rendering answer about once a
@@ -193,4 +192,24 @@ async function waitFor(awaited: Promise<void>, signal: AbortSignal): Promise<voi
   } finally {
     signal.removeEventListener('abort', stop);
   }
+}
+
+/** Weight of a user for a file in rendezvous hashing, by which all users agree on the one that requests the file from the
+ * server. The key is a SHA-256 in hexadecimal digits; the greatest weight wins. */
+export function weightOf(user: number, key: string): number {
+  return mixed(mixed(user + 1) ^ parseInt(key.slice(0, 8), 16));
+}
+
+/** Whether one user precedes another one for a file. */
+export function isBefore(one: number, other: number, key: string): boolean {
+  const difference = weightOf(one, key) - weightOf(other, key);
+  return difference > 0 || (difference === 0 && one < other);
+}
+
+/** Finalizer of MurmurHash3: each bit of the result depends on each bit of the number. */
+function mixed(number: number): number {
+  let hash = number >>> 0;
+  hash = Math.imul(hash ^ (hash >>> 16), 0x85ebca6b);
+  hash = Math.imul(hash ^ (hash >>> 13), 0xc2b2ae35);
+  return (hash ^ (hash >>> 16)) >>> 0;
 }

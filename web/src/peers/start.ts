@@ -1,18 +1,15 @@
 /** Exchange of files between pages of a room; the server relays signals and sends files that no page has. */
 import type { Described } from '../bundle/manifest';
 import type { Files } from '../bundle/source';
-import type { Ask } from '../rooms/about';
 import { CLOCK } from '../rooms/clock';
 import type { FromServer } from '../rooms/frames';
-import { refusalHere, refusalThere, UNWANTED } from './allowed';
-import { createCall } from './call';
-import { createChoice } from './choice';
+import type { Ask } from '../rooms/server';
+import { createCall, createOutbox, writeSignal } from './call';
+import { createChoice, refusalHere, refusalThere, UNWANTED } from './choice';
 import { TICK } from './downloads';
 import { createMesh } from './mesh';
-import { createOutbox } from './outbox';
 import { createPeer, type Peer } from './peer';
 import { type Counts, createShare } from './share';
-import { writeSignal } from './signals';
 import { createStore } from './store';
 import { createBudget } from './uploads';
 

@@ -1,6 +1,5 @@
 /** Files that another page requests: sent one after the other, limited by the channel's buffer. */
-import type { Clock } from '../rooms/clock';
-import { type Bucket, createBucket } from './bucket';
+import { type Bucket, type Clock, createBucket } from '../rooms/clock';
 import { type Message, PART } from './messages';
 
 /** Limit of buffered bytes in the browser; bytes of a file that are read at once. */

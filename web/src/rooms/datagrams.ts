@@ -1,6 +1,5 @@
 /** WebTransport for frames: a stream for reliable frames, datagrams for those that a later one replaces. */
-import type { Datagrams } from './about';
-import { CLOSING, type Listener, type Socket } from './socket';
+import { CLOSING, type Datagrams, type Listener, type Socket } from './server';
 
 /** Timeout for a connection, seconds: networks that drop UDP report nothing. */
 const READY = 3;

@@ -1,5 +1,5 @@
 /** Vertex shaders of billboards: pointers and names. They use the fragment shader of near geometry. */
-import { SHARED, SHOWN_AT } from '../shaders/shared';
+import { SHARED, SHOWN_AT } from '../shaders/scene';
 
 /** Axes of an upright square that faces the viewer. */
 const FACING = /* glsl */ `

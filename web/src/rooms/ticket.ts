@@ -2,8 +2,8 @@
  * Ticket of a room across a reload of the page, in the tab's session storage. It is stored only from the end of a page
  * to the begin of the next one: browsers copy the storage into a duplicated tab, which is another user.
  */
-
 import { bytesOf, hexOf } from '../hex';
+import type { Connection } from './connection';
 
 export interface TicketStore {
   /** Removes and returns the ticket of the previous page; empty if there is none. */
@@ -36,4 +36,22 @@ export function createTicketStore(relay: string, storage: () => Storage = () => 
       attempt((found) => found.setItem(key, hexOf(ticket)));
     },
   };
+}
+
+/** On hiding, says bye and stores the ticket; on return from the browser's cache, joins again. */
+export function followPage(connection: Connection, tickets: TicketStore, page: EventTarget = window): void {
+  let isAway = false;
+  page.addEventListener('pagehide', () => {
+    if (connection.state.kind === 'ended') return;
+    tickets.put(connection.ticket);
+    connection.leave(true);
+    isAway = true;
+  });
+  page.addEventListener('pageshow', () => {
+    if (!isAway) return;
+    isAway = false;
+    // The connection still has the ticket.
+    tickets.take();
+    connection.retry();
+  });
 }

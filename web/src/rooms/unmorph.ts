@@ -1,5 +1,5 @@
 /** CPU version of the morph in shaders/near.ts, and its inverse: the world point that is shown at a place. */
-import { minus, type Vector } from '../control/vector';
+import { minus, type Vector } from '../control/pose';
 
 /** Parameters of the morph; positions are relative to the centre, in metres. */
 export interface Morph {

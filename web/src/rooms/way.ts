@@ -1,8 +1,7 @@
 /** Choice of the transport to rooms: datagrams if both sides support them, else a WebSocket. */
-import type { Ask, Datagrams } from './about';
 import { CLOCK, type Clock } from './clock';
 import { openDatagrams } from './datagrams';
-import { type Listener, type Open, openSocket, type Socket } from './socket';
+import { type Ask, type Datagrams, type Listener, type Open, openSocket, type Socket } from './server';
 
 /** Seconds for which datagrams are not tried again after a failure. */
 const FORGETS = 60;

@@ -1,15 +1,13 @@
 /** Open regions: their loaded data, and the picture that each would show. */
-import type { Coming } from '../bundle/coming';
-import { bytesOf, filesOfRegion } from '../bundle/contents';
+import { bytesOf, type Coming, filesOfRegion } from '../bundle/contents';
 import type { RingEntry } from '../bundle/manifest';
 import type { Kept } from '../decode/messages';
-import type { Grown } from './growth';
-import type { Regions } from './journey';
 import type { Loading } from './job';
+import type { Regions } from './journey';
 import { loadRegion } from './loader';
+import { tell } from './meter';
 import { createRegion, type Region } from './region';
-import { createStage, type Manner, type Shown, type Stage } from './stage';
-import { tell } from './told';
+import { createStage, type Grown, type Manner, type Shown, type Stage } from './stage';
 import type { World } from './world';
 
 export interface AtlasSettings {

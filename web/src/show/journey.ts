@@ -3,11 +3,10 @@
  * replaces another one by a cross-fade, and only where neither picture folds; until then the user is confined to the
  * area where the current picture does not fold.
  */
-import { type Bounds, distance, FREE, type Limit, clampToLimit } from '../control/limit';
-import type { Pose } from '../control/pose';
-import type { Vector } from '../control/vector';
-import { type Grown, NOTHING_NEAR } from './growth';
-import { apartOf, type Places } from './places';
+import { type Bounds, clampToLimit, distance, FREE, type Limit } from '../control/limit';
+import type { Pose, Vector } from '../control/pose';
+import { type Grown, NOTHING_NEAR } from './stage';
+import { apartOf, type Places } from './world';
 
 /** Hysteresis: another centre must be nearer by this share of the centres' distance, at most this many metres. */
 const [GAP_SHARE, GAP_MAX] = [0.1, 2] as const;

@@ -10,8 +10,7 @@ import {
   type RawShaderMaterial,
 } from 'three';
 import type { Piece } from '../decode/messages';
-import { type Buffers, createBuffers } from './buffers';
-import type { MeshArrays, Store } from './store';
+import { type Buffers, createBuffers, type MeshArrays, type Store } from './buffers';
 import type { Step } from './uploads';
 
 export type PieceMesh = Mesh<BufferGeometry, RawShaderMaterial>;

@@ -2,11 +2,10 @@
 import { Group, type WebGLRenderer } from 'three';
 import type { RegionEntry } from '../bundle/manifest';
 import type { Part, Piece, Triangles } from '../decode/messages';
-import { type Cube, createCube } from './cubes';
+import type { Store } from './buffers';
 import { createMaterials, type Materials, type Shared, texturesOf } from './materials';
-import type { Pictures } from './pictures';
 import { disposeMesh, type Making, type PieceMesh, prepare, type Prepared } from './pieces';
-import type { Store } from './store';
+import { createCube, type Cube, type Pictures } from './textures';
 import type { Step } from './uploads';
 
 /** Meshes per step: three.js takes about 0.1 ms to begin a picture, and half as long for each mesh. */

@@ -1,8 +1,10 @@
 /**
  * Sequence of a region's pictures: a ring that has arrived fades in over the one before, and the morph grows. Nothing
- * jumps, regardless of the arrival times.
+ * jumps, regardless of the arrival times. The four strategies of CloVR (2024) differ in this sequence.
  */
-import { grow, type Grown, type GrowthSettings, NOTHING_NEAR } from './growth';
+import { byFootprint } from '../bundle/contents';
+import { BundleError } from '../bundle/error';
+import type { Manifest } from '../bundle/manifest';
 
 /** Ways in which pictures appear. */
 export interface Manner {
@@ -114,4 +116,81 @@ export function createStage(settings: GrowthSettings & { readonly fade: number }
       });
     },
   };
+}
+
+export interface GrowthSettings {
+  /** Radii of the rings 1 to n, metres, ascending. */
+  readonly radii: readonly number[];
+  /** Degrees per second. */
+  readonly speed: number;
+  /** Distance in metres of the user whose picture turns at `speed`. */
+  readonly reach: number;
+  readonly nearShare: number;
+}
+
+/** State of the growth (nf.stream.Growth): the first ring grows by its strength, the others by their radius. */
+export interface Grown {
+  /** R, metres. */
+  readonly radius: number;
+  /** Strength of the morph, 0 to 1. */
+  readonly strength: number;
+}
+
+/** Least near share for the growth of the strength: nearer points turn faster. */
+const MIN_SHARE = 0.05;
+
+/** State before ring 1. */
+export const NOTHING_NEAR: Grown = { radius: 0, strength: 0 };
+
+/**
+ * Advances the growth by some seconds, with the rings up to `ring`; the inverse of the radius falls linearly. Pictures with a radius below `least` would fold:
+ * until a ring reaches it, the strength stays 0, which gives the same picture at any radius.
+ */
+export function grow(now: Grown, ring: number, seconds: number, settings: GrowthSettings, least = 0): Grown {
+  const goal = settings.radii[ring - 1];
+  if (goal === undefined) return NOTHING_NEAR;
+  const rate = (settings.speed * Math.PI) / 180 / settings.reach;
+  let left = seconds;
+  let strength = now.radius === 0 ? 0 : now.strength;
+  const begins = settings.radii.find((each) => each >= least) ?? Number.POSITIVE_INFINITY;
+  if (strength === 0 && begins > goal) return { radius: goal, strength };
+  const radius = strength === 0 ? begins : now.radius;
+  if (strength < 1) {
+    const whole = 1 / (Math.max(settings.nearShare, MIN_SHARE) * radius * rate);
+    const needed = (1 - strength) * whole;
+    strength = left >= needed ? 1 : strength + left / whole;
+    left = Math.max(0, left - needed);
+  }
+  if (strength < 1 || radius >= goal) return { radius: Math.min(radius, goal), strength };
+  const inverse = 1 / radius - (1 - settings.nearShare) * rate * left;
+  return { radius: inverse <= 1 / goal ? goal : 1 / inverse, strength };
+}
+
+export interface Strategy extends Manner {
+  /** Returns the manifest in the order of loading. */
+  readonly arrange: (manifest: Manifest) => Manifest;
+  /** Whether it loads the rings of the bundle, as servers make them on demand. */
+  readonly isByRings: boolean;
+}
+
+const asItIs = (manifest: Manifest): Manifest => manifest;
+
+/** Strategies to load near geometry, compared in CloVR (2024). */
+const STRATEGIES: Readonly<Record<string, Strategy>> = {
+  clovr: { isSmooth: true, isWhole: false, arrange: asItIs, isByRings: true },
+  // Shows rings at once instead of smoothly.
+  clovrd: { isSmooth: false, isWhole: false, arrange: asItIs, isByRings: true },
+  // Shows nothing until everything that the centre sees is loaded.
+  vis0: { isSmooth: false, isWhole: true, arrange: byFootprint, isByRings: false },
+  // Shows objects as they arrive, the largest footprints first.
+  vis1: { isSmooth: false, isWhole: false, arrange: byFootprint, isByRings: false },
+};
+
+/** Returns the strategy of a name in an address; clovr by default. */
+export function strategyOf(name: string | null): Strategy {
+  const found = Object.hasOwn(STRATEGIES, name ?? 'clovr') ? STRATEGIES[name ?? 'clovr'] : undefined;
+  if (!found) {
+    throw new BundleError(`strategy: expected ${Object.keys(STRATEGIES).join(', ')}, got ${name ?? ''}`, 'address');
+  }
+  return found;
 }

@@ -1,33 +1,23 @@
 /** Viewer: draws the picture on the screen, frame by frame. */
-import { type Group, type PerspectiveCamera, Scene, WebGLRenderer } from 'three';
-import { BundleError } from '../bundle/error';
-import type { RegionEntry } from '../bundle/manifest';
+import { type Group, type PerspectiveCamera, Scene, type WebGLRenderer } from 'three';
 import type { Fetch } from '../bundle/source';
 import type { Floor } from '../control/floor';
-import type { Bounds } from '../control/limit';
-import type { Pose } from '../control/pose';
-import { minus, type Vector } from '../control/vector';
-import type { Triangles } from '../decode/messages';
-import { castRay } from './along';
-import { createAtlas, type Holding } from './atlas';
-import { createComposer, type MapLayer } from './composer';
-import { createCube } from './cubes';
+import { minus, type Pose, type Vector } from '../control/pose';
+import { createAtlas } from './atlas';
+import { createStore } from './buffers';
+import { createComposer, createViewpoint, type MapLayer } from './composer';
 import { startDecoder, type Worked } from './decoder';
-import { createFlight } from './flight';
-import { createJourney, type Journey, type Leg } from './journey';
 import type { Loading } from './job';
-import { watchLoss } from './loss';
+import { type Facts, factsOf } from './facts';
+import { createJourney, type Journey, type Leg } from './journey';
 import { createShared, type Shared } from './materials';
-import { createPicker } from './pick';
-import { createPainter, type Guests, type Picture } from './picture';
+import { createPainter, createVeil, type Guests, type Picture } from './painter';
+import { castRay, createPicker } from './pick';
 import { createPrograms } from './programs';
-import { trianglesShown } from './region';
-import { resolveOnce } from './samples';
-import type { Manner, Shown } from './stage';
-import { createStore } from './store';
-import { createUploads, type Uploads } from './uploads';
-import { createVeil } from './veil';
-import { createViewpoint } from './viewpoint';
+import { createRenderer, resolveOnce, watchLoss } from './renderer';
+import type { Manner } from './stage';
+import { createCube } from './textures';
+import { createFlight, createUploads, type Uploads } from './uploads';
 import type { World } from './world';
 
 /** Omitted parts when a picture serves to locate near geometry. */
@@ -89,29 +79,6 @@ export interface Viewer {
   photo(): Promise<Blob>;
   readonly facts: Facts;
   dispose(): void;
-}
-
-/** Facts of the picture for the panel. */
-export interface Facts extends Holding {
-  readonly region: number;
-  /** Entry of the region; null before its manifest is loaded. */
-  readonly entry: RegionEntry | null;
-  /** Region that the user is moving to; null for none. */
-  readonly goal: number | null;
-  readonly shown: Shown | null;
-  readonly arrived: number;
-  /** Received bytes of the region's files, and bytes of all of them. */
-  readonly received: number;
-  readonly expected: number;
-  readonly triangles: Triangles;
-  /** Milliseconds spent on uploads and answers of workers in the last frame. */
-  readonly upload: number;
-  /** Area where the user may be. */
-  readonly bounds: Bounds | null;
-  /** Region whose picture fades out; null for none. */
-  readonly leaving: number | null;
-  /** Number of arrays that several meshes share. */
-  readonly shared: number;
 }
 
 export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Viewer {
@@ -290,24 +257,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       });
     },
     get facts() {
-      const region = journey?.region ?? 0;
-      const open = atlas.find(region);
-      const ring = open?.shown?.fading?.ring ?? open?.shown?.ring ?? 0;
-      return {
-        region,
-        entry: open?.region.entry ?? null,
-        goal: journey?.goal ?? null,
-        leaving: leg?.leaving?.region ?? null,
-        shown: open?.shown ?? null,
-        arrived: open?.arrived ?? -1,
-        received: open?.received ?? 0,
-        expected: open?.expected ?? 0,
-        triangles: open ? trianglesShown(open.region, ring) : { own: 0, drawn: 0 },
-        upload,
-        bounds: journey?.bounds ?? null,
-        ...atlas.holding,
-        shared: store.shared,
-      };
+      return factsOf(journey, leg, atlas, store, upload);
     },
     dispose() {
       atlas.dispose();
@@ -320,20 +270,4 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       renderer.forceContextLoss();
     },
   };
-}
-
-function createRenderer(canvas: HTMLCanvasElement, antialias: boolean): WebGLRenderer {
-  let renderer: WebGLRenderer;
-  try {
-    renderer = new WebGLRenderer({ canvas, antialias, powerPreference: 'high-performance' });
-  } catch (error) {
-    throw new BundleError(error instanceof Error ? error.message : String(error), 'webgl');
-  }
-  renderer.autoClear = false;
-  // A composition layer of a headset lies below.
-  renderer.setClearAlpha(0);
-  renderer.sortObjects = false;
-  // Checks block on the GPU; `programs` checks when that takes no time.
-  renderer.debug.checkShaderErrors = false;
-  return renderer;
 }

@@ -1,6 +1,5 @@
 /** Error messages: over the whole page, or in a banner above the last valid picture. */
-import { icon, make } from './dom';
-import { ICONS } from './icons';
+import { icon, ICONS, make } from './dom';
 
 /** Greatest number of problems in a banner; the others are counted. */
 const MAX = 3;

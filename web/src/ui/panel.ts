@@ -1,14 +1,19 @@
 /** Panel with its buttons and keys. */
 import type { Mode } from '../control/controls';
-import { icon, make, write } from './dom';
-import { MIDDLE } from './divider';
-import { createFigures, isComplete, isHeld, madeOf, shortly } from './figures';
-import { createHelp, type Row } from './help';
-import { ICONS } from './icons';
+import { copyText, icon, ICONS, make, saveFile, write } from './dom';
+import { createHelp, listen, type Name, type Row, SHORTCUTS } from './help';
 import { showProblems } from './messages';
-import { copyText, saveFile } from './out';
-import { listen, type Name, SHORTCUTS } from './shortcuts';
-import type { Commands, HeadsetCommand, Status } from './status';
+import { MIDDLE } from './overlays';
+import {
+  type Commands,
+  createFigures,
+  type HeadsetCommand,
+  isComplete,
+  isHeld,
+  madeOf,
+  shortly,
+  type Status,
+} from './status';
 
 /** Duration of a note, seconds. */
 const NOTE = 3;

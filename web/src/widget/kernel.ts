@@ -1,8 +1,7 @@
 /** Source of files from Python, which may run on another machine that this page cannot reach. */
 import { BundleError } from '../bundle/error';
 import { parseManifest } from '../bundle/parse';
-import { createShared } from '../bundle/share';
-import { createSlots } from '../bundle/slots';
+import { createShared, createSlots } from '../bundle/requests';
 import type { Received, Source } from '../bundle/source';
 import type { Model } from './model';
 

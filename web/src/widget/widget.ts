@@ -2,12 +2,11 @@
 import WORKER from 'worker-text';
 import { createControls } from '../control/controls';
 import type { Pose } from '../control/pose';
-import { strategyOf } from '../show/strategy';
+import { strategyOf } from '../show/stage';
 import { createViewer, type Viewer } from '../show/viewer';
 import { worldOf } from '../show/world';
 import { type KernelSource, openKernel } from './kernel';
-import { createMirror } from './mirror';
-import type { Model } from './model';
+import { createMirror, type Model } from './model';
 
 /** Greatest duration of a frame in seconds, as in the page. */
 const LONGEST_FRAME = 0.1;

@@ -14,17 +14,8 @@ import {
   RingGeometry,
   Vector3,
 } from 'three';
-import type { Vector } from '../control/vector';
 import type { Input } from './inputs';
-import { ARC_POINTS } from './teleport';
-
-/** Aim of a jump in the headset's space. */
-export interface Aim {
-  readonly arc: readonly Vector[];
-  readonly target: Vector;
-  /** Whether the target was clamped, because the aimed place lies beyond the limit. */
-  readonly isHeld: boolean;
-}
+import { type Aim, ARC_POINTS } from './teleport';
 
 export interface Look {
   /** Group to add to the rig. */

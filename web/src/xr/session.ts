@@ -1,12 +1,12 @@
-/** Immersive session: the picture for both eyes of a headset, and the movement of its user. */
+/** Immersive session: detection of a headset, the picture for both eyes, and the movement of its user. */
 import {
+  clampToBounds,
   EYE_HEIGHT,
   type Floor,
   floorUnder,
   type Head,
   headBounds,
   headOf,
-  clampToBounds,
   inWorld,
   localOf,
   moveFloor,
@@ -14,17 +14,14 @@ import {
   worldOf,
 } from '../control/floor';
 import type { Bounds } from '../control/limit';
-import type { Pose } from '../control/pose';
-import type { Vector } from '../control/vector';
+import type { Pose, Vector } from '../control/pose';
 import { createWalk } from '../control/walk';
 import type { Viewer } from '../show/viewer';
-import { type Aiming, createAiming } from './aiming';
 import { createHands, type HandRay, type Hands } from './hands';
-import { type Input, readInputs } from './inputs';
+import { createSteering, type Input, readInputs, type Steering } from './inputs';
 import { createMapLayer } from './layer';
 import { createLook, type Look } from './look';
-import { createSteering, type Steering } from './steer';
-import { createJump, type Jump } from './teleport';
+import { type Aiming, createAiming, createJump, type Jump } from './teleport';
 
 export interface Headset {
   readonly isPresenting: boolean;
@@ -185,4 +182,39 @@ export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSet
 
 function stickOf(inputs: readonly Input[], hand: XRHandedness): Input['stick'] {
   return inputs.find(({ source }) => source.handedness === hand)?.stick ?? null;
+}
+
+/** Detects the headset; `tell` is called with it, or with a sentence why there is none, now and on changes. */
+export function offerHeadset(
+  viewer: Viewer,
+  settings: HeadsetSettings,
+  tell: (found: Headset | string) => void,
+): void {
+  const { xr } = navigator;
+  let headset: Headset | null = null;
+
+  async function seek(): Promise<void> {
+    const reason = await whyNoHeadset(xr, window.isSecureContext);
+    if (reason !== null || !xr) {
+      tell(reason ?? '');
+      return;
+    }
+    headset ??= createHeadset(viewer, xr, settings);
+    tell(headset);
+  }
+
+  void seek();
+  xr?.addEventListener('devicechange', () => void seek());
+}
+
+/** Returns why no headset can be entered; null if one can. */
+export async function whyNoHeadset(xr: XRSystem | undefined, isSecure: boolean): Promise<string | null> {
+  if (!isSecure) return 'A headset can be entered where the page comes over https.';
+  if (!xr) return 'This browser knows no headsets.';
+  try {
+    return (await xr.isSessionSupported('immersive-vr')) ? null : 'No headset is connected.';
+  } catch {
+    // The page is in a frame without permission for headsets.
+    return 'Headsets cannot be used from here.';
+  }
 }

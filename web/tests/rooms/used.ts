@@ -1,8 +1,7 @@
 /** A room that a page uses for hours in minutes: a server in the page, on a clock that steps. It is no part of the page. */
 import type { Pose as Place } from '../../src/control/pose';
 import type { FromServer } from '../../src/rooms/frames';
-import type { Body, Pose } from '../../src/rooms/pose';
-import { rotationAlong, rotationOf } from '../../src/rooms/rotation';
+import { type Body, type Pose, rotationAlong, rotationOf } from '../../src/rooms/pose';
 import { randomOf } from '../support/random';
 import { served } from '../support/room_frames';
 

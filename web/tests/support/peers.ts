@@ -1,13 +1,12 @@
 /** Pages that exchange files over channels in memory, on a clock that the test moves. */
 import { createHash } from 'node:crypto';
 import type { Described } from '../../src/bundle/manifest';
-import type { Bucket } from '../../src/peers/bucket';
 import { TICK } from '../../src/peers/downloads';
 import { createPeer, type Line, type Peer } from '../../src/peers/peer';
 import { createShare, type Share } from '../../src/peers/share';
 import { createStore, type Store } from '../../src/peers/store';
 import { createBudget } from '../../src/peers/uploads';
-import type { Clock } from '../../src/rooms/clock';
+import type { Bucket, Clock } from '../../src/rooms/clock';
 
 export interface Stepped extends Clock {
   /** Let some seconds pass, by ticks. */

@@ -1,6 +1,6 @@
 /** An emulated headset for the page, put into it before its own script runs. It is no part of the page. */
 import { metaQuest2, metaQuest3, XRDevice } from 'iwer';
-import type { Facts } from '../../src/show/viewer';
+import type { Facts } from '../../src/show/facts';
 import { installLayers, type LayersFound } from './layers';
 
 /** The wishes of a test: a headset, and the tangents of the angles to the sides of each eye's picture. */

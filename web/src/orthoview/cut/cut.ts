@@ -1,10 +1,9 @@
-/** Cuts through the octree: the cells, levels and directions that a viewer needs. */
-import { cornerOf, sideAt, subtreeOf, type Triple } from '../store/layout';
-import { type Camera, dot, pixelSize, unit } from './camera';
+/** Cuts through the octree: the cells, levels and directions that a viewer needs, and the messages of their worker. */
+import type { Failure } from '../store/error';
+import { cornerOf, type Layout, sideAt, subtreeOf, type Triple } from '../store/layout';
+import type { Shard, Subtree } from '../store/records';
+import { type Camera, dot, frameOf, frustumOf, pixelSize, type Side, sideOf, unit, widest } from './camera';
 import { type Cells, childrenOf } from './cells';
-import { frameOf, widest } from './directions';
-import { frustumOf, type Side, sideOf } from './frustum';
-import { liftOf } from './lift';
 
 export interface Settings {
   /** Number of views of a cell: those whose directions are nearest to the viewer's. */
@@ -141,3 +140,43 @@ export function countOf(mask: number, { views }: Pick<Settings, 'views'>): numbe
   for (; left !== 0; left &= left - 1) count += 1;
   return Math.min(count, views);
 }
+
+/** Sine of the angle from straight down within which a direction cannot be raised to a side. */
+const STRAIGHT = 1e-9;
+
+/** Function that rotates unit vectors by an angle in degrees towards +y, at most to +y. Straight down stays. */
+export function liftOf(degrees: number): (way: Triple) => Triple {
+  const angle = (degrees * Math.PI) / 180;
+  const [sine, cosine] = [Math.sin(angle), Math.cos(angle)];
+  return (way) => {
+    const [x, y, z] = way;
+    const flat = Math.hypot(x, z);
+    if (sine === 0 || (flat < STRAIGHT && y < 0)) return way;
+    const across = flat * cosine - y * sine;
+    if (across <= 0) return [0, 1, 0];
+    return [(x / flat) * across, y * cosine + flat * sine, (z / flat) * across];
+  };
+}
+
+export type ToCutter =
+  | { readonly kind: 'open'; readonly base: string }
+  /** Sets the camera: the cut is sent at once, and again whenever more of the tree is known. */
+  | { readonly kind: 'look'; readonly camera: Camera; readonly settings: Settings }
+  /** Retries failed reads. */
+  | { readonly kind: 'retry' };
+
+export type FromCutter =
+  | {
+      readonly kind: 'opened';
+      readonly layout: Layout;
+      readonly generation: number;
+      readonly shards: readonly Shard[];
+      readonly geometry: readonly Shard[];
+    }
+  | { readonly kind: 'learned'; readonly subtree: Subtree }
+  | { readonly kind: 'cut'; readonly cut: Cut }
+  /** Coarse cells all around the viewer, which are few: shown first when a viewer turns. */
+  | { readonly kind: 'base'; readonly cut: Cut }
+  | { readonly kind: 'received'; readonly bytes: number }
+  /** `isFatal` if nothing can be shown. */
+  | { readonly kind: 'failed'; readonly failure: Failure; readonly isFatal: boolean };

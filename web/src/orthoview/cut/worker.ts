@@ -5,8 +5,7 @@ import { nameOf, type Triple } from '../store/layout';
 import { openRecords, type Records } from '../store/records';
 import type { Camera } from './camera';
 import { Cells } from './cells';
-import { type Cut, cut, type Settings } from './cut';
-import type { FromCutter, ToCutter } from './messages';
+import { type Cut, cut, type FromCutter, type Settings, type ToCutter } from './cut';
 
 /** Factor by which the base cells, which are kept all around, are coarser. */
 const COARSER = 6;

@@ -1,6 +1,6 @@
 /** Reads the geometry of leaves: GLB files, and shared textures. */
-import { entryAt, entries, type Glb, openGlb } from '../../decode/glb';
-import { pictureOf } from '../../decode/images';
+import { pictureOf } from '../../decode/files';
+import { entries, entryAt, type Glb, openGlb } from '../../decode/glb';
 import type { Material } from '../../decode/messages';
 import { placementsOf } from '../../decode/placements';
 import { FOLDER, primitiveOf } from '../../decode/surfaces';

@@ -2,8 +2,7 @@
 import { failureOf } from '../store/error';
 import { GEOMETRY } from '../store/layout';
 import { buffersOf } from './leaf';
-import type { FromReader, ToReader } from './messages';
-import { createReader, type Reader, type Wanted } from './reader';
+import { createReader, type FromReader, type Reader, type ToReader, type Wanted } from './reader';
 
 let reader: Reader | null = null;
 /** Views that are being read. */

@@ -1,8 +1,8 @@
 /** Choice of stand-ins for missing views: no hole where a coarser view is loaded. */
 import { above, type Cells, childrenOf } from '../cut/cells';
 import { countOf, type Cut, type Drawn } from '../cut/cut';
+import type { Box } from '../draw/sight';
 import { nameOf, type Triple } from '../store/layout';
-import type { Box } from '../splats/sight';
 
 /** Number of levels below a cell that are searched for its descendants. */
 const DEEP = 3;

@@ -1,6 +1,6 @@
 /** GLSL of splats, of light and of the picture's samples. */
 import { BACKGROUND, float, IRRADIANCE, LINEAR, SRGB } from '../../../shaders/light';
-import { BORDER, MIN_COSINE, SQUARED_RADIUS, VECTORS } from '../../splats/sight';
+import { BORDER, MIN_COSINE, SQUARED_RADIUS, VECTORS } from '../sight';
 
 export const HEAD = /* glsl */ `#version 300 es
 precision highp float;

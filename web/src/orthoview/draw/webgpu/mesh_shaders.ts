@@ -1,6 +1,6 @@
 /** WGSL of the geometry of near leaves, and of mipmaps. */
 import { LIGHT_WGSL } from '../../../shaders/light';
-import { DRAW } from './splat_shaders';
+import { DRAW } from './sample_shaders';
 
 export const MESHES = /* wgsl */ `
 ${DRAW}

@@ -1,18 +1,8 @@
 /** Work of a picture as numbers for the shaders: views, their parts, and the call that draws each part. */
 import { type Part, WORDS } from '../../decode/pack';
-import {
-  isIn,
-  type Model,
-  type Projector,
-  rowsOf,
-  type Seen,
-  seenOf,
-  sightOf,
-  VECTORS,
-  writeView,
-} from '../../splats/sight';
 import type { Layout } from '../../store/layout';
 import type { Item } from '../drawer';
+import { isIn, type Model, type Projector, rowsOf, type Seen, seenOf, sightOf, VECTORS, writeView } from '../sight';
 
 /** 32-bit words per part. */
 export const PART = 8;

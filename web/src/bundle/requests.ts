@@ -1,0 +1,108 @@
+/** Requests: one for all who ask for the same thing at the same time, and a limited number at once. */
+
+type Told = (bytes: number) => void;
+type Ask = (name: string, signal: AbortSignal, told: Told) => Promise<ArrayBuffer>;
+
+interface Request {
+  readonly result: Promise<ArrayBuffer>;
+  readonly stop: AbortController;
+  readonly askers: Set<Told>;
+  /** Bytes received so far. */
+  size: number;
+}
+
+/**
+ * Shares the requests of a function. Each asker gets its own copy of the data and all progress; a request is aborted
+ * when its last asker leaves.
+ */
+export function createShared(ask: Ask): Ask {
+  const open = new Map<string, Request>();
+
+  function begin(name: string): Request {
+    const stop = new AbortController();
+    const askers = new Set<Told>();
+    const request: Request = {
+      askers,
+      stop,
+      size: 0,
+      result: Promise.resolve().then(() =>
+        ask(name, stop.signal, (bytes) => {
+          request.size += bytes;
+          for (const told of askers) told(bytes);
+        }),
+      ),
+    };
+    open.set(name, request);
+    const forget = (): void => {
+      if (open.get(name) === request) open.delete(name);
+    };
+    request.result.then(forget, forget);
+    return request;
+  }
+
+  return async (name, signal, told) => {
+    signal.throwIfAborted();
+    const request = open.get(name) ?? begin(name);
+    const isFirst = request.askers.size === 0;
+    // Wrapped, so that a function passed by several askers counts once for each.
+    const own: Told = (bytes) => told(bytes);
+    request.askers.add(own);
+    if (request.size > 0) own(request.size);
+    const leave = (): void => {
+      request.askers.delete(own);
+      if (request.askers.size > 0) return;
+      // Later askers get a new request.
+      if (open.get(name) === request) open.delete(name);
+      request.stop.abort(signal.reason);
+    };
+    return new Promise<ArrayBuffer>((done, failed) => {
+      const stopped = (): void => {
+        leave();
+        failed(signal.reason as Error);
+      };
+      signal.addEventListener('abort', stopped, { once: true });
+      // Copied before the first asker can transfer its buffer.
+      const copied = (data: ArrayBuffer): void => done(isFirst ? data : data.slice(0));
+      request.result.then(copied, failed).finally(() => signal.removeEventListener('abort', stopped));
+    });
+  };
+}
+
+export type Slots = <T>(signal: AbortSignal, job: () => Promise<T>) => Promise<T>;
+
+export function createSlots(number: number): Slots {
+  let free = number;
+  const waiting = new Set<() => void>();
+
+  function place(signal: AbortSignal): Promise<void> {
+    return new Promise((done, failed) => {
+      const leave = (): void => {
+        waiting.delete(enter);
+        failed(signal.reason as Error);
+      };
+      const enter = (): void => {
+        signal.removeEventListener('abort', leave);
+        done();
+      };
+      waiting.add(enter);
+      signal.addEventListener('abort', leave, { once: true });
+    });
+  }
+
+  return async (signal, job) => {
+    signal.throwIfAborted();
+    if (free === 0) await place(signal);
+    else free -= 1;
+    try {
+      return await job();
+    } finally {
+      const [next] = waiting;
+      if (next) {
+        waiting.delete(next);
+        next();
+      } else {
+        free += 1;
+      }
+    }
+  };
+}

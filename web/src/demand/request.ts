@@ -1,0 +1,68 @@
+/** Requests something that a server makes on demand, and reads the JSON lines of its answer. */
+import { BundleError, type Kind } from '../bundle/error';
+import { parseJson } from '../bundle/parse';
+import type { Network } from '../bundle/transfer';
+
+/** Pauses before each retry of an unreachable server, seconds. */
+const PAUSES = [0.5, 1, 2, 4] as const;
+/** Default and greatest pause before a busy server is asked again, seconds. */
+const [LATER, LATEST] = [2, 60] as const;
+/** Status codes of a busy server: too many requests of this client, or of all clients. */
+const BUSY = [429, 503];
+/** Greatest length of a displayed reason. */
+const MAX_REASON_LENGTH = 300;
+
+/** Response of a server; throws a BundleError of `kind` if it refuses. `busy` receives the seconds of each pause. */
+export async function ask(
+  url: URL,
+  kind: Kind,
+  busy: (seconds: number) => void,
+  signal: AbortSignal,
+  network: Network,
+): Promise<Response> {
+  for (let trial = 0; ; ) {
+    signal.throwIfAborted();
+    const response = await network.fetch(url, signal, false).catch((error: unknown) => error);
+    if (response instanceof Response && response.ok) return response;
+    let pause: number | undefined;
+    if (!(response instanceof Response)) {
+      pause = PAUSES[trial++];
+      const reason = response instanceof Error ? response.message : String(response);
+      if (pause === undefined) throw new BundleError(`the server cannot be reached: ${reason}`, 'network');
+    } else if (BUSY.includes(response.status)) {
+      pause = pauseOf(response);
+      busy(pause);
+    } else {
+      throw new BundleError(await reasonOf(response), kind);
+    }
+    await network.wait(pause, signal);
+  }
+}
+
+function pauseOf({ headers }: Response): number {
+  const told = Number(headers.get('retry-after') ?? LATER);
+  return Number.isFinite(told) ? Math.min(Math.max(told, 1), LATEST) : LATER;
+}
+
+/** Reason in an error response, without the status in front. */
+async function reasonOf(response: Response): Promise<string> {
+  const text = (await response.text()).trim().slice(0, MAX_REASON_LENGTH);
+  return text.replace(/^\d{3} [^:]*: /, '') || `the server answers ${response.status} ${response.statusText}`.trim();
+}
+
+/** Yields each line's document as soon as it is complete; rejects lines longer than `most` characters. */
+export async function* linesOf(name: string, response: Response, most: number): AsyncGenerator<unknown> {
+  const reader = response.body?.getReader();
+  if (!reader) return;
+  const decoder = new TextDecoder();
+  let rest = '';
+  for (;;) {
+    const { done, value } = await reader.read();
+    const pieces = (rest + decoder.decode(value, { stream: !done })).split('\n');
+    rest = pieces.pop() ?? '';
+    for (const piece of pieces) yield parseJson(name, piece);
+    if (rest.length > most) throw new BundleError(`${name}: expected lines of at most ${most} characters`);
+    if (done) break;
+  }
+  if (rest !== '') yield parseJson(name, rest);
+}
