@@ -143,7 +143,7 @@ WEB: dict[str, set[str]] = {
     "peers": {"bundle", "hex", "rooms"},
     "room": {"bundle", "control", "peers", "rooms", "show", "ui", "xr"},
     "collect": {"bundle", "control", "room", "rooms", "shaders", "show", "ui"},
-    "widget": {"bundle", "control", "decode", "show"},
+    "widget": {"bundle", "control", "show"},
     "page": {"bundle", "collect", "control", "decode", "opened", "room", "show", "ui", "xr"},
     "orthoview/store": {"hex"},
     "orthoview/decode": {"decode", "hex", "orthoview/store"},

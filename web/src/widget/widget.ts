@@ -1,5 +1,4 @@
 /** View in a notebook, mounted by anywidget: a canvas and a line of text for each view of a model. */
-import WORKER from 'worker-text';
 import { createControls } from '../control/controls';
 import type { Pose } from '../control/pose';
 import { strategyOf } from '../show/stage';
@@ -26,7 +25,15 @@ interface View {
   complain(problem: string): void;
 }
 
-function render({ model, el }: { model: Model; el: HTMLElement }): () => void {
+/** A view for anywidget: an element with its model, and a function that ends it. */
+type Render = (context: { model: Model; el: HTMLElement }) => () => void;
+
+/** Creates the widget; `worker` is the script of the workers. */
+export function createWidget(worker: URL): { readonly render: Render } {
+  return { render: ({ model, el }) => render(model, el, worker) };
+}
+
+function render(model: Model, el: HTMLElement, worker: URL): () => void {
   const view = createView(model, el);
   const stop = new AbortController();
   let source: KernelSource | null = null;
@@ -42,7 +49,7 @@ function render({ model, el }: { model: Model; el: HTMLElement }): () => void {
     .then((opened) => {
       source = opened;
       if (stop.signal.aborted) opened.dispose();
-      else end = show(model, view, opened, failed);
+      else end = show(model, view, opened, worker, failed);
     })
     .catch(failed);
   return () => {
@@ -75,17 +82,22 @@ function createView(model: Model, el: HTMLElement): View {
 }
 
 /** Draws frames until the returned function is called. */
-function show(model: Model, view: View, source: KernelSource, failed: (reason: Error) => void): () => void {
+function show(
+  model: Model,
+  view: View,
+  source: KernelSource,
+  worker: URL,
+  failed: (reason: Error) => void,
+): () => void {
   const { canvas, host } = view;
   const { arrange, isSmooth, isWhole } = strategyOf(String(model.get('strategy')));
   const world = worldOf(arrange(source.manifest));
-  const script = URL.createObjectURL(new Blob([WORKER], { type: 'text/javascript' }));
   const asked = (): Pose => Object.fromEntries(POSE.map((name) => [name, model.get(name)])) as unknown as Pose;
   const controls = createControls(canvas, { start: asked(), keys: canvas });
   const viewer = createViewer(canvas, {
     world,
     fetch: source.fetch,
-    worker: new URL(script),
+    worker,
     angle: Number(model.get('angle')),
     antialias: true,
     isSmooth,
@@ -134,8 +146,5 @@ function show(model: Model, view: View, source: KernelSource, failed: (reason: E
     mirror.dispose();
     controls.dispose();
     viewer.dispose();
-    URL.revokeObjectURL(script);
   };
 }
-
-export default { render };
