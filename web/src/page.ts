@@ -1,4 +1,5 @@
 /** Page that opens the bundle named by its address and draws it. */
+import { messageOf } from './base/errors';
 import { BundleError, damagedFile } from './bundle/error';
 import type { RegionEntry } from './bundle/manifest';
 import { createControls } from './control/controls';
@@ -8,8 +9,10 @@ import { type Pose, readLink, writeLink } from './control/pose';
 import { openAddress } from './opened';
 import type { Room } from './room';
 import { createMeter } from './show/meter';
+import { LONGEST_FRAME, LOST } from './show/renderer';
 import { strategyOf } from './show/stage';
 import { createViewer, type Viewer } from './show/viewer';
+import { find } from './ui/dom';
 import { clearMessage, FATAL, showFatal } from './ui/messages';
 import { createDivider, createThumbMark, createWait } from './ui/overlays';
 import { createPanel } from './ui/panel';
@@ -18,11 +21,8 @@ import { type Headset, offerHeadset } from './xr/session';
 
 /** Vertical field of view, degrees. */
 const ANGLE = 75;
-/** Greatest duration of a frame in seconds: after a pause of a hidden tab the page continues where it was. */
-const LONGEST_FRAME = 0.1;
 /** Seconds between two updates of the panel; timeout in seconds for loading the script of rooms. */
 const [PANEL_EVERY, ROOM_SCRIPT] = [0.25, 2] as const;
-const LOST = 'The browser has taken the graphics away. The picture comes back as soon as they do.';
 
 declare global {
   interface Window {
@@ -33,7 +33,7 @@ declare global {
 
 async function main(): Promise<void> {
   const query = new URLSearchParams(location.search);
-  const [canvas, root] = [element('canvas', HTMLCanvasElement), element('#ui', HTMLElement)];
+  const [canvas, root] = [find('canvas', HTMLCanvasElement), find('#ui', HTMLElement)];
   const meter = createMeter();
   const base = new URL(query.get('bundle') ?? '.', location.href);
   const strategy = strategyOf(query.get('strategy'));
@@ -104,7 +104,7 @@ async function main(): Promise<void> {
     start,
     onThumb: thumb.show,
     onGo(x, y) {
-      const direction = directionTo(pose, [x, y], Math.tan((ANGLE * Math.PI) / 360), viewer.camera.aspect);
+      const direction = directionTo(pose, [x, y], viewer.camera);
       go({ ...pose, position: placeFor(pose.position, direction, viewer.pointAt(x, y)) });
     },
   });
@@ -213,15 +213,9 @@ function ringsOf(entry: RegionEntry | null): number {
   return (entry?.rings.length ?? 1) - 1 - (entry?.isCoarse ? 1 : 0);
 }
 
-function element<T extends HTMLElement>(selector: string, kind: abstract new () => T): T {
-  const found = document.querySelector(selector);
-  if (!(found instanceof kind)) throw new Error(`the page has no ${selector}`);
-  return found;
-}
-
 /** Shows a page-wide message about a fatal error. */
 function tell(reason: unknown): void {
-  const detail = reason instanceof Error ? reason.message : String(reason);
+  const detail = messageOf(reason);
   const { title, text } = FATAL[reason instanceof BundleError ? reason.kind : 'other'];
   showFatal(title, text, { detail, retry: () => location.reload() });
 }

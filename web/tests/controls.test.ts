@@ -218,9 +218,9 @@ test('keys move the divider within the picture, and take it away', () => {
 });
 
 test('keys run commands once each, but not where they walk or where a shortcut is meant', () => {
-  const [keys, stop] = [new EventTarget(), new AbortController()];
+  const keys = new EventTarget();
   const ran: string[] = [];
-  listen(keys, (name) => ran.push(name), stop.signal);
+  listen((name) => ran.push(name), keys);
   press(keys, 'KeyC', { key: 'C' });
   press(keys, 'KeyC', { key: 'c', repeat: true });
   press(keys, 'KeyC', { key: 'c', ctrlKey: true });
@@ -230,8 +230,6 @@ test('keys run commands once each, but not where they walk or where a shortcut i
   press(keys, 'KeyP', { key: 'l' });
   press(keys, 'KeyD', { key: 'p' });
   press(keys, 'KeyQ', { key: '__proto__' });
-  stop.abort();
-  press(keys, 'KeyC', { key: 'c' });
   assert.deepEqual(ran, ['split', 'help', 'home', 'link']);
 });
 

@@ -43,10 +43,11 @@ class Canvas {
 }
 const browser = {
   OffscreenCanvas: Canvas,
-  createImageBitmap: async (blob: Blob) => ({
-    value: new Uint8Array(await blob.arrayBuffer())[30],
-    close: () => undefined,
-  }),
+  async createImageBitmap(blob: Blob) {
+    const bytes = new Uint8Array(await blob.arrayBuffer());
+    const [width, height] = sizeOf('', bytes);
+    return { value: bytes[30], width, height, close: () => undefined };
+  },
 };
 before(() => Object.assign(globalThis, browser));
 after(() => Object.keys(browser).forEach((name) => Reflect.deleteProperty(globalThis, name)));

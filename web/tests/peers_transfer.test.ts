@@ -1,19 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { type Message, PART, readMessage, writeMessage } from '../src/peers/messages';
-import {
-  createPage,
-  join,
-  makeContent,
-  type Page,
-  plug,
-  settled,
-  steppedClock,
-  type Stepped,
-  type Wire,
-  wired,
-  type World,
-} from './support/peers';
+import { createPage, hold, join, makeContent, type Page, plug, settled, type Stepped, steppedClock, type Wire, wired, type World } from './support/peers';
 
 const WORLD: World = { a: makeContent(3 * PART + 5, 1), b: makeContent(PART, 2), c: makeContent(7, 3) };
 const KEYS = Object.values(WORLD).map(({ listed }) => listed.sha256);
@@ -153,7 +141,7 @@ test('who leaves requests without an answer again and again is asked no more', a
   for (const [turn, name] of names.entries()) {
     await say({ kind: 'tell', holding: 'here', keys: KEYS });
     // Nothing of it is kept from the time before.
-    if (turn === 3) page.store.add('x', new ArrayBuffer(64 * 2 ** 20));
+    if (turn === 3) hold(page, 'x', new ArrayBuffer(64 * 2 ** 20));
     const coming = page.get(name);
     await settled();
     const request = wants(heard).at(-1) ?? 0;
@@ -237,8 +225,8 @@ test('who is not interested any more cancels, and nothing is kept', async () => 
 test('files are sent no faster than the browser takes them, one after the other', async () => {
   const { page, say, line } = bench();
   const big: World = { big: makeContent(40 * PART, 4) };
-  page.store.add(big['big']?.listed.sha256 ?? '', big['big']?.data ?? new ArrayBuffer(0));
-  page.store.add(C, WORLD['c']?.data ?? new ArrayBuffer(0));
+  hold(page, big['big']?.listed.sha256 ?? '', big['big']?.data ?? new ArrayBuffer(0));
+  hold(page, C, WORLD['c']?.data ?? new ArrayBuffer(0));
   const own = line.other as Wire;
   own.isHeld = true;
   await say({ kind: 'want', request: 1, key: big['big']?.listed.sha256 ?? '' }, { kind: 'want', request: 2, key: C });
@@ -271,7 +259,7 @@ test('too many requests at once drop, and too many a second get nothing', async 
   const hurry = bench();
   for (let request = 1; request <= 500; request++) {
     const { data, listed } = makeContent(request, 4);
-    hurry.page.store.add(listed.sha256, data);
+    hold(hurry.page, listed.sha256, data);
     hurry.line.send(writeMessage({ kind: 'want', request, key: listed.sha256 }));
     if (request % 20 === 0) await settled();
   }
@@ -291,7 +279,7 @@ test('a page fetches for others only what it shows itself, once', async () => {
 
 test('a page gets a file twice at most, from the store and from the server', async () => {
   const { page, heard, say } = bench();
-  page.store.add(C, contentOf('c').slice().buffer);
+  hold(page, C, contentOf('c').slice().buffer);
   for (let request = 1; request <= 4; request++) await say({ kind: 'want', request, key: C });
   assert.deepEqual([ends(heard, 'part'), ends(heard, 'none')], [2, 2]);
   await say(...[5, 6, 7].map((request) => ({ kind: 'want', request, key: B }) as const));
@@ -301,7 +289,7 @@ test('a page gets a file twice at most, from the store and from the server', asy
 test('all pages together get no more bytes than a page gives', async () => {
   const clock = steppedClock();
   const page = createPage(1, WORLD, clock);
-  page.store.add(A, contentOf('a').slice().buffer);
+  hold(page, A, contentOf('a').slice().buffer);
   page.budget.take(64 * 2 ** 20 - (WORLD['a']?.listed.bytes ?? 0));
   const others = [2, 3].map((number) => createPage(number, WORLD, clock));
   for (const other of others) {

@@ -10,11 +10,11 @@ const near = (a: Vector, b: Vector): void =>
 
 test('a direction is that of the picture', () => {
   const pose = { position: EYE, yaw: 0, pitch: 0 };
-  near(directionTo(pose, [0.5, 0.5], 1, 1.5), [0, 0, -1]);
-  near(directionTo(pose, [1, 0.5], 1, 1), [Math.SQRT1_2, 0, -Math.SQRT1_2]);
-  near(directionTo(pose, [0.5, 0], 1, 1.5), [0, Math.SQRT1_2, -Math.SQRT1_2]);
-  near(directionTo({ ...pose, yaw: Math.PI / 2 }, [0, 0.5], 1, 1), [-Math.SQRT1_2, 0, Math.SQRT1_2]);
-  near(directionTo({ ...pose, pitch: 0.3 }, [0.5, 0.5], 1, 1), [0, Math.sin(0.3), -Math.cos(0.3)]);
+  near(directionTo(pose, [0.5, 0.5], { fov: 90, aspect: 1.5 }), [0, 0, -1]);
+  near(directionTo(pose, [1, 0.5], { fov: 90, aspect: 1 }), [Math.SQRT1_2, 0, -Math.SQRT1_2]);
+  near(directionTo(pose, [0.5, 0], { fov: 90, aspect: 1.5 }), [0, Math.SQRT1_2, -Math.SQRT1_2]);
+  near(directionTo({ ...pose, yaw: Math.PI / 2 }, [0, 0.5], { fov: 90, aspect: 1 }), [-Math.SQRT1_2, 0, Math.SQRT1_2]);
+  near(directionTo({ ...pose, pitch: 0.3 }, [0.5, 0.5], { fov: 90, aspect: 1 }), [0, Math.sin(0.3), -Math.cos(0.3)]);
 });
 
 test('the ground is stood on, and other things are stood before', () => {

@@ -1,4 +1,5 @@
 /** Requests: one for all who ask for the same thing at the same time, and a limited number at once. */
+import { abortable } from '../base/errors';
 
 type Told = (bytes: number) => void;
 type Ask = (name: string, signal: AbortSignal, told: Told) => Promise<ArrayBuffer>;
@@ -55,15 +56,10 @@ export function createShared(ask: Ask): Ask {
       if (open.get(name) === request) open.delete(name);
       request.stop.abort(signal.reason);
     };
-    return new Promise<ArrayBuffer>((done, failed) => {
-      const stopped = (): void => {
-        leave();
-        failed(signal.reason as Error);
-      };
-      signal.addEventListener('abort', stopped, { once: true });
+    return abortable<ArrayBuffer>(signal, (done, failed) => {
       // Copied before the first asker can transfer its buffer.
-      const copied = (data: ArrayBuffer): void => done(isFirst ? data : data.slice(0));
-      request.result.then(copied, failed).finally(() => signal.removeEventListener('abort', stopped));
+      request.result.then((data) => done(isFirst ? data : data.slice(0)), failed);
+      return leave;
     });
   };
 }
@@ -75,17 +71,9 @@ export function createSlots(number: number): Slots {
   const waiting = new Set<() => void>();
 
   function place(signal: AbortSignal): Promise<void> {
-    return new Promise((done, failed) => {
-      const leave = (): void => {
-        waiting.delete(enter);
-        failed(signal.reason as Error);
-      };
-      const enter = (): void => {
-        signal.removeEventListener('abort', leave);
-        done();
-      };
+    return abortable<void>(signal, (enter) => {
       waiting.add(enter);
-      signal.addEventListener('abort', leave, { once: true });
+      return () => waiting.delete(enter);
     });
   }
 

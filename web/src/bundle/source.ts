@@ -1,12 +1,12 @@
 /** Fetches the files of a bundle, one request per file, with retries after stalled or broken transfers. */
+import { messageOf } from '../base/errors';
 import { BundleError } from './error';
 import type { Described, Manifest } from './manifest';
-import { parseManifest } from './parse';
 import { createShared, createSlots } from './requests';
 import { NETWORK, type Network, transfer } from './transfer';
 
 /** Pauses before each retry of a transfer, seconds. */
-const PAUSES = [0.5, 1, 2, 4] as const;
+export const PAUSES = [0.5, 1, 2, 4] as const;
 /** Greatest number of concurrent transfers. */
 const AT_ONCE = 6;
 /** Name of the document that a page loads first. */
@@ -58,6 +58,20 @@ export async function readDocument(
   return new TextDecoder().decode(content);
 }
 
+/** Fetches listed files by `load`, at most `atOnce` of them at a time; others are refused. */
+export function serveListed(
+  described: Files['described'],
+  atOnce: number,
+  load: (name: string, bytes: number, signal: AbortSignal, received: Received) => Promise<ArrayBuffer>,
+): Serve {
+  const slots = createSlots(atOnce);
+  return async (name, signal, received) => {
+    const bytes = described(name)?.bytes;
+    if (bytes === undefined) throw new BundleError(`${name}: the manifest does not list this file`);
+    return slots(signal, () => load(name, bytes, signal, received));
+  };
+}
+
 /** Fetches files below a base URL that a manifest lists; `received` gets the bytes of all files. */
 export function createFiles(
   base: URL,
@@ -66,19 +80,14 @@ export function createFiles(
   network: Network = NETWORK,
 ): Files {
   const distrusted = new Set<string>();
-  const slots = createSlots(AT_ONCE);
   let way: Way | null = null;
 
-  const serve: Serve = async (name, own, told) => {
-    const bytes = described(name)?.bytes;
-    if (bytes === undefined) throw new BundleError(`${name}: the manifest does not list this file`);
-    return slots(own, () =>
-      withTrials(name, own, network, (again) => {
-        const isRenewed = distrusted.delete(name) || again;
-        return transfer(new URL(name, base), { name, bytes, most: bytes }, told, own, isRenewed, network);
-      }),
-    );
-  };
+  const serve = serveListed(described, AT_ONCE, (name, bytes, own, told) =>
+    withTrials(name, own, network, (again) => {
+      const isRenewed = distrusted.delete(name) || again;
+      return transfer(new URL(name, base), { name, bytes, most: bytes }, told, own, isRenewed, network);
+    }),
+  );
 
   const shared = createShared((name, own, told) => {
     const both: Received = (more) => {
@@ -95,18 +104,7 @@ export function createFiles(
   };
 }
 
-/** Opens a bundle from a base URL of its manifest; `received` gets the bytes of all files. */
-export async function openSource(
-  base: URL,
-  received: Received,
-  signal: AbortSignal,
-  network: Network = NETWORK,
-): Promise<Source> {
-  const manifest = parseManifest(await readDocument(base, received, signal, network));
-  return { manifest, ...createFiles(base, (name) => manifest.files[name], received, network) };
-}
-
-export async function withTrials<T>(
+async function withTrials<T>(
   name: string,
   signal: AbortSignal,
   network: Network,
@@ -120,7 +118,7 @@ export async function withTrials<T>(
       // A definite response of the server does not change on retry.
       if (signal.aborted || error instanceof BundleError) throw error;
       const pause = PAUSES[number];
-      const reason = error instanceof Error ? error.message : String(error);
+      const reason = messageOf(error);
       if (pause === undefined) throw new BundleError(`${name} does not come: ${reason}`, 'network');
       await network.wait(pause, signal);
     }

@@ -1,4 +1,6 @@
 /** A single transfer of a file, aborted when the server sends nothing for a while. */
+import { chunksOf } from '../base/bytes';
+import { abortable } from '../base/errors';
 import { BundleError } from './error';
 
 /** Seconds without a byte before a transfer is aborted; up to twice as long may pass. */
@@ -18,17 +20,9 @@ export const NETWORK: Network = {
   fetch: (url, signal, again) =>
     fetch(url, { signal, credentials: 'same-origin', cache: again ? 'reload' : 'default' }),
   wait: (seconds, signal) =>
-    new Promise((done, failed) => {
-      signal.throwIfAborted();
-      const stop = (): void => {
-        clearTimeout(timer);
-        failed(signal.reason as Error);
-      };
-      const timer = setTimeout(() => {
-        signal.removeEventListener('abort', stop);
-        done();
-      }, 1000 * seconds);
-      signal.addEventListener('abort', stop, { once: true });
+    abortable<void>(signal, (done) => {
+      const timer = setTimeout(done, 1000 * seconds);
+      return () => clearTimeout(timer);
     }),
 };
 
@@ -66,13 +60,11 @@ export async function transfer(
     const response = await network.fetch(url, end, again);
     refuse(limits.name, response);
     const parts: Uint8Array<ArrayBuffer>[] = [];
-    for (const reader = response.body?.getReader(); reader; ) {
-      const { done, value } = await reader.read();
-      if (done) break;
+    for await (const chunk of chunksOf(response.body)) {
       isMoving = true;
-      parts.push(value as Uint8Array<ArrayBuffer>);
-      size += value.length;
-      received(value.length);
+      parts.push(chunk);
+      size += chunk.length;
+      received(chunk.length);
       if (size > limits.most) throw wrongSize(limits, 'more');
     }
     // A broken transfer without a length looks complete.

@@ -1,10 +1,11 @@
 /** A sphere in the picture: its colour shows how many users aim at it, a ring around it for how long all have. */
-import { BufferAttribute, BufferGeometry, Color, Matrix4, SphereGeometry, Vector3, Vector4 } from 'three';
+import { Color, Matrix4, SphereGeometry, Vector3, Vector4 } from 'three';
 import type { Point } from '../bundle/manifest';
 import { directionTo } from '../control/floor';
 import { addScaled, minus, type Pose, type Vector } from '../control/pose';
 import type { Place } from '../rooms/hold';
-import { createMesh, type Drawn } from '../rooms/meshes';
+import { createMesh, type Drawn, geometryOf, ribbon } from '../rooms/meshes';
+import { morphOf } from '../rooms/pointing';
 import { HEAD } from '../rooms/shaders';
 import { shownAt } from '../rooms/unmorph';
 import { NEAR_VERTEX } from '../shaders/scene';
@@ -13,6 +14,7 @@ import type { Viewer } from '../show/viewer';
 
 /** Colours for no aiming user, some, all, and for the remaining part of the ring. */
 const [NOBODY, SOME, ALL, REST] = ['#e6ebf2', '#ffb52e', '#35d07f', '#3a434e'].map((name) => new Color(name));
+/** Pieces of a full turn of the ring; y is 0 inside and 1 outside. */
 const PIECES = 96;
 
 export interface Ball {
@@ -33,7 +35,7 @@ export function createBall(shared: Shared): Ball {
     placement: { value: new Matrix4() },
   });
   const ring = (base: Color | undefined): Drawn =>
-    createMesh(turn(), shared, RING_VERTEX, { UNLIT: '' }, {
+    createMesh(geometryOf(ribbon(PIECES, 0)), shared, RING_VERTEX, { UNLIT: '' }, {
       base_color: { value: new Vector4(base?.r, base?.g, base?.b, 1) },
       begin: { value: new Vector3() },
       radius: size,
@@ -71,22 +73,8 @@ function set({ material }: Drawn, name: string, value: unknown): void {
   if (uniform) uniform.value = value;
 }
 
-/** Strip of a full turn: x is the share of the turn; y is 0 inside, 1 outside. */
-function turn(): BufferGeometry {
-  const [places, corners]: [number[], number[]] = [[], []];
-  for (let piece = 0; piece <= PIECES; piece++) {
-    places.push(piece / PIECES, 0, 0, piece / PIECES, 1, 0);
-    const first = 2 * piece;
-    if (piece < PIECES) corners.push(first, first + 1, first + 2, first + 2, first + 1, first + 3);
-  }
-  const made = new BufferGeometry();
-  made.setAttribute('position', new BufferAttribute(new Float32Array(places), 3));
-  made.setIndex(corners);
-  return made;
-}
-
 /** Vertex shader of the ring around a sphere; its fragment shader is that of near geometry. */
-export const RING_VERTEX = /* glsl */ `
+const RING_VERTEX = /* glsl */ `
 ${HEAD}
 // Share of the way from begin to end of the part that is drawn; 0 inside, 1 outside.
 in vec3 position;
@@ -122,12 +110,9 @@ export function pointBeside(
   place: Place,
   sphere: Vector,
 ): Vector | null {
-  const { camera, facts } = viewer;
-  const { radius, strength } = facts.shown?.grown ?? { radius: 0, strength: 0 };
-  const center: Vector = facts.entry?.center ?? pose.position;
-  const morph = { user: minus(pose.position, center), inner: nearShare * radius, radius, strength };
+  const { center, morph } = morphOf(viewer, nearShare, pose);
   const seen = shownAt(minus(sphere, center), morph);
-  const [dx, dy, dz] = directionTo(pose, place, Math.tan((camera.fov * Math.PI) / 360), camera.aspect);
+  const [dx, dy, dz] = directionTo(pose, place, viewer.camera);
   const along = seen[0] * dx + seen[1] * dy + seen[2] * dz;
   const aside = minus([along * dx, along * dy, along * dz], seen);
   return along > 0 && Math.hypot(...aside) <= MEANT * along ? addScaled(sphere, aside, 1) : null;

@@ -1,5 +1,5 @@
 /** Card of the task: results so far, remaining time, and the figures of a trial at its end. */
-import { make, write } from '../ui/dom';
+import { button, make, write } from '../ui/dom';
 import { milliseconds } from '../ui/format';
 import { LEVELS, type Tallies } from './messages';
 
@@ -54,12 +54,11 @@ export function createPanel(root: HTMLElement, start: () => void): CollectPanel 
     ...LEVELS.map((level, at) => make('tr', {}, make('th', { scope: 'row' }, level), ...(rows[at] ?? []))),
   );
   const device = make('p', { class: 'collect-words' });
-  const button = make('button', { type: 'button', class: 'button-main' }, 'Start');
-  button.addEventListener('click', start);
+  const begin = button('Start', 'button-main', start);
   const card = make(
     'section',
     { class: 'card collect', 'aria-label': 'Sphere collection' },
-    make('header', {}, title, button),
+    make('header', {}, title, begin),
     figures,
     table,
     device,
@@ -93,7 +92,7 @@ export function createPanel(root: HTMLElement, start: () => void): CollectPanel 
       words.hidden = told.words === '';
       write(others, told.others);
       others.hidden = told.others === '';
-      button.hidden = !told.canStart;
+      begin.hidden = !told.canStart;
       if (told.trial) tellTrial(told.trial);
       else figures.hidden = table.hidden = device.hidden = true;
     },

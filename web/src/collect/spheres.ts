@@ -91,7 +91,7 @@ function mixed(value: bigint): bigint {
 }
 
 /** Random number in [0, 1) (docs/base.md): a function of seed, cell and index, identical in all languages. */
-export function uniform(seed: number, cell: number, index: number): number {
+function uniform(seed: number, cell: number, index: number): number {
   let state = mixed(word(BigInt(seed) + GOLDEN));
   for (const each of [cell, index]) state = mixed(word((state ^ BigInt(each)) + GOLDEN));
   return Number(state >> 11n) / 2 ** 53;

@@ -1,5 +1,5 @@
 /** User movement: walking or orbiting a point, by keyboard, mouse, touch and gamepads. */
-import { createKeys, type Drive, type Pad, readPads, together } from './drive';
+import { browserPads, createKeys, type Drive, type Pad, readPads, together } from './drive';
 import type { Bounds } from './limit';
 import { createOrbit } from './orbit';
 import { createPointers, type Mode, type Thumb } from './pointers';
@@ -102,15 +102,6 @@ export function createControls(element: HTMLElement, settings: ControlSettings):
       pointers.dispose();
     },
   };
-}
-
-function browserPads(): readonly (Pad | null)[] {
-  // Pages without https, or with a policy against gamepads, throw here.
-  try {
-    return navigator.getGamepads?.() ?? [];
-  } catch {
-    return [];
-  }
 }
 
 function reducedMotion(): () => boolean {

@@ -23,7 +23,7 @@ export function together(...wishes: readonly Drive[]): Drive {
 }
 
 /** Vector limited to length 1. */
-export function clampLength(x: number, y: number): readonly [number, number] {
+function clampLength(x: number, y: number): readonly [number, number] {
   const length = Math.max(Math.hypot(x, y), 1);
   return [x / length, y / length];
 }
@@ -134,4 +134,14 @@ function wishOf({ axes, buttons }: Pad): Drive {
   const isHasty = HASTE.some((number) => buttons[number]?.pressed ?? false);
   // Subtracted from 0, so that a stick at rest gives 0 instead of −0.
   return { right, ahead: 0 - back, turn: 0 - clockwise, look: 0 - down, isHasty };
+}
+
+/** Gamepads of the browser. */
+export function browserPads(): readonly (Pad | null)[] {
+  // Pages without https, or with a policy against gamepads, throw here.
+  try {
+    return navigator.getGamepads?.() ?? [];
+  } catch {
+    return [];
+  }
 }

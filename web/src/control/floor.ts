@@ -89,12 +89,16 @@ const BEFORE = 1;
 /** Step towards distant surfaces, metres. */
 const LEAP = 15;
 
-/**
- * Unit vector along which a pose sees a position in the picture, x and y from the upper left; `height` is the tangent
- * of half the vertical field of view, `ratio` is width divided by height.
- */
-export function directionTo(pose: Pose, [x, y]: readonly [number, number], height: number, ratio: number): Vector {
-  const across = addScaled(ahead(pose), rightOf(pose.yaw), (2 * x - 1) * height * ratio);
+/** Shape of a picture: its vertical field of view in degrees, and its width divided by its height. */
+export interface Frame {
+  readonly fov: number;
+  readonly aspect: number;
+}
+
+/** Unit vector along which a pose sees a place of the picture, in shares of its sides from the upper left. */
+export function directionTo(pose: Pose, [x, y]: readonly [number, number], { fov, aspect }: Frame): Vector {
+  const height = Math.tan((fov * Math.PI) / 360);
+  const across = addScaled(ahead(pose), rightOf(pose.yaw), (2 * x - 1) * height * aspect);
   const [dx, dy, dz] = addScaled(across, upOf(pose), (1 - 2 * y) * height);
   const size = Math.hypot(dx, dy, dz);
   return [dx / size, dy / size, dz / size];

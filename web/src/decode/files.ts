@@ -1,5 +1,6 @@
 /** Checks and decompression of a bundle's files, and its WebP pictures. */
-import { sha256 as hashOf } from '../hex';
+import { inflated, sha256 as hashOf } from '../base/bytes';
+import { messageOf } from '../base/errors';
 import type { Band, FileData } from './messages';
 
 /** Content of a file, checked against the manifest's size and hash. */
@@ -16,37 +17,14 @@ export async function contentOf(file: FileData): Promise<Uint8Array<ArrayBuffer>
   return new Uint8Array(data);
 }
 
-/** Message of an error. */
-export function reasonOf(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
-}
-
-/** Decompresses a zlib stream to at most `most` bytes. */
-export async function inflated(name: string, data: Uint8Array<ArrayBuffer>, most: number): Promise<Uint8Array> {
-  const parts: Uint8Array[] = [];
-  let size = 0;
+/** Content of a compressed file; throws an error if it has more than `most` bytes. */
+export async function inflatedFile(file: FileData, most: number): Promise<Uint8Array> {
+  const content = await contentOf(file);
   try {
-    const stream = new Blob([data]).stream().pipeThrough(new DecompressionStream('deflate'));
-    for (const reader = stream.getReader(); ; ) {
-      const { done, value } = await reader.read();
-      if (done) break;
-      parts.push(value);
-      size += value.length;
-      if (size > most) {
-        await reader.cancel();
-        throw new Error(`more than ${most} bytes`);
-      }
-    }
+    return await inflated(content, most);
   } catch (error) {
-    throw new Error(`${name}: expected compressed ranges, got ${reasonOf(error)}`);
+    throw new Error(`${file.name}: expected compressed ranges, got ${messageOf(error)}`);
   }
-  const whole = new Uint8Array(size);
-  let place = 0;
-  for (const part of parts) {
-    whole.set(part, place);
-    place += part.length;
-  }
-  return whole;
 }
 
 /** Greatest number of texels of a picture: 8192². */
@@ -93,13 +71,19 @@ export async function pixelsOf(file: FileData, width: number, height: number): P
     throw new Error(`${file.name}: expected ${width} × ${height} pixels, got ${found[0]} × ${found[1]}`);
   }
   const bitmap = await pictureOf(file.name, data);
+  return new Uint8Array(rgbaOf(bitmap).buffer);
+}
+
+/** RGBA of a picture, which is closed; opaque pictures are read without loss. */
+export function rgbaOf(image: ImageBitmap): Uint8ClampedArray {
+  const { width, height } = image;
   try {
     const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
-    if (!context) throw new Error(`${file.name}: the browser cannot read pictures here`);
-    context.drawImage(bitmap, 0, 0);
-    return new Uint8Array(context.getImageData(0, 0, width, height).data.buffer);
+    if (!context) throw new Error('the browser gives workers no canvas, by which they read pictures');
+    context.drawImage(image, 0, 0);
+    return context.getImageData(0, 0, width, height).data;
   } finally {
-    bitmap.close();
+    image.close();
   }
 }
 

@@ -1,6 +1,7 @@
 /** Decodes the geometry of a ring, or of dynamic objects, into pieces, each drawn by one call. */
+import { messageOf } from '../base/errors';
 import type { Point } from '../bundle/manifest';
-import { contentOf, pictureOf, reasonOf } from './files';
+import { contentOf, pictureOf } from './files';
 import { entries, entryAt, type Glb, openGlb } from './glb';
 import type { FileData, GeometryRequest, Piece, Triangles } from './messages';
 import { chopped } from './pieces';
@@ -40,7 +41,7 @@ export async function decodeGeometry(request: GeometryRequest, kept: Buffers): P
     const triangles = { own: own.reduce((sum, n) => sum + n, 0), drawn: drawn.reduce((sum, n) => sum + n, 0) };
     return { pieces, images: await imagesOf(glb, parts, request.known), triangles };
   } catch (error) {
-    const reason = reasonOf(error);
+    const reason = messageOf(error);
     throw new Error(reason.startsWith(FOLDER) ? reason : `${name}: ${reason}`);
   }
 }

@@ -247,7 +247,7 @@ const FILTERS: ReadonlyMap<string, Strides> = new Map([
   ['EXPONENTIAL', (stride: number) => stride % 4 === 0],
 ]);
 
-export async function decompressed(source: Uint8Array, { count, byteStride, mode, filter = 'NONE' }: Compression) {
+async function decompressed(source: Uint8Array, { count, byteStride, mode, filter = 'NONE' }: Compression) {
   const isSized = isCount(count) && isCount(byteStride) && byteStride > 0;
   const size = count * byteStride;
   if (!isSized || size > Math.min(MAX_ARRAY_BYTES, MIN_BYTES + MAX_GROWTH * source.length)) {
@@ -269,6 +269,6 @@ export async function decompressed(source: Uint8Array, { count, byteStride, mode
   return target;
 }
 
-export function isCount(value: unknown): value is number {
+function isCount(value: unknown): value is number {
   return Number.isSafeInteger(value) && (value as number) >= 0;
 }

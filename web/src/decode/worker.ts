@@ -1,5 +1,6 @@
 /** Worker that decodes geometry and maps, one request after the other. */
-import { bandsOf, reasonOf } from './files';
+import { messageOf } from '../base/errors';
+import { bandsOf } from './files';
 import { type Buffers, decodeGeometry } from './geometry';
 import { createMaps, type Maps } from './maps';
 import type {
@@ -34,7 +35,7 @@ async function answer(job: Job): Promise<void> {
     const result = await work(job);
     post({ id: job.id, result }, transferred(result));
   } catch (error) {
-    post({ id: job.id, error: reasonOf(error) }, []);
+    post({ id: job.id, error: messageOf(error) }, []);
   }
 }
 

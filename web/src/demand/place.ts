@@ -160,7 +160,7 @@ export interface Awaited<T> {
   failed(reason: unknown): void;
 }
 
-export function createAwaited<T>(): Awaited<T> {
+function createAwaited<T>(): Awaited<T> {
   let now: T | null = null;
   let [done, failed] = [(_: T): void => undefined, (_: unknown): void => undefined];
   const promise = new Promise<T>((resolve, reject) => {

@@ -1,10 +1,11 @@
 /** Requests something that a server makes on demand, and reads the JSON lines of its answer. */
+import { chunksOf } from '../base/bytes';
+import { messageOf } from '../base/errors';
 import { BundleError, type Kind } from '../bundle/error';
 import { parseJson } from '../bundle/parse';
+import { PAUSES } from '../bundle/source';
 import type { Network } from '../bundle/transfer';
 
-/** Pauses before each retry of an unreachable server, seconds. */
-const PAUSES = [0.5, 1, 2, 4] as const;
 /** Default and greatest pause before a busy server is asked again, seconds. */
 const [LATER, LATEST] = [2, 60] as const;
 /** Status codes of a busy server: too many requests of this client, or of all clients. */
@@ -27,7 +28,7 @@ export async function ask(
     let pause: number | undefined;
     if (!(response instanceof Response)) {
       pause = PAUSES[trial++];
-      const reason = response instanceof Error ? response.message : String(response);
+      const reason = messageOf(response);
       if (pause === undefined) throw new BundleError(`the server cannot be reached: ${reason}`, 'network');
     } else if (BUSY.includes(response.status)) {
       pause = pauseOf(response);
@@ -52,17 +53,14 @@ async function reasonOf(response: Response): Promise<string> {
 
 /** Yields each line's document as soon as it is complete; rejects lines longer than `most` characters. */
 export async function* linesOf(name: string, response: Response, most: number): AsyncGenerator<unknown> {
-  const reader = response.body?.getReader();
-  if (!reader) return;
   const decoder = new TextDecoder();
   let rest = '';
-  for (;;) {
-    const { done, value } = await reader.read();
-    const pieces = (rest + decoder.decode(value, { stream: !done })).split('\n');
+  for await (const chunk of chunksOf(response.body)) {
+    const pieces = (rest + decoder.decode(chunk, { stream: true })).split('\n');
     rest = pieces.pop() ?? '';
     for (const piece of pieces) yield parseJson(name, piece);
     if (rest.length > most) throw new BundleError(`${name}: expected lines of at most ${most} characters`);
-    if (done) break;
   }
+  rest += decoder.decode();
   if (rest !== '') yield parseJson(name, rest);
 }

@@ -1,5 +1,5 @@
 /** Flying along the view, sideways, up and down, at a speed proportional to the height; the pose at the start. */
-import { createKeys, type Drive, isElsewhere, readPads, together } from '../control/drive';
+import { browserPads, createKeys, type Drive, isElsewhere, readPads, together } from '../control/drive';
 import { createPointers, type Thumb } from '../control/pointers';
 import { addScaled, ahead, bounded, type Pose, rightOf, STEEPEST, type Vector } from '../control/pose';
 import type { Layout } from './store/layout';
@@ -87,7 +87,7 @@ export function createFly(
     },
     update(seconds) {
       const spent = seconds > 0 ? Math.min(seconds, LONGEST) : 0;
-      const wishes = together(keys.drive, pointers.drive, readPads(padsOf()));
+      const wishes = together(keys.drive, pointers.drive, readPads(browserPads()));
       const rise = Math.sign([...held].reduce((sum, code) => sum + (RISE[code] ?? 0), 0));
       const isStill = rise === 0 && [wishes.right, wishes.ahead, wishes.turn, wishes.look].every((part) => part === 0);
       if (!isStill) pose = flown(pose, wishes, rise, power, ground(), spent);
@@ -97,15 +97,6 @@ export function createFly(
       pose = next;
     },
   };
-}
-
-function padsOf(): readonly (Gamepad | null)[] {
-  // Pages without https, or with a policy against gamepads, throw here.
-  try {
-    return navigator.getGamepads?.() ?? [];
-  } catch {
-    return [];
-  }
 }
 
 /** Distance from the centre in widths of the world, and downward angle of the view, radians. */

@@ -1,6 +1,8 @@
 /** Page for flying through a tree of orthoviews. */
+import { messageOf } from '../base/errors';
 import { type Pose, readLink, writeLink } from '../control/pose';
 import { createMeter } from '../show/meter';
+import { find } from '../ui/dom';
 import { showFatal, showProblems } from '../ui/messages';
 import { createThumbMark } from '../ui/overlays';
 import { cameraOf } from './cut/camera';
@@ -37,7 +39,7 @@ declare global {
 
 function main(): void {
   const query = new URLSearchParams(location.search);
-  const [canvas, root] = [element('canvas', HTMLCanvasElement), element('#ui', HTMLElement)];
+  const [canvas, root] = [find('canvas', HTMLCanvasElement), find('#ui', HTMLElement)];
   const isSmall = Math.min(screen.width, screen.height) < 600;
   const meter = createMeter();
   const fatal = ({ kind, message }: Failure): void => {
@@ -192,15 +194,9 @@ function number(query: URLSearchParams, name: string, usual: number, least: numb
   return Number.isFinite(value) ? Math.min(Math.max(value, least), greatest) : usual;
 }
 
-function element<T extends HTMLElement>(selector: string, kind: abstract new () => T): T {
-  const found = document.querySelector(selector);
-  if (!(found instanceof kind)) throw new Error(`the page has no ${selector}`);
-  return found;
-}
-
 try {
   main();
 } catch (reason) {
   const { title, text } = FATAL.other;
-  showFatal(title, text, { detail: reason instanceof Error ? reason.message : String(reason) });
+  showFatal(title, text, { detail: messageOf(reason) });
 }

@@ -1,5 +1,5 @@
 /** WebRTC connection to one other page with one data channel, and the signals that set it up. */
-import { FrameError, Reader, Writer } from '../rooms/bytes';
+import { FrameError, Reader, textOf, Writer } from '../rooms/bytes';
 import { type Clock, createBucket } from '../rooms/clock';
 import type { Line } from './peer';
 
@@ -91,7 +91,7 @@ export function readSignal(payload: Uint8Array): Signal {
   const kind = KINDS[reader.u8()];
   if (!kind) throw new FrameError('a signal is of no kind that there is');
   const attempt = reader.u32();
-  const sdp = textOf(reader.rest(MAX_BYTES));
+  const sdp = textOf(reader.rest(MAX_BYTES), 'a description is no text');
   if (kind === 'no' ? sdp !== '' : !isDescription(sdp)) throw new FrameError('a signal describes no channel for data');
   return { kind, attempt, sdp: withFewAddresses(sdp) };
 }
@@ -122,14 +122,6 @@ function withFewAddresses(sdp: string): string {
     return OWN.test(line) && ++count <= MAX_ADDRESSES;
   });
   return lines.join('\n');
-}
-
-function textOf(bytes: Uint8Array): string {
-  try {
-    return new TextDecoder('utf-8', { fatal: true }).decode(bytes);
-  } catch {
-    throw new FrameError('a description is no text');
-  }
 }
 
 /** Bytes per second and burst, below the limits of docs/rooms.md; least bytes that a signal counts for. */

@@ -1,5 +1,6 @@
 /** Conditions for exchanging files between pages of a room: server, user and browser must allow it. */
 import type { About } from '../rooms/server';
+import { onStorage } from '../rooms/ticket';
 
 /** Key of the choice in the storage; without an entry files are exchanged. */
 const KEY = 'nearfar peers';
@@ -10,23 +11,15 @@ export interface Choice {
 }
 
 export function createChoice(storage: () => Storage = () => localStorage): Choice {
-  /** Accesses the storage, which browsers may forbid; the choice then holds for this page only. */
-  function attempt<Result>(action: (storage: Storage) => Result): Result | null {
-    try {
-      return action(storage());
-    } catch {
-      return null;
-    }
-  }
-
-  let isOn = attempt((found) => found.getItem(KEY)) !== 'off';
+  // Without a storage the choice holds for this page only.
+  let isOn = onStorage(storage, (found) => found.getItem(KEY)) !== 'off';
   return {
     get isOn() {
       return isOn;
     },
     set(wanted) {
       isOn = wanted;
-      attempt((found) => (wanted ? found.removeItem(KEY) : found.setItem(KEY, 'off')));
+      onStorage(storage, (found) => (wanted ? found.removeItem(KEY) : found.setItem(KEY, 'off')));
     },
   };
 }

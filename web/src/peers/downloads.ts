@@ -1,7 +1,7 @@
 /** Files requested from another page. Time is counted in ticks, so that a suspended page does not blame others. */
 import type { Described } from '../bundle/manifest';
 import type { Received } from '../bundle/source';
-import { sha256 } from '../hex';
+import { sha256 } from '../base/bytes';
 import { type Message, PART } from './messages';
 
 /** Seconds per tick. */

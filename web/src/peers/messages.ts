@@ -1,5 +1,5 @@
 /** Binary messages between two pages. docs/peers.md has a table of every field. */
-import { bytesOf, hexOf } from '../hex';
+import { bytesOf, hexOf } from '../base/bytes';
 import { FrameError, Reader, Writer } from '../rooms/bytes';
 
 /** Bytes per part of a file; the last part may be shorter. */
@@ -11,7 +11,7 @@ const KEY = 32;
 /** Bytes of the header: message kind and request number. */
 const HEAD = 5;
 /** Greatest size of a message, bytes. */
-export const MAX_BYTES = HEAD + PART;
+const MAX_BYTES = HEAD + PART;
 
 /** State of a file on a page: present, being received from the server, or neither. */
 export type Holding = 'here' | 'coming' | 'gone';

@@ -3,12 +3,13 @@
  * connected pages that want a file requests it from the server. There is no circular waiting: a page asks another one
  * only if that one has the file, is receiving it from the server, or precedes it by weight.
  */
+import { LruCache } from '../base/cache';
+import { abortable } from '../base/errors';
 import type { Described } from '../bundle/manifest';
 import type { Received, Serve } from '../bundle/source';
-import { sha256 } from '../hex';
+import { sha256 } from '../base/bytes';
 import type { Answer } from './downloads';
 import type { Peer } from './peer';
-import type { Store } from './store';
 import type { Shelf } from './uploads';
 
 /**
@@ -21,7 +22,8 @@ const LATER = { patience: 4, longest: 10, slowest: 65_536 } as const;
 const MAX_TIMED_OUT_USERS = 2;
 
 export interface ShareSettings {
-  readonly store: Store;
+  /** Contents that the page can give to others, by key; browsers may keep blobs on disk. */
+  readonly store: LruCache<Blob>;
   readonly described: (name: string) => Described | undefined;
   /** Names of the files that the page shows or will show. */
   readonly wanted: () => Iterable<string>;
@@ -78,7 +80,7 @@ export function createShare(settings: ShareSettings): Share {
 
   async function fromOthers(file: Described, signal: AbortSignal, received: Received): Promise<ArrayBuffer | null> {
     const { sha256: key } = file;
-    if (!peers().some((peer) => peer.holds(key) !== 'gone')) await waitFor(ready, signal);
+    if (!peers().some((peer) => peer.holds(key) !== 'gone')) await abortable<void>(signal, (done, failed) => void ready.then(done, failed));
     const tried = new Set<number>();
     for (let peer = choosePeer(key, tried); peer; peer = choosePeer(key, tried)) {
       tried.add(peer.number);
@@ -108,7 +110,7 @@ export function createShare(settings: ShareSettings): Share {
   }
 
   function keep(key: string, data: ArrayBuffer): void {
-    const gone = store.add(key, data);
+    const gone = data.byteLength > store.maxBytes ? [] : store.add(key, new Blob([data]), data.byteLength);
     for (const peer of peers()) {
       if (gone.length > 0) peer.tell('gone', gone);
       if (store.has(key)) peer.tell('here', [key]);
@@ -144,7 +146,7 @@ export function createShare(settings: ShareSettings): Share {
       // The server's path reports files that are not listed.
       if (!file || file.bytes === 0) return serve(name, signal, received);
       const { sha256: key } = file;
-      const held = await store.find(key)?.arrayBuffer().catch(() => null);
+      const held = await store.get(key)?.arrayBuffer().catch(() => null);
       if (held) {
         received(held.byteLength);
         return held;
@@ -162,7 +164,7 @@ export function createShare(settings: ShareSettings): Share {
       peer.tell('here', store.keys);
     },
     shelf: {
-      find: store.find,
+      find: (key) => store.get(key) ?? null,
       sizeOf: (key) => Math.max(coming.get(key) ?? 0, 0),
       obtain(key) {
         if (coming.has(key)) return true;
@@ -179,24 +181,9 @@ export function createShare(settings: ShareSettings): Share {
   };
 }
 
-/** Waits for a promise, or until the signal aborts. */
-async function waitFor(awaited: Promise<void>, signal: AbortSignal): Promise<void> {
-  signal.throwIfAborted();
-  let stop = (): void => undefined;
-  const stopped = new Promise<never>((_, failed) => {
-    stop = () => failed(signal.reason as Error);
-    signal.addEventListener('abort', stop, { once: true });
-  });
-  try {
-    await Promise.race([awaited, stopped]);
-  } finally {
-    signal.removeEventListener('abort', stop);
-  }
-}
-
 /** Weight of a user for a file in rendezvous hashing, by which all users agree on the one that requests the file from the
  * server. The key is a SHA-256 in hexadecimal digits; the greatest weight wins. */
-export function weightOf(user: number, key: string): number {
+function weightOf(user: number, key: string): number {
   return mixed(mixed(user + 1) ^ parseInt(key.slice(0, 8), 16));
 }
 

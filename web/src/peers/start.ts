@@ -1,4 +1,5 @@
 /** Exchange of files between pages of a room; the server relays signals and sends files that no page has. */
+import { LruCache } from '../base/cache';
 import type { Described } from '../bundle/manifest';
 import type { Files } from '../bundle/source';
 import { CLOCK } from '../rooms/clock';
@@ -10,9 +11,10 @@ import { TICK } from './downloads';
 import { createMesh } from './mesh';
 import { createPeer, type Peer } from './peer';
 import { type Counts, createShare } from './share';
-import { createStore } from './store';
 import { createBudget } from './uploads';
 
+/** Greatest number of bytes of contents for others. */
+const MAX_STORED_BYTES = 64 * 2 ** 20;
 /** Ticks per second. */
 const SECOND = Math.round(1 / TICK);
 
@@ -55,7 +57,7 @@ export interface Peers {
 export function startPeers({ query, ask, files, wanted, isFirst, signal }: PeersSettings): Peers {
   const clock = CLOCK;
   const peers = new Map<number, Peer>();
-  const store = createStore();
+  const store = new LruCache<Blob>(MAX_STORED_BYTES);
   const outbox = createOutbox(signal, clock);
   const budget = createBudget(clock.now);
   const choice = createChoice();

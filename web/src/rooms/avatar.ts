@@ -114,7 +114,7 @@ export interface Label {
   readonly ratio: number;
 }
 
-export function createLabel(name: string, color: Color): Label {
+function createLabel(name: string, color: Color): Label {
   const canvas = document.createElement('canvas');
   const pen = canvas.getContext('2d');
   const letters = [...name];

@@ -1,5 +1,5 @@
 /** Card of the users in the room: names, buttons that mute pointers, the state of the connection, and arrivals. */
-import { copyText, icon, make, write } from '../ui/dom';
+import { button, copyText, icon, make, write } from '../ui/dom';
 import { bytes, milliseconds } from '../ui/format';
 import { shownName } from './address';
 import type { State } from './connection';
@@ -51,8 +51,8 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
   // Without a role: screen readers would announce each change.
   const [figure, source] = [make('p', { class: 'here-words' }), make('p', { class: 'here-words' })];
   const exchange = createExchange(commands.exchange);
-  const [again, copy] = [action('Join again', commands.retry), action('Copy link', () => void share())];
-  const leave = action('Leave', () => {
+  const [again, copy] = [button('Join again', 'button-main', commands.retry), button('Copy link', 'button-main', () => void share())];
+  const leave = button('Leave', 'button-main', () => {
     commands.leave();
     // The button is hidden now.
     chip.focus();
@@ -71,10 +71,10 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
   const corner = make('div', { class: 'here-corner' }, chip, card);
   const title = 'Hold to point at the middle of the picture (E at the cursor)';
   const text = make('span', { class: 'tool-label' }, 'Point');
-  const button = make('button', { type: 'button', class: 'tool', title, 'aria-keyshortcuts': 'E' }, icon(POINT), text);
+  const point = make('button', { type: 'button', class: 'tool', title, 'aria-keyshortcuts': 'E' }, icon(POINT), text);
   root.querySelector('.top')?.append(corner);
   const bar = root.querySelector('.tools');
-  bar?.append(button);
+  bar?.append(point);
   bar?.classList.add('tools-many');
   chip.addEventListener('click', () => open(card.hidden !== false));
   open(false);
@@ -108,7 +108,7 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
   }
 
   return {
-    button,
+    button: point,
     update(state, room) {
       const isHere = state.kind === 'here';
       write(chip, isHere ? `${room.guests.length + 1} here` : state.kind === 'joining' ? 'Joining' : 'Not connected');
@@ -131,7 +131,7 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
       write(chip, 'No room');
       write(words, reason);
       chip.dataset['wrong'] = words.dataset['wrong'] = 'true';
-      for (const each of [again, leave, copy, button]) each.hidden = true;
+      for (const each of [again, leave, copy, point]) each.hidden = true;
       commands.announce(reason);
       open(true);
     },
@@ -189,12 +189,6 @@ function createExchange(set: (isOn: boolean) => void): Exchange {
       write(text, `Exchange files with others here, who see the address of this device${when}`);
     },
   };
-}
-
-function action(text: string, run: () => void): HTMLButtonElement {
-  const made = make('button', { type: 'button', class: 'button-main' }, text);
-  made.addEventListener('click', run);
-  return made;
 }
 
 function wordsOf(state: State): string {

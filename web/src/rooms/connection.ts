@@ -242,7 +242,7 @@ export interface RoundTrips {
   forget(): void;
 }
 
-export function createRoundTrips(): RoundTrips {
+function createRoundTrips(): RoundTrips {
   const open = new Map<number, number>();
   let last = -Infinity;
   let kept: number[] = [];

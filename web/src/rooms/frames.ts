@@ -1,5 +1,5 @@
 /** Binary frames of rooms: kind, length of the body, and body. docs/rooms.md has a table of every field. */
-import { FrameError, Reader, Writer } from './bytes';
+import { FrameError, Reader, textOf, Writer } from './bytes';
 import { type Pose, readPose, writePose } from './pose';
 
 /** Protocol version of all frames. */
@@ -137,12 +137,4 @@ function checkedName(name: string): string {
   if (new TextEncoder().encode(name).length > NAME) throw new FrameError('a name is too long');
   if (HIDDEN.test(name)) throw new FrameError('a name has characters that control or format text');
   return name;
-}
-
-function textOf(bytes: Uint8Array, sentence: string): string {
-  try {
-    return new TextDecoder('utf-8', { fatal: true, ignoreBOM: true }).decode(bytes);
-  } catch {
-    throw new FrameError(sentence);
-  }
 }

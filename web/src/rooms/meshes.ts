@@ -96,12 +96,7 @@ export function createShapes(): Shapes {
 }
 
 function pointer(): BufferGeometry {
-  const [places, corners]: [number[], number[]] = [[], []];
-  for (let piece = 0; piece <= PIECES; piece++) {
-    places.push(piece / PIECES, -1, 0, piece / PIECES, 1, 0);
-    const first = 2 * piece;
-    if (piece < PIECES) corners.push(first, first + 1, first + 2, first + 2, first + 1, first + 3);
-  }
+  const { places, corners } = ribbon(PIECES, -1);
   const middle = places.length / 3;
   places.push(2, 0, 0);
   for (let corner = 0; corner < CORNERS; corner++) {
@@ -109,10 +104,31 @@ function pointer(): BufferGeometry {
     places.push(2, Math.cos(angle), Math.sin(angle));
     corners.push(middle, middle + 1 + corner, middle + 1 + ((corner + 1) % CORNERS));
   }
-  const made = new BufferGeometry();
-  made.setAttribute('position', new BufferAttribute(new Float32Array(places), 3));
-  made.setIndex(corners);
-  return made;
+  return geometryOf({ places, corners });
+}
+
+/** Vertices, three numbers each, and the corners of triangles. */
+export interface Triangles {
+  readonly places: number[];
+  readonly corners: number[];
+}
+
+/** Ribbon in pieces: x is the share of its length; y is `low` on one side and 1 on the other. */
+export function ribbon(pieces: number, low: number): Triangles {
+  const [places, corners]: [number[], number[]] = [[], []];
+  for (let piece = 0; piece <= pieces; piece++) {
+    places.push(piece / pieces, low, 0, piece / pieces, 1, 0);
+    const first = 2 * piece;
+    if (piece < pieces) corners.push(first, first + 1, first + 2, first + 2, first + 1, first + 3);
+  }
+  return { places, corners };
+}
+
+export function geometryOf({ places, corners }: Triangles): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array(places), 3));
+  geometry.setIndex(corners);
+  return geometry;
 }
 
 export interface Ray {

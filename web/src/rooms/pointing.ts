@@ -9,7 +9,7 @@ import type { HandRay } from '../xr/hands';
 import type { FromServer } from './frames';
 import type { Hold, Place } from './hold';
 import { type Body, FARTHEST, type Placed, rotationAlong, rotationOf } from './pose';
-import { pointShownAt } from './unmorph';
+import { type Morph, pointShownAt } from './unmorph';
 
 /** Seconds between two updates of the pointer's target: each waits for the GPU. */
 const EVERY = 1 / 36;
@@ -58,7 +58,7 @@ export interface Activity extends Guests {
 const [RIGHT, DOWN, AHEAD] = [0.22, 0.28, 0.4] as const;
 
 /** Body of a user at a screen: a head, and a right hand with a pointer to the target while pointing. */
-export function atScreen(pose: Pose, target: Vector | null): Body {
+function atScreen(pose: Pose, target: Vector | null): Body {
   const head: Placed = { position: pose.position, rotation: rotationOf(pose.yaw, pose.pitch) };
   if (!target) return { head, left: null, right: null, pointer: null };
   const side = addScaled(pose.position, rightOf(pose.yaw), RIGHT);
@@ -72,7 +72,7 @@ export function atScreen(pose: Pose, target: Vector | null): Body {
  * Body of a user in a headset: a head, the tracked hands, and a pointer from the first pointing hand; if the user
  * always points, from the right hand or any other.
  */
-export function inHeadset(
+function inHeadset(
   pose: Pose,
   hands: readonly HandRay[],
   isAlways: boolean,
@@ -93,28 +93,32 @@ export function inHeadset(
 }
 
 /** Metres to points without a range, from the centre, and length of a pointer that hits nothing. */
-export const NOTHING_HIT = 100;
+const NOTHING_HIT = 100;
 /** Multiple of the morph's radius within which the map shows nothing. */
 const BEYOND = 2;
+
+/** Current morph of the picture, and the centre that it is relative to. */
+export function morphOf({ facts }: Viewer, nearShare: number, pose: Pose): { readonly center: Vector; readonly morph: Morph } {
+  const { radius, strength } = facts.shown?.grown ?? { radius: 0, strength: 0 };
+  const center: Vector = facts.entry?.center ?? pose.position;
+  return { center, morph: { user: minus(pose.position, center), inner: nearShare * radius, radius, strength } };
+}
 
 /**
  * Computes the world point behind a place of the picture: a point of near geometry, with the morph inverted except left
  * of the divider, where nothing is morphed; or a point of the map, by its range from the centre.
  */
-export function targetAt(viewer: Viewer, nearShare: number, pose: Pose, [x, y]: Place): Vector {
-  const { shown, entry } = viewer.facts;
-  const { radius, strength } = shown?.grown ?? { radius: 0, strength: 0 };
-  const center: Vector = entry?.center ?? pose.position;
+function targetAt(viewer: Viewer, nearShare: number, pose: Pose, [x, y]: Place): Vector {
+  const { center, morph } = morphOf(viewer, nearShare, pose);
   const seen = viewer.pointAt(x, y);
   if (seen && !viewer.isMorphedAt(x)) return seen;
   if (seen) {
-    const morph = { user: minus(pose.position, center), inner: nearShare * radius, radius, strength };
     const found = pointShownAt(minus(seen, pose.position), morph);
     return found ? addScaled(center, found, 1) : seen;
   }
   const { camera, renderer, shared } = viewer;
-  const direction = directionTo(pose, [x, y], Math.tan((camera.fov * Math.PI) / 360), camera.aspect);
-  const range = rangeIn(renderer, shared, direction) ?? Math.max(NOTHING_HIT, BEYOND * radius);
+  const direction = directionTo(pose, [x, y], camera);
+  const range = rangeIn(renderer, shared, direction) ?? Math.max(NOTHING_HIT, BEYOND * morph.radius);
   return addScaled(center, direction, range);
 }
 
@@ -140,7 +144,7 @@ export function texelOf([x, y, z]: Vector, size: number): Texel {
 }
 
 /** Returns the range in metres from the centre in the last picture's map; null if there is none. */
-export function rangeIn(renderer: WebGLRenderer, { codes, coding }: Shared, direction: Vector): number | null {
+function rangeIn(renderer: WebGLRenderer, { codes, coding }: Shared, direction: Vector): number | null {
   const { x: least, y: step, z: size, w: hasRange } = coding.value;
   const { __webglTexture: texture } = renderer.properties.get(codes.value) as { __webglTexture?: WebGLTexture };
   if (hasRange === 0 || !texture) return null;

@@ -12,7 +12,7 @@ export interface Placed {
 }
 
 /** Origins of a pointer's ray, in the order of their codes. */
-export const BEGINS = ['head', 'left', 'right'] as const;
+const BEGINS = ['head', 'left', 'right'] as const;
 export type Begin = (typeof BEGINS)[number];
 
 /** Pointer along −z of its origin. */

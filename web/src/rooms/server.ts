@@ -1,5 +1,5 @@
 /** Server of a room: its description, sockets to it, and its reasons for the end of a connection. */
-import { bytesOf } from '../hex';
+import { bytesOf } from '../base/bytes';
 
 /** Hexadecimal digits of a SHA-256. */
 const HASH = /^[0-9a-f]{64}$/;
@@ -100,6 +100,8 @@ const REASON = {
   replaced: 9,
   ending: 10,
 } as const;
+/** WebSocket close code of a broken connection. */
+export const BROKEN = 1006;
 /** Offset from a reason's code to its WebSocket close code. */
 const OWN = 4000;
 

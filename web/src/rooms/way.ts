@@ -1,12 +1,10 @@
 /** Choice of the transport to rooms: datagrams if both sides support them, else a WebSocket. */
 import { CLOCK, type Clock } from './clock';
 import { openDatagrams } from './datagrams';
-import { type Ask, type Datagrams, type Listener, type Open, openSocket, type Socket } from './server';
+import { type Ask, BROKEN, type Datagrams, type Listener, type Open, openSocket, type Socket } from './server';
 
 /** Seconds for which datagrams are not tried again after a failure. */
 const FORGETS = 60;
-/** WebSocket close code of a broken connection. */
-const BROKEN = 1006;
 
 export interface Ways {
   /** Returns the server's endpoint for datagrams; null for none. */

@@ -1,8 +1,8 @@
 /** Shaders of near geometry and of the map. All positions are relative to the centre O in metres, y up. */
-import { IRRADIANCE, SRGB } from './light';
+import { IRRADIANCE, LEVEL_OF, SHADING_NORMAL, SRGB } from './light';
 import { MORPH } from './morph';
 
-export const PRECISION = /* glsl */ `
+const PRECISION = /* glsl */ `
 precision highp float;
 precision highp int;
 precision highp samplerCube;
@@ -169,41 +169,22 @@ bool is_hidden() {
 }
 
 ${IRRADIANCE}
-// The face's normal towards the viewer; the vertices' one on its side.
-vec3 shading_normal() {
-  vec3 face = cross(dFdx(v_point), dFdy(v_point));
-  float size = length(face);
-  vec3 toward = -normalize(v_shown);
-  face = size > 0.0 ? face / size : toward;
-  face = dot(face, toward) < 0.0 ? -face : face;
-#ifdef SMOOTH
-  float long_normal = length(v_normal);
-  if (long_normal > 0.0) {
-    vec3 n = v_normal / long_normal;
-    return dot(n, face) < 0.0 ? -n : n;
-  }
-#endif
-  return face;
-}
-
-#ifdef MAPPED
-// The level at which a texel is as large as a pixel, by areas.
-float level_of(ivec2 size) {
-  vec2 dx = dFdx(v_uv) * vec2(size);
-  vec2 dy = dFdy(v_uv) * vec2(size);
-  return 0.5 * log2(max(abs(dx.x * dy.y - dx.y * dy.x), 1e-30));
-}
-#endif
-
+${SHADING_NORMAL}
+${LEVEL_OF}
 void main() {
 #ifdef TEXTURED
-  float level = level_of(textureSize(image, 0));
+  float level = level_of(textureSize(image, 0), dFdx(v_uv), dFdy(v_uv));
 #endif
 #ifdef GLOWING
-  float glow_level = level_of(textureSize(glow, 0));
+  float glow_level = level_of(textureSize(glow, 0), dFdx(v_uv), dFdy(v_uv));
 #endif
 #ifndef UNLIT
-  vec3 normal = shading_normal();
+#ifdef SMOOTH
+  vec3 own = v_normal;
+#else
+  vec3 own = vec3(0.0);
+#endif
+  vec3 normal = shading_normal(cross(dFdx(v_point), dFdy(v_point)), -normalize(v_shown), own);
 #endif
   if (is_hidden()) {
     discard;

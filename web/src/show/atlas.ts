@@ -1,4 +1,5 @@
 /** Open regions: their loaded data, and the picture that each would show. */
+import { abortable } from '../base/errors';
 import { bytesOf, type Coming, filesOfRegion } from '../bundle/contents';
 import type { RingEntry } from '../bundle/manifest';
 import type { Kept } from '../decode/messages';
@@ -82,8 +83,7 @@ export function createAtlas({ world, loading, manner, failed }: AtlasSettings): 
   }
 
   function turn(region: number, signal: AbortSignal): Promise<void> {
-    return new Promise((done, refuse) => {
-      signal.addEventListener('abort', () => refuse(signal.reason as Error), { once: true });
+    return abortable<void>(signal, (done) => {
       waiting.push({ region, done });
       call();
     });

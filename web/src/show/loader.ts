@@ -1,17 +1,11 @@
 /** Loading of a region ring by ring: maps and geometry. Each ring is shown when all of it is on the GPU. */
-import type { WebGLRenderer } from 'three';
 import { filesOfRing } from '../bundle/contents';
 import type { MapEntry, MapLayout, RangeScale, Sharper } from '../bundle/manifest';
 import type { Fetch } from '../bundle/source';
 import type { FileData, FirstMapRequest, Geometry, MapUpdate } from '../decode/messages';
-import type { Store } from './buffers';
-import type { Decoder } from './decoder';
 import { type Course, createAhead, fileOf, filesOf, type Job, type Loading } from './job';
-import type { PieceMesh } from './pieces';
-import type { Programs } from './programs';
-import { complete, partSteps, type Region, turnOf } from './region';
+import { complete, partSteps, turnOf } from './region';
 import { createCube, createPictures, cubeSteps } from './textures';
-import type { Uploads } from './uploads';
 
 /** Loads all rings; while one is decoded and uploaded, files of the next one are prefetched. */
 export async function loadRegion(loading: Loading, course: Course): Promise<void> {
@@ -77,10 +71,10 @@ async function loadGeometry(job: Job, ring: number, name: string, partNames: rea
     if (part.endsWith('.bin')) store.buffers.add(part);
   }
   if (ring === 0) store.buffers.add(name);
-  await receiveParts(job, region, ring, geometry, signal);
+  await receiveParts(job, ring, geometry);
 }
 
-export async function loadFirstMap(job: Job, map: MapEntry): Promise<void> {
+async function loadFirstMap(job: Job, map: MapEntry): Promise<void> {
   const { manifest, region, renderer, signal, uploads } = job;
   const update = await job.maps(firstRequest(job, manifest.map, region.entry.range, await filesOf(job, map.color)));
   signal.throwIfAborted();
@@ -88,7 +82,7 @@ export async function loadFirstMap(job: Job, map: MapEntry): Promise<void> {
 }
 
 /** Loads a ring's changes of the previous map, or a whole map. */
-export async function loadMap(job: Job, ring: number, { tiles, color, range }: MapEntry): Promise<void> {
+async function loadMap(job: Job, ring: number, { tiles, color, range }: MapEntry): Promise<void> {
   const { manifest, maps, number, region, renderer, signal, uploads } = job;
   const [pictures, codes] = await Promise.all([filesOf(job, color), filesOf(job, range)]);
   const isWhole = Array.isArray(color);
@@ -123,7 +117,7 @@ function firstRequest(
 }
 
 /** Replaces coarse maps by full-size ones: the worker composes the last ring's map, which is then uploaded. */
-export async function loadSharper(job: Job, ring: number, { layout, maps, range }: Sharper): Promise<void> {
+async function loadSharper(job: Job, ring: number, { layout, maps, range }: Sharper): Promise<void> {
   const { region, renderer, signal, uploads } = job;
   const [first, ...changes] = maps;
   if (!first || changes.length === 0) throw new Error('maps of full size: expected those of all rings');
@@ -148,25 +142,9 @@ async function changed(job: Job, ring: number, { tiles, color, range }: MapEntry
   return job.maps({ kind: 'next-map', region: job.number, ring, tiles, color: picture ?? null, range: codes as FileData[], since });
 }
 
-/** Resources for receiving geometry. */
-export interface Receiving {
-  readonly renderer: WebGLRenderer;
-  readonly store: Store;
-  readonly uploads: Uploads;
-  readonly geometry: Decoder;
-  readonly programs: Programs;
-  readonly warm: (meshes: readonly PieceMesh[]) => void;
-}
-
 /** Adds geometry to the group of a ring; it is shown when complete. */
-export async function receiveParts(
-  receiving: Receiving,
-  region: Region,
-  ring: number,
-  { number, parts, samples, triangles }: Geometry,
-  signal: AbortSignal,
-): Promise<void> {
-  const { renderer, store, uploads, geometry, programs, warm } = receiving;
+async function receiveParts(job: Job, ring: number, { number, parts, samples, triangles }: Geometry): Promise<void> {
+  const { renderer, region, store, uploads, geometry, programs, signal, warm } = job;
   const making = { gl: renderer.getContext() as WebGL2RenderingContext, store, warm };
   const pictures = createPictures(renderer, (name, texture) => {
     // Another region may have loaded it meanwhile.

@@ -74,7 +74,7 @@ export function meshesOf(group: Group): PieceMesh[] {
 }
 
 /** Returns the group of a ring. */
-export function groupOf(region: Region, ring: number): Group {
+function groupOf(region: Region, ring: number): Group {
   const group = region.groups[ring];
   if (!group) throw new Error(`there is no ring ${ring}`);
   return group;

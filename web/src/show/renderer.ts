@@ -1,13 +1,19 @@
 /** Renderer of three.js: its graphics context, which may be lost, and the multisampled framebuffer of a headset. */
 import { WebGLRenderer } from 'three';
+import { messageOf } from '../base/errors';
 import { BundleError } from '../bundle/error';
+
+/** Sentence for users whose graphics are lost, until they are restored. */
+export const LOST = 'The browser has taken the graphics away. The picture comes back as soon as they do.';
+/** Greatest duration of a frame in seconds: after a pause of a hidden tab the page continues where it was. */
+export const LONGEST_FRAME = 0.1;
 
 export function createRenderer(canvas: HTMLCanvasElement, antialias: boolean): WebGLRenderer {
   let renderer: WebGLRenderer;
   try {
     renderer = new WebGLRenderer({ canvas, antialias, powerPreference: 'high-performance' });
   } catch (error) {
-    throw new BundleError(error instanceof Error ? error.message : String(error), 'webgl');
+    throw new BundleError(messageOf(error), 'webgl');
   }
   renderer.autoClear = false;
   // A composition layer of a headset lies below.

@@ -141,7 +141,7 @@ const LEARNT = 0.15;
 /** Greatest ratio to the estimate that is learned: longer steps were interrupted. */
 const MAX = 4;
 
-export function createCosts(): Costs {
+function createCosts(): Costs {
   const known = new Map<StepKind, number>();
   const unit = (kind: StepKind): number => known.get(kind) ?? FIRST[kind];
   const units = (bytes: number): number => 1 + bytes / UNIT;

@@ -23,7 +23,7 @@ import type { World } from './world';
 /** Omitted parts when a picture serves to locate near geometry. */
 const NEAR_ALONE = { map: true, guests: true } as const;
 /** Budget in milliseconds per frame for uploads and answers of workers: docs/view.md. */
-export const UPLOAD_BUDGET = 3;
+const UPLOAD_BUDGET = 3;
 export interface Settings extends Manner {
   readonly world: World;
   readonly fetch: Fetch;

@@ -67,7 +67,7 @@ export function apartOf(a: Vector, b: Vector): number {
 }
 
 /** Distance of two centres, and of a place from the border between them, metres; negative beyond the border. */
-export function borderOf(from: Vector, to: Vector, place: Vector): { apart: number; border: number } {
+function borderOf(from: Vector, to: Vector, place: Vector): { apart: number; border: number } {
   const apart = Math.max(apartOf(to, from), 1e-6);
   return { apart, border: (apartOf(to, place) ** 2 - apartOf(from, place) ** 2) / (2 * apart) };
 }

@@ -17,6 +17,20 @@ export function make<Name extends keyof HTMLElementTagNameMap>(
   return made;
 }
 
+/** Creates a button with a label and a class. */
+export function button(label: string, kind: string, action: () => void): HTMLButtonElement {
+  const made = make('button', { type: 'button', class: kind }, label);
+  made.addEventListener('click', action);
+  return made;
+}
+
+/** Finds an element of the document; throws an error if there is none of this kind. */
+export function find<T extends HTMLElement>(selector: string, kind: abstract new () => T): T {
+  const found = document.querySelector(selector);
+  if (!(found instanceof kind)) throw new Error(`the page has no ${selector}`);
+  return found;
+}
+
 const SVG = 'http://www.w3.org/2000/svg';
 
 /** Icon of one path in a square of 24 units, in the colour of the surrounding text. */

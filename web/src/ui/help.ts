@@ -41,7 +41,6 @@ export interface Help {
   toggle(): void;
   /** Adds a section. */
   add(title: string, rows: readonly Row[]): void;
-  dispose(): void;
 }
 
 /** Creates a dialog in `root`; `absent` returns the names of unavailable commands. */
@@ -91,7 +90,6 @@ export function createHelp(root: HTMLElement, absent: () => readonly Name[]): He
     add(title, rows) {
       last.append(part(title, rows));
     },
-    dispose: () => dialog.remove(),
   };
 }
 
@@ -128,10 +126,10 @@ export const SHORTCUTS: Readonly<Record<Name, Shortcut>> = {
   help: { key: '?', label: '?', does: 'show or hide this help' },
 };
 
-/** Runs commands by key until the signal aborts. */
-export function listen(source: EventTarget, run: (name: Name) => void, signal: AbortSignal): void {
+/** Runs commands by key. */
+export function listen(run: (name: Name) => void, keys: EventTarget = window): void {
   const names = new Map(Object.entries(SHORTCUTS).map(([name, { key }]) => [key, name as Name]));
-  source.addEventListener('keydown', (event) => {
+  keys.addEventListener('keydown', (event) => {
     const pressed = event as KeyboardEvent;
     // On some keyboards a command's letter is on a key that moves the user.
     if (isElsewhere(pressed) || pressed.repeat || isMoving(pressed.code)) return;
@@ -139,5 +137,5 @@ export function listen(source: EventTarget, run: (name: Name) => void, signal: A
     if (!name) return;
     pressed.preventDefault();
     run(name);
-  }, { signal });
+  });
 }

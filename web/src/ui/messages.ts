@@ -1,5 +1,5 @@
 /** Error messages: over the whole page, or in a banner above the last valid picture. */
-import { icon, ICONS, make } from './dom';
+import { button, icon, ICONS, make } from './dom';
 
 /** Greatest number of problems in a banner; the others are counted. */
 const MAX = 3;
@@ -93,12 +93,6 @@ export function clearMessage(): void {
   place.replaceChildren();
   delete place.dataset['kind'];
   for (const other of document.querySelectorAll('canvas, [data-behind]')) other.removeAttribute('inert');
-}
-
-function button(label: string, kind: string, action: () => void): HTMLButtonElement {
-  const made = make('button', { type: 'button', class: kind }, label);
-  made.addEventListener('click', action);
-  return made;
 }
 
 /** Permanent element of the page, so that screen readers announce its changes. */

@@ -12,10 +12,8 @@ const BESIDE = 40;
 export const MIDDLE = 0.5;
 
 export interface Divider {
-  /** Share of the picture that is conventional, 0 to 1; null while there is no divider. */
-  readonly share: number | null;
+  /** Sets the share of the picture that is conventional, 0 to 1; null removes the divider. */
   set(share: number | null): void;
-  dispose(): void;
 }
 
 /** Creates a divider; `changed` is called after every change, by the user or by `set`. */
@@ -40,8 +38,7 @@ export function createDivider(root: HTMLElement, changed: (share: number | null)
   );
   const layer = make('div', { class: 'divider-layer', hidden: true }, line);
   root.prepend(layer);
-  const watch = new ResizeObserver(arrange);
-  watch.observe(layer);
+  new ResizeObserver(arrange).observe(layer);
   let share: number | null = null;
 
   function set(next: number | null): void {
@@ -89,16 +86,7 @@ export function createDivider(root: HTMLElement, changed: (share: number | null)
     event.stopPropagation();
   });
 
-  return {
-    get share() {
-      return share;
-    },
-    set,
-    dispose() {
-      watch.disconnect();
-      layer.remove();
-    },
-  };
+  return { set };
 }
 
 /** Returns the new position after a key; null removes the divider, undefined for other keys. */
@@ -120,7 +108,6 @@ export function nextShare(key: string, share: number): number | null | undefined
 
 export interface ThumbMark {
   show(thumb: Thumb | null): void;
-  dispose(): void;
 }
 
 export function createThumbMark(root: HTMLElement): ThumbMark {
@@ -135,7 +122,6 @@ export function createThumbMark(root: HTMLElement): ThumbMark {
       const places = { '--x': x, '--y': y, '--right': right * share, '--down': down * share };
       for (const [name, pixels] of Object.entries(places)) ring.style.setProperty(name, `${pixels}px`);
     },
-    dispose: () => ring.remove(),
   };
 }
 

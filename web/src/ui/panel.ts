@@ -1,4 +1,5 @@
 /** Panel with its buttons and keys. */
+import { messageOf } from '../base/errors';
 import type { Mode } from '../control/controls';
 import { copyText, icon, ICONS, make, saveFile, write } from './dom';
 import { createHelp, listen, type Name, type Row, SHORTCUTS } from './help';
@@ -29,19 +30,10 @@ export interface Panel {
   explain(title: string, rows: readonly Row[]): void;
   /** Shows a mode or divider that was changed outside the panel. */
   reflect(state: { readonly mode?: Mode; readonly isDivided?: boolean }): void;
-  dispose(): void;
-}
-
-export interface PanelSettings {
-  /** Target of key events: the window by default; in a notebook the element around the page. */
-  readonly keys?: EventTarget;
-  readonly isOpen?: boolean;
 }
 
 /** Builds the panel in an element that covers the picture; user actions call `commands`. */
-export function createPanel(root: HTMLElement, commands: Commands, settings: PanelSettings = {}): Panel {
-  const stop = new AbortController();
-  const { keys = window, isOpen = window.matchMedia(ROOMY).matches } = settings;
+export function createPanel(root: HTMLElement, commands: Commands): Panel {
   let isDivided = false;
   let wasRing = -1;
   let wasComplete = false;
@@ -95,14 +87,14 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
     ...(problems ? [] : (['retry'] as const)),
     ...(commands.next ? [] : (['next'] as const)),
   ]);
-  panel.hidden = !isOpen;
+  panel.hidden = !window.matchMedia(ROOMY).matches;
   for (const [name, button] of Object.entries(buttons)) button.addEventListener('click', () => run(name as Name));
-  listen(keys, run, stop.signal);
+  listen(run);
   reflect({ mode: 'walk' });
 
   function run(name: Name): void {
     // Errors of a command are announced, and the next one works.
-    perform(name).catch((reason: unknown) => announce(reason instanceof Error ? reason.message : String(reason)));
+    perform(name).catch((reason: unknown) => announce(messageOf(reason)));
   }
 
   async function perform(name: Name): Promise<void> {
@@ -223,12 +215,6 @@ export function createPanel(root: HTMLElement, commands: Commands, settings: Pan
     announce,
     explain: help.add,
     reflect,
-    dispose() {
-      stop.abort();
-      window.clearTimeout(noteEnds);
-      help.dispose();
-      for (const part of [line, layer, spoken]) part.remove();
-    },
   };
 }
 

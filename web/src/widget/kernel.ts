@@ -1,8 +1,9 @@
 /** Source of files from Python, which may run on another machine that this page cannot reach. */
+import { abortable } from '../base/errors';
 import { BundleError } from '../bundle/error';
 import { parseManifest } from '../bundle/parse';
-import { createShared, createSlots } from '../bundle/requests';
-import type { Received, Source } from '../bundle/source';
+import { createShared } from '../bundle/requests';
+import { type Received, serveListed, type Source } from '../bundle/source';
 import type { Model } from './model';
 
 /** Concurrent requests: Python answers them one after the other. */
@@ -47,20 +48,11 @@ export async function openKernel(model: Model, received: Received, signal: Abort
 
   /** Requests a piece of a file, without a timeout, because a busy kernel answers later. */
   function ask(name: string, start: number, stop: AbortSignal): Promise<Piece> {
-    stop.throwIfAborted();
     const id = `${own}-${++last}`;
-    return new Promise((done, failed) => {
-      const leave = (): void => {
-        waiting.delete(id);
-        failed(stop.reason as Error);
-      };
-      stop.addEventListener('abort', leave, { once: true });
-      const free = (): void => stop.removeEventListener('abort', leave);
-      waiting.set(id, {
-        done: (piece) => (free(), done(piece)),
-        failed: (reason) => (free(), failed(reason)),
-      });
+    return abortable<Piece>(stop, (done, failed) => {
+      waiting.set(id, { done, failed });
       model.send({ kind: 'read', id, name, start });
+      return () => waiting.delete(id);
     });
   }
 
@@ -83,12 +75,7 @@ export async function openKernel(model: Model, received: Received, signal: Abort
 
   const text = await load(MANIFEST, null, signal, () => undefined);
   const manifest = parseManifest(new TextDecoder().decode(text));
-  const slots = createSlots(AT_ONCE);
-  const shared = createShared((name: string, stop, told) => {
-    const bytes = manifest.files[name]?.bytes;
-    if (bytes === undefined) throw new BundleError(`${name}: the manifest does not list this file`);
-    return slots(stop, () => load(name, bytes, stop, told));
-  });
+  const shared = createShared(serveListed((name) => manifest.files[name], AT_ONCE, load));
   return {
     manifest,
     fetch: (name, stop, told = () => undefined) => shared(name, stop, told),

@@ -1,15 +1,14 @@
 /** View in a notebook, mounted by anywidget: a canvas and a line of text for each view of a model. */
+import { messageOf } from '../base/errors';
 import { createControls } from '../control/controls';
 import type { Pose } from '../control/pose';
+import { LONGEST_FRAME, LOST } from '../show/renderer';
 import { strategyOf } from '../show/stage';
 import { createViewer, type Viewer } from '../show/viewer';
 import { worldOf } from '../show/world';
 import { type KernelSource, openKernel } from './kernel';
 import { createMirror, type Model } from './model';
 
-/** Greatest duration of a frame in seconds, as in the page. */
-const LONGEST_FRAME = 0.1;
-const LOST = 'The browser has taken the graphics away. The picture comes back as soon as they do.';
 const POSE = ['position', 'yaw', 'pitch'] as const;
 
 /** Element of a view, with the viewer for scripts and tests. */
@@ -40,7 +39,7 @@ function render(model: Model, el: HTMLElement, worker: URL): () => void {
   let end = (): void => undefined;
   const failed = (reason: unknown): void => {
     if (stop.signal.aborted) return;
-    const problem = reason instanceof Error ? reason.message : String(reason);
+    const problem = messageOf(reason);
     view.complain(problem);
     model.set('problem', problem);
     model.save_changes();

@@ -66,7 +66,7 @@ interface Visit {
 /** Speeds start and stop gently. */
 const glides = (): boolean => false;
 
-export function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings): Headset {
+function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings): Headset {
   const { renderer, rig } = viewer;
   // Bounds of the frame.
   let bounds: Bounds | null = null;

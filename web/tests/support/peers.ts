@@ -4,7 +4,7 @@ import type { Described } from '../../src/bundle/manifest';
 import { TICK } from '../../src/peers/downloads';
 import { createPeer, type Line, type Peer } from '../../src/peers/peer';
 import { createShare, type Share } from '../../src/peers/share';
-import { createStore, type Store } from '../../src/peers/store';
+import { LruCache } from '../../src/base/cache';
 import { createBudget } from '../../src/peers/uploads';
 import type { Bucket, Clock } from '../../src/rooms/clock';
 
@@ -111,7 +111,7 @@ export type World = Readonly<Record<string, ReturnType<typeof makeContent>>>;
 export interface Page {
   readonly number: number;
   readonly share: Share;
-  readonly store: Store;
+  readonly store: LruCache<Blob>;
   /** Bytes that it gives to all others. */
   readonly budget: Bucket;
   readonly peers: Map<number, Peer>;
@@ -127,10 +127,15 @@ export interface Page {
   get(name: string, signal?: AbortSignal): Promise<ArrayBuffer>;
 }
 
+/** Lets a page have a content. */
+export function hold({ store }: Page, key: string, data: ArrayBuffer): void {
+  store.add(key, new Blob([data]), data.byteLength);
+}
+
 /** A page of a world; whoever it is joined with comes later. */
 export function createPage(number: number, world: World, clock: Stepped, ready = Promise.resolve()): Page {
   const [peers, dropped] = [new Map<number, Peer>(), new Map<number, string>()];
-  const [store, asked]: [Store, string[]] = [createStore(), []];
+  const [store, asked]: [LruCache<Blob>, string[]] = [new LruCache(64 * 2 ** 20), []];
   const open = new Map<string, Promise<ArrayBuffer>>();
   const page: Page = {
     number,

@@ -1,6 +1,7 @@
 /** Codecs of a Zarr store, with the checksums that zarrita and fzstd do not verify. */
 import { decompress } from 'fzstd';
 import * as zarr from 'zarrita';
+import { rgbaOf } from '../../decode/files';
 import { damaged } from '../store/error';
 import type { Bytes } from '../store/files';
 
@@ -81,17 +82,13 @@ export function registerCodecs(): void {
   }));
 }
 
-/** RGB of a WebP file; such files have no alpha, so drawing to a canvas is lossless. */
+/** RGB of a WebP file without alpha. */
 async function pixelsOf(bytes: Bytes, shape: readonly number[]): Promise<Uint8Array> {
   const image = await createImageBitmap(new Blob([bytes]), { colorSpaceConversion: 'none', premultiplyAlpha: 'none' });
   const { width, height } = image;
   if (3 * width * height !== shape.reduce((a, b) => a * b, 1))
     throw damaged('a chunk', `an image of ${width} × ${height}`);
-  const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
-  if (!context) throw new Error('the browser gives no canvas to a worker');
-  context.drawImage(image, 0, 0);
-  image.close();
-  const rgba = context.getImageData(0, 0, width, height).data;
+  const rgba = rgbaOf(image);
   const rgb = new Uint8Array(3 * width * height);
   for (let from = 0, to = 0; to < rgb.length; from += 4, to += 3) {
     rgb[to] = rgba[from] as number;

@@ -1,4 +1,5 @@
 /** Viewer of a tree: requests the cut for the camera and its views, and draws what is loaded. */
+import { messageOf } from '../../base/errors';
 import { type Camera, isSameCamera } from '../cut/camera';
 import { Cells } from '../cut/cells';
 import type { Cut, FromCutter, Settings, ToCutter } from '../cut/cut';
@@ -289,8 +290,4 @@ export class Viewer {
   #tell(message: ToCutter): void {
     this.#cutter.postMessage(message);
   }
-}
-
-function messageOf(reason: unknown): string {
-  return reason instanceof Error ? reason.message : String(reason);
 }

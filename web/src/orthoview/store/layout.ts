@@ -4,7 +4,6 @@ import { damaged } from './error';
 export type Triple = readonly [number, number, number];
 
 export const CHANNELS = ['color', 'depth', 'normal'] as const;
-export type Channel = (typeof CHANNELS)[number];
 
 /** Prefix of the second layer's channels. */
 export const BEHIND = 'behind_';

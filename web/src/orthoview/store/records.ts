@@ -1,5 +1,5 @@
 /** Documents of a store: its layout, its generations, and the visible directions of a subtree's cells. */
-import { sha256 } from '../../hex';
+import { sha256 } from '../../base/bytes';
 import { damaged, StoreError } from './error';
 import type { Bytes, Files } from './files';
 import {

@@ -1,5 +1,5 @@
 /** GLSL of the geometry of near leaves. */
-import { IRRADIANCE } from '../../../shaders/light';
+import { IRRADIANCE, LEVEL_OF, SHADING_NORMAL } from '../../../shaders/light';
 import { HEAD } from './shaders';
 
 export const MESH_VERTEX = /* glsl */ `${HEAD}
@@ -54,32 +54,14 @@ in vec2 v_uv;
 in vec3 v_color;
 out vec4 shade;
 ${IRRADIANCE}
-// The face's normal towards the viewer; the vertices' one on its side.
-vec3 shading_normal() {
-  vec3 face = cross(dFdx(v_point), dFdy(v_point));
-  float size = length(face);
-  vec3 toward = -normalize(v_point);
-  face = size > 0.0 ? face / size : toward;
-  face = dot(face, toward) < 0.0 ? -face : face;
-  float long_normal = length(v_normal);
-  if (long_normal == 0.0) {
-    return face;
-  }
-  vec3 n = v_normal / long_normal;
-  return dot(n, face) < 0.0 ? -n : n;
-}
-
-// The level at which a texel is as large as a pixel, by areas.
-float level_of(ivec2 size) {
-  vec2 dx = dFdx(v_uv) * vec2(size);
-  vec2 dy = dFdy(v_uv) * vec2(size);
-  return 0.5 * log2(max(abs(dx.x * dy.y - dx.y * dy.x), 1e-30));
-}
-
+${SHADING_NORMAL}
+${LEVEL_OF}
 void main() {
-  vec3 normal = shading_normal();
-  vec4 texel = textureLod(image, v_uv, level_of(textureSize(image, 0)));
-  vec3 light = textureLod(glow, v_uv, level_of(textureSize(glow, 0))).rgb;
+  vec3 normal = shading_normal(cross(dFdx(v_point), dFdy(v_point)), -normalize(v_point), v_normal);
+  vec2 right = dFdx(v_uv);
+  vec2 down = dFdy(v_uv);
+  vec4 texel = textureLod(image, v_uv, level_of(textureSize(image, 0), right, down));
+  vec3 light = textureLod(glow, v_uv, level_of(textureSize(glow, 0), right, down)).rgb;
   if (base.a * textureLod(image, v_uv, 0.0).a < cutoff) {
     discard;
   }

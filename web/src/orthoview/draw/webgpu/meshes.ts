@@ -178,7 +178,7 @@ function numbersOf({ origin, material }: Mesh, eye: Triple): number[] {
 
 const FORMAT: GPUTextureFormat = 'rgba8unorm-srgb';
 
-export class Images {
+class Images {
   readonly #pipeline: GPURenderPipeline;
   readonly #sampler: GPUSampler;
   /** White texture of one texel, for materials without an image. */
