@@ -82,7 +82,7 @@ async function main(): Promise<void> {
       const file = damagedFile(reason);
       if (file !== null) files.distrust(file);
       // Without ring 0 there is nothing to draw.
-      if (viewer.facts.arrived < 0) tell(reason);
+      if (viewer.facts.arrived < 0) showError(reason);
     },
     lost(isLost) {
       problems = isLost ? [LOST] : [];
@@ -191,7 +191,7 @@ async function main(): Promise<void> {
       ring: Math.min(shown?.ring ?? 0, rings),
       rings,
       isSharp: entry !== null && (!entry.isCoarse || (shown?.ring ?? 0) > rings),
-      making: opened.makingOf(goal ?? region),
+      making: opened.progressOf(goal ?? region),
       radius: shown?.grown.radius ?? 0,
       ...meter.read(),
       received,
@@ -214,10 +214,10 @@ function ringsOf(entry: RegionEntry | null): number {
 }
 
 /** Shows a page-wide message about a fatal error. */
-function tell(reason: unknown): void {
+function showError(reason: unknown): void {
   const detail = messageOf(reason);
   const { title, text } = FATAL[reason instanceof BundleError ? reason.kind : 'other'];
   showFatal(title, text, { detail, retry: () => location.reload() });
 }
 
-main().catch(tell);
+main().catch(showError);

@@ -206,7 +206,7 @@ test('sticks walk and look; at rest, and of unknown layout, they do nothing', ()
     assert.deepEqual([drive.right, drive.ahead, drive.turn, drive.look], [0, 0, 0, 0]);
   }
   const buttons = Array.from({ length: 11 }, (_, number) => ({ pressed: number === 10 }));
-  assert.ok(readPads([{ ...PAD, buttons }]).isHasty);
+  assert.ok(readPads([{ ...PAD, buttons }]).isRunning);
 });
 
 test('keys move the divider within the picture, and take it away', () => {

@@ -7,7 +7,7 @@ import {
   type Head,
   headBounds,
   headOf,
-  inWorld,
+  worldPose,
   localOf,
   moveFloor,
   turnFloor,
@@ -39,19 +39,19 @@ test('points of the headset and of the world are each other’s', () => {
 
 test('the head stands where the page was, and looks the same way', () => {
   const floor = floorUnder([5, 0, 6], 2.5, HEAD);
-  const { position, yaw, pitch } = inWorld(floor, HEAD);
+  const { position, yaw, pitch } = worldPose(floor, HEAD);
   near([...position, yaw, pitch], [5, 1.5, 6, 2.5, -0.2]);
 });
 
 test('turns go around the head', () => {
-  const before = inWorld(FLOOR, HEAD);
-  const after = inWorld(turnFloor(FLOOR, HEAD, 0.5), HEAD);
+  const before = worldPose(FLOOR, HEAD);
+  const after = worldPose(turnFloor(FLOOR, HEAD, 0.5), HEAD);
   near(after.position, before.position);
   near([after.yaw - before.yaw], [0.5]);
 });
 
 test('moves put the head above a point, at its height', () => {
-  near(inWorld(moveFloor(FLOOR, HEAD, [-1, 99, 2]), HEAD).position, [-1, 4.5, 2]);
+  near(worldPose(moveFloor(FLOOR, HEAD, [-1, 99, 2]), HEAD).position, [-1, 4.5, 2]);
 });
 
 test('both eyes stay within the limits', () => {

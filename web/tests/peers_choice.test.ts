@@ -39,6 +39,6 @@ test('a page takes part where its address, its browser and the server want that'
   assert.match(refusalHere(new URLSearchParams('peers=off'), choice) ?? '', /address/);
   assert.match(refusalHere(new URLSearchParams(), choice) ?? '', /WebRTC/);
   assert.equal(refusalThere({ peers: true, datagrams: null }), null);
-  assert.match(refusalThere({ peers: false, datagrams: null }) ?? '', /server does not want/);
-  assert.match(refusalThere(null) ?? '', /does not tell/);
+  assert.match(refusalThere({ peers: false, datagrams: null }) ?? '', /server does not allow/);
+  assert.match(refusalThere(null) ?? '', /does not say/);
 });

@@ -73,7 +73,7 @@ test('a wrong file is not used: its sender is dropped, and the file comes from t
   (parts.at(-1) as { data: Uint8Array }).data = new Uint8Array(5).fill(9);
   await say(...parts);
   same(await coming, 'a');
-  assert.match(page.dropped.get(2) ?? '', /another one than was asked for/);
+  assert.match(page.dropped.get(2) ?? '', /wrong content/);
   assert.deepEqual(page.asked, ['a']);
   assert.ok(line.other?.isClosed);
   assert.equal(page.share.counts.others.bytes, 0);
@@ -81,13 +81,13 @@ test('a wrong file is not used: its sender is dropped, and the file comes from t
 
 test('bytes that nobody asked for, and parts of a wrong length, drop their sender', async () => {
   const wrong: readonly [RegExp, (request: number) => Message[]][] = [
-    [/answers nothing/, () => [{ kind: 'part', request: 77, data: new Uint8Array(5) }]],
-    [/answers nothing/, () => [{ kind: 'none', request: 77 }]],
+    [/answers no open request/, () => [{ kind: 'part', request: 77, data: new Uint8Array(5) }]],
+    [/answers no open request/, () => [{ kind: 'none', request: 77 }]],
     [/wrong length/, (request) => [{ kind: 'part', request, data: new Uint8Array() }]],
     [/wrong length/, (request) => [{ kind: 'part', request, data: new Uint8Array(PART - 1) }]],
     [/wrong length/, (request) => [...partsOf('b', request), ...partsOf('a', request, 3)]],
-    [/answers nothing/, (request) => [...partsOf('a', request), { kind: 'part', request, data: new Uint8Array(1) }]],
-    [/more of a file/, (request) => [{ kind: 'wait', request, bytes: 3 * PART + 6 }]],
+    [/answers no open request/, (request) => [...partsOf('a', request), { kind: 'part', request, data: new Uint8Array(1) }]],
+    [/more bytes are reported/, (request) => [{ kind: 'wait', request, bytes: 3 * PART + 6 }]],
   ];
   for (const [reason, messages] of wrong) {
     const { page, heard, say } = bench();
@@ -109,7 +109,7 @@ test('messages that are none, texts and floods drop their sender', async () => {
   }
   const { page, line } = bench();
   for (let each = 0; each < 2100; each++) line.other?.comes(writeMessage({ kind: 'cancel', request: 1 }).buffer);
-  assert.match(page.dropped.get(2) ?? '', /more than it may/);
+  assert.match(page.dropped.get(2) ?? '', /too many messages/);
 });
 
 test('who becomes silent in a file loses the request, and is asked again when it has ended it', async () => {
@@ -247,14 +247,14 @@ test('only listed files are given, to as many requests as there may be', async (
   await say({ kind: 'want', request: 2, key: A });
   assert.deepEqual([heard.at(-1), page.asked], [{ kind: 'none', request: 2 }, []]);
   await say({ kind: 'want', request: 2, key: A });
-  assert.match(page.dropped.get(2) ?? '', /number that was used/);
+  assert.match(page.dropped.get(2) ?? '', /reuses a number/);
 });
 
 test('too many requests at once drop, and too many a second get nothing', async () => {
   const crowd = bench();
   crowd.page.serve = () => new Promise(() => undefined);
   await crowd.say(...[...Array(65).keys()].map((at) => ({ kind: 'want', request: at + 1, key: A }) as const));
-  assert.match(crowd.page.dropped.get(2) ?? '', /too much is asked for/);
+  assert.match(crowd.page.dropped.get(2) ?? '', /too many requests/);
   assert.deepEqual(crowd.page.asked, ['a']);
   const hurry = bench();
   for (let request = 1; request <= 500; request++) {

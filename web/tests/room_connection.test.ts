@@ -40,7 +40,7 @@ class Fake implements Socket {
   }
 
   data(data: unknown): void {
-    this.listener.came(data);
+    this.listener.received(data);
   }
 
   breaks(code = 1006): void {
@@ -66,7 +66,7 @@ function bench(): Bench {
   const connection = connect({
     address: { room: 'a b', name: 'Ada', group: 3, token: '7.x.y' },
     page: 'https://host:8/folder/index.html?room=1#p=1,2,3',
-    heard: (frame) => heard.push(frame),
+    onFrame: (frame) => heard.push(frame),
     changed: (state) => states.push(state),
     open: (url, listener) => {
       sockets.push(new Fake(url, listener));
@@ -165,7 +165,7 @@ test('a server that lets in and throws out is not asked faster and faster', () =
   socket().comes(WELCOME);
   socket().breaks(4006);
   const state = states.at(-1);
-  assert.ok(state?.kind === 'waiting' && state.seconds === 2 && /more than the server takes/.test(state.words));
+  assert.ok(state?.kind === 'waiting' && state.seconds === 2 && /more than the server accepts/.test(state.words));
 });
 
 test('reasons are told in words, and final ones end it until the user asks', () => {
@@ -174,7 +174,7 @@ test('reasons are told in words, and final ones end it until the user asks', () 
     4: ['ended', /does not let you into/],
     9: ['ended', /entered the room elsewhere/],
     5: ['waiting', /full/],
-    10: ['waiting', /ends/],
+    10: ['waiting', /shutting down/],
     200: ['waiting', /ended the connection/],
   };
   for (const [reason, [kind, expected]] of Object.entries(words)) {
@@ -202,7 +202,7 @@ test('a server that does not answer, or breaks off, is told apart', () => {
   assert.match(JSON.stringify(absent.states.at(-1)), /cannot be reached/);
   const broken = entered();
   broken.socket().breaks();
-  assert.match(JSON.stringify(broken.states.at(-1)), /broke off/);
+  assert.match(JSON.stringify(broken.states.at(-1)), /was lost/);
 });
 
 test('garbage of a server ends the connection, and nothing of it is heard after', () => {

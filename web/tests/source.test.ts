@@ -164,7 +164,7 @@ test('after five trials the file is named', async () => {
   const { world, source } = await openWorld({ [name(0)]: [broken] });
   const failed = assert.rejects(read(source, 0), (error: Error) => {
     assert.ok(error instanceof BundleError);
-    assert.equal(error.message, `${name(0)} does not come: network error`);
+    assert.equal(error.message, `${name(0)} cannot be loaded: network error`);
     return true;
   });
   for (const pause of [0.5, 1, 2, 4]) assert.equal(await world.tick(), pause);

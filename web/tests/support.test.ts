@@ -14,6 +14,6 @@ test('a sentence says why no headset can be entered', async () => {
   assert.match((await whyNoHeadset(undefined, false)) ?? '', /https/);
   assert.match((await whyNoHeadset(undefined, true)) ?? '', /This browser/);
   assert.match((await whyNoHeadset(missing, true)) ?? '', /connected/);
-  assert.match((await whyNoHeadset(forbidden, true)) ?? '', /from here/);
+  assert.match((await whyNoHeadset(forbidden, true)) ?? '', /may not use/);
   assert.equal(await whyNoHeadset(system(async () => true), true), null);
 });

@@ -26,7 +26,7 @@ export function bytesOf({ files }: Manifest, names: Iterable<string>): number {
   return sum;
 }
 
-export interface Coming {
+export interface ArrivingRegion {
   /** Manifest of the region's bundle; lists files once they can be fetched. */
   readonly manifest: Manifest;
   /** Rings that have not arrived have neither geometry nor map. */
@@ -36,7 +36,7 @@ export interface Coming {
 }
 
 /** A region of a bundle that is complete. */
-export function thereOf(manifest: Manifest, number: number): Coming {
+export function completeRegion(manifest: Manifest, number: number): ArrivingRegion {
   const entry = manifest.regions[number];
   if (!entry) throw new Error(`there is no region ${number}`);
   return {
@@ -51,11 +51,11 @@ export function thereOf(manifest: Manifest, number: number): Coming {
 }
 
 /** Bundle whose rings are portions of objects by footprint; the last ring has only the map. */
-export function byFootprint(manifest: Manifest): Manifest {
-  return { ...manifest, regions: manifest.regions.map(inPortions) };
+export function orderByFootprint(manifest: Manifest): Manifest {
+  return { ...manifest, regions: manifest.regions.map(portionsOf) };
 }
 
-function inPortions(region: RegionEntry, number: number): RegionEntry {
+function portionsOf(region: RegionEntry, number: number): RegionEntry {
   const { by_footprint: other, rings } = region;
   if (!other) {
     const place = `manifest.json: regions[${number}].by_footprint`;
@@ -69,7 +69,7 @@ function inPortions(region: RegionEntry, number: number): RegionEntry {
 }
 
 /** Bundle up to a ring, whose number is given as text; the whole bundle for null. */
-export function upTo(last: string | null, manifest: Manifest): Manifest {
+export function firstRings(last: string | null, manifest: Manifest): Manifest {
   if (last === null) return manifest;
   if (!/^\d{1,4}$/.test(last)) throw new BundleError(`rings: expected the number of a ring, got ${last}`, 'address');
   const count = Number(last) + 1;

@@ -1,13 +1,13 @@
 /** Requests: one for all who ask for the same thing at the same time, and a limited number at once. */
 import { abortable } from '../base/errors';
 
-type Told = (bytes: number) => void;
-type Ask = (name: string, signal: AbortSignal, told: Told) => Promise<ArrayBuffer>;
+type Received = (bytes: number) => void;
+type Load = (name: string, signal: AbortSignal, received: Received) => Promise<ArrayBuffer>;
 
 interface Request {
   readonly result: Promise<ArrayBuffer>;
   readonly stop: AbortController;
-  readonly askers: Set<Told>;
+  readonly listeners: Set<Received>;
   /** Bytes received so far. */
   size: number;
 }
@@ -16,20 +16,20 @@ interface Request {
  * Shares the requests of a function. Each asker gets its own copy of the data and all progress; a request is aborted
  * when its last asker leaves.
  */
-export function createShared(ask: Ask): Ask {
+export function createShared(load: Load): Load {
   const open = new Map<string, Request>();
 
   function begin(name: string): Request {
     const stop = new AbortController();
-    const askers = new Set<Told>();
+    const listeners = new Set<Received>();
     const request: Request = {
-      askers,
+      listeners,
       stop,
       size: 0,
       result: Promise.resolve().then(() =>
-        ask(name, stop.signal, (bytes) => {
+        load(name, stop.signal, (bytes) => {
           request.size += bytes;
-          for (const told of askers) told(bytes);
+          for (const received of listeners) received(bytes);
         }),
       ),
     };
@@ -41,17 +41,17 @@ export function createShared(ask: Ask): Ask {
     return request;
   }
 
-  return async (name, signal, told) => {
+  return async (name, signal, received) => {
     signal.throwIfAborted();
     const request = open.get(name) ?? begin(name);
-    const isFirst = request.askers.size === 0;
+    const isFirst = request.listeners.size === 0;
     // Wrapped, so that a function passed by several askers counts once for each.
-    const own: Told = (bytes) => told(bytes);
-    request.askers.add(own);
+    const own: Received = (bytes) => received(bytes);
+    request.listeners.add(own);
     if (request.size > 0) own(request.size);
     const leave = (): void => {
-      request.askers.delete(own);
-      if (request.askers.size > 0) return;
+      request.listeners.delete(own);
+      if (request.listeners.size > 0) return;
       // Later askers get a new request.
       if (open.get(name) === request) open.delete(name);
       request.stop.abort(signal.reason);

@@ -1,7 +1,7 @@
 /** Fetches the files of a bundle, one request per file, with retries after stalled or broken transfers. */
 import { messageOf } from '../base/errors';
 import { BundleError } from './error';
-import type { Described, Manifest } from './manifest';
+import type { FileEntry, Manifest } from './manifest';
 import { createShared, createSlots } from './requests';
 import { NETWORK, type Network, transfer } from './transfer';
 
@@ -35,9 +35,9 @@ export interface Files {
   /** Reports a damaged file, so that the next fetch bypasses the browser's cache. */
   readonly distrust: (name: string) => void;
   /** Manifest entry of a file; undefined for unlisted files. */
-  readonly described: (name: string) => Described | undefined;
+  readonly described: (name: string) => FileEntry | undefined;
   /** Sets another way to fetch files; null for the server only. */
-  readonly goBy: (way: Way | null) => void;
+  readonly setRoute: (way: Way | null) => void;
 }
 
 export interface Source extends Pick<Files, 'fetch' | 'distrust'> {
@@ -51,9 +51,9 @@ export async function readDocument(
   signal: AbortSignal,
   network: Network = NETWORK,
 ): Promise<string> {
-  const limits = { name: DOCUMENT, bytes: null, most: MAX_MANIFEST };
-  const content = await withTrials(DOCUMENT, signal, network, (again) =>
-    transfer(new URL(DOCUMENT, base), limits, received, signal, again, network),
+  const limits = { name: DOCUMENT, bytes: null, maxBytes: MAX_MANIFEST };
+  const content = await withRetries(DOCUMENT, signal, network, (isRetry) =>
+    transfer(new URL(DOCUMENT, base), limits, received, signal, isRetry, network),
   );
   return new TextDecoder().decode(content);
 }
@@ -82,33 +82,33 @@ export function createFiles(
   const distrusted = new Set<string>();
   let way: Way | null = null;
 
-  const serve = serveListed(described, AT_ONCE, (name, bytes, own, told) =>
-    withTrials(name, own, network, (again) => {
-      const isRenewed = distrusted.delete(name) || again;
-      return transfer(new URL(name, base), { name, bytes, most: bytes }, told, own, isRenewed, network);
+  const serve = serveListed(described, AT_ONCE, (name, bytes, own, onBytes) =>
+    withRetries(name, own, network, (isRetry) => {
+      const isRenewed = distrusted.delete(name) || isRetry;
+      return transfer(new URL(name, base), { name, bytes, maxBytes: bytes }, onBytes, own, isRenewed, network);
     }),
   );
 
-  const shared = createShared((name, own, told) => {
+  const shared = createShared((name, own, onBytes) => {
     const both: Received = (more) => {
       received(more);
-      told(more);
+      onBytes(more);
     };
     return way ? way(name, own, both, serve) : serve(name, own, both);
   });
   return {
-    fetch: (name, own, told = () => undefined) => shared(name, own, told),
+    fetch: (name, own, onBytes = () => undefined) => shared(name, own, onBytes),
     distrust: (name) => distrusted.add(name),
     described,
-    goBy: (next) => (way = next),
+    setRoute: (next) => (way = next),
   };
 }
 
-async function withTrials<T>(
+async function withRetries<T>(
   name: string,
   signal: AbortSignal,
   network: Network,
-  trial: (again: boolean) => Promise<T>,
+  trial: (isRetry: boolean) => Promise<T>,
 ): Promise<T> {
   for (let number = 0; ; number++) {
     signal.throwIfAborted();
@@ -119,7 +119,7 @@ async function withTrials<T>(
       if (signal.aborted || error instanceof BundleError) throw error;
       const pause = PAUSES[number];
       const reason = messageOf(error);
-      if (pause === undefined) throw new BundleError(`${name} does not come: ${reason}`, 'network');
+      if (pause === undefined) throw new BundleError(`${name} cannot be loaded: ${reason}`, 'network');
       await network.wait(pause, signal);
     }
   }

@@ -2,7 +2,7 @@
 import { Color, Matrix4, SphereGeometry, Vector3, Vector4 } from 'three';
 import type { Point } from '../bundle/manifest';
 import { directionTo } from '../control/floor';
-import { addScaled, minus, type Pose, type Vector } from '../control/pose';
+import { addScaled, type Pose, subtract, type Vector } from '../control/pose';
 import type { Place } from '../rooms/hold';
 import { createMesh, type Drawn, geometryOf, ribbon } from '../rooms/meshes';
 import { morphOf } from '../rooms/pointing';
@@ -60,7 +60,7 @@ export function createBall(shared: Shared): Ball {
       set(rest, 'shares', [held, 1]);
     },
     place(center) {
-      const [x, y, z] = minus(middle, center);
+      const [x, y, z] = subtract(middle, center);
       const { value: radius } = size;
       (body.material.uniforms['placement']?.value as Matrix4).makeScale(radius, radius, radius).setPosition(x, y, z);
       for (const { material } of [done, rest]) (material.uniforms['begin']?.value as Vector3).set(x, y, z);
@@ -111,9 +111,9 @@ export function pointBeside(
   sphere: Vector,
 ): Vector | null {
   const { center, morph } = morphOf(viewer, nearShare, pose);
-  const seen = shownAt(minus(sphere, center), morph);
+  const seen = shownAt(subtract(sphere, center), morph);
   const [dx, dy, dz] = directionTo(pose, place, viewer.camera);
   const along = seen[0] * dx + seen[1] * dy + seen[2] * dz;
-  const aside = minus([along * dx, along * dy, along * dz], seen);
+  const aside = subtract([along * dx, along * dy, along * dz], seen);
   return along > 0 && Math.hypot(...aside) <= MEANT * along ? addScaled(sphere, aside, 1) : null;
 }

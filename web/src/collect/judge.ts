@@ -1,13 +1,5 @@
 /** Judgement of the conductor: who aims at the sphere, who has lost it, and whether it is collected. */
-import {
-  type Aims,
-  type Collected,
-  type Event,
-  LONGEST,
-  MAX_COUNT,
-  type Sphere,
-  type Trial,
-} from './messages';
+import { type Aims, type Collected, type Event, LONGEST, MAX_COUNT, type Sphere, type Trial } from './messages';
 import { isAimed, placeOf, type Ray } from './spheres';
 
 /** Last pointers of users by number; users without a pointer are missing. */

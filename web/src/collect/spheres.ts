@@ -1,5 +1,5 @@
 /** Positions and motion of spheres, aiming tests, and seats of users, from nearfar's random numbers (docs/base.md). */
-import { minus, type Vector } from '../control/pose';
+import { subtract, type Vector } from '../control/pose';
 import { type Box, LEVELS, type Rules, type Seat, type Sphere, type Stage } from './messages';
 
 export interface Ray {
@@ -47,7 +47,7 @@ export function seatsOf(rules: Rules, stage: Stage, group: number, users: readon
       return { user, position: [least[0] + x * (most[0] - least[0]), least[1], least[2] + z * (most[2] - least[2])] };
     });
     const isApart = seats.every(({ position }, at) =>
-      seats.slice(0, at).every((other) => Math.hypot(...minus(position, other.position)) >= APART),
+      seats.slice(0, at).every((other) => Math.hypot(...subtract(position, other.position)) >= APART),
     );
     if (isApart) break;
   }
@@ -70,7 +70,7 @@ export function folded(at: number, low: number, high: number): number {
 
 /** Whether a ray of any length hits a sphere. */
 export function isAimed({ begin, direction: [dx, dy, dz] }: Ray, center: Vector, radius: number): boolean {
-  const [x, y, z] = minus(center, begin);
+  const [x, y, z] = subtract(center, begin);
   const [along, square] = [x * dx + y * dy + z * dz, x * x + y * y + z * z];
   return square <= radius * radius || (along > 0 && square - along * along <= radius * radius);
 }

@@ -1,5 +1,5 @@
 /** User movement: walking or orbiting a point, by keyboard, mouse, touch and gamepads. */
-import { browserPads, createKeys, type Drive, type Pad, readPads, together } from './drive';
+import { browserPads, createKeys, type Drive, type Pad, readPads, sumOfDrives } from './drive';
 import type { Bounds } from './limit';
 import { createOrbit } from './orbit';
 import { createPointers, type Mode, type Thumb } from './pointers';
@@ -68,7 +68,7 @@ export function createControls(element: HTMLElement, settings: ControlSettings):
 
   return {
     update(seconds) {
-      const wishes: Drive = together(keys.drive, pointers.drive, readPads(pads()));
+      const wishes: Drive = sumOfDrives(keys.drive, pointers.drive, readPads(pads()));
       // NaN fails every comparison and counts as zero.
       const spent = seconds > 0 ? Math.min(seconds, LONGEST) : 0;
       if (mode === 'walk') walk.update(spent, wishes);

@@ -9,17 +9,17 @@ export interface Drive {
   readonly turn: number;
   readonly look: number;
   /** Whether to run. */
-  readonly isHasty: boolean;
+  readonly isRunning: boolean;
 }
 
-export const REST: Drive = { right: 0, ahead: 0, turn: 0, look: 0, isHasty: false };
+export const REST: Drive = { right: 0, ahead: 0, turn: 0, look: 0, isRunning: false };
 
 /** Sum of commands, limited to full speed. */
-export function together(...wishes: readonly Drive[]): Drive {
+export function sumOfDrives(...wishes: readonly Drive[]): Drive {
   const sum = (part: (wish: Drive) => number): number => wishes.reduce((total, wish) => total + part(wish), 0);
   const [right, ahead] = clampLength(sum((wish) => wish.right), sum((wish) => wish.ahead));
   const [turn, look] = clampLength(sum((wish) => wish.turn), sum((wish) => wish.look));
-  return { right, ahead, turn, look, isHasty: wishes.some((wish) => wish.isHasty) };
+  return { right, ahead, turn, look, isRunning: wishes.some((wish) => wish.isRunning) };
 }
 
 /** Vector limited to length 1. */
@@ -29,7 +29,7 @@ function clampLength(x: number, y: number): readonly [number, number] {
 }
 
 /** Stick position with a dead zone around the centre; outside it starts at 0. */
-export function beyondRest(x: number, y: number, rest: number): readonly [number, number] {
+export function applyDeadZone(x: number, y: number, rest: number): readonly [number, number] {
   const length = Math.hypot(x, y);
   if (!(length > rest)) return [0, 0];
   const share = Math.min((length - rest) / (1 - rest), 1) / length;
@@ -75,18 +75,18 @@ export function createKeys(source: EventTarget): Keys {
   const stop = new AbortController();
   const listen = (name: string, action: (event: Event) => void): void =>
     source.addEventListener(name, action, { signal: stop.signal });
-  let isHasty = false;
+  let isRunning = false;
 
   listen('keydown', (event) => {
     const pressed = event as KeyboardEvent;
-    isHasty = pressed.shiftKey;
+    isRunning = pressed.shiftKey;
     if (!isMoving(pressed.code) || isElsewhere(pressed)) return;
     held.add(pressed.code);
     // Otherwise arrow keys scroll.
     pressed.preventDefault();
   });
   listen('keyup', (event) => {
-    isHasty = (event as KeyboardEvent).shiftKey;
+    isRunning = (event as KeyboardEvent).shiftKey;
     held.delete((event as KeyboardEvent).code);
     // macOS sends no keyup events while Command is held.
     if ((event as KeyboardEvent).key === 'Meta') held.clear();
@@ -94,7 +94,7 @@ export function createKeys(source: EventTarget): Keys {
   // A key released elsewhere sends no event.
   listen('blur', () => {
     held.clear();
-    isHasty = false;
+    isRunning = false;
   });
 
   return {
@@ -103,14 +103,14 @@ export function createKeys(source: EventTarget): Keys {
       for (const code of held) AXES[code]?.forEach((value, axis) => (sums[axis] = (sums[axis] ?? 0) + value));
       const [right = 0, ahead = 0, turn = 0, look = 0] = sums;
       const [across, along] = clampLength(right, ahead);
-      return { right: across, ahead: along, turn: Math.sign(turn), look: Math.sign(look), isHasty };
+      return { right: across, ahead: along, turn: Math.sign(turn), look: Math.sign(look), isRunning };
     },
     dispose: () => stop.abort(),
   };
 }
 
 /** Dead zone as a share of a stick's range: worn sticks do not return to 0. */
-const REST_SHARE = 0.18;
+const DEAD_ZONE = 0.18;
 /** Button numbers in the standard layout: left shoulder, left stick. */
 const HASTE = [4, 10] as const;
 
@@ -125,15 +125,15 @@ export interface Pad {
 /** Commands of all gamepads with the standard layout. */
 export function readPads(pads: readonly (Pad | null)[]): Drive {
   const known = pads.filter((pad) => pad !== null && pad.connected && pad.mapping === 'standard');
-  return known.length === 0 ? REST : together(...known.map((pad) => (pad ? wishOf(pad) : REST)));
+  return known.length === 0 ? REST : sumOfDrives(...known.map((pad) => (pad ? wishOf(pad) : REST)));
 }
 
 function wishOf({ axes, buttons }: Pad): Drive {
-  const [right, back] = beyondRest(axes[0] ?? 0, axes[1] ?? 0, REST_SHARE);
-  const [clockwise, down] = beyondRest(axes[2] ?? 0, axes[3] ?? 0, REST_SHARE);
-  const isHasty = HASTE.some((number) => buttons[number]?.pressed ?? false);
+  const [right, back] = applyDeadZone(axes[0] ?? 0, axes[1] ?? 0, DEAD_ZONE);
+  const [clockwise, down] = applyDeadZone(axes[2] ?? 0, axes[3] ?? 0, DEAD_ZONE);
+  const isRunning = HASTE.some((number) => buttons[number]?.pressed ?? false);
   // Subtracted from 0, so that a stick at rest gives 0 instead of −0.
-  return { right, ahead: 0 - back, turn: 0 - clockwise, look: 0 - down, isHasty };
+  return { right, ahead: 0 - back, turn: 0 - clockwise, look: 0 - down, isRunning };
 }
 
 /** Gamepads of the browser. */

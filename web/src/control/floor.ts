@@ -1,6 +1,6 @@
 /** Floor of the user in the world, the head above it, and destinations on it; independent of a headset. */
 import { type Bounds, clampToLimit } from './limit';
-import { addScaled, ahead, type Pose, rightOf, upOf, type Vector, wrapped } from './pose';
+import { addScaled, ahead, type Pose, rightOf, upOf, type Vector, wrapAngle } from './pose';
 
 /** Origin of the headset's space in the world, metres, and its rotation about the vertical axis. */
 export interface Floor {
@@ -28,20 +28,20 @@ export function localOf({ position, yaw }: Floor, [x, y, z]: Vector): Vector {
 }
 
 /** Pose of the head in the world. */
-export function inWorld(floor: Floor, head: Head): Pose {
-  return { position: worldOf(floor, head.position), yaw: wrapped(floor.yaw + head.yaw), pitch: head.pitch };
+export function worldPose(floor: Floor, head: Head): Pose {
+  return { position: worldOf(floor, head.position), yaw: wrapAngle(floor.yaw + head.yaw), pitch: head.pitch };
 }
 
 /** Floor for which the head is above a point of the ground and looks along a yaw. */
 export function floorUnder(ground: Vector, yaw: number, head: Head): Floor {
-  const turned = { position: [0, 0, 0], yaw: wrapped(yaw - head.yaw) } as const;
+  const turned = { position: [0, 0, 0], yaw: wrapAngle(yaw - head.yaw) } as const;
   const [x, , z] = worldOf(turned, head.position);
   return { position: [ground[0] - x, ground[1], ground[2] - z], yaw: turned.yaw };
 }
 
 /** Floor after a turn to the left around the head, which stays in place. */
 export function turnFloor(floor: Floor, head: Head, angle: number): Floor {
-  const { position, yaw } = inWorld(floor, head);
+  const { position, yaw } = worldPose(floor, head);
   return floorUnder([position[0], floor.position[1], position[2]], yaw + angle, head);
 }
 

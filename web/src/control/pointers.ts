@@ -1,5 +1,5 @@
 /** Mouse, pen and touch: dragging, two fingers, double taps, the wheel, and a locked pointer. */
-import { beyondRest, type Drive, REST } from './drive';
+import { applyDeadZone, type Drive, REST } from './drive';
 
 /** Radians per picture height of dragging: for a walker's head, and for orbiting. */
 const [LOOK, AROUND] = [1.6, Math.PI] as const;
@@ -114,7 +114,7 @@ export function createPointers(element: HTMLElement, actions: PointerActions): P
   }
 
   function step({ x, y }: { x: number; y: number }, { clientX, clientY }: PointerEvent): void {
-    const [right, down] = beyondRest((clientX - x) / THUMB_REACH, (clientY - y) / THUMB_REACH, THUMB_REST);
+    const [right, down] = applyDeadZone((clientX - x) / THUMB_REACH, (clientY - y) / THUMB_REACH, THUMB_REST);
     drive = { ...REST, right, ahead: 0 - down };
     actions.thumb({ x, y, right: clientX - x, down: clientY - y });
   }

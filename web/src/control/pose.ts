@@ -14,12 +14,12 @@ export type Vector = readonly [number, number, number];
 /** Greatest pitch, radians: straight up has no yaw. */
 export const STEEPEST = 1.5;
 
-export function bounded(value: number, least: number, greatest: number): number {
+export function clamp(value: number, least: number, greatest: number): number {
   return Math.min(Math.max(value, least), greatest);
 }
 
 /** Angle wrapped to [−π, π]. */
-export function wrapped(angle: number): number {
+export function wrapAngle(angle: number): number {
   return angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
 }
 
@@ -43,7 +43,7 @@ export function addScaled(a: Vector, b: Vector, share: number): Vector {
   return [a[0] + share * b[0], a[1] + share * b[1], a[2] + share * b[2]];
 }
 
-export function minus(a: Vector, b: Vector): Vector {
+export function subtract(a: Vector, b: Vector): Vector {
   return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 }
 
@@ -65,13 +65,13 @@ export function readLink(fragment: string): Pose | null {
   if (!isPlace(x) || !isPlace(y) || !isPlace(z) || rest.length > 0) return null;
   const [yaw, pitch] = [numberIn(fields.get('yaw') ?? '0'), numberIn(fields.get('pitch') ?? '0')];
   if (yaw === null || pitch === null) return null;
-  return { position: [x, y, z], yaw: wrapped(yaw), pitch: bounded(pitch, -STEEPEST, STEEPEST) };
+  return { position: [x, y, z], yaw: wrapAngle(yaw), pitch: clamp(pitch, -STEEPEST, STEEPEST) };
 }
 
 /** Fragment of a pose, precise to a millimetre and 10⁻⁴ radians. */
 export function writeLink({ position, yaw, pitch }: Pose): string {
   const place = position.map((value) => rounded(value, 3)).join(',');
-  return `#p=${place}&yaw=${rounded(wrapped(yaw), 4)}&pitch=${rounded(pitch, 4)}`;
+  return `#p=${place}&yaw=${rounded(wrapAngle(yaw), 4)}&pitch=${rounded(pitch, 4)}`;
 }
 
 function numberIn(text: string): number | null {

@@ -1,7 +1,7 @@
 /** First-person walking at a constant eye height; independent of a browser. */
 import type { Drive } from './drive';
 import { type Bounds, confine, settle } from './limit';
-import { bounded, type Pose, rightOf, STEEPEST, type Vector } from './pose';
+import { clamp, type Pose, rightOf, STEEPEST, type Vector } from './pose';
 
 /** Walking speed, metres per second, and factor for running. */
 const [SPEED, HASTE] = [1.6, 3] as const;
@@ -37,8 +37,8 @@ export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: (
     const turned = TURN * drive.turn * seconds;
     const middle = yaw + turned / 2;
     yaw += turned;
-    pitch = bounded(pitch + TURN * drive.look * seconds, -STEEPEST, STEEPEST);
-    const speed = SPEED * (drive.isHasty ? HASTE : 1);
+    pitch = clamp(pitch + TURN * drive.look * seconds, -STEEPEST, STEEPEST);
+    const speed = SPEED * (drive.isRunning ? HASTE : 1);
     const [right, rightSpeed] = glide(velocity[0], speed * drive.right, seconds, isSudden());
     const [front, frontSpeed] = glide(velocity[1], speed * drive.ahead, seconds, isSudden());
     velocity = [rightSpeed, frontSpeed];
@@ -64,7 +64,7 @@ export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: (
     },
     look(left, up) {
       yaw += left;
-      pitch = bounded(pitch + up, -STEEPEST, STEEPEST);
+      pitch = clamp(pitch + up, -STEEPEST, STEEPEST);
     },
     setPose(pose) {
       follow(pose);

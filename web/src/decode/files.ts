@@ -33,7 +33,7 @@ const MAX_TEXELS = 2 ** 26;
 /** Greatest size of a band of a picture in bytes, unless a single row is larger. */
 const BAND_BYTES = 2 ** 18;
 /** Keeps a picture's raw values: no colour profile, no premultiplied alpha. */
-const AS_IT_IS = { colorSpaceConversion: 'none', premultiplyAlpha: 'none', imageOrientation: 'none' } as const;
+const RAW_PIXELS = { colorSpaceConversion: 'none', premultiplyAlpha: 'none', imageOrientation: 'none' } as const;
 
 /** A picture as the GPU takes it. */
 export async function pictureOf(name: string, data: Uint8Array<ArrayBuffer>): Promise<ImageBitmap> {
@@ -42,7 +42,7 @@ export async function pictureOf(name: string, data: Uint8Array<ArrayBuffer>): Pr
     throw new Error(`${name}: expected a smaller picture, got ${width} × ${height} pixels`);
   }
   try {
-    return await createImageBitmap(new Blob([data], { type: 'image/webp' }), AS_IT_IS);
+    return await createImageBitmap(new Blob([data], { type: 'image/webp' }), RAW_PIXELS);
   } catch {
     throw new Error(`${name}: expected a WebP picture, got something else`);
   }
@@ -55,7 +55,7 @@ export async function bandsOf(images: Readonly<Record<string, ImageBitmap>>): Pr
     const { width, height } = image;
     const most = Math.max(Math.floor(BAND_BYTES / (4 * width)), 1);
     for (let y = 0; y < height; y += most) {
-      const rows = await createImageBitmap(image, 0, y, width, Math.min(most, height - y), AS_IT_IS);
+      const rows = await createImageBitmap(image, 0, y, width, Math.min(most, height - y), RAW_PIXELS);
       bands.push({ name, width, height, y, rows });
     }
     image.close();

@@ -110,7 +110,7 @@ export function openGlb(
   function bufferOf(number: number): Uint8Array {
     const entry = entryAt(document.buffers, number, 'buffer');
     const found = entry.uri === undefined ? chunk : parts.get(entry.uri);
-    if (!found) throw new Error(`the buffer ${entry.uri ?? number} is not there`);
+    if (!found) throw new Error(`the buffer ${entry.uri ?? number} is missing`);
     return found;
   }
 
@@ -119,7 +119,7 @@ export function openGlb(
     const packed = view.extensions?.EXT_meshopt_compression;
     if (!packed) return slice(bufferOf(view.buffer), view.byteOffset ?? 0, view.byteLength);
     const source = slice(bufferOf(packed.buffer), packed.byteOffset ?? 0, packed.byteLength);
-    const data = await decompressed(source, packed);
+    const data = await decompress(source, packed);
     spend(data.length);
     return data;
   }
@@ -169,7 +169,7 @@ export function openGlb(
 export function entryAt<T>(list: readonly T[] | undefined, number: number | undefined, what: string): T {
   if (number === undefined) throw new Error(`the ${what}'s number is missing`);
   const found = Array.isArray(list) && isCount(number) ? (list as readonly T[])[number] : undefined;
-  if (typeof found !== 'object' || found === null) throw new Error(`${what} ${number} is not there`);
+  if (typeof found !== 'object' || found === null) throw new Error(`${what} ${number} is missing`);
   return found;
 }
 
@@ -187,14 +187,14 @@ function chunksOf(bytes: Uint8Array<ArrayBuffer>): { document: Document; chunk: 
   }
   if (words.getUint32(4, true) !== VERSION) throw new Error(`expected version ${VERSION} of glTF, got another one`);
   const length = words.getUint32(12, true);
-  const document = parsed(slice(bytes, 20, length));
+  const document = parseDocument(slice(bytes, 20, length));
   const next = 20 + length;
   if (bytes.length < next + 8) return { document, chunk: null };
   if (words.getUint32(next + 4, true) !== BIN_CHUNK) throw new Error('expected a binary chunk, got another one');
   return { document, chunk: slice(bytes, next + 8, words.getUint32(next, true)) };
 }
 
-function parsed(text: Uint8Array): Document {
+function parseDocument(text: Uint8Array): Document {
   let document: unknown;
   try {
     document = JSON.parse(new TextDecoder().decode(text));
@@ -247,7 +247,7 @@ const FILTERS: ReadonlyMap<string, Strides> = new Map([
   ['EXPONENTIAL', (stride: number) => stride % 4 === 0],
 ]);
 
-async function decompressed(source: Uint8Array, { count, byteStride, mode, filter = 'NONE' }: Compression) {
+async function decompress(source: Uint8Array, { count, byteStride, mode, filter = 'NONE' }: Compression) {
   const isSized = isCount(count) && isCount(byteStride) && byteStride > 0;
   const size = count * byteStride;
   if (!isSized || size > Math.min(MAX_ARRAY_BYTES, MIN_BYTES + MAX_GROWTH * source.length)) {

@@ -1,6 +1,6 @@
 /** Maps of a region: the whole map of ring 0, then the changes of each ring. */
 import { messageOf } from '../base/errors';
-import { pixelsOf, inflatedFile } from './files';
+import { inflatedFile, pixelsOf } from './files';
 import type { FileData, FirstMapRequest, MapUpdate, NextMapRequest } from './messages';
 import { decodeRanges } from './ranges';
 
@@ -42,7 +42,7 @@ export function createMaps(): Maps {
       return wholeMap(state);
     },
     async next(request) {
-      if (!state) throw new Error('map: a ring came before the first map');
+      if (!state) throw new Error('map: a ring was requested before the first map');
       const { since, ring } = request;
       if (since !== null && !(Number.isInteger(since) && since >= 0 && since <= ring)) {
         throw new Error(`map: expected an earlier ring than ${ring}, got ${since}`);

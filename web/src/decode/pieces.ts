@@ -10,19 +10,19 @@ const MAX_TRIANGLES = 32_768;
 const SHORT = 65_536;
 
 /** The same triangles in pieces of bounded size, each with the vertices that it uses. */
-export function chopped(whole: Arrays): Arrays[] {
+export function splitIntoPieces(whole: Arrays): Arrays[] {
   const corners = 3 * MAX_TRIANGLES;
   if (whole.indices.length === 0) return [];
   if (whole.indices.length <= corners) return [whole];
   const renamed = new Int32Array(whole.positions.length / 3).fill(-1);
   const count = Math.ceil(whole.indices.length / corners);
   return Array.from({ length: count }, (_, n) => {
-    return chosenRows(whole, whole.indices.subarray(n * corners, (n + 1) * corners), renamed);
+    return selectTriangles(whole, whole.indices.subarray(n * corners, (n + 1) * corners), renamed);
   });
 }
 
 /** Triangles by their indices, with the vertices that they use. `renamed` has −1 for each vertex, before and after. */
-export function chosenRows(
+export function selectTriangles(
   whole: Arrays,
   corners: Uint16Array | Uint32Array,
   renamed = new Int32Array(whole.positions.length / 3).fill(-1),
@@ -65,7 +65,7 @@ const MAX_PIECES = 32;
 const MAX_BYTES = 2 ** 22;
 
 /** Packs all bands and pieces into parts, in order. */
-export function parcelled(bands: readonly Band[], pieces: readonly Piece[]): Part[] {
+export function packIntoParts(bands: readonly Band[], pieces: readonly Piece[]): Part[] {
   const parts: { bands: Band[]; pieces: Piece[] }[] = [];
   let [count, bytes] = [0, 0];
   const place = (size: number): { bands: Band[]; pieces: Piece[] } => {
@@ -83,7 +83,7 @@ export function parcelled(bands: readonly Band[], pieces: readonly Piece[]): Par
   const sent = new Set<string | Float32Array | null>();
   for (const piece of pieces) {
     const { same, placements } = piece;
-    const whole = same !== null && sent.has(same) ? emptied(piece) : piece;
+    const whole = same !== null && sent.has(same) ? withoutArrays(piece) : piece;
     // Pieces of a mesh share placements; transferring them with one piece detaches them for the others.
     const own = placements && sent.has(placements) ? { ...whole, placements: placements.slice() } : whole;
     sent.add(same).add(placements);
@@ -100,7 +100,7 @@ export function samplesOf(pieces: readonly Piece[]): Piece[] {
     const { image, cutoff, emission, glow, isUnlit } = material;
     const parts = [normals, uvs, colors, placements, image, cutoff, emission, glow];
     const kind = [...parts.map((part) => part !== null), isUnlit].join();
-    if (!samples.has(kind)) samples.set(kind, { ...emptied(piece), placements: placements && new Float32Array(0) });
+    if (!samples.has(kind)) samples.set(kind, { ...withoutArrays(piece), placements: placements && new Float32Array(0) });
   }
   return [...samples.values()];
 }
@@ -116,7 +116,7 @@ function arraysOf({ positions, normals, uvs, colors, indices, placements }: Piec
 }
 
 /** Copy of a piece without arrays that an earlier piece has. */
-function emptied(piece: Piece): Piece {
+function withoutArrays(piece: Piece): Piece {
   const { normals, uvs, colors } = piece;
   return {
     ...piece,

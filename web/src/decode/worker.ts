@@ -14,7 +14,7 @@ import type {
   PartRequest,
   Result,
 } from './messages';
-import { contentsOf, parcelled, samplesOf } from './pieces';
+import { contentsOf, packIntoParts, samplesOf } from './pieces';
 import { FOLDER } from './surfaces';
 
 /** Maps by region. */
@@ -61,7 +61,7 @@ async function work(job: Job): Promise<Result> {
 
 async function geometry(job: GeometryRequest & { readonly id: number }): Promise<Geometry> {
   const { pieces, images, triangles } = await decodeGeometry(job, buffers);
-  const parts = parcelled(await bandsOf(images), pieces);
+  const parts = packIntoParts(await bandsOf(images), pieces);
   parcels.set(job.id, parts);
   return { number: job.id, parts: parts.length, samples: samplesOf(pieces), triangles };
 }
@@ -76,7 +76,7 @@ function part({ of, part: number }: PartRequest): Part {
 
 function mapsOf(region: number): Maps {
   const found = maps.get(region);
-  if (!found) throw new Error('map: a ring came before the first map');
+  if (!found) throw new Error('map: a ring was requested before the first map');
   return found;
 }
 

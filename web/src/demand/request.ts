@@ -7,14 +7,14 @@ import { PAUSES } from '../bundle/source';
 import type { Network } from '../bundle/transfer';
 
 /** Default and greatest pause before a busy server is asked again, seconds. */
-const [LATER, LATEST] = [2, 60] as const;
+const [DEFAULT_PAUSE, MAX_PAUSE] = [2, 60] as const;
 /** Status codes of a busy server: too many requests of this client, or of all clients. */
 const BUSY = [429, 503];
 /** Greatest length of a displayed reason. */
 const MAX_REASON_LENGTH = 300;
 
 /** Response of a server; throws a BundleError of `kind` if it refuses. `busy` receives the seconds of each pause. */
-export async function ask(
+export async function request(
   url: URL,
   kind: Kind,
   busy: (seconds: number) => void,
@@ -41,8 +41,8 @@ export async function ask(
 }
 
 function pauseOf({ headers }: Response): number {
-  const told = Number(headers.get('retry-after') ?? LATER);
-  return Number.isFinite(told) ? Math.min(Math.max(told, 1), LATEST) : LATER;
+  const seconds = Number(headers.get('retry-after') ?? DEFAULT_PAUSE);
+  return Number.isFinite(seconds) ? Math.min(Math.max(seconds, 1), MAX_PAUSE) : DEFAULT_PAUSE;
 }
 
 /** Reason in an error response, without the status in front. */

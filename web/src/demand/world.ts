@@ -1,12 +1,12 @@
 /** World whose regions a server makes on demand, for any place of a grid. */
-import type { Described } from '../bundle/manifest';
+import type { FileEntry } from '../bundle/manifest';
 import { createFiles, type Files, MAX_MANIFEST, type Received } from '../bundle/source';
 import type { Network } from '../bundle/transfer';
 import { distance } from '../control/limit';
 import type { Vector } from '../control/pose';
 import type { Places, Spot, World } from '../show/world';
 import { type Making, readPlace } from './place';
-import { ask, linesOf } from './request';
+import { linesOf, request } from './request';
 import type { SceneFacts, Site } from './scene';
 
 export interface DemandSettings {
@@ -23,14 +23,14 @@ export interface DemandSettings {
 export interface DemandWorld extends World {
   readonly files: Files;
   /** Progress of the server with a region; null for regions that are not open. */
-  makingOf(region: number): Making | null;
+  progressOf(region: number): Making | null;
 }
 
 export function createDemandWorld({ base, site, scene, last, received, network }: DemandSettings): DemandWorld {
   const grid = createGrid(site.grid);
   const makings = new Map<number, Making>();
   // Files are named by their content, so entries of different places agree.
-  const listed = new Map<string, Described>();
+  const listed = new Map<string, FileEntry>();
   return {
     places: grid,
     faceSize: scene.faceSize,
@@ -39,23 +39,23 @@ export function createDemandWorld({ base, site, scene, last, received, network }
     fade: scene.fade,
     files: createFiles(base, (name) => listed.get(name), received, network),
     async open(region, signal) {
-      const told = (making: Making): void => {
+      const report = (making: Making): void => {
         if (!signal.aborted) makings.set(region, making);
       };
       const name = `at/${grid.of(region).center.join()}/parts`;
-      told({ stage: 'asked' });
+      report({ stage: 'asked' });
       signal.addEventListener('abort', () => makings.delete(region), { once: true });
-      const answer = await ask(new URL(name, base), 'place', (seconds) => told({ stage: 'busy', seconds }), signal, network);
+      const answer = await request(new URL(name, base), 'place', (seconds) => report({ stage: 'busy', seconds }), signal, network);
       const coming = await readPlace(linesOf('parts', answer, MAX_MANIFEST), last, {
         listed(files) {
           for (const [file, described] of Object.entries(files)) listed.set(file, described);
         },
-        making: told,
+        making: report,
       });
       grid.know(region, coming.entry);
       return coming;
     },
-    makingOf: (region) => makings.get(region) ?? null,
+    progressOf: (region) => makings.get(region) ?? null,
   };
 }
 

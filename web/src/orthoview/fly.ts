@@ -1,7 +1,7 @@
 /** Flying along the view, sideways, up and down, at a speed proportional to the height; the pose at the start. */
-import { browserPads, createKeys, type Drive, isElsewhere, readPads, together } from '../control/drive';
+import { browserPads, createKeys, type Drive, isElsewhere, readPads, sumOfDrives } from '../control/drive';
 import { createPointers, type Thumb } from '../control/pointers';
-import { addScaled, ahead, bounded, type Pose, rightOf, STEEPEST, type Vector } from '../control/pose';
+import { addScaled, ahead, clamp, type Pose, rightOf, STEEPEST, type Vector } from '../control/pose';
 import type { Layout } from './store/layout';
 
 /** Metres per second for each metre above the ground, and least height that counts, metres. */
@@ -17,11 +17,11 @@ const LONGEST = 0.25;
 const RISE: Readonly<Record<string, number>> = { KeyE: 1, Space: 1, KeyQ: -1, KeyC: -1 };
 
 /** Pose after some seconds of commands; `rise` is upward. `ground` is the height of the world's bottom, metres. */
-export function flown(pose: Pose, wishes: Drive, rise: number, power: number, ground: number, seconds: number): Pose {
+export function advanceFlight(pose: Pose, wishes: Drive, rise: number, power: number, ground: number, seconds: number): Pose {
   const yaw = pose.yaw + TURN * wishes.turn * seconds;
-  const pitch = bounded(pose.pitch + TURN * wishes.look * seconds, -STEEPEST, STEEPEST);
+  const pitch = clamp(pose.pitch + TURN * wishes.look * seconds, -STEEPEST, STEEPEST);
   const height = Math.max(pose.position[1] - ground, LOWEST);
-  const way = SPEED * height * 2 ** power * (wishes.isHasty ? HASTE : 1) * seconds;
+  const way = SPEED * height * 2 ** power * (wishes.isRunning ? HASTE : 1) * seconds;
   let position: Vector = addScaled(pose.position, ahead({ yaw, pitch }), way * wishes.ahead);
   position = addScaled(position, rightOf(yaw), way * wishes.right);
   return { position: addScaled(position, [0, 1, 0], way * rise), yaw, pitch };
@@ -48,7 +48,7 @@ export function createFly(
   const held = new Set<string>();
   const keys = createKeys(window);
   const turn = (left: number, up: number): void => {
-    pose = { ...pose, yaw: pose.yaw + left, pitch: bounded(pose.pitch + up, -STEEPEST, STEEPEST) };
+    pose = { ...pose, yaw: pose.yaw + left, pitch: clamp(pose.pitch + up, -STEEPEST, STEEPEST) };
   };
   const none = (): void => undefined;
   const pointers = createPointers(element, {
@@ -73,7 +73,7 @@ export function createFly(
     'wheel',
     (event) => {
       event.preventDefault();
-      power = bounded(power - WHEEL * event.deltaY * (event.deltaMode === 1 ? 16 : 1), -FASTEST, FASTEST);
+      power = clamp(power - WHEEL * event.deltaY * (event.deltaMode === 1 ? 16 : 1), -FASTEST, FASTEST);
     },
     { passive: false },
   );
@@ -87,10 +87,10 @@ export function createFly(
     },
     update(seconds) {
       const spent = seconds > 0 ? Math.min(seconds, LONGEST) : 0;
-      const wishes = together(keys.drive, pointers.drive, readPads(browserPads()));
+      const wishes = sumOfDrives(keys.drive, pointers.drive, readPads(browserPads()));
       const rise = Math.sign([...held].reduce((sum, code) => sum + (RISE[code] ?? 0), 0));
       const isStill = rise === 0 && [wishes.right, wishes.ahead, wishes.turn, wishes.look].every((part) => part === 0);
-      if (!isStill) pose = flown(pose, wishes, rise, power, ground(), spent);
+      if (!isStill) pose = advanceFlight(pose, wishes, rise, power, ground(), spent);
       return pose;
     },
     setPose(next) {

@@ -137,7 +137,7 @@ function main(): void {
       const { received, rate } = meter.read();
       panel.update({
         facts: viewer.facts,
-        frame: viewer.took,
+        frame: viewer.drawMs,
         received,
         rate,
         height: pose.position[1] - ground,
@@ -155,8 +155,8 @@ function main(): void {
   requestAnimationFrame(frame);
 }
 
-const AGAIN = 'what has come stays, and the rest is asked for again';
-const LOST = 'The browser has taken the graphics away.';
+const AGAIN = 'the loaded views stay, and the others are requested again';
+const LOST = 'The browser has reset the graphics.';
 
 /** Titles and texts of failures after which nothing can be shown. */
 const FATAL: Readonly<Record<Failure['kind'], { readonly title: string; readonly text: string }>> = {
@@ -164,16 +164,16 @@ const FATAL: Readonly<Record<Failure['kind'], { readonly title: string; readonly
     title: 'There is no tree at this address',
     text: 'The page shows the store of orthoviews in whose folder it lies, or the one that ?store= names.',
   },
-  refused: { title: 'The server refuses the tree', text: 'Tell whoever runs the server what stands below.' },
+  refused: { title: 'The server refuses the tree', text: 'Send the message below to whoever runs the server.' },
   unreachable: { title: 'The tree cannot be reached', text: 'Check the connection and the address, and try again.' },
   damaged: {
     title: 'The tree is damaged',
-    text: 'A file is not what the build has written. Check it with nearfar orthoview verify.',
+    text: 'A file differs from what the build wrote. Check it with nearfar orthoview verify.',
   },
-  newer: { title: 'The tree needs a newer nearfar', text: 'It was written in a later format than this page reads.' },
+  newer: { title: 'The tree needs a newer nearfar', text: 'It has a newer format than this page reads.' },
   other: {
     title: 'The tree cannot be shown',
-    text: 'Reload the page. If that does not help, tell whoever sent you here what stands below.',
+    text: 'Reload the page. If that does not help, send the message below to whoever gave you the link.',
   },
 };
 

@@ -87,11 +87,11 @@ export interface Signal {
 /** Parses a payload; throws `FrameError` if it is malformed or describes more than one data channel. */
 export function readSignal(payload: Uint8Array): Signal {
   const reader = new Reader(payload);
-  if (reader.u8() !== VERSION) throw new FrameError('a signal is of another version');
+  if (reader.u8() !== VERSION) throw new FrameError('a signal has another version');
   const kind = KINDS[reader.u8()];
-  if (!kind) throw new FrameError('a signal is of no kind that there is');
+  if (!kind) throw new FrameError('a signal has an unknown kind');
   const attempt = reader.u32();
-  const sdp = textOf(reader.rest(MAX_BYTES), 'a description is no text');
+  const sdp = textOf(reader.rest(MAX_BYTES), 'a description is not UTF-8');
   if (kind === 'no' ? sdp !== '' : !isDescription(sdp)) throw new FrameError('a signal describes no channel for data');
   return { kind, attempt, sdp: withFewAddresses(sdp) };
 }

@@ -27,18 +27,18 @@ export function createChoice(storage: () => Storage = () => localStorage): Choic
 /** Query parameter by which a user declines. */
 const PARAMETER = 'peers';
 /** Reason if the user has switched it off. */
-export const UNWANTED = 'the user does not want it';
+export const UNWANTED = 'the user has switched it off';
 
 /** Returns why this page's address, user or browser prevents the exchange; null if nothing does. */
 export function refusalHere(query: URLSearchParams, choice: Choice): string | null {
-  if (query.get(PARAMETER) === 'off') return 'the address of the page says so';
+  if (query.get(PARAMETER) === 'off') return 'the address of the page switches it off';
   if (!choice.isOn) return UNWANTED;
-  if (!globalThis.crypto?.subtle) return 'the browser checks files on https and on this machine alone';
+  if (!globalThis.crypto?.subtle) return 'the browser hashes files only on https and on localhost';
   return typeof RTCPeerConnection === 'function' ? null : 'the browser has no WebRTC';
 }
 
 /** Returns why the server prevents the exchange; null if it allows it. */
 export function refusalThere(about: About | null): string | null {
-  if (!about) return 'the server does not tell whether pages may';
-  return about.peers ? null : 'the server does not want it';
+  if (!about) return 'the server does not say whether it allows it';
+  return about.peers ? null : 'the server does not allow it';
 }

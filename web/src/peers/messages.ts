@@ -42,7 +42,7 @@ function readBody(kind: number, reader: Reader): Message {
   switch (kind) {
     case KINDS.tell: {
       const holding = HOLDINGS[reader.u8()];
-      if (!holding) throw new FrameError('a file is held in no way that there is');
+      if (!holding) throw new FrameError('a file has an unknown state');
       const keys: string[] = [];
       while (!reader.isAtEnd && keys.length <= MAX_FILES_PER_MESSAGE) keys.push(hexOf(reader.take(KEY)));
       return { kind: 'tell', holding, keys };
@@ -58,7 +58,7 @@ function readBody(kind: number, reader: Reader): Message {
     case KINDS.cancel:
       return { kind: 'cancel', request: reader.u32() };
     default:
-      throw new FrameError('a message is of no kind that there is');
+      throw new FrameError('a message has an unknown kind');
   }
 }
 

@@ -5,7 +5,7 @@
  */
 import { LruCache } from '../base/cache';
 import { abortable } from '../base/errors';
-import type { Described } from '../bundle/manifest';
+import type { FileEntry } from '../bundle/manifest';
 import type { Received, Serve } from '../bundle/source';
 import { sha256 } from '../base/bytes';
 import type { Answer } from './downloads';
@@ -24,7 +24,7 @@ const MAX_TIMED_OUT_USERS = 2;
 export interface ShareSettings {
   /** Contents that the page can give to others, by key; browsers may keep blobs on disk. */
   readonly store: LruCache<Blob>;
-  readonly described: (name: string) => Described | undefined;
+  readonly described: (name: string) => FileEntry | undefined;
   /** Names of the files that the page shows or will show. */
   readonly wanted: () => Iterable<string>;
   /** Whether the first picture is still missing. */
@@ -57,17 +57,17 @@ export function createShare(settings: ShareSettings): Share {
   const { store, described, wanted, isFirst, own, peers, ready, fetch } = settings;
   const counts: Counts = { others: { bytes: 0, files: 0 }, server: { bytes: 0, files: 0 } };
   /** Received bytes of each file in transfer; files requested from the server. */
-  const coming = new Map<string, number>();
-  const asked = new Set<string>();
+  const arriving = new Map<string, number>();
+  const requested = new Set<string>();
   /** Users that timed out during the first picture. */
   const late = new Set<number>();
 
   /** Returns the page to request a file from; null for the server. */
   function choosePeer(key: string, tried: ReadonlySet<number>): Peer | null {
     const number = own();
-    const isHasty = isFirst();
-    if (number === null || (isHasty && late.size >= MAX_TIMED_OUT_USERS)) return null;
-    const isPassed = (user: number): boolean => tried.has(user) || (isHasty && late.has(user));
+    const isUrgent = isFirst();
+    if (number === null || (isUrgent && late.size >= MAX_TIMED_OUT_USERS)) return null;
+    const isPassed = (user: number): boolean => tried.has(user) || (isUrgent && late.has(user));
     const free = peers().filter((peer) => peer.isFree && !peer.awaits(key) && !isPassed(peer.number));
     const byLoad = (a: Peer, b: Peer): number => a.open - b.open || (isBefore(a.number, b.number, key) ? -1 : 1);
     const [holder] = free.filter((peer) => peer.holds(key) === 'here').sort(byLoad);
@@ -78,7 +78,7 @@ export function createShare(settings: ShareSettings): Share {
     return before.sort((a, b) => (isBefore(a.number, b.number, key) ? -1 : 1))[0] ?? null;
   }
 
-  async function fromOthers(file: Described, signal: AbortSignal, received: Received): Promise<ArrayBuffer | null> {
+  async function fromOthers(file: FileEntry, signal: AbortSignal, received: Received): Promise<ArrayBuffer | null> {
     const { sha256: key } = file;
     if (!peers().some((peer) => peer.holds(key) !== 'gone')) await abortable<void>(signal, (done, failed) => void ready.then(done, failed));
     const tried = new Set<number>();
@@ -96,7 +96,7 @@ export function createShare(settings: ShareSettings): Share {
   }
 
   async function fromServer(key: string, serve: () => Promise<ArrayBuffer>): Promise<ArrayBuffer> {
-    asked.add(key);
+    requested.add(key);
     for (const peer of peers()) peer.tell('coming', [key]);
     try {
       const data = await serve();
@@ -104,7 +104,7 @@ export function createShare(settings: ShareSettings): Share {
       if ((await sha256(data)) === key) keep(key, data);
       return data;
     } finally {
-      asked.delete(key);
+      requested.delete(key);
       if (!store.has(key)) for (const peer of peers()) peer.tell('gone', [key]);
     }
   }
@@ -117,14 +117,14 @@ export function createShare(settings: ShareSettings): Share {
     }
   }
 
-  async function come(
-    file: Described,
+  async function load(
+    file: FileEntry,
     signal: AbortSignal,
     received: Received,
     serve: (received: Received) => Promise<ArrayBuffer>,
   ): Promise<ArrayBuffer> {
     const counted = (count: { bytes: number }): Received => (bytes) => {
-      coming.set(file.sha256, (coming.get(file.sha256) ?? 0) + bytes);
+      arriving.set(file.sha256, (arriving.get(file.sha256) ?? 0) + bytes);
       count.bytes += bytes;
       received(bytes);
     };
@@ -151,23 +151,23 @@ export function createShare(settings: ShareSettings): Share {
         received(held.byteLength);
         return held;
       }
-      coming.set(key, 0);
+      arriving.set(key, 0);
       try {
-        return await come(file, signal, received, (told) => serve(name, signal, told));
+        return await load(file, signal, received, (told) => serve(name, signal, told));
       } finally {
-        coming.delete(key);
+        arriving.delete(key);
         for (const peer of peers()) peer.settle(key);
       }
     },
     greet(peer) {
-      peer.tell('coming', [...asked]);
+      peer.tell('coming', [...requested]);
       peer.tell('here', store.keys);
     },
     shelf: {
       find: (key) => store.get(key) ?? null,
-      sizeOf: (key) => Math.max(coming.get(key) ?? 0, 0),
+      sizeOf: (key) => Math.max(arriving.get(key) ?? 0, 0),
       obtain(key) {
-        if (coming.has(key)) return true;
+        if (arriving.has(key)) return true;
         for (const name of wanted()) {
           if (described(name)?.sha256 !== key) continue;
           fetch(name, new AbortController().signal).catch(() => {
@@ -188,9 +188,9 @@ function weightOf(user: number, key: string): number {
 }
 
 /** Whether one user precedes another one for a file. */
-export function isBefore(one: number, other: number, key: string): boolean {
-  const difference = weightOf(one, key) - weightOf(other, key);
-  return difference > 0 || (difference === 0 && one < other);
+export function isBefore(a: number, b: number, key: string): boolean {
+  const difference = weightOf(a, key) - weightOf(b, key);
+  return difference > 0 || (difference === 0 && a < b);
 }
 
 /** Finalizer of MurmurHash3: each bit of the result depends on each bit of the number. */

@@ -1,6 +1,6 @@
 /** Exchange of files between pages of a room; the server relays signals and sends files that no page has. */
 import { LruCache } from '../base/cache';
-import type { Described } from '../bundle/manifest';
+import type { FileEntry } from '../bundle/manifest';
 import type { Files } from '../bundle/source';
 import { CLOCK } from '../rooms/clock';
 import type { FromServer } from '../rooms/frames';
@@ -67,7 +67,7 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
   const mesh = createMesh({
     clock,
     create: (events) => createCall(events, clock.later),
-    signal: (user, said) => outbox.send(user, writeSignal(said)),
+    signal: (user, message) => outbox.send(user, writeSignal(message)),
     opened(number, line) {
       const peer = createPeer({
         number,
@@ -89,7 +89,7 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
   });
   const share = createShare({
     store,
-    described: (name): Described | undefined => files.described(name),
+    described: (name): FileEntry | undefined => files.described(name),
     wanted,
     isFirst,
     own: () => mesh.own,
@@ -110,7 +110,7 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
     refusal = reason;
     mesh.begin(reason === null);
     if (reason === null) tick();
-    else files.goBy(null);
+    else files.setRoute(null);
   }
 
   const ownSwitch: Switch = {
@@ -125,7 +125,7 @@ export function startPeers({ query, ask, files, wanted, isFirst, signal }: Peers
 
   const here = refusalHere(query, choice);
   if (here === null) {
-    files.goBy(share.get);
+    files.setRoute(share.get);
     void ask().then((about) => begin(refusalThere(about)));
   } else {
     begin(here);

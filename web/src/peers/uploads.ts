@@ -109,9 +109,9 @@ export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now:
 
   return {
     want(request, key) {
-      if (request <= last) return 'a request has a number that was used';
+      if (request <= last) return 'a request reuses a number';
       last = request;
-      if (ready.size + waiting.size >= MAX_OPEN) return 'too much is asked for at once';
+      if (ready.size + waiting.size >= MAX_OPEN) return 'too many requests are open';
       const isFast = !rate.take(1);
       const found = isFast ? null : shelf.find(key);
       if (found) {

@@ -13,7 +13,7 @@ import {
   Vector4,
 } from 'three';
 import type { Point } from '../bundle/manifest';
-import { minus } from '../control/pose';
+import { subtract } from '../control/pose';
 import { NEAR_VERTEX } from '../shaders/scene';
 import type { Shared } from '../show/materials';
 import { colorOf, createMesh, createRay, type Drawn, paint, setPoint, type Shapes } from './meshes';
@@ -83,7 +83,7 @@ export function createAvatar(shapes: Shapes, shared: Shared): Avatar {
     place(center) {
       if (!body) return;
       const { head, left, right } = body;
-      const [x, y, z] = minus(head.position, center);
+      const [x, y, z] = subtract(head.position, center);
       for (const [part, placed] of [['head', head], ['visor', head], ['left', left], ['right', right]] as const) {
         if (placed) compose(parts[part], placed, center);
       }
@@ -99,7 +99,7 @@ export function createAvatar(shapes: Shapes, shared: Shared): Avatar {
 
 function compose({ material }: Drawn, { position, rotation }: Placed, center: Point): void {
   const matrix = material.uniforms['placement']?.value as Matrix4;
-  const place = new Vector3(...minus(position, center));
+  const place = new Vector3(...subtract(position, center));
   matrix.compose(place, new Quaternion(...rotation).normalize(), new Vector3(1, 1, 1));
 }
 

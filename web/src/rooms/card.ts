@@ -10,7 +10,7 @@ import type { Guest } from './presence';
 const POINT = 'M5 4l6 15 2.2-6.3L19.5 10.5zM14 14l5 5';
 const POINTER = 'M4 20L13 11M17 9a2 2 0 1 0 0-4 2 2 0 0 0 0 4M12 4l1 1M21 11l1 1M20 2l-1 1';
 
-export interface HereCommands {
+export interface CardCommands {
   mute(number: number, isMuted: boolean): void;
   retry(): void;
   leave(): void;
@@ -34,7 +34,7 @@ export interface Room {
   readonly exchanges: boolean | null;
 }
 
-export interface Here {
+export interface RoomCard {
   /** Button that is held to point at the middle of the picture. */
   readonly button: HTMLElement;
   /** Updates the card, a few times a second. */
@@ -44,7 +44,7 @@ export interface Here {
 }
 
 /** Builds the card in the element that holds the panel. */
-export function createHere(root: HTMLElement, commands: HereCommands): Here {
+export function createRoomCard(root: HTMLElement, commands: CardCommands): RoomCard {
   const chip = make('button', { type: 'button', class: 'chip card here-chip', 'aria-controls': 'here' });
   const list = make('ul', { class: 'here-list' });
   const words = make('p', { class: 'here-words', role: 'status' });
@@ -102,8 +102,8 @@ export function createHere(root: HTMLElement, commands: HereCommands): Here {
     again.hidden = state.kind === 'here' || state.kind === 'joining';
     leave.hidden = state.kind === 'ended';
     // Announces spontaneous changes, which the user may not see.
-    const isNews = state !== last && 'words' in state;
-    if (isNews && !(last && 'words' in last && last.words === state.words)) commands.announce(state.words);
+    const isNewest = state !== last && 'words' in state;
+    if (isNewest && !(last && 'words' in last && last.words === state.words)) commands.announce(state.words);
     if (state.kind !== 'joining') last = state;
   }
 
@@ -185,8 +185,8 @@ function createExchange(set: (isOn: boolean) => void): Exchange {
       element.hidden = isOn === null;
       if (isOn === null) return;
       box.checked = isOn;
-      const when = isOn && isAfterwards ? ', when the page is loaded again' : '';
-      write(text, `Exchange files with others here, who see the address of this device${when}`);
+      const when = isOn && isAfterwards ? ', after the page is reloaded' : '';
+      write(text, `Exchange files with other users of the room, who see the address of this device${when}`);
     },
   };
 }
@@ -222,33 +222,33 @@ export interface Arrivals {
 }
 
 export function createArrivals(announce: (sentence: string) => void): Arrivals {
-  const untold = new Map<number, string>();
+  const pending = new Map<number, string>();
   let known = 0;
   let [since, last]: [number | null, number] = [null, -Infinity];
 
   return {
     come(number, name) {
       if (known > 0) known -= 1;
-      else untold.set(number, name);
+      else pending.set(number, name);
     },
     left(number) {
-      untold.delete(number);
+      pending.delete(number);
     },
     tell(now) {
-      const [name] = untold.values();
+      const [name] = pending.values();
       if (name === undefined) {
         since = null;
         return;
       }
       since ??= now;
       if (now < Math.max(since + GATHER, last + PAUSE)) return;
-      announce(untold.size === 1 ? `${name} is here` : `${untold.size} more are here`);
-      untold.clear();
+      announce(pending.size === 1 ? `${name} has joined` : `${pending.size} more have joined`);
+      pending.clear();
       [since, last] = [null, now];
     },
     begin(others) {
       known = others;
-      untold.clear();
+      pending.clear();
     },
   };
 }

@@ -27,7 +27,7 @@ export interface ConnectionSettings {
   /** Ticket from an earlier connection; empty by default. */
   readonly ticket?: Uint8Array;
   /** Called with a frame of the server and its time of arrival; `welcome` resets all known users. */
-  readonly heard: (frame: FromServer, now: number) => void;
+  readonly onFrame: (frame: FromServer, now: number) => void;
   readonly changed: (state: State) => void;
   /** Opens a socket; a WebSocket by default. */
   readonly open?: Open;
@@ -52,7 +52,7 @@ export interface Connection {
 }
 
 export function connect(settings: ConnectionSettings): Connection {
-  const { address, page, heard, changed, open = openSocket, clock = CLOCK } = settings;
+  const { address, page, onFrame, changed, open = openSocket, clock = CLOCK } = settings;
   const { now, later } = clock;
   const roundTrips = createRoundTrips();
   let state: State = { kind: 'joining' };
@@ -88,7 +88,7 @@ export function connect(settings: ConnectionSettings): Connection {
       opened() {
         if (socket === own) send({ kind: 'hello', group: address.group, name: address.name, ticket });
       },
-      came(data) {
+      received(data) {
         if (socket === own) take(data);
       },
       closed(code) {
@@ -107,7 +107,7 @@ export function connect(settings: ConnectionSettings): Connection {
 
   function take(data: unknown): void {
     try {
-      if (!(data instanceof ArrayBuffer)) throw new FrameError('a message is a text');
+      if (!(data instanceof ArrayBuffer)) throw new FrameError('a message is text instead of bytes');
       const time = now();
       for (const frame of readMessage(new Uint8Array(data))) if (socket) follow(frame, time);
     } catch (error) {
@@ -145,11 +145,11 @@ export function connect(settings: ConnectionSettings): Connection {
     } else if (frame.kind === 'pose' && frame.pose.isAcknowledged) {
       send({ kind: 'ack', user: frame.user, sequence: frame.pose.sequence }, !frame.pose.stops);
     }
-    if (frame.kind !== 'pose' || isNews(frame.user, frame.pose.sequence)) heard(frame, time);
+    if (frame.kind !== 'pose' || isNewest(frame.user, frame.pose.sequence)) onFrame(frame, time);
   }
 
   /** Whether a pose is newer than all others of a present user: datagrams overtake each other and the stream. */
-  function isNews(user: number, sequence: number): boolean {
+  function isNewest(user: number, sequence: number): boolean {
     const known = newest.get(user);
     if (known === undefined || sequence <= known) return false;
     newest.set(user, sequence);

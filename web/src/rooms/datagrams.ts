@@ -24,8 +24,8 @@ export async function openDatagrams(relay: string, to: Datagrams, listener: List
     // Nothing is reported of a session that fails, as in browsers with another version of WebTransport.
     const socket = sending(transport, stream.writable, closed);
     void closed.then((code) => listener.closed(code));
-    void readAll(stream.readable, splitter((frames) => listener.came(frames)));
-    void readAll(transport.datagrams.readable, (datagram) => listener.came(datagram.slice().buffer));
+    void readAll(stream.readable, splitter((frames) => listener.received(frames)));
+    void readAll(transport.datagrams.readable, (datagram) => listener.received(datagram.slice().buffer));
     return socket;
   } catch (error) {
     transport.close();

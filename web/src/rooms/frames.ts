@@ -79,9 +79,9 @@ function readBody(kind: number, body: Reader): FromServer {
     case SERVER.left:
       return { kind: 'left', user: body.u16() };
     case SERVER.refused:
-      return { kind: 'refused', reason: body.u8(), sentence: textOf(body.rest(SAY), 'a sentence is no text') };
+      return { kind: 'refused', reason: body.u8(), sentence: textOf(body.rest(SAY), 'a sentence is not UTF-8') };
     default:
-      throw new FrameError('a frame is of no kind that the server sends');
+      throw new FrameError('a frame has an unknown kind');
   }
 }
 
@@ -127,7 +127,7 @@ function readTo(body: Reader): Audience {
 }
 
 function readName(body: Reader): string {
-  return checkedName(textOf(body.take(body.u8()), 'a name is no text'));
+  return checkedName(textOf(body.take(body.u8()), 'a name is not UTF-8'));
 }
 
 /** Characters forbidden in names: control characters, and format characters, which are invisible or reorder text. */

@@ -14,10 +14,10 @@ import {
   type Vector4,
 } from 'three';
 import type { Point } from '../bundle/manifest';
-import { minus, type Vector } from '../control/pose';
+import { subtract, type Vector } from '../control/pose';
 import { NEAR_FRAGMENT } from '../shaders/scene';
 import { BLENDING, NOWHERE, type Shared } from '../show/materials';
-import { type Body, rotated } from './pose';
+import { type Body, rotate } from './pose';
 import { POINTER_VERTEX } from './shaders';
 
 export type Drawn = Mesh<BufferGeometry, RawShaderMaterial>;
@@ -148,8 +148,8 @@ export function createRay(shapes: Shapes, shared: Shared, color: Vector4): Ray {
     place(body, center) {
       const ends = endsOf(body);
       if (!ends) return;
-      setPoint(mesh, 'begin', minus(ends.begin, center));
-      setPoint(mesh, 'end', minus(ends.end, center));
+      setPoint(mesh, 'begin', subtract(ends.begin, center));
+      setPoint(mesh, 'end', subtract(ends.end, center));
     },
   };
 }
@@ -159,6 +159,6 @@ function endsOf({ head, left, right, pointer }: Body): { readonly begin: Vector;
   const from = pointer && { head, left, right }[pointer.begin];
   if (!from) return null;
   const [x, y, z] = from.position;
-  const [dx, dy, dz] = rotated(from.rotation, [0, 0, -pointer.length]);
+  const [dx, dy, dz] = rotate(from.rotation, [0, 0, -pointer.length]);
   return { begin: from.position, end: [x + dx, y + dy, z + dz] };
 }

@@ -1,7 +1,7 @@
 /** The user's body in each frame, as others see it, and the point of the world at which its pointer ends. */
 import type { WebGLRenderer } from 'three';
 import { directionTo } from '../control/floor';
-import { addScaled, ahead, minus, type Pose, rightOf, type Vector } from '../control/pose';
+import { addScaled, ahead, type Pose, rightOf, subtract, type Vector } from '../control/pose';
 import type { Shared } from '../show/materials';
 import type { Guests } from '../show/painter';
 import type { Viewer } from '../show/viewer';
@@ -22,7 +22,7 @@ export function createPointing(
   hands: () => readonly HandRay[] | null,
   activity: () => Activity | null,
 ): (pose: Pose, now: number) => Body {
-  const [targets, lengths] = [createSeldom<Vector>(EVERY), createSeldom<number>(EVERY)];
+  const [targets, lengths] = [createThrottled<Vector>(EVERY), createThrottled<number>(EVERY)];
 
   function targetOf(pose: Pose, now: number): Vector | null {
     const { place } = hold;
@@ -47,7 +47,7 @@ export interface Activity extends Guests {
   /** Whether users point even without holding a button. */
   readonly isPointing: boolean;
   /** Handles a frame of the server. */
-  heard(frame: FromServer, now: number): void;
+  hear(frame: FromServer, now: number): void;
   /** Updates the task before each frame with the user's pose and the body that others see. */
   frame(pose: Pose, body: Body, now: number): void;
   /** Returns the world point at a place of the picture; null if the scene determines it. */
@@ -63,7 +63,7 @@ function atScreen(pose: Pose, target: Vector | null): Body {
   if (!target) return { head, left: null, right: null, pointer: null };
   const side = addScaled(pose.position, rightOf(pose.yaw), RIGHT);
   const position = addScaled(addScaled(side, ahead({ yaw: pose.yaw, pitch: 0 }), AHEAD), [0, -1, 0], DOWN);
-  const way = minus(target, position);
+  const way = subtract(target, position);
   const right: Placed = { position, rotation: rotationAlong(way) };
   return { head, left: null, right, pointer: { begin: 'right', length: Math.min(Math.hypot(...way), FARTHEST) } };
 }
@@ -101,7 +101,7 @@ const BEYOND = 2;
 export function morphOf({ facts }: Viewer, nearShare: number, pose: Pose): { readonly center: Vector; readonly morph: Morph } {
   const { radius, strength } = facts.shown?.grown ?? { radius: 0, strength: 0 };
   const center: Vector = facts.entry?.center ?? pose.position;
-  return { center, morph: { user: minus(pose.position, center), inner: nearShare * radius, radius, strength } };
+  return { center, morph: { user: subtract(pose.position, center), inner: nearShare * radius, radius, strength } };
 }
 
 /**
@@ -113,7 +113,7 @@ function targetAt(viewer: Viewer, nearShare: number, pose: Pose, [x, y]: Place):
   const seen = viewer.pointAt(x, y);
   if (seen && !viewer.isMorphedAt(x)) return seen;
   if (seen) {
-    const found = pointShownAt(minus(seen, pose.position), morph);
+    const found = pointShownAt(subtract(seen, pose.position), morph);
     return found ? addScaled(center, found, 1) : seen;
   }
   const { camera, renderer, shared } = viewer;
@@ -162,7 +162,7 @@ function rangeIn(renderer: WebGLRenderer, { codes, coding }: Shared, direction: 
 }
 
 /** Cache of a value that is computed less often than frames are drawn. */
-export interface Seldom<Found> {
+export interface Throttled<Found> {
   /** Returns the cached value; calls `look` if it is too old or was discarded. */
   at(now: number, look: () => Found): Found;
   /** Discards the cached value. */
@@ -170,7 +170,7 @@ export interface Seldom<Found> {
 }
 
 /** Creates the cache; `every` is the interval between two updates, seconds. */
-export function createSeldom<Found>(every: number): Seldom<Found> {
+export function createThrottled<Found>(every: number): Throttled<Found> {
   let [found, next]: [{ readonly value: Found } | null, number] = [null, 0];
   return {
     at(now, look) {

@@ -54,13 +54,13 @@ const [POINTER, KNOWN] = [4, 0b11_1111] as const;
 /** Reads a pose that fills the whole body. */
 export function readPose(body: Reader): Pose {
   const [sequence, clock, flags] = [body.u32(), body.u64(), body.u8()];
-  if ((flags & ~KNOWN) !== 0) throw new FrameError('a pose has flags without a meaning');
+  if ((flags & ~KNOWN) !== 0) throw new FrameError('a pose has unknown flags');
   const head = readPlaced(body);
   const left = flags & FLAGS.left ? readPlaced(body) : null;
   const right = flags & FLAGS.right ? readPlaced(body) : null;
   const begin = BEGINS[(flags >> POINTER) - 1];
   const hands = { head, left, right };
-  if (begin && !hands[begin]) throw new FrameError('a pointer begins at no hand');
+  if (begin && !hands[begin]) throw new FrameError('a pointer begins at a missing hand');
   const pointer = begin ? { begin, length: readLength(body) } : null;
   body.end('a pose is too long');
   const [isAcknowledged, stops] = [(flags & FLAGS.acknowledged) !== 0, (flags & FLAGS.stops) !== 0];
@@ -92,11 +92,11 @@ function readPlaced(body: Reader): Placed {
   const position = [body.f32(), body.f32(), body.f32()] as const;
   const parts = [body.i16(), body.i16(), body.i16(), body.i16()] as const;
   // NaN fails the test, too.
-  if (!isWithin(position)) throw new FrameError('a position is none');
+  if (!isWithin(position)) throw new FrameError('a position is out of range');
   const rotation = parts.map((part) => Math.fround(part / ONE)) as unknown as Rotation;
   // Sum in float32, like the server's.
   const square = rotation.reduce((sum, part) => Math.fround(sum + Math.fround(part * part)), 0);
-  if (!(square >= SHORTEST && square <= LONGEST)) throw new FrameError('a rotation is no unit quaternion');
+  if (!(square >= SHORTEST && square <= LONGEST)) throw new FrameError('a rotation is not a unit quaternion');
   return { position, rotation };
 }
 
@@ -107,7 +107,7 @@ function writePlaced(out: Writer, { position, rotation }: Placed): void {
 
 function readLength(body: Reader): number {
   const length = body.f32();
-  if (!(length >= 0 && length <= FARTHEST)) throw new FrameError("a pointer's length is none");
+  if (!(length >= 0 && length <= FARTHEST)) throw new FrameError("a pointer's length is out of range");
   return length;
 }
 
@@ -126,7 +126,7 @@ export function rotationAlong([x, y, z]: Vector): Rotation {
 }
 
 /** Applies a rotation to a vector. */
-export function rotated([x, y, z, w]: Rotation, [a, b, c]: Vector): Vector {
+export function rotate([x, y, z, w]: Rotation, [a, b, c]: Vector): Vector {
   const [tx, ty, tz] = [2 * (y * c - z * b), 2 * (z * a - x * c), 2 * (x * b - y * a)];
   return [a + w * tx + y * tz - z * ty, b + w * ty + z * tx - x * tz, c + w * tz + x * ty - y * tx];
 }

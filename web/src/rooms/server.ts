@@ -33,9 +33,9 @@ export async function askAbout(page: string, signal = AbortSignal.timeout(ANSWER
 }
 
 /** Parses a description; null if it is malformed. */
-export function readAbout(told: unknown): About | null {
-  if (!isRecord(told) || typeof told['peers'] !== 'boolean') return null;
-  const { peers, datagrams } = told;
+export function readAbout(described: unknown): About | null {
+  if (!isRecord(described) || typeof described['peers'] !== 'boolean') return null;
+  const { peers, datagrams } = described;
   return { peers, datagrams: isRecord(datagrams) ? readDatagrams(datagrams) : null };
 }
 
@@ -66,7 +66,7 @@ export interface Socket {
 export interface Listener {
   opened(): void;
   /** Called with whole frames as an ArrayBuffer, or with malformed data. */
-  came(data: unknown): void;
+  received(data: unknown): void;
   /** Called with a WebSocket close code. */
   closed(code: number): void;
 }
@@ -77,7 +77,7 @@ export function openSocket(url: string, listener: Listener): Socket {
   const socket = new WebSocket(url);
   socket.binaryType = 'arraybuffer';
   socket.onopen = () => listener.opened();
-  socket.onmessage = ({ data }) => listener.came(data);
+  socket.onmessage = ({ data }) => listener.received(data);
   socket.onclose = ({ code }) => listener.closed(code);
   return {
     get bufferedAmount() {
@@ -110,11 +110,11 @@ const WORDS: Readonly<Record<number, string>> = {
   [REASON.frame]: 'The server does not understand what this page sends.',
   [REASON.token]: 'This link does not let you into the room. Ask for another one.',
   [REASON.full]: 'The room is full.',
-  [REASON.flood]: 'This page has sent more than the server takes.',
+  [REASON.flood]: 'This page has sent more than the server accepts.',
   [REASON.slow]: 'The connection is too slow for this room.',
-  [REASON.silent]: 'The server has not heard from this page.',
+  [REASON.silent]: 'The server has received nothing from this page.',
   [REASON.replaced]: 'You have entered the room elsewhere.',
-  [REASON.ending]: 'The server ends.',
+  [REASON.ending]: 'The server is shutting down.',
 };
 /** Reasons after which a reconnection would not help. */
 const FINAL: ReadonlySet<number> = new Set([REASON.version, REASON.token, REASON.replaced]);
@@ -134,5 +134,5 @@ export function endOf(reason: number): End {
 /** Returns the end for a WebSocket close code; `wasIn` if the user was in the room. */
 export function endOfCode(code: number, wasIn: boolean): End {
   if (code > OWN) return endOf(code - OWN);
-  return { words: wasIn ? 'The connection to the room broke off.' : 'The room cannot be reached.', isFinal: false };
+  return { words: wasIn ? 'The connection to the room was lost.' : 'The room cannot be reached.', isFinal: false };
 }

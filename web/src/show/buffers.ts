@@ -33,7 +33,7 @@ export function createBuffers<Name extends string>(
   return {
     attributes,
     *steps() {
-      for (const parts of bundled(found.flatMap(({ rows, attribute }) => [...partsOf(rows, attribute.buffer)]))) {
+      for (const parts of groupParts(found.flatMap(({ rows, attribute }) => [...partsOf(rows, attribute.buffer)]))) {
         const bytes = parts.reduce((sum, { data }) => sum + data.byteLength, 0);
         yield {
           kind: 'arrays',
@@ -86,13 +86,13 @@ function bytesEach(rows: Numbers): 2 | 4 {
 }
 
 /** Part of an array, and its byte offset in the buffer. */
-interface Sent {
+interface BufferPart {
   readonly buffer: WebGLBuffer;
   readonly data: Numbers;
   readonly start: number;
 }
 
-function* partsOf(rows: Numbers, buffer: WebGLBuffer): Generator<Sent> {
+function* partsOf(rows: Numbers, buffer: WebGLBuffer): Generator<BufferPart> {
   const count = STEP_BYTES / rows.BYTES_PER_ELEMENT;
   for (let first = 0; first < rows.length; first += count) {
     yield { buffer, data: rows.subarray(first, first + count), start: first * rows.BYTES_PER_ELEMENT };
@@ -100,18 +100,18 @@ function* partsOf(rows: Numbers, buffer: WebGLBuffer): Generator<Sent> {
 }
 
 /** Combines parts up to the size of a step. */
-function* bundled(parts: Iterable<Sent>): Generator<Sent[]> {
-  let some: Sent[] = [];
+function* groupParts(parts: Iterable<BufferPart>): Generator<BufferPart[]> {
+  let group: BufferPart[] = [];
   let bytes = 0;
   for (const part of parts) {
-    if (some.length > 0 && bytes + part.data.byteLength > STEP_BYTES) {
-      yield some;
-      [some, bytes] = [[], 0];
+    if (group.length > 0 && bytes + part.data.byteLength > STEP_BYTES) {
+      yield group;
+      [group, bytes] = [[], 0];
     }
-    some.push(part);
+    group.push(part);
     bytes += part.data.byteLength;
   }
-  if (some.length > 0) yield some;
+  if (group.length > 0) yield group;
 }
 
 /** Arrays of a mesh without its placements. */

@@ -5,8 +5,8 @@
  */
 import { type Bounds, clampToLimit, distance, FREE, type Limit } from '../control/limit';
 import type { Pose, Vector } from '../control/pose';
-import { type Grown, NOTHING_NEAR } from './stage';
-import { apartOf, type Places } from './world';
+import { type MorphState, NOTHING_NEAR } from './stage';
+import { distanceBetween, type Places } from './world';
 
 /** Hysteresis: another centre must be nearer by this share of the centres' distance, at most this many metres. */
 const [GAP_SHARE, GAP_MAX] = [0.1, 2] as const;
@@ -27,17 +27,17 @@ export interface Regions {
   /** Sets the order of loading; later regions wait for earlier ones. */
   prefer(order: readonly number[]): void;
   /** Returns its first state after one of another region; null before its ring 0 is loaded. */
-  offer(region: number, from: Grown): Grown | null;
+  offer(region: number, from: MorphState): MorphState | null;
   /** Whether all rings are loaded. */
   isComplete(region: number): boolean;
   /** Whether its maps are coarse and finer ones are to come. */
   isCoarse(region: number): boolean;
   /** Shows it from now on, in a state as similar as possible to that of another region. */
-  enter(region: number, from: Grown): void;
+  enter(region: number, from: MorphState): void;
   /** Stops showing it. */
   leave(region: number): void;
   /** Radius and strength of its picture; null while it cannot be shown. */
-  grown(region: number): Grown | null;
+  grown(region: number): MorphState | null;
 }
 
 export interface JourneySettings {
@@ -86,7 +86,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
   const { places } = settings;
 
   /** Area without folds for a state of a region: its whole margin while nothing is near yet. */
-  function limitOf(region: number, grown: Grown | null): Limit {
+  function limitOf(region: number, grown: MorphState | null): Limit {
     const { center, fold_margin } = places.of(region);
     return { center, metres: grown && grown.strength > 0 ? settings.marginShare * grown.radius : fold_margin };
   }
@@ -95,10 +95,10 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
     return limit.metres - distance(place, limit);
   }
 
-  const far = (region: number, place: Vector): number => apartOf(places.of(region).center, place);
+  const far = (region: number, place: Vector): number => distanceBetween(places.of(region).center, place);
 
   /** Returns the state in which a region would begin now; null if it cannot take over. */
-  function offered(region: number): Grown | null {
+  function offered(region: number): MorphState | null {
     const from = regions.grown(current);
     const offer = from && regions.offer(region, from);
     // Visible geometry does not become part of a map again.
@@ -121,7 +121,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
     return isAtEdge && room(there, place) >= Math.max(room(here, place), 0) + gap;
   }
 
-  function take(region: number, from: Grown, pose: Pose | null): void {
+  function take(region: number, from: MorphState, pose: Pose | null): void {
     leaving = { region: current, pose, since: 0 };
     if (region !== current) {
       regions.enter(region, from);
@@ -130,7 +130,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
   }
 
   /** Returns the pose at which the user lands if the region begins with a state. */
-  function landing(region: number, grown: Grown, target: Pose): Pose {
+  function landing(region: number, grown: MorphState, target: Pose): Pose {
     const { center, metres } = limitOf(region, grown);
     return { ...target, position: clampToLimit(target.position, { center, metres: LANDING * metres }) };
   }

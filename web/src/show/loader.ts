@@ -3,16 +3,16 @@ import { filesOfRing } from '../bundle/contents';
 import type { MapEntry, MapLayout, RangeScale, Sharper } from '../bundle/manifest';
 import type { Fetch } from '../bundle/source';
 import type { FileData, FirstMapRequest, Geometry, MapUpdate } from '../decode/messages';
-import { type Course, createAhead, fileOf, filesOf, type Job, type Loading } from './job';
+import { createPrefetch, fileOf, filesOf, type Job, type Loading, type RegionLoading } from './job';
 import { complete, partSteps, turnOf } from './region';
 import { createCube, createPictures, cubeSteps } from './textures';
 
 /** Loads all rings; while one is decoded and uploaded, files of the next one are prefetched. */
-export async function loadRegion(loading: Loading, course: Course): Promise<void> {
+export async function loadRegion(loading: Loading, course: RegionLoading): Promise<void> {
   const { manifest, region, received, signal, turn } = course;
   const sizeOf = (name: string): number => manifest.files[name]?.bytes ?? 0;
   const fetch: Fetch = (name, own) => loading.fetch(name, own, received);
-  const job: Job = { ...loading, ...course, ahead: createAhead(fetch, sizeOf), had: new Set() };
+  const job: Job = { ...loading, ...course, ahead: createPrefetch(fetch, sizeOf), requested: new Set() };
   const { rings } = region.entry;
   const { map } = await turn(0, signal);
   if (map) await loadFirstMap(job, map);
@@ -27,7 +27,7 @@ export async function loadRegion(loading: Loading, course: Course): Promise<void
     if (described.geometry !== null) jobs.push(loadGeometry(job, ring, described.geometry, described.parts));
     // Requested after the files of this ring.
     const next = rings[ring + 1];
-    const isNew = (name: string): boolean => !isHere(loading, name) && !job.had.has(name);
+    const isNew = (name: string): boolean => !isLoaded(loading, name) && !job.requested.has(name);
     if (next) job.ahead.want(filesOfRing(next).filter(isNew), signal);
     await Promise.all(jobs);
     course.arrived(ring);
@@ -35,17 +35,17 @@ export async function loadRegion(loading: Loading, course: Course): Promise<void
 }
 
 /** Whether a file's content is on the GPU or in the worker. */
-function isHere({ store }: Loading, name: string): boolean {
+function isLoaded({ store }: Loading, name: string): boolean {
   return store.textures.has(name) || store.buffers.has(name);
 }
 
 async function loadGeometry(job: Job, ring: number, name: string, partNames: readonly string[]): Promise<void> {
   const { manifest, region, signal, store } = job;
-  const wanted = partNames.filter((part) => !isHere(job, part));
+  const wanted = partNames.filter((part) => !isLoaded(job, part));
   for (const part of partNames) {
     // Loaded for another region.
-    if (isHere(job, part) && !job.had.has(part)) job.received(manifest.files[part]?.bytes ?? 0);
-    job.had.add(part);
+    if (isLoaded(job, part) && !job.requested.has(part)) job.received(manifest.files[part]?.bytes ?? 0);
+    job.requested.add(part);
   }
   const isKept = store.buffers.has(name);
   if (isKept) job.received(manifest.files[name]?.bytes ?? 0);
@@ -124,7 +124,7 @@ async function loadSharper(job: Job, ring: number, { layout, maps, range }: Shar
   let update = await job.maps(firstRequest(job, layout, range, await filesOf(job, first.color)));
   for (const [order, change] of changes.entries()) {
     const isLast = order === changes.length - 1;
-    update = await changed(job, order + 1, change, isLast);
+    update = await applyChange(job, order + 1, change, isLast);
   }
   await job.mayReplace(ring);
   signal.throwIfAborted();
@@ -135,7 +135,7 @@ async function loadSharper(job: Job, ring: number, { layout, maps, range }: Shar
 }
 
 /** Applies a ring's changes; the whole map is requested only for the last ring. */
-async function changed(job: Job, ring: number, { tiles, color, range }: MapEntry, isLast: boolean): Promise<MapUpdate> {
+async function applyChange(job: Job, ring: number, { tiles, color, range }: MapEntry, isLast: boolean): Promise<MapUpdate> {
   const [[picture], codes] = await Promise.all([filesOf(job, color), filesOf(job, range)]);
   job.signal.throwIfAborted();
   const since = isLast ? null : ring - 1;

@@ -49,6 +49,6 @@ export function createMeter(now: () => number = () => performance.now() / 1000):
 }
 
 /** Marks that a ring of a region can be shown, or is in the current frame. */
-export function tell(event: 'arrived' | 'shown', region: number, ring: number): void {
+export function markTimeline(event: 'arrived' | 'shown', region: number, ring: number): void {
   performance.mark(`nearfar:${event}`, { detail: { region, ring } });
 }

@@ -54,7 +54,7 @@ export function createRegion(
 /** Returns the cube with a ring's map. */
 export function cubeOf(region: Region, ring: number): Cube {
   const found = region.cubes.find((cube) => cube.holds === ring);
-  if (!found) throw new Error(`the map of ring ${ring} is not there`);
+  if (!found) throw new Error(`the map of ring ${ring} is missing`);
   return found;
 }
 

@@ -4,7 +4,7 @@ import { messageOf } from '../base/errors';
 import { BundleError } from '../bundle/error';
 
 /** Sentence for users whose graphics are lost, until they are restored. */
-export const LOST = 'The browser has taken the graphics away. The picture comes back as soon as they do.';
+export const LOST = 'The browser has reset the graphics. The picture returns as soon as they are restored.';
 /** Greatest duration of a frame in seconds: after a pause of a hidden tab the page continues where it was. */
 export const LONGEST_FRAME = 0.1;
 
@@ -35,18 +35,18 @@ export function watchLoss(canvas: HTMLCanvasElement, lost: () => void, restored:
   let isLost = false;
   const stop = new AbortController();
   const { signal } = stop;
-  const went = (event: Event): void => {
+  const onLost = (event: Event): void => {
     // Otherwise the browser does not restore the context.
     event.preventDefault();
     isLost = true;
     lost();
   };
-  const came = (): void => {
+  const onRestored = (): void => {
     isLost = false;
     restored();
   };
-  canvas.addEventListener('webglcontextlost', went, { signal });
-  canvas.addEventListener('webglcontextrestored', came, { signal });
+  canvas.addEventListener('webglcontextlost', onLost, { signal });
+  canvas.addEventListener('webglcontextrestored', onRestored, { signal });
   return {
     get isLost() {
       return isLost;

@@ -23,8 +23,8 @@ const NO_SCALE: RangeScale = { least: 1, step: 1 };
 
 export function createCube(renderer: WebGLRenderer, size: number, scale: RangeScale = NO_SCALE): Cube {
   const gl = renderer.getContext() as WebGL2RenderingContext;
-  const color = wrapped(renderer, allocated(gl, size, gl.SRGB8_ALPHA8, gl.LINEAR));
-  const codes = wrapped(renderer, allocated(gl, size, gl.R16UI, gl.NEAREST));
+  const color = wrapTexture(renderer, allocateCube(gl, size, gl.SRGB8_ALPHA8, gl.LINEAR));
+  const codes = wrapTexture(renderer, allocateCube(gl, size, gl.R16UI, gl.NEAREST));
   renderer.resetState();
   return {
     color,
@@ -42,7 +42,7 @@ export function createCube(renderer: WebGLRenderer, size: number, scale: RangeSc
   };
 }
 
-function allocated(gl: WebGL2RenderingContext, size: number, format: number, filter: number): WebGLTexture {
+function allocateCube(gl: WebGL2RenderingContext, size: number, format: number, filter: number): WebGLTexture {
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_CUBE_MAP, texture);
   gl.texStorage2D(gl.TEXTURE_CUBE_MAP, 1, format, size, size);
@@ -52,7 +52,7 @@ function allocated(gl: WebGL2RenderingContext, size: number, format: number, fil
 }
 
 /** Wraps a foreign texture for three.js, with version 0, so that three.js uploads nothing. */
-function wrapped(renderer: WebGLRenderer, handle: WebGLTexture): CubeTexture {
+function wrapTexture(renderer: WebGLRenderer, handle: WebGLTexture): CubeTexture {
   const texture = new CubeTexture();
   (renderer.properties.get(texture) as { __webglTexture: WebGLTexture }).__webglTexture = handle;
   return texture;

@@ -2,11 +2,11 @@
 import { type Group, type PerspectiveCamera, Scene, type WebGLRenderer } from 'three';
 import type { Fetch } from '../bundle/source';
 import type { Floor } from '../control/floor';
-import { minus, type Pose, type Vector } from '../control/pose';
+import { type Pose, subtract, type Vector } from '../control/pose';
 import { createAtlas } from './atlas';
 import { createStore } from './buffers';
 import { createComposer, createViewpoint, type MapLayer } from './composer';
-import { startDecoder, type Worked } from './decoder';
+import { type DecoderWorker, startDecoder } from './decoder';
 import type { Loading } from './job';
 import { type Facts, factsOf } from './facts';
 import { createJourney, type Journey, type Leg } from './journey';
@@ -34,7 +34,7 @@ export interface Settings extends Manner {
   readonly failed: (reason: Error) => void;
   /** Called when the user was moved to another place, for which frames are drawn from then on. */
   readonly moved: (pose: Pose) => void;
-  /** Called when the browser has taken the graphics away, or restored them. */
+  /** Called when the graphics context is lost, or restored them. */
   readonly lost: (isLost: boolean) => void;
 }
 
@@ -95,8 +95,8 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
   const shared = createShared(blank.color, blank.codes);
   const flight = createFlight(renderer.getContext() as WebGL2RenderingContext);
   const uploads = createUploads(() => performance.now(), flight);
-  const start = (): Worked => startDecoder(settings.worker, uploads.spend);
-  const workers: Worked[] = [start(), start()];
+  const start = (): DecoderWorker => startDecoder(settings.worker, uploads.spend);
+  const workers: DecoderWorker[] = [start(), start()];
   const painter = createPainter(renderer, shared, nearShare, () => blank, viewpoint.place);
   painter.prepare(camera);
   const picker = createPicker(renderer);
@@ -108,8 +108,8 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     shared,
     store,
     uploads,
-    geometry: (workers[0] as Worked).decode,
-    maps: (workers[1] as Worked).decode,
+    geometry: (workers[0] as DecoderWorker).decode,
+    maps: (workers[1] as DecoderWorker).decode,
     fetch: settings.fetch,
     programs,
     warm(meshes) {
@@ -218,7 +218,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
       const open = leg && atlas.find(leg.region);
       if (!open?.shown) return null;
       const { region, shown } = open;
-      return castRay(renderer, picker, minus(origin, region.entry.center), direction, (eye) => {
+      return castRay(renderer, picker, subtract(origin, region.entry.center), direction, (eye) => {
         painter.draw({ region, ring: shown.ring, radius: shown.grown.radius, strength: null }, eye, 1, NEAR_ALONE);
       });
     },
@@ -246,14 +246,14 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings): Vie
     setDivider: composer.setDivider,
     isMorphedAt: composer.isMorphedAt,
     photo() {
-      if (renderer.xr.isPresenting) return Promise.reject(new Error('Pictures are saved outside the headset'));
+      if (renderer.xr.isPresenting) return Promise.reject(new Error('Leave the headset to save a picture'));
       if (loss.isLost || !leg || !atlas.find(leg.region)?.shown) {
         return Promise.reject(new Error('There is no picture yet'));
       }
       // In the same task as the drawing, because the canvas is cleared afterwards.
       composer.draw(leg, user);
       return new Promise((done, failed) => {
-        canvas.toBlob((blob) => (blob ? done(blob) : failed(new Error('The browser gives no picture'))), 'image/png');
+        canvas.toBlob((blob) => (blob ? done(blob) : failed(new Error('The browser cannot encode the picture'))), 'image/png');
       });
     },
     get facts() {

@@ -1,5 +1,5 @@
 /** Content of a viewer: the places of regions, access to each, and the choice of the region to preload. */
-import { type Coming, thereOf } from '../bundle/contents';
+import { type ArrivingRegion, completeRegion } from '../bundle/contents';
 import type { Manifest, RegionEntry } from '../bundle/manifest';
 import type { Limit } from '../control/limit';
 import type { Vector } from '../control/pose';
@@ -15,7 +15,7 @@ export interface World {
   /** Duration of a cross-fade, seconds. */
   readonly fade: number;
   /** Opens a region; the signal is aborted when it is no longer needed. */
-  open(region: number, signal: AbortSignal): Promise<Coming>;
+  open(region: number, signal: AbortSignal): Promise<ArrivingRegion>;
 }
 
 /** World of a bundle's regions. */
@@ -26,7 +26,7 @@ export function worldOf(manifest: Manifest): World {
     nearShare: manifest.morph.near_share,
     marginShare: marginShareOf(manifest),
     fade: manifest.growth.fade,
-    open: (region) => Promise.resolve(thereOf(manifest, region)),
+    open: (region) => Promise.resolve(completeRegion(manifest, region)),
   };
 }
 
@@ -62,14 +62,14 @@ export interface Places {
   ahead(standing: Standing): number | null;
 }
 
-export function apartOf(a: Vector, b: Vector): number {
+export function distanceBetween(a: Vector, b: Vector): number {
   return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
 /** Distance of two centres, and of a place from the border between them, metres; negative beyond the border. */
 function borderOf(from: Vector, to: Vector, place: Vector): { apart: number; border: number } {
-  const apart = Math.max(apartOf(to, from), 1e-6);
-  return { apart, border: (apartOf(to, place) ** 2 - apartOf(from, place) ** 2) / (2 * apart) };
+  const apart = Math.max(distanceBetween(to, from), 1e-6);
+  return { apart, border: (distanceBetween(to, place) ** 2 - distanceBetween(from, place) ** 2) / (2 * apart) };
 }
 
 /** Returns the region with the nearest centre, the first of equally near ones, except `but`; null if there is none. */
@@ -77,7 +77,7 @@ export function nearestOf(spots: readonly Pick<Spot, 'center'>[], place: Vector,
   let best: number | null = null;
   let least = Number.POSITIVE_INFINITY;
   spots.forEach(({ center }, number) => {
-    const far = apartOf(center, place);
+    const far = distanceBetween(center, place);
     if (number !== but && far < least) [best, least] = [number, far];
   });
   return best;
@@ -94,7 +94,7 @@ export function knownPlaces(spots: readonly Spot[]): Places {
       const other = nearestOf(spots, place, current);
       if (other === null) return null;
       const from = of(current).center;
-      const far = (region: number): number => apartOf(of(region).center, place);
+      const far = (region: number): number => distanceBetween(of(region).center, place);
       const { apart, border } = borderOf(from, of(other).center, place);
       const lead = Math.max((AHEAD_SHARE * apart) / 2, Math.min((AHEAD_MAX * apart) / 2, AHEAD_METRES));
       if (ahead !== null && ahead !== current) {

@@ -16,11 +16,11 @@ const WALK: readonly Row[] = [
 ];
 
 const ORBIT: readonly Row[] = [
-  [['Drag'], 'go around'],
+  [['Drag'], 'orbit'],
   [['Shift', 'Drag'], 'move; so does the right button'],
   [['Wheel'], 'nearer and farther'],
   [['W', 'S'], 'nearer and farther'],
-  [['A', 'D', '←', '→'], 'go around'],
+  [['A', 'D', '←', '→'], 'orbit'],
   [['Shift', 'WASD'], 'move'],
 ];
 
@@ -28,8 +28,8 @@ const TOUCH: readonly Row[] = [
   [['Left thumb'], 'walk'],
   [['Right thumb'], 'look around'],
   [['Two taps'], 'go to a place'],
-  [['One finger'], 'orbit: go around'],
-  [['Two fingers'], 'orbit: pinch for the distance, drag to move'],
+  [['One finger'], 'orbit mode: orbit'],
+  [['Two fingers'], 'orbit mode: pinch for the distance, drag to move'],
 ];
 
 const PAD: readonly Row[] = [
@@ -113,7 +113,7 @@ export interface Shortcut {
 /** Keys as labelled on the user's keyboard. */
 export const SHORTCUTS: Readonly<Record<Name, Shortcut>> = {
   walk: { key: '1', label: '1', does: 'walk' },
-  orbit: { key: '2', label: '2', does: 'orbit around what lies ahead' },
+  orbit: { key: '2', label: '2', does: 'orbit around the point ahead' },
   split: { key: 'c', label: 'C', does: 'compare with the conventional picture' },
   photo: { key: 'p', label: 'P', does: 'save the picture' },
   link: { key: 'l', label: 'L', does: 'copy a link to this view' },
@@ -121,7 +121,7 @@ export const SHORTCUTS: Readonly<Record<Name, Shortcut>> = {
   next: { key: 'n', label: 'N', does: 'go to the next place' },
   look: { key: 'f', label: 'F', does: 'look around with the mouse without a button, until Esc' },
   panel: { key: 'i', label: 'I', does: 'show or hide the figures' },
-  retry: { key: 'r', label: 'R', does: 'load again what failed' },
+  retry: { key: 'r', label: 'R', does: 'reload what failed' },
   headset: { key: 'v', label: 'V', does: 'enter the headset, and leave it' },
   help: { key: '?', label: '?', does: 'show or hide this help' },
 };

@@ -11,9 +11,9 @@ import {
   type HeadsetCommand,
   isComplete,
   isHeld,
-  madeOf,
-  shortly,
+  progressText,
   type Status,
+  summaryOf,
 } from './status';
 
 /** Duration of a note, seconds. */
@@ -115,7 +115,7 @@ export function createPanel(root: HTMLElement, commands: Commands): Panel {
       if (await copyText(link)) announce('Link copied');
       else {
         history.replaceState(null, '', link);
-        announce('The link stands in the address bar');
+        announce('The link is in the address bar');
       }
     } else if (name === 'home') {
       commands.home();
@@ -176,21 +176,21 @@ export function createPanel(root: HTMLElement, commands: Commands): Panel {
     write(spoken, text);
   }
 
-  function tell(status: Status): void {
+  function announceChanges(status: Status): void {
     const complete = isComplete(status);
     if (complete && !wasComplete) speak('All rings are shown');
     else if (status.ring !== wasRing) speak(`Ring ${status.ring} of ${status.rings} is shown`);
     [wasRing, wasComplete] = [status.ring, complete];
-    const made = madeOf(status);
+    const made = progressText(status);
     // The wait depends on other users or the server.
-    if (made !== null && made !== wasMade && isHeld(status)) announce(`The place is not there yet: ${made}`);
+    if (made !== null && made !== wasMade && isHeld(status)) announce(`The place is not ready yet: ${made}`);
     wasMade = made;
     const texts = status.problems.join('\n');
     if (texts !== problems) showProblems(status.problems, () => run('retry'));
     problems = texts;
   }
 
-  function tellHeadset(): void {
+  function showHeadset(): void {
     const found = headsetOf(commands);
     headset.hidden = !found;
     label(headset, found?.isPresenting ? 'Leave VR' : 'Enter VR');
@@ -200,7 +200,7 @@ export function createPanel(root: HTMLElement, commands: Commands): Panel {
 
   return {
     update(status) {
-      tell(status);
+      announceChanges(status);
       figures.update(status);
       const none = status.making ? 0 : 1;
       const share = status.expected > 0 ? Math.min(status.received / status.expected, 1) : none;
@@ -208,8 +208,8 @@ export function createPanel(root: HTMLElement, commands: Commands): Panel {
       line.dataset['stuck'] = String(problems !== '');
       line.style.setProperty('--share', share.toFixed(4));
       line.setAttribute('aria-valuenow', String(Math.floor(100 * share)));
-      write(chip, shortly(status));
-      tellHeadset();
+      write(chip, summaryOf(status));
+      showHeadset();
       reflect({});
     },
     announce,

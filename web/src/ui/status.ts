@@ -68,7 +68,7 @@ export function linesOf(status: Status): Readonly<Record<string, string>> {
   const { ring, rings, radius, received, expected, frame, longest, triangles, drawn, sceneTriangles } = status;
   return {
     Loaded: `${bytesOf(received, expected)} (${percent(received, expected)})`,
-    Speed: isComplete(status) ? 'all is here' : rate(status.rate),
+    Speed: isComplete(status) ? 'complete' : rate(status.rate),
     Ring: ring === 0 ? `map only, of ${rings}` : `${ring} of ${rings}`,
     Radius: ring === 0 ? UNUSED : metres(radius),
     Triangles: `${count(triangles)} of ${count(sceneTriangles)}`,
@@ -87,12 +87,12 @@ export function isComplete({ ring, rings, received, expected, isSharp }: Status)
 }
 
 /** Progress of the server with the place, in a few words; null if nothing is made. */
-export function madeOf({ making, isSharp }: Status): string | null {
+export function progressText({ making, isSharp }: Status): string | null {
   if (!making) return null;
   const { stage } = making;
-  if (stage === 'waiting') return making.before > 0 ? `waiting, ${making.before} before` : 'being made';
-  if (stage === 'busy') return `server busy, again in ${making.seconds} s`;
-  if (stage === 'asked') return 'asked for';
+  if (stage === 'waiting') return making.before > 0 ? `waiting, behind ${making.before}` : 'being computed';
+  if (stage === 'busy') return `server busy, next try in ${making.seconds} s`;
+  if (stage === 'asked') return 'requested';
   return isSharp ? 'refined' : 'coarse, being refined';
 }
 
@@ -102,14 +102,14 @@ export function isHeld({ making }: Status): boolean {
 }
 
 function placeOf(status: Status): Readonly<Record<string, string>> {
-  const made = madeOf(status);
+  const made = progressText(status);
   if (made !== null) return { Place: made };
   return { Region: `${status.region + 1} of ${status.regions ?? 1}` };
 }
 
 /** Short summary for small screens. */
-export function shortly(status: Status): string {
-  const made = madeOf(status);
+export function summaryOf(status: Status): string {
+  const made = progressText(status);
   if (status.rings === 0 && made !== null) return `place: ${made}`;
   return `${percent(status.received, status.expected)} loaded, ring ${status.ring} of ${status.rings}`;
 }

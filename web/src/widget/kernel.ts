@@ -19,7 +19,7 @@ interface Piece {
   readonly bytes: number;
 }
 
-interface Asked {
+interface PendingPiece {
   readonly done: (piece: Piece) => void;
   readonly failed: (reason: Error) => void;
 }
@@ -30,19 +30,19 @@ export interface KernelSource extends Source {
 
 /** Opens the bundle of a model; `received` is called with the bytes of all files. */
 export async function openKernel(model: Model, received: Received, signal: AbortSignal): Promise<KernelSource> {
-  const waiting = new Map<string, Asked>();
+  const waiting = new Map<string, PendingPiece>();
   // Answers reach every view of the model, so that ids must be unique.
   const own = Math.random().toString(36).slice(2);
   let last = 0;
 
   const answered = (answer: Answer, buffers: readonly DataView[]): void => {
-    const asked = waiting.get(answer?.id);
-    if (!asked) return;
+    const pending = waiting.get(answer?.id);
+    if (!pending) return;
     waiting.delete(answer.id);
     const [buffer] = buffers;
-    if ('problem' in answer) asked.failed(new BundleError(answer.problem));
-    else if (!buffer) asked.failed(new BundleError('the kernel answers without a file'));
-    else asked.done({ data: bytesOf(buffer), bytes: answer.bytes });
+    if ('problem' in answer) pending.failed(new BundleError(answer.problem));
+    else if (!buffer) pending.failed(new BundleError('the kernel answers without a file'));
+    else pending.done({ data: bytesOf(buffer), bytes: answer.bytes });
   };
   model.on('msg:custom', answered);
 
@@ -56,7 +56,7 @@ export async function openKernel(model: Model, received: Received, signal: Abort
     });
   }
 
-  async function load(name: string, bytes: number | null, stop: AbortSignal, told: Received): Promise<ArrayBuffer> {
+  async function load(name: string, bytes: number | null, stop: AbortSignal, onBytes: Received): Promise<ArrayBuffer> {
     const parts: Uint8Array<ArrayBuffer>[] = [];
     let size = 0;
     for (;;) {
@@ -64,7 +64,7 @@ export async function openKernel(model: Model, received: Received, signal: Abort
       parts.push(piece.data);
       size += piece.data.length;
       received(piece.data.length);
-      told(piece.data.length);
+      onBytes(piece.data.length);
       if (bytes !== null && piece.bytes !== bytes) {
         throw new BundleError(`${name}: expected ${bytes} bytes, as the manifest lists it, got ${piece.bytes}`);
       }
@@ -78,7 +78,7 @@ export async function openKernel(model: Model, received: Received, signal: Abort
   const shared = createShared(serveListed((name) => manifest.files[name], AT_ONCE, load));
   return {
     manifest,
-    fetch: (name, stop, told = () => undefined) => shared(name, stop, told),
+    fetch: (name, stop, onBytes = () => undefined) => shared(name, stop, onBytes),
     // No cache lies in between.
     distrust: () => undefined,
     dispose() {

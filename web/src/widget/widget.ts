@@ -91,8 +91,8 @@ function show(
   const { canvas, host } = view;
   const { arrange, isSmooth, isWhole } = strategyOf(String(model.get('strategy')));
   const world = worldOf(arrange(source.manifest));
-  const asked = (): Pose => Object.fromEntries(POSE.map((name) => [name, model.get(name)])) as unknown as Pose;
-  const controls = createControls(canvas, { start: asked(), keys: canvas });
+  const requestedPose = (): Pose => Object.fromEntries(POSE.map((name) => [name, model.get(name)])) as unknown as Pose;
+  const controls = createControls(canvas, { start: requestedPose(), keys: canvas });
   const viewer = createViewer(canvas, {
     world,
     fetch: source.fetch,
@@ -108,7 +108,7 @@ function show(
   host.nearfar = { viewer };
   const mirror = createMirror(model);
   mirror.hear(POSE, () => {
-    const target = asked();
+    const target = requestedPose();
     if (world.places.nearest(target.position) === viewer.facts.region) controls.setPose(target);
     else viewer.go(target);
   });
@@ -116,7 +116,7 @@ function show(
     viewer.camera.fov = Number(model.get('angle'));
     viewer.camera.updateProjectionMatrix();
   });
-  viewer.open(world.places.nearest(asked().position));
+  viewer.open(world.places.nearest(requestedPose().position));
   let isSeen = true;
   // Notebooks outside the screen are not drawn.
   const watch = new IntersectionObserver((entries) => {

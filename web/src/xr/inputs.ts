@@ -1,5 +1,5 @@
 /** Input of a frame: rays of the hands, tracked joints, and sticks that walk and turn. */
-import { beyondRest, type Drive, REST } from '../control/drive';
+import { applyDeadZone, type Drive, REST } from '../control/drive';
 import type { Vector } from '../control/pose';
 
 declare global {
@@ -93,7 +93,7 @@ export interface Wish {
 /** Angle of a snap turn, radians: smooth turns cause sickness. */
 export const SNAP = Math.PI / 6;
 /** Dead zone of a stick; deflection that triggers a turn, and below which the next one is armed. */
-const REST_SHARE = 0.18;
+const DEAD_ZONE = 0.18;
 const [TURNS, REARMS] = [0.7, 0.35] as const;
 
 export interface Steering {
@@ -118,8 +118,8 @@ export function createSteering(): Steering {
       const turn = snap(turns?.x ?? 0);
       if (!walks) return { drive: REST, turn };
       // A single stick walks only ahead and back.
-      const [x, y] = beyondRest(walks === turns ? 0 : walks.x, walks.y, REST_SHARE);
-      return { drive: { ...REST, right: x, ahead: 0 - y, isHasty: walks.isPressed }, turn };
+      const [x, y] = applyDeadZone(walks === turns ? 0 : walks.x, walks.y, DEAD_ZONE);
+      return { drive: { ...REST, right: x, ahead: 0 - y, isRunning: walks.isPressed }, turn };
     },
   };
 }

@@ -7,11 +7,11 @@ import {
   type Head,
   headBounds,
   headOf,
-  inWorld,
   localOf,
   moveFloor,
   turnFloor,
   worldOf,
+  worldPose,
 } from '../control/floor';
 import type { Bounds } from '../control/limit';
 import type { Pose, Vector } from '../control/pose';
@@ -47,7 +47,7 @@ export interface HeadsetSettings {
 }
 
 /** State of a session. */
-interface Visit {
+interface SessionState {
   readonly look: Look;
   readonly aiming: Aiming;
   readonly hands: Hands;
@@ -70,7 +70,7 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings):
   const { renderer, rig } = viewer;
   // Bounds of the frame.
   let bounds: Bounds | null = null;
-  let visit: Visit | null = null;
+  let visit: SessionState | null = null;
   let hands: readonly HandRay[] = [];
   renderer.xr.enabled = true;
 
@@ -93,9 +93,9 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings):
     if (settings.isStatic) viewer.setMapLayer(createMapLayer(renderer, viewer.faceSize));
   }
 
-  function begin(session: XRSession): Visit {
+  function begin(session: XRSession): SessionState {
     const pose = settings.pose();
-    const made: Visit = {
+    const made: SessionState = {
       look: createLook(),
       aiming: createAiming(session, (target) => {
         const { floor, jump } = made;
@@ -129,14 +129,14 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings):
   }
 
   /** Returns the floor after a frame: the user has walked, turned or jumped, and stays within the bounds. */
-  function floorOf(of: Visit, head: Head, inputs: readonly Input[], seconds: number): Floor {
+  function floorOf(of: SessionState, head: Head, inputs: readonly Input[], seconds: number): Floor {
     const { position: [x, y, z], yaw } = of.pose;
     const ground: Vector = [x, of.floor?.position[1] ?? y - EYE_HEIGHT, z];
     let floor = of.floor && !of.isMoved ? of.floor : floorUnder(ground, yaw, head);
     of.isMoved = false;
     const { drive, turn } = of.steering.read(stickOf(inputs, 'left'), stickOf(inputs, 'right'));
     if (turn !== 0) floor = turnFloor(floor, head, turn);
-    of.walk.follow(inWorld(floor, head));
+    of.walk.follow(worldPose(floor, head));
     of.walk.update(seconds, drive);
     floor = moveFloor(floor, head, of.goal ?? of.walk.pose.position);
     of.goal = null;
@@ -170,7 +170,7 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings):
       viewer.setVeil(visit.jump.advance(seconds));
       const floor = floorOf(visit, head, inputs, seconds);
       visit.floor = floor;
-      visit.pose = inWorld(floor, head);
+      visit.pose = worldPose(floor, head);
       viewer.stand(floor);
       hands = visit.hands.update(inputs, floor);
       const allowed = (wanted: Vector): Vector => localOf(floor, clampToBounds(worldOf(floor, wanted), bounds));
@@ -209,12 +209,12 @@ export function offerHeadset(
 
 /** Returns why no headset can be entered; null if one can. */
 export async function whyNoHeadset(xr: XRSystem | undefined, isSecure: boolean): Promise<string | null> {
-  if (!isSecure) return 'A headset can be entered where the page comes over https.';
-  if (!xr) return 'This browser knows no headsets.';
+  if (!isSecure) return 'Headsets need a page that is served over https.';
+  if (!xr) return 'This browser does not support headsets.';
   try {
     return (await xr.isSessionSupported('immersive-vr')) ? null : 'No headset is connected.';
   } catch {
     // The page is in a frame without permission for headsets.
-    return 'Headsets cannot be used from here.';
+    return 'This page may not use headsets.';
   }
 }

@@ -1,6 +1,6 @@
 /** Pages that exchange files over channels in memory, on a clock that the test moves. */
 import { createHash } from 'node:crypto';
-import type { Described } from '../../src/bundle/manifest';
+import type { FileEntry } from '../../src/bundle/manifest';
 import { TICK } from '../../src/peers/downloads';
 import { createPeer, type Line, type Peer } from '../../src/peers/peer';
 import { createShare, type Share } from '../../src/peers/share';
@@ -101,7 +101,7 @@ export function wired(): [Wire, Wire] {
 }
 
 /** Content of some size, and how a manifest lists it. */
-export function makeContent(size: number, fill: number): { readonly data: ArrayBuffer; readonly listed: Described } {
+export function makeContent(size: number, fill: number): { readonly data: ArrayBuffer; readonly listed: FileEntry } {
   const data = new Uint8Array(size).fill(fill);
   return { data: data.buffer, listed: { bytes: size, sha256: createHash('sha256').update(data).digest('hex') } };
 }

@@ -47,7 +47,7 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
   const reach = pitch / (pixelSize(camera) * settings.error);
   const planes = frustumOf(camera);
   const units = layout.directions.map((direction) => frameOf(direction).axes[2]);
-  const lifted = liftOf(settings.lift);
+  const raise = liftOf(settings.lift);
   const [drawn, leaves]: [Drawn[], Drawn[]] = [[], []];
   const hasGeometry = settings.geometry && layout.geometry;
   const unknown = new Map<string, { tier: number; place: Triple }>();
@@ -62,21 +62,21 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
     const found = { level, place, distance, isInPicture: lies !== 'outside' };
     const draw = (list: Drawn[]): void => {
       const toward = towardOf(camera.position, center);
-      list.push({ ...found, directions: nearest(units, lifted(toward), toward, mask, settings.views) });
+      list.push({ ...found, directions: nearest(units, raise(toward), toward, mask, settings.views) });
     };
     if (distance >= reach * 2 ** level) draw(drawn);
     else if (level === 0 && hasGeometry) {
       draw(leaves);
-      meet(place);
+      requireGuests(place);
     } else if (level === 0) draw(drawn);
     else if (!refine(level - 1, place, lies)) draw(drawn);
   }
 
   /** Requires the records of a leaf's guests, which locate their geometry. */
-  function meet(leaf: Triple): void {
+  function requireGuests(leaf: Triple): void {
     for (const guest of cells.guestsOf(leaf)) {
       const { tier, place } = subtreeOf(layout, 0, guest);
-      if (!cells.knows(tier, place)) miss(0, guest);
+      if (!cells.knows(tier, place)) addUnknown(0, guest);
     }
   }
 
@@ -86,14 +86,14 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
     for (const { place, cell } of children) {
       if (cell) continue;
       // All children of a cell lie in one subtree.
-      miss(level, place);
+      addUnknown(level, place);
       return false;
     }
     for (const { place, cell } of children) if (cell) visit(level, place, cell.mask, lies);
     return true;
   }
 
-  function miss(level: number, place: Triple): void {
+  function addUnknown(level: number, place: Triple): void {
     const found = subtreeOf(layout, level, place);
     unknown.set(`${found.tier}/${found.place}`, found);
   }
@@ -101,8 +101,8 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
   const top = layout.levels - 1;
   const root = cells.at(top, [0, 0, 0]);
   if (root) visit(top, [0, 0, 0], root.mask, 'across');
-  else miss(top, [0, 0, 0]);
-  for (const list of [drawn, leaves]) list.sort((one, other) => one.distance - other.distance);
+  else addUnknown(top, [0, 0, 0]);
+  for (const list of [drawn, leaves]) list.sort((a, b) => a.distance - b.distance);
   return { cells: drawn, leaves, reach, unknown: [...unknown.values()] };
 }
 
@@ -129,7 +129,7 @@ function nearest(units: readonly Triple[], raised: Triple, toward: Triple, mask:
     .map((axis, number) => ({ number, cosine: dot(axis, raised), own: dot(axis, toward) }))
     .filter(({ number }) => (mask >>> number) & 1);
   return shown
-    .sort((one, other) => other.cosine - one.cosine || other.own - one.own)
+    .sort((a, b) => b.cosine - a.cosine || b.own - a.own)
     .slice(0, most)
     .map(({ number }) => number);
 }

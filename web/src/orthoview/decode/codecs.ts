@@ -20,7 +20,7 @@ export function crc32c(bytes: Uint8Array): number {
 }
 
 /** Bytes in front of a checksum; throws if it is wrong. */
-function unsummed(bytes: Uint8Array): Uint8Array {
+function verifyChecksum(bytes: Uint8Array): Uint8Array {
   const data = bytes.subarray(0, -4);
   const sum = new DataView(bytes.buffer, bytes.byteOffset + data.length).getUint32(0, true);
   if (bytes.length < 4 || crc32c(data) !== sum) throw damaged('a chunk', 'its checksum is wrong');
@@ -42,7 +42,7 @@ export function statedSize(frame: Uint8Array): number | null {
 }
 
 /** Content of a Zstandard frame with a checksum. */
-export function unpacked(frame: Uint8Array): Uint8Array {
+export function decompressZstd(frame: Uint8Array): Uint8Array {
   const size = frame.length < 18 ? null : statedSize(frame);
   if (size === null || size > MAX) throw damaged('a chunk', `its header states ${size} bytes`);
   const found = decompress(frame, new Uint8Array(size));
@@ -68,11 +68,11 @@ function register(name: string, fromConfig: (config: unknown, meta: Meta) => obj
 
 /** Registers the codecs with zarrita. */
 export function registerCodecs(): void {
-  register('zstd', () => ({ kind: 'bytes_to_bytes', encode, decode: unpacked }));
+  register('zstd', () => ({ kind: 'bytes_to_bytes', encode, decode: decompressZstd }));
   register('crc32c', () => ({
     kind: 'bytes_to_bytes',
     encode,
-    decode: unsummed,
+    decode: verifyChecksum,
     computeEncodedSize: (size: number) => size + 4,
   }));
   register('imagecodecs_webp', (_, { shape }) => ({
@@ -113,8 +113,8 @@ const [P1, P2, P3, P4, P5] = [
 const STRIPE = 32;
 
 const mask = (value: bigint): bigint => BigInt.asUintN(64, value);
-const turned = (value: bigint, bits: bigint): bigint => mask((value << bits) | (value >> (64n - bits)));
-const round = (sum: bigint, input: bigint): bigint => mask(turned(mask(sum + input * P2), 31n) * P1);
+const rotateLeft = (value: bigint, bits: bigint): bigint => mask((value << bits) | (value >> (64n - bits)));
+const round = (sum: bigint, input: bigint): bigint => mask(rotateLeft(mask(sum + input * P2), 31n) * P1);
 
 /** XXH64 with seed 0, whose lower 32 bits are the checksum of Zstandard frames (xxHash specification 0.1.1). */
 export function xxh64(bytes: Uint8Array): bigint {
@@ -123,26 +123,26 @@ export function xxh64(bytes: Uint8Array): bigint {
   let sum: bigint = P5;
   if (bytes.length >= STRIPE) {
     at = bytes.length - (bytes.length % STRIPE);
-    const lanes = [mask(P1 + P2), P2, 0n, mask(-P1)].map((start, lane) => striped(view, start, 8 * lane, at));
+    const lanes = [mask(P1 + P2), P2, 0n, mask(-P1)].map((start, lane) => laneSum(view, start, 8 * lane, at));
     const [a, b, c, d] = lanes as [bigint, bigint, bigint, bigint];
-    sum = mask(turned(a, 1n) + turned(b, 7n) + turned(c, 12n) + turned(d, 18n));
+    sum = mask(rotateLeft(a, 1n) + rotateLeft(b, 7n) + rotateLeft(c, 12n) + rotateLeft(d, 18n));
     for (const lane of lanes) sum = mask((sum ^ round(0n, lane)) * P1 + P4);
   }
   sum = mask(sum + BigInt(bytes.length));
   for (; at + 8 <= bytes.length; at += 8) {
-    sum = mask(turned(sum ^ round(0n, view.getBigUint64(at, true)), 27n) * P1 + P4);
+    sum = mask(rotateLeft(sum ^ round(0n, view.getBigUint64(at, true)), 27n) * P1 + P4);
   }
   for (; at + 4 <= bytes.length; at += 4) {
-    sum = mask(turned(sum ^ mask(BigInt(view.getUint32(at, true)) * P1), 23n) * P2 + P3);
+    sum = mask(rotateLeft(sum ^ mask(BigInt(view.getUint32(at, true)) * P1), 23n) * P2 + P3);
   }
-  for (; at < bytes.length; at++) sum = mask(turned(sum ^ mask(BigInt(view.getUint8(at)) * P5), 11n) * P1);
+  for (; at < bytes.length; at++) sum = mask(rotateLeft(sum ^ mask(BigInt(view.getUint8(at)) * P5), 11n) * P1);
   sum = mask((sum ^ (sum >> 33n)) * P2);
   sum = mask((sum ^ (sum >> 29n)) * P3);
   return sum ^ (sum >> 32n);
 }
 
 /** A lane's sum over all stripes, in 32-bit arithmetic: 64-bit BigInts take ten times as long. */
-function striped(view: DataView, start: bigint, first: number, end: number): bigint {
+function laneSum(view: DataView, start: bigint, first: number, end: number): bigint {
   let [high, low] = [Number(start >> 32n), Number(start & 0xffff_ffffn)];
   for (let at = first; at < end; at += STRIPE) {
     const [inputLow, inputHigh] = [view.getUint32(at, true), view.getUint32(at + 4, true)];

@@ -1,6 +1,6 @@
 /** A store for zarrita: array metadata derived from the layout, and byte ranges of shards. */
 import { LruCache } from '../../base/cache';
-import { CONNECTION_BITS, BEHIND, type Layout, shardSide } from '../store/layout';
+import { BEHIND, CONNECTION_BITS, type Layout, shardSide } from '../store/layout';
 import { StoreError } from '../store/error';
 import type { Bytes, Files } from '../store/files';
 
@@ -44,7 +44,7 @@ export class Shards {
     // In updates, a chunk of length 0 marks a removed one.
     if (length === 0) return undefined;
     if (first < 0 || first + length > shard.size)
-      throw new StoreError('damaged', `${path}: its index leads beyond its end`);
+      throw new StoreError('damaged', `${path}: its index points beyond its end`);
     const whole = this.#whole.get(path) ?? (shard.size <= SMALL ? this.#keep(path, this.#read(path, shard)) : null);
     if (whole) return cut(await whole, first, length);
     // Not aborted for an index: zarrita reads it once for all waiting requests.

@@ -1,16 +1,7 @@
 /** Shards and geometry files that the records list so far, and the requests for views that need them. */
 import type { Cells } from '../cut/cells';
 import type { Wanted } from '../decode/reader';
-import {
-  arrayOf,
-  channelsOf,
-  GEOMETRY,
-  geometryOf,
-  type Layout,
-  overlay,
-  shardOf,
-  type Triple,
-} from '../store/layout';
+import { arrayOf, channelsOf, GEOMETRY, geometryOf, type Layout, overlay, shardOf, type Triple } from '../store/layout';
 import type { Shard } from '../store/records';
 
 /** Path prefix of a generation after the first. */

@@ -105,7 +105,7 @@ export class Viewer {
     // Failed views may be due for a retry.
     this.#queue.fill();
     if (!this.#cut || !this.#isDone(this.#tree.stock)) return false;
-    const isDue = performance.now() - this.#end >= Math.max(PAUSE, this.took / SHARE - this.took);
+    const isDue = performance.now() - this.#end >= Math.max(PAUSE, this.drawMs / SHARE - this.drawMs);
     if (!(this.#hasMoved || (this.#isDirty && (isDue || this.#queue.waiting === 0)))) return false;
     this.#draw(camera);
     return true;
@@ -116,7 +116,7 @@ export class Viewer {
   }
 
   /** Duration of the last picture, milliseconds. */
-  get took(): number {
+  get drawMs(): number {
     return Math.max(this.#end - this.#begin, 0);
   }
 

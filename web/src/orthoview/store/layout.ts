@@ -67,7 +67,7 @@ export function parseLayout(described: unknown): Layout {
     directions.length > 0 && directions.length <= 26 && directions.every((each) => each.some((n) => n !== 0));
   const isNamed = names.length === directions.length && names.every((name) => /^[a-z_]+$/.test(name));
   if (!are26 || !isNamed || 2 ** (levels - 1) < Math.max(...counts))
-    throw damaged('zarr.json', 'its layout does not fit together');
+    throw damaged('zarr.json', 'its layout is inconsistent');
   return layout;
 }
 
@@ -142,7 +142,7 @@ export function fields(value: unknown, file: string): Readonly<Record<string, un
 }
 
 function list(value: unknown, name: string): readonly unknown[] {
-  if (!Array.isArray(value)) throw damaged('zarr.json', `layout.${name} is no list`);
+  if (!Array.isArray(value)) throw damaged('zarr.json', `layout.${name} is not a list`);
   return value;
 }
 

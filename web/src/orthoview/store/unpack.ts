@@ -10,14 +10,14 @@ const MAX_BYTES = 2 ** 26;
 
 /** Decodes little-endian uint32 numbers from base64 of zlib; throws an error if there are not `length`. */
 export async function numbersOf(text: unknown, length: number, file: string): Promise<Uint32Array> {
-  const found = await unpacked(text, 4 * length, 'views', file);
+  const found = await decodeZlib(text, 4 * length, 'views', file);
   if (found.length !== 4 * length) throw damaged(file, `views: expected ${4 * length} bytes, got ${found.length}`);
   return wordsOf(found);
 }
 
 /** Decodes rows of `width` numbers in the same encoding, of any count. */
 export async function rowsOf(text: unknown, width: number, file: string): Promise<Uint32Array> {
-  const found = await unpacked(text, MAX_BYTES, 'guests', file);
+  const found = await decodeZlib(text, MAX_BYTES, 'guests', file);
   if (found.length % (4 * width) !== 0) throw damaged(file, `guests: expected rows, got ${found.length} bytes`);
   return wordsOf(found);
 }
@@ -28,7 +28,7 @@ function wordsOf(bytes: Bytes): Uint32Array {
 }
 
 /** Decompresses at most the expected size: damaged data may decompress to any length. */
-async function unpacked(text: unknown, most: number, what: string, file: string): Promise<Bytes> {
+async function decodeZlib(text: unknown, most: number, what: string, file: string): Promise<Bytes> {
   const packed = bytesOf(text, what, file);
   try {
     return await inflated(packed, most);

@@ -89,9 +89,9 @@ export class Arena {
 
   /** Merges a gap with the next one if they touch. */
   #join(gaps: Gap[], at: number): void {
-    const [one, other] = [gaps[at], gaps[at + 1]];
-    if (!one || !other || one.first + one.words !== other.first) return;
-    one.words += other.words;
+    const [gap, next] = [gaps[at], gaps[at + 1]];
+    if (!gap || !next || gap.first + gap.words !== next.first) return;
+    gap.words += next.words;
     gaps.splice(at + 1, 1);
   }
 
