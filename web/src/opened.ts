@@ -6,7 +6,7 @@ import { parseJson, readManifest } from './bundle/parse';
 import { createFiles, type Files, readDocument, type Received } from './bundle/source';
 import { NETWORK } from './bundle/transfer';
 import type { Pose } from './control/pose';
-import type { Making } from './demand/place';
+import type { ServerProgress } from './demand/place';
 import { isSite, readScene, readSite } from './demand/scene';
 import { createDemandWorld } from './demand/world';
 import type { Strategy } from './show/stage';
@@ -27,7 +27,7 @@ export interface Opened {
   /** Centres of all regions; null if there is a place everywhere. */
   readonly centers: readonly Point[] | null;
   /** Progress of the server with a region; null for bundles. */
-  progressOf(region: number): Making | null;
+  progressOf(region: number): ServerProgress | null;
 }
 
 /** Opens the address; `waits` is called when the server may still be loading the scene. */

@@ -3,7 +3,7 @@ import { test } from 'node:test';
 import { BundleError } from '../src/bundle/error';
 import type { FileEntry } from '../src/bundle/manifest';
 import type { Network } from '../src/bundle/transfer';
-import { type Making, readPlace } from '../src/demand/place';
+import { type ServerProgress, readPlace } from '../src/demand/place';
 import { request, linesOf } from '../src/demand/request';
 import { isSite, readScene, readSite } from '../src/demand/scene';
 import { createGrid } from '../src/demand/world';
@@ -36,14 +36,14 @@ function createChannel() {
 }
 
 function createListener() {
-  const makings: Making[] = [];
+  const makings: ServerProgress[] = [];
   const files: Record<string, FileEntry> = {};
   return {
     makings,
     files,
     listener: {
       listed: (more: Readonly<Record<string, FileEntry>>) => void Object.assign(files, more),
-      making: (making: Making) => void makings.push(making),
+      making: (making: ServerProgress) => void makings.push(making),
     },
   };
 }

@@ -6,8 +6,8 @@ export function messageOf(reason: unknown): string {
 }
 
 /**
- * Creates a promise that rejects with the signal's reason when the signal aborts. `begin` gets the functions that settle
- * it and returns the function that an abort calls.
+ * Creates a promise that rejects with the signal's reason when the signal aborts. `begin` gets the functions that
+ * settle it, and returns the function that an abort calls.
  */
 export function abortable<T>(
   signal: AbortSignal,

@@ -76,7 +76,7 @@ function set({ material }: Drawn, name: string, value: unknown): void {
 /** Vertex shader of the ring around a sphere; its fragment shader is that of near geometry. */
 const RING_VERTEX = /* glsl */ `
 ${HEAD}
-// Share of the way from begin to end of the part that is drawn; 0 inside, 1 outside.
+// x: share of the drawn part of the turn; y: 0 inside, 1 outside.
 in vec3 position;
 uniform vec3 begin;
 uniform float radius;

@@ -56,12 +56,12 @@ export function seatsOf(rules: Rules, stage: Stage, group: number, users: readon
 
 /** Position of a sphere's centre some seconds after it appeared. */
 export function placeOf({ position, velocity }: Sphere, [least, most]: Box, age: number): Vector {
-  const at = (axis: 0 | 1 | 2): number => folded(position[axis] + age * velocity[axis], least[axis], most[axis]);
+  const at = (axis: 0 | 1 | 2): number => reflectInto(position[axis] + age * velocity[axis], least[axis], most[axis]);
   return [at(0), at(1), at(2)];
 }
 
 /** Coordinate reflected at both ends of a range. */
-export function folded(at: number, low: number, high: number): number {
+export function reflectInto(at: number, low: number, high: number): number {
   const length = high - low;
   if (length <= 0) return low;
   const turned = (((at - low) % (2 * length)) + 2 * length) % (2 * length);

@@ -1,5 +1,5 @@
 /** User movement: walking or orbiting a point, by keyboard, mouse, touch and gamepads. */
-import { browserPads, createKeys, type Drive, type Pad, readPads, sumOfDrives } from './drive';
+import { browserPads, combine, createKeys, type Drive, type Pad, readPads } from './drive';
 import type { Bounds } from './limit';
 import { createOrbit } from './orbit';
 import { createPointers, type Mode, type Thumb } from './pointers';
@@ -68,11 +68,11 @@ export function createControls(element: HTMLElement, settings: ControlSettings):
 
   return {
     update(seconds) {
-      const wishes: Drive = sumOfDrives(keys.drive, pointers.drive, readPads(pads()));
+      const drive: Drive = combine(keys.drive, pointers.drive, readPads(pads()));
       // NaN fails every comparison and counts as zero.
       const spent = seconds > 0 ? Math.min(seconds, LONGEST) : 0;
-      if (mode === 'walk') walk.update(spent, wishes);
-      else orbit.update(spent, wishes);
+      if (mode === 'walk') walk.update(spent, drive);
+      else orbit.update(spent, drive);
       const pose = current();
       if (!isSamePose(pose, last)) onChange?.(pose);
       last = pose;

@@ -15,11 +15,11 @@ export interface Drive {
 export const REST: Drive = { right: 0, ahead: 0, turn: 0, look: 0, isRunning: false };
 
 /** Sum of commands, limited to full speed. */
-export function sumOfDrives(...wishes: readonly Drive[]): Drive {
-  const sum = (part: (wish: Drive) => number): number => wishes.reduce((total, wish) => total + part(wish), 0);
-  const [right, ahead] = clampLength(sum((wish) => wish.right), sum((wish) => wish.ahead));
-  const [turn, look] = clampLength(sum((wish) => wish.turn), sum((wish) => wish.look));
-  return { right, ahead, turn, look, isRunning: wishes.some((wish) => wish.isRunning) };
+export function combine(...drives: readonly Drive[]): Drive {
+  const sum = (part: (drive: Drive) => number): number => drives.reduce((total, drive) => total + part(drive), 0);
+  const [right, ahead] = clampLength(sum((drive) => drive.right), sum((drive) => drive.ahead));
+  const [turn, look] = clampLength(sum((drive) => drive.turn), sum((drive) => drive.look));
+  return { right, ahead, turn, look, isRunning: drives.some((drive) => drive.isRunning) };
 }
 
 /** Vector limited to length 1. */
@@ -125,10 +125,10 @@ export interface Pad {
 /** Commands of all gamepads with the standard layout. */
 export function readPads(pads: readonly (Pad | null)[]): Drive {
   const known = pads.filter((pad) => pad !== null && pad.connected && pad.mapping === 'standard');
-  return known.length === 0 ? REST : sumOfDrives(...known.map((pad) => (pad ? wishOf(pad) : REST)));
+  return known.length === 0 ? REST : combine(...known.map((pad) => (pad ? driveOf(pad) : REST)));
 }
 
-function wishOf({ axes, buttons }: Pad): Drive {
+function driveOf({ axes, buttons }: Pad): Drive {
   const [right, back] = applyDeadZone(axes[0] ?? 0, axes[1] ?? 0, DEAD_ZONE);
   const [clockwise, down] = applyDeadZone(axes[2] ?? 0, axes[3] ?? 0, DEAD_ZONE);
   const isRunning = HASTE.some((number) => buttons[number]?.pressed ?? false);

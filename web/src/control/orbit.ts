@@ -1,6 +1,6 @@
 /** Orbiting a point in the middle of the picture; independent of a browser. */
 import type { Drive } from './drive';
-import { allowedShare, type Bounds, confine, settle } from './limit';
+import { allowedShare, type Bounds, confine, leadBack } from './limit';
 import { addScaled, ahead, clamp, type Pose, rightOf, STEEPEST, upOf, type Vector } from './pose';
 
 /** Least and greatest distance from the point, and the default distance, metres. */
@@ -72,7 +72,7 @@ export function createOrbit(start: Pose, bounds: () => Bounds | null): Orbit {
       else zoom(Math.exp(-ZOOM * seconds * nearer));
       const aside = isRunning ? turn : turn - right;
       rotate(TURN * seconds * aside, TURN * seconds * look);
-      view = { ...view, position: settle(view.position, bounds(), seconds) };
+      view = { ...view, position: leadBack(view.position, bounds(), seconds) };
     },
     rotate,
     zoom,

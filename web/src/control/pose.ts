@@ -61,20 +61,20 @@ const NUMBER = /^[+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d{1,3})?$/i;
 export function readLink(fragment: string): Pose | null {
   if (fragment.length > LONGEST) return null;
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
-  const [x, y, z, ...rest] = (fields.get('p') ?? '').split(',').map(numberIn);
+  const [x, y, z, ...rest] = (fields.get('p') ?? '').split(',').map(parseNumber);
   if (!isPlace(x) || !isPlace(y) || !isPlace(z) || rest.length > 0) return null;
-  const [yaw, pitch] = [numberIn(fields.get('yaw') ?? '0'), numberIn(fields.get('pitch') ?? '0')];
+  const [yaw, pitch] = [parseNumber(fields.get('yaw') ?? '0'), parseNumber(fields.get('pitch') ?? '0')];
   if (yaw === null || pitch === null) return null;
   return { position: [x, y, z], yaw: wrapAngle(yaw), pitch: clamp(pitch, -STEEPEST, STEEPEST) };
 }
 
 /** Fragment of a pose, precise to a millimetre and 10⁻⁴ radians. */
 export function writeLink({ position, yaw, pitch }: Pose): string {
-  const place = position.map((value) => rounded(value, 3)).join(',');
-  return `#p=${place}&yaw=${rounded(wrapAngle(yaw), 4)}&pitch=${rounded(pitch, 4)}`;
+  const place = position.map((value) => formatNumber(value, 3)).join(',');
+  return `#p=${place}&yaw=${formatNumber(wrapAngle(yaw), 4)}&pitch=${formatNumber(pitch, 4)}`;
 }
 
-function numberIn(text: string): number | null {
+function parseNumber(text: string): number | null {
   const value = NUMBER.test(text) ? Number(text) : Number.NaN;
   return Number.isFinite(value) ? value : null;
 }
@@ -84,6 +84,6 @@ function isPlace(value: number | null | undefined): value is number {
 }
 
 /** Formats a number without trailing zeros. */
-function rounded(value: number, digits: number): string {
+function formatNumber(value: number, digits: number): string {
   return String(Number(value.toFixed(digits)));
 }

@@ -1,6 +1,6 @@
 /** First-person walking at a constant eye height; independent of a browser. */
 import type { Drive } from './drive';
-import { type Bounds, confine, settle } from './limit';
+import { type Bounds, confine, leadBack } from './limit';
 import { clamp, type Pose, rightOf, STEEPEST, type Vector } from './pose';
 
 /** Walking speed, metres per second, and factor for running. */
@@ -46,7 +46,7 @@ export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: (
     const drop = isSudden() ? 0 : (position[1] - height) * Math.exp(-seconds / RISE);
     // Ahead on the ground is (z, −x) if right is (x, z).
     const wanted: Vector = [position[0] + x * right + z * front, height + drop, position[2] + z * right - x * front];
-    position = settle(confine(position, wanted, bounds()), bounds(), seconds);
+    position = leadBack(confine(position, wanted, bounds()), bounds(), seconds);
   }
 
   function follow(pose: Pose): void {

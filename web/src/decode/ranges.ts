@@ -157,8 +157,8 @@ function texel(
       guess = byColumn;
       trust = m > LONG ? TRUST.high : TRUST.some;
     }
-    const folded = planes.residual(trust);
-    const code = (guess + ((folded >> 1) ^ -(folded & 1))) & 0xffff;
+    const reflectInto = planes.residual(trust);
+    const code = (guess + ((reflectInto >> 1) ^ -(reflectInto & 1))) & 0xffff;
     if (code === NOTHING) throw damaged('a surface without range');
     codes[place] = code;
   }

@@ -6,7 +6,7 @@ import type { FileEntry, Manifest, MapEntry, RingEntry } from '../bundle/manifes
 import { outlinedRing, readFiles, readManifest, ring as readRing, tilesOf } from '../bundle/parse';
 
 /** Progress of the server with a place. */
-export type Making =
+export type ServerProgress =
   /** Requested; coarse maps are arriving; complete. */
   | { readonly stage: 'asked' | 'coarse' | 'full' }
   /** Number of places that are made before this one. */
@@ -17,7 +17,7 @@ export type Making =
 export interface Listener {
   /** Files that can be fetched from now on. */
   readonly listed: (files: Readonly<Record<string, FileEntry>>) => void;
-  readonly making: (making: Making) => void;
+  readonly making: (making: ServerProgress) => void;
 }
 
 type Lines = AsyncIterator<unknown>;

@@ -5,7 +5,7 @@ import type { Network } from '../bundle/transfer';
 import { distance } from '../control/limit';
 import type { Vector } from '../control/pose';
 import type { Places, Spot, World } from '../show/world';
-import { type Making, readPlace } from './place';
+import { readPlace, type ServerProgress } from './place';
 import { linesOf, request } from './request';
 import type { SceneFacts, Site } from './scene';
 
@@ -23,12 +23,12 @@ export interface DemandSettings {
 export interface DemandWorld extends World {
   readonly files: Files;
   /** Progress of the server with a region; null for regions that are not open. */
-  progressOf(region: number): Making | null;
+  progressOf(region: number): ServerProgress | null;
 }
 
 export function createDemandWorld({ base, site, scene, last, received, network }: DemandSettings): DemandWorld {
   const grid = createGrid(site.grid);
-  const makings = new Map<number, Making>();
+  const makings = new Map<number, ServerProgress>();
   // Files are named by their content, so entries of different places agree.
   const listed = new Map<string, FileEntry>();
   return {
@@ -39,13 +39,14 @@ export function createDemandWorld({ base, site, scene, last, received, network }
     fade: scene.fade,
     files: createFiles(base, (name) => listed.get(name), received, network),
     async open(region, signal) {
-      const report = (making: Making): void => {
+      const report = (making: ServerProgress): void => {
         if (!signal.aborted) makings.set(region, making);
       };
       const name = `at/${grid.of(region).center.join()}/parts`;
       report({ stage: 'asked' });
       signal.addEventListener('abort', () => makings.delete(region), { once: true });
-      const answer = await request(new URL(name, base), 'place', (seconds) => report({ stage: 'busy', seconds }), signal, network);
+      const busy = (seconds: number): void => report({ stage: 'busy', seconds });
+      const answer = await request(new URL(name, base), 'place', busy, signal, network);
       const coming = await readPlace(linesOf('parts', answer, MAX_MANIFEST), last, {
         listed(files) {
           for (const [file, described] of Object.entries(files)) listed.set(file, described);
@@ -77,7 +78,7 @@ export function createGrid(spacing: number): Grid {
   const of = (region: number): Spot => spots[region] as Spot;
 
   function nearest([x, y, z]: Vector): number {
-    const center: Vector = [snapped(x, spacing), snapped(y, HEIGHT), snapped(z, spacing)];
+    const center: Vector = [snap(x, spacing), snap(y, HEIGHT), snap(z, spacing)];
     const name = center.join();
     const found = numbers.get(name);
     if (found !== undefined) return found;
@@ -105,7 +106,7 @@ export function createGrid(spacing: number): Grid {
   };
 }
 
-function snapped(value: number, step: number): number {
+function snap(value: number, step: number): number {
   // Adding 0 turns −0 into 0; −0 has another name.
   return step * Math.round(value / step) + 0;
 }

@@ -1,5 +1,5 @@
 /** Flying along the view, sideways, up and down, at a speed proportional to the height; the pose at the start. */
-import { browserPads, createKeys, type Drive, isElsewhere, readPads, sumOfDrives } from '../control/drive';
+import { browserPads, combine, createKeys, type Drive, isElsewhere, readPads } from '../control/drive';
 import { createPointers, type Thumb } from '../control/pointers';
 import { addScaled, ahead, clamp, type Pose, rightOf, STEEPEST, type Vector } from '../control/pose';
 import type { Layout } from './store/layout';
@@ -17,13 +17,20 @@ const LONGEST = 0.25;
 const RISE: Readonly<Record<string, number>> = { KeyE: 1, Space: 1, KeyQ: -1, KeyC: -1 };
 
 /** Pose after some seconds of commands; `rise` is upward. `ground` is the height of the world's bottom, metres. */
-export function advanceFlight(pose: Pose, wishes: Drive, rise: number, power: number, ground: number, seconds: number): Pose {
-  const yaw = pose.yaw + TURN * wishes.turn * seconds;
-  const pitch = clamp(pose.pitch + TURN * wishes.look * seconds, -STEEPEST, STEEPEST);
+export function advanceFlight(
+  pose: Pose,
+  drive: Drive,
+  rise: number,
+  power: number,
+  ground: number,
+  seconds: number,
+): Pose {
+  const yaw = pose.yaw + TURN * drive.turn * seconds;
+  const pitch = clamp(pose.pitch + TURN * drive.look * seconds, -STEEPEST, STEEPEST);
   const height = Math.max(pose.position[1] - ground, LOWEST);
-  const way = SPEED * height * 2 ** power * (wishes.isRunning ? HASTE : 1) * seconds;
-  let position: Vector = addScaled(pose.position, ahead({ yaw, pitch }), way * wishes.ahead);
-  position = addScaled(position, rightOf(yaw), way * wishes.right);
+  const way = SPEED * height * 2 ** power * (drive.isRunning ? HASTE : 1) * seconds;
+  let position: Vector = addScaled(pose.position, ahead({ yaw, pitch }), way * drive.ahead);
+  position = addScaled(position, rightOf(yaw), way * drive.right);
   return { position: addScaled(position, [0, 1, 0], way * rise), yaw, pitch };
 }
 
@@ -87,10 +94,10 @@ export function createFly(
     },
     update(seconds) {
       const spent = seconds > 0 ? Math.min(seconds, LONGEST) : 0;
-      const wishes = sumOfDrives(keys.drive, pointers.drive, readPads(browserPads()));
+      const drive = combine(keys.drive, pointers.drive, readPads(browserPads()));
       const rise = Math.sign([...held].reduce((sum, code) => sum + (RISE[code] ?? 0), 0));
-      const isStill = rise === 0 && [wishes.right, wishes.ahead, wishes.turn, wishes.look].every((part) => part === 0);
-      if (!isStill) pose = advanceFlight(pose, wishes, rise, power, ground(), spent);
+      const isStill = rise === 0 && [drive.right, drive.ahead, drive.turn, drive.look].every((part) => part === 0);
+      if (!isStill) pose = advanceFlight(pose, drive, rise, power, ground(), spent);
       return pose;
     },
     setPose(next) {

@@ -80,7 +80,8 @@ export function createShare(settings: ShareSettings): Share {
 
   async function fromOthers(file: FileEntry, signal: AbortSignal, received: Received): Promise<ArrayBuffer | null> {
     const { sha256: key } = file;
-    if (!peers().some((peer) => peer.holds(key) !== 'gone')) await abortable<void>(signal, (done, failed) => void ready.then(done, failed));
+    const isKnown = peers().some((peer) => peer.holds(key) !== 'gone');
+    if (!isKnown) await abortable<void>(signal, (done, failed) => void ready.then(done, failed));
     const tried = new Set<number>();
     for (let peer = choosePeer(key, tried); peer; peer = choosePeer(key, tried)) {
       tried.add(peer.number);
@@ -181,8 +182,10 @@ export function createShare(settings: ShareSettings): Share {
   };
 }
 
-/** Weight of a user for a file in rendezvous hashing, by which all users agree on the one that requests the file from the
- * server. The key is a SHA-256 in hexadecimal digits; the greatest weight wins. */
+/**
+ * Weight of a user for a file in rendezvous hashing, by which all users agree on the one that requests the file from the
+ * server. The key is a SHA-256 in hexadecimal digits; the greatest weight wins.
+ */
 function weightOf(user: number, key: string): number {
   return mixed(mixed(user + 1) ^ parseInt(key.slice(0, 8), 16));
 }

@@ -62,7 +62,7 @@ export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now:
   let resume = (): void => undefined;
 
   /** Returns the file if the limits of the page and the budget allow it, else null. */
-  function granted(key: string, found: Blob | null): Blob | null {
+  function grant(key: string, found: Blob | null): Blob | null {
     const count = (times.get(key) ?? 0) + 1;
     if (!found || count > MAX_SENDS_PER_PAGE || !budget.take(found.size)) return null;
     times.set(key, count);
@@ -115,7 +115,7 @@ export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now:
       const isFast = !rate.take(1);
       const found = isFast ? null : shelf.find(key);
       if (found) {
-        queue(request, granted(key, found));
+        queue(request, grant(key, found));
         return null;
       }
       // Recorded before `obtain`, so that the file is not requested from the page that waits for it.
@@ -138,7 +138,7 @@ export function createUploads(outlet: Outlet, shelf: Shelf, budget: Bucket, now:
       for (const [request, wanted] of waiting) {
         if (wanted !== key) continue;
         waiting.delete(request);
-        queue(request, granted(key, found));
+        queue(request, grant(key, found));
       }
     },
     tick() {

@@ -51,7 +51,8 @@ export function createRoomCard(root: HTMLElement, commands: CardCommands): RoomC
   // Without a role: screen readers would announce each change.
   const [figure, source] = [make('p', { class: 'here-words' }), make('p', { class: 'here-words' })];
   const exchange = createExchange(commands.exchange);
-  const [again, copy] = [button('Join again', 'button-main', commands.retry), button('Copy link', 'button-main', () => void share())];
+  const again = button('Join again', 'button-main', commands.retry);
+  const copy = button('Copy link', 'button-main', () => void share());
   const leave = button('Leave', 'button-main', () => {
     commands.leave();
     // The button is hidden now.

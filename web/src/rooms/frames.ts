@@ -93,7 +93,7 @@ export function writeFrame(frame: FromUser): Uint8Array<ArrayBuffer> {
   if (frame.kind === 'hello') {
     body.u8(VERSION);
     body.u16(frame.group);
-    const name = new TextEncoder().encode(checkedName(frame.name));
+    const name = new TextEncoder().encode(checkName(frame.name));
     for (const bytes of [name, frame.ticket]) {
       if (bytes.length > 0xff) throw new FrameError('a ticket is too long');
       body.u8(bytes.length);
@@ -127,13 +127,13 @@ function readTo(body: Reader): Audience {
 }
 
 function readName(body: Reader): string {
-  return checkedName(textOf(body.take(body.u8()), 'a name is not UTF-8'));
+  return checkName(textOf(body.take(body.u8()), 'a name is not UTF-8'));
 }
 
 /** Characters forbidden in names: control characters, and format characters, which are invisible or reorder text. */
 export const HIDDEN = /[\p{Cc}\p{Cf}]/u;
 
-function checkedName(name: string): string {
+function checkName(name: string): string {
   if (new TextEncoder().encode(name).length > NAME) throw new FrameError('a name is too long');
   if (HIDDEN.test(name)) throw new FrameError('a name has characters that control or format text');
   return name;

@@ -98,7 +98,11 @@ const NOTHING_HIT = 100;
 const BEYOND = 2;
 
 /** Current morph of the picture, and the centre that it is relative to. */
-export function morphOf({ facts }: Viewer, nearShare: number, pose: Pose): { readonly center: Vector; readonly morph: Morph } {
+export function morphOf(
+  { facts }: Viewer,
+  nearShare: number,
+  pose: Pose,
+): { readonly center: Vector; readonly morph: Morph } {
   const { radius, strength } = facts.shown?.grown ?? { radius: 0, strength: 0 };
   const center: Vector = facts.entry?.center ?? pose.position;
   return { center, morph: { user: subtract(pose.position, center), inner: nearShare * radius, radius, strength } };

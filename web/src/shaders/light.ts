@@ -36,7 +36,7 @@ vec3 irradiance(vec3 n) {
 }
 `;
 
-/** Normal towards the viewer: the vertices' one on the side that the face shows, or the face's one if it has length 0. */
+/** Normal towards the viewer: that of the vertices, on the visible side of the face; without one, that of the face. */
 export const SHADING_NORMAL = /* glsl */ `
 vec3 shading_normal(vec3 face, vec3 toward, vec3 own) {
   float size = length(face);

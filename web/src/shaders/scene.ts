@@ -11,9 +11,9 @@ precision highp usamplerCube;
 
 /** Uniforms of the morph, whose functions are in `morph.ts`. */
 const SHOWN = /* glsl */ `
-// The eye, from the centre: each eye of a headset has its own.
+// Position of the eye relative to the centre; each eye of a headset has its own.
 uniform vec3 cameraPosition;
-// r1, r2, 1 / (r2 - r1), and the strength of the morph; a strength below 0 stands for no morph at all.
+// r1, r2, 1 / (r2 - r1), and the strength of the morph; a negative strength disables the morph.
 uniform vec4 radii;
 
 bool is_morphed() {
@@ -70,8 +70,8 @@ in vec4 row_z;
 #else
 uniform mat4 placement;
 #endif
-// From the centre, where it is; from the eye, where it is shown. A picture shows directions, which are the same for both
-// kinds of the morph; at the distance of the blend, what is flat beyond R stays flat, however large its triangles are.
+// Position relative to the centre, and displayed position relative to the eye. Both kinds of the morph give the same
+// directions; at the distance of the blend, flat surfaces beyond R stay flat, however large their triangles are.
 out vec3 v_point;
 out vec3 v_shown;
 
@@ -83,7 +83,7 @@ void main() {
   v_point = (placement * vec4(position, 1.0)).xyz;
   v_shown = displayed(v_point);
 #ifdef SMOOTH
-  // Normals go by the cofactors of the matrix, whatever its scale and handedness.
+  // Normals are transformed by the cofactor matrix, for any scale and handedness.
   mat3 m = mat3(placement);
   v_normal = mat3(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])) * normal;
 #endif
@@ -102,7 +102,7 @@ ${SHARED}
 ${SRGB}
 ${MAPPED}
 uniform vec4 base_color;
-// Share of this picture over the one before, 1 for all.
+// Opacity of this picture over the previous one.
 uniform float opacity;
 #ifdef TEXTURED
 uniform sampler2D image;
@@ -129,14 +129,14 @@ in vec3 v_point;
 in vec3 v_shown;
 out vec4 shade;
 
-// Codes of range, and how codes stand for metres: least, step, texels along a face, and 1 where there are ranges.
+// Range codes, and their scale: least range, step, texels along a face, and 1 if the map has ranges.
 uniform usamplerCube codes;
 uniform vec4 coding;
 const uint NOTHING = 65535u;
-// Share of its range by which a fragment may lie behind the map before it counts as hidden.
+// Relative distance by which a fragment may lie behind the map without being hidden.
 const float BIAS = 4e-3;
 
-// The farthest of the four texels whose centres enclose a direction.
+// Returns the farthest range of the four texels whose centres enclose a direction.
 float farthest_range(vec3 d) {
   vec3 size = abs(d);
   float longest = max(size.x, max(size.y, size.z));
@@ -163,7 +163,7 @@ bool is_hidden() {
   if (coding.w == 0.0 || length(v_point.xz) <= radii.y) {
     return false;
   }
-  // Beyond R the morph shows things in the direction in which the centre sees them, so its ranges can be compared.
+  // Beyond R the morph shows points in the direction seen from the centre, so that ranges can be compared.
   float range = length(is_morphed() ? v_point : v_shown);
   return range > farthest_range(normalize(v_shown)) * (1.0 + BIAS);
 }
@@ -229,7 +229,7 @@ in vec3 position;
 out vec3 v_direction;
 
 void main() {
-  // On the far plane, where the depth is still that of an empty picture.
+  // On the far plane, which passes the depth test where nothing was drawn.
   gl_Position = vec4(position.xy, 1.0, 1.0);
   vec4 place = inverse(projectionMatrix) * vec4(position.xy, 1.0, 1.0);
   v_direction = transpose(mat3(viewMatrix)) * (place.xyz / place.w);

@@ -91,14 +91,14 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
     return { center, metres: grown && grown.strength > 0 ? settings.marginShare * grown.radius : fold_margin };
   }
 
-  function room(limit: Limit, place: Vector): number {
+  function marginAt(limit: Limit, place: Vector): number {
     return limit.metres - distance(place, limit);
   }
 
-  const far = (region: number, place: Vector): number => distanceBetween(places.of(region).center, place);
+  const distanceTo = (region: number, place: Vector): number => distanceBetween(places.of(region).center, place);
 
   /** Returns the state in which a region would begin now; null if it cannot take over. */
-  function offered(region: number): MorphState | null {
+  function offerOf(region: number): MorphState | null {
     const from = regions.grown(current);
     const offer = from && regions.offer(region, from);
     // Visible geometry does not become part of a map again.
@@ -108,17 +108,17 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
 
   /** Whether a region takes over. */
   function mayCross(next: number, place: Vector): boolean {
-    const [from, offer] = [regions.grown(current), offered(next)];
+    const [from, offer] = [regions.grown(current), offerOf(next)];
     if (!from || !offer) return false;
-    const gap = Math.min(GAP_SHARE * far(next, places.of(current).center), GAP_MAX);
+    const gap = Math.min(GAP_SHARE * distanceTo(next, places.of(current).center), GAP_MAX);
     const [here, there] = [limitOf(current, from), limitOf(next, offer)];
-    const isNearer = far(next, place) + gap <= far(current, place);
+    const isNearer = distanceTo(next, place) + gap <= distanceTo(current, place);
     const isAsLarge = offer.radius >= from.radius && !regions.isCoarse(next);
     const isAlike = from.strength === 0 || isAsLarge || regions.isComplete(next);
-    if (isNearer && isAlike && room(there, place) >= ROOM_SHARE * there.metres) return true;
+    if (isNearer && isAlike && marginAt(there, place) >= ROOM_SHARE * there.metres) return true;
     // At its edge the picture is replaced even by one that is less similar.
-    const isAtEdge = room(here, place) < (1 - FREE) * here.metres;
-    return isAtEdge && room(there, place) >= Math.max(room(here, place), 0) + gap;
+    const isAtEdge = marginAt(here, place) < (1 - FREE) * here.metres;
+    return isAtEdge && marginAt(there, place) >= Math.max(marginAt(here, place), 0) + gap;
   }
 
   function take(region: number, from: MorphState, pose: Pose | null): void {
@@ -144,7 +144,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
     const offer = isHere ? from : regions.offer(region, from ?? NOTHING_NEAR);
     if (!offer) return;
     // Its picture must leave the user room; otherwise it begins with nothing near.
-    const fits = isHere || room(limitOf(region, offer), target.position) > (1 - FREE) * limitOf(region, offer).metres;
+    const fits = isHere || marginAt(limitOf(region, offer), target.position) > (1 - FREE) * limitOf(region, offer).metres;
     const place = landing(region, fits ? offer : NOTHING_NEAR, target);
     going = null;
     take(region, fits && from ? from : NOTHING_NEAR, from ? pose : null);
@@ -162,7 +162,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
     const other = leaving ? ahead : (goal ?? ahead);
     const wanted = [...new Set([current, other ?? current])];
     const isAwaited = goal !== null && !leaving;
-    if (other !== null && (isAwaited || far(other, place) < far(current, place))) wanted.reverse();
+    if (other !== null && (isAwaited || distanceTo(other, place) < distanceTo(current, place))) wanted.reverse();
     for (const region of opened) {
       if (!wanted.includes(region)) regions.close(region);
     }
@@ -197,7 +197,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
       const region = places.nearest(target.position);
       const here = limitOf(current, regions.grown(current));
       // Near the centre the current region serves at once; a nearer one takes over later.
-      const isHere = room(here, target.position) >= HERE_SHARE * here.metres;
+      const isHere = marginAt(here, target.position) >= HERE_SHARE * here.metres;
       going = { region: isHere ? current : region, target };
     },
     failed(region) {
@@ -207,7 +207,7 @@ export function createJourney(settings: JourneySettings, regions: Regions, first
       const here = limitOf(current, regions.grown(current));
       // A picture with its own pose stays there.
       const shown = leaving && !leaving.pose ? [here, limitOf(leaving.region, regions.grown(leaving.region))] : [here];
-      const offer = !leaving && ahead !== null ? offered(ahead) : null;
+      const offer = !leaving && ahead !== null ? offerOf(ahead) : null;
       return { shown, open: offer && ahead !== null ? [here, limitOf(ahead, offer)] : [here] };
     },
     get region() {

@@ -145,7 +145,7 @@ async function applyChange(job: Job, ring: number, { tiles, color, range }: MapE
 /** Adds geometry to the group of a ring; it is shown when complete. */
 async function receiveParts(job: Job, ring: number, { number, parts, samples, triangles }: Geometry): Promise<void> {
   const { renderer, region, store, uploads, geometry, programs, signal, warm } = job;
-  const making = { gl: renderer.getContext() as WebGL2RenderingContext, store, warm };
+  const resources = { gl: renderer.getContext() as WebGL2RenderingContext, store, warm };
   const pictures = createPictures(renderer, (name, texture) => {
     // Another region may have loaded it meanwhile.
     if (store.textures.has(name)) texture.dispose();
@@ -157,7 +157,7 @@ async function receiveParts(job: Job, ring: number, { number, parts, samples, tr
     let before = Promise.resolve();
     for (let next = 0; next < parts; next++) {
       const part = await geometry({ kind: 'part', of: number, part: next });
-      const sent = uploads.add(partSteps(region, ring, part, making, pictures), signal);
+      const sent = uploads.add(partSteps(region, ring, part, resources, pictures), signal);
       // Awaiting the promise reports the error.
       sent.catch(() => undefined);
       await before;

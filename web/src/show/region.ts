@@ -4,7 +4,7 @@ import type { RegionEntry } from '../bundle/manifest';
 import type { Part, Piece, Triangles } from '../decode/messages';
 import type { Store } from './buffers';
 import { createMaterials, type Materials, type Shared, texturesOf } from './materials';
-import { disposeMesh, type Making, type PieceMesh, prepare, type Prepared } from './pieces';
+import { disposeMesh, type MeshResources, type PieceMesh, prepare, type Prepared } from './pieces';
 import { createCube, type Cube, type Pictures } from './textures';
 import type { Step } from './uploads';
 
@@ -101,7 +101,7 @@ export function* partSteps(
   region: Region,
   ring: number,
   { bands, pieces }: Part,
-  making: Making,
+  resources: MeshResources,
   pictures: Pictures,
 ): Generator<Step> {
   // Dynamic objects, in ring 0, also appear beyond the cut.
@@ -110,16 +110,16 @@ export function* partSteps(
   const ready: { piece: Piece; prepared: Prepared }[] = [];
   const make = (): void => {
     const meshes = ready.splice(0).map(({ piece, prepared }) => {
-      const textures = texturesOf(piece.material, (uri) => making.store.textures.get(uri) ?? null);
+      const textures = texturesOf(piece.material, (uri) => resources.store.textures.get(uri) ?? null);
       return prepared.make(region.materials.of(piece, textures, cut));
     });
-    making.warm(meshes);
+    resources.warm(meshes);
     group.add(...meshes);
   };
   try {
     for (const band of bands) yield* pictures.steps(band);
     for (const [number, piece] of pieces.entries()) {
-      const prepared = prepare(piece, making);
+      const prepared = prepare(piece, resources);
       ready.push({ piece, prepared });
       yield* prepared.steps();
       if (ready.length === TOGETHER || number === pieces.length - 1) yield { kind: 'mesh', bytes: 0, run: make };

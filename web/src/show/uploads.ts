@@ -48,7 +48,7 @@ export function createUploads(now: () => number = () => performance.now(), fligh
     for (let job = jobs[0]; job; job = jobs[0]) {
       try {
         job.signal.throwIfAborted();
-        job.next ??= following(job);
+        job.next ??= nextStep(job);
         if (job.next) return { job, step: job.next };
         end(job);
         job.done();
@@ -111,7 +111,7 @@ export function createUploads(now: () => number = () => performance.now(), fligh
   };
 }
 
-function following(job: Job): Step | null {
+function nextStep(job: Job): Step | null {
   const { done, value } = job.steps.next() as IteratorResult<Step, undefined>;
   return done ? null : value;
 }

@@ -68,12 +68,12 @@ export async function copyText(text: string): Promise<boolean> {
     await navigator.clipboard.writeText(text);
     return true;
   } catch {
-    return copyMarked(text);
+    return copyBySelection(text);
   }
 }
 
 /** Copies with the older method, which works without https. */
-function copyMarked(text: string): boolean {
+function copyBySelection(text: string): boolean {
   const field = make('textarea', { class: 'unseen', 'aria-hidden': 'true', tabindex: '-1' });
   field.value = text;
   const focused = document.activeElement;

@@ -1,5 +1,5 @@
 /** Figures of the panel: loading, drawing and position; and the commands of the panel and the keys. */
-import type { Making } from '../demand/place';
+import type { ServerProgress } from '../demand/place';
 import { make, write } from './dom';
 import { bytesOf, count, metres, milliseconds, percent, rate } from './format';
 
@@ -11,7 +11,7 @@ export interface Status {
   /** Whether no finer maps follow the visible ones. */
   readonly isSharp: boolean;
   /** Server's progress with the current place or the one that the user is moving to; null if nothing is made. */
-  readonly making: Making | null;
+  readonly making: ServerProgress | null;
   /** Radius of the morph, metres. */
   readonly radius: number;
   /** Received bytes, and all bytes that this region needs. */

@@ -35,7 +35,7 @@ export async function openKernel(model: Model, received: Received, signal: Abort
   const own = Math.random().toString(36).slice(2);
   let last = 0;
 
-  const answered = (answer: Answer, buffers: readonly DataView[]): void => {
+  const onAnswer = (answer: Answer, buffers: readonly DataView[]): void => {
     const pending = waiting.get(answer?.id);
     if (!pending) return;
     waiting.delete(answer.id);
@@ -44,7 +44,7 @@ export async function openKernel(model: Model, received: Received, signal: Abort
     else if (!buffer) pending.failed(new BundleError('the kernel answers without a file'));
     else pending.done({ data: bytesOf(buffer), bytes: answer.bytes });
   };
-  model.on('msg:custom', answered);
+  model.on('msg:custom', onAnswer);
 
   /** Requests a piece of a file, without a timeout, because a busy kernel answers later. */
   function ask(name: string, start: number, stop: AbortSignal): Promise<Piece> {
@@ -82,7 +82,7 @@ export async function openKernel(model: Model, received: Received, signal: Abort
     // No cache lies in between.
     distrust: () => undefined,
     dispose() {
-      model.off('msg:custom', answered);
+      model.off('msg:custom', onAnswer);
       waiting.clear();
     },
   };

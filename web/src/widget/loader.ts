@@ -8,7 +8,10 @@ declare const SCRIPTS: readonly (readonly [name: string, text: string])[];
 
 const urls = new Map<string, string>();
 for (const [name, text] of SCRIPTS) {
-  const linked = text.replace(/"\.\.?\/([\w.-]+)"/g, (path, file: string) => JSON.stringify(urls.get(file) ?? path.slice(1, -1)));
+  const linked = text.replace(/"\.\.?\/([\w.-]+)"/g, (path, file: string) => {
+    const url = urls.get(file);
+    return url === undefined ? path : `"${url}"`;
+  });
   urls.set(name, URL.createObjectURL(new Blob([linked], { type: 'text/javascript' })));
 }
 

@@ -83,7 +83,7 @@ export interface Stick {
   readonly isPressed: boolean;
 }
 
-export interface Wish {
+export interface SteeringCommand {
   /** Walking input relative to the head's direction. */
   readonly drive: Drive;
   /** Immediate turn to the left, radians. */
@@ -98,7 +98,7 @@ const [TURNS, REARMS] = [0.7, 0.35] as const;
 
 export interface Steering {
   /** Reads the sticks of the left and the right hand; a hand without a stick leaves its part to the other. */
-  read(left: Stick | null, right: Stick | null): Wish;
+  read(left: Stick | null, right: Stick | null): SteeringCommand;
 }
 
 export function createSteering(): Steering {

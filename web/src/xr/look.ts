@@ -36,8 +36,8 @@ export function createLook(): Look {
   const body = new MeshLambertMaterial({ color: 0xd5dbe3 });
   // Without depth test: the ground may lie slightly before or behind the user's floor.
   const mark = new MeshBasicMaterial({ color: FREE, depthTest: false });
-  const joints = beads(HANDS * JOINTS, body);
-  const points = beads(ARC_POINTS, mark);
+  const joints = createSpheres(HANDS * JOINTS, body);
+  const points = createSpheres(ARC_POINTS, mark);
   const ring = new Mesh(new RingGeometry(...RING, 48).rotateX(-Math.PI / 2), mark);
   const controllers = Array.from({ length: HANDS }, () => {
     const mesh = new Mesh(new CapsuleGeometry(THICK, 2 * LONG, 4, 12).rotateX(Math.PI / 2), body);
@@ -100,7 +100,7 @@ export function createLook(): Look {
   };
 }
 
-function beads(count: number, material: Material): InstancedMesh {
+function createSpheres(count: number, material: Material): InstancedMesh {
   return new InstancedMesh(new IcosahedronGeometry(1, 2), material, count);
 }
 

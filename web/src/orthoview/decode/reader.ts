@@ -2,7 +2,7 @@
 import * as zarr from 'zarrita';
 import { damaged, type Failure, StoreError } from '../store/error';
 import { createFiles } from '../store/files';
-import { arrayOf, BEHIND, CHANNELS, type Layout, overlay, type Triple } from '../store/layout';
+import { arrayOf, BEHIND, CHANNELS, generationFolder, type Layout, type Triple } from '../store/layout';
 import type { Shard } from '../store/records';
 import { registerCodecs } from './codecs';
 import { type Piece, readLeaf, Textures } from './leaf';
@@ -58,7 +58,7 @@ export function createReader(base: URL, layout: Layout, receive: (bytes: number)
     leaf: ({ shards }, signal) => readLeaf(files, textures, shards, signal),
     async read({ level, place, direction, generation, shards }, signal) {
       for (const [path, size, version] of shards) known.set(path, { size, version });
-      const folder = overlay(generation);
+      const folder = generationFolder(generation);
       const layer = async (prefix: string): Promise<Splats | null> => {
         const name = (channel: string): string => folder + arrayOf(layout, level, direction, prefix + channel);
         const [color, depth, normal] = await Promise.all(

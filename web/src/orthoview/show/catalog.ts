@@ -1,7 +1,16 @@
 /** Shards and geometry files that the records list so far, and the requests for views that need them. */
 import type { Cells } from '../cut/cells';
 import type { Wanted } from '../decode/reader';
-import { arrayOf, channelsOf, GEOMETRY, geometryOf, type Layout, overlay, shardOf, type Triple } from '../store/layout';
+import {
+  arrayOf,
+  channelsOf,
+  generationFolder,
+  GEOMETRY,
+  geometryOf,
+  type Layout,
+  shardOf,
+  type Triple,
+} from '../store/layout';
 import type { Shard } from '../store/records';
 
 /** Path prefix of a generation after the first. */
@@ -34,7 +43,7 @@ export class Catalog {
     const generation = cells.at(level, place)?.generation ?? 0;
     const shards = channelsOf(layout).map((channel) => {
       const array = arrayOf(layout, level, direction, channel);
-      return this.#shards.get(overlay(generation) + shardOf(layout, level, place, array));
+      return this.#shards.get(generationFolder(generation) + shardOf(layout, level, place, array));
     });
     return { level, place, direction, generation, shards: shards.filter((shard) => shard !== undefined) };
   }

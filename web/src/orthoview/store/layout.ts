@@ -112,7 +112,7 @@ export function nameOf(level: number, [x, y, z]: Triple): string {
 }
 
 /** Folder of a generation below the store, with a slash at its end; empty for the first one. */
-export function overlay(generation: number): string {
+export function generationFolder(generation: number): string {
   return generation === 0 ? '' : `${FOLDER}/generations/${generation}/`;
 }
 

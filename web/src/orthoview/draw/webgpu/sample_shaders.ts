@@ -1,4 +1,4 @@
-/** WGSL of samples: uniforms of a call, their first depths, the farthest depths of tiles, and their colours in the picture. */
+/** WGSL of samples: uniforms of a call, initial depths, the farthest depths of tiles, and the picture's pixels. */
 import { LIGHT_WGSL } from '../../../shaders/light';
 
 /** Threads per workgroup, and workgroups per row of a dispatch. */
@@ -17,7 +17,7 @@ struct Draw {
   work: vec4<u32>,
   // Number of all parts, number of the page.
   all: vec4<u32>,
-  // Metres at which depths end.
+  // Near distance in metres: depths are this divided by the distance along the axis.
   nearest: f32,
 }
 
@@ -26,7 +26,7 @@ struct Draw {
 
 /** Farthest depth of each tile, for the module of splats. */
 export const FARTHEST_OF_TILES = /* wgsl */ `
-// A thread looks at all samples of a tile: there are few, and groups that wait for one another take longer.
+// One thread reads all samples of a tile: a reduction by a workgroup takes longer.
 @compute @workgroup_size(GROUP)
 fn farthest_of_tiles(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
   let number = (group.y * ROW + group.x) * GROUP + lane;

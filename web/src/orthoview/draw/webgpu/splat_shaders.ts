@@ -11,12 +11,12 @@ export const SPLATS = /* wgsl */ `
 ${DRAW}
 struct Part {
   view: u32,
-  // Its first word in its page, number of splats, and the number of its first one among those of all parts.
+  // First word in its page, number of splats, and index of its first splat among those of all parts.
   first: u32,
   count: u32,
   number: u32,
   order: u32,
-  // Columns and rows of its place in the picture, in 16 bits each: the first ones, and those after the last.
+  // Bounds in the picture, 16 bits each for column and row: the first ones, and those after the last.
   low: u32,
   high: u32,
   page: u32,
@@ -27,17 +27,17 @@ struct Part {
 // All parts, those of the first splats first.
 @group(0) @binding(3) var<storage, read> listed: array<u32>;
 @group(0) @binding(4) var<storage, read> words: array<u32>;
-// The number of splats of parts that are seen, then the farthest order of each tile.
+// Number of splats of visible parts, then the farthest order of each tile.
 @group(0) @binding(5) var<storage, read_write> tiles: array<atomic<u32>>;
 // Bits of the samples' depths, whose order is that of floats of at least 0.
 @group(0) @binding(6) var<storage, read_write> orders: array<atomic<u32>>;
-// LAST less the numbers of their splats; in the end their colours.
+// LAST minus the numbers of their splats; after shade() their colours.
 @group(0) @binding(7) var<storage, read_write> colors: array<atomic<u32>>;
 ${LIGHT_WGSL}
 const TILE = ${TILE}u;
 const GROUP = ${GROUP}u;
 const ROW = ${ROW}u;
-// Splats between which a workgroup looks at those that cover much.
+// Number of splats after which the workgroup draws the large ones.
 const TURN = 1024u;
 const RADIUS = ${float(Math.sqrt(SQUARED_RADIUS))};
 const SQUARED_RADIUS = ${float(SQUARED_RADIUS)};
@@ -55,7 +55,7 @@ struct Ellipse {
   code: u32,
 }
 
-// Steps of float32 by which depths of the second round may be less: compilers may round both rounds in other ways.
+// Tolerance of depths in the second round, in steps of float32: compilers may round both rounds differently.
 const SLACK = 4u;
 const LAST = 0x7fffffffu;
 // Marks a colour.
@@ -65,7 +65,7 @@ fn column_of(view: u32, n: u32) -> vec4<f32> {
   return views[view * ${VECTORS}u + n];
 }
 
-// Half of the extent of a ball along an axis: the length of the gradient of X/W.
+// Half the extent of a ball along an axis: the length of the gradient of X/W.
 fn disc(view: u32, own: vec3<f32>, place: f32, over: f32) -> f32 {
   return length((own - place * draw.gradients[2].xyz) * over) * column_of(view, 2u).w;
 }
@@ -95,7 +95,7 @@ fn ellipse_of(part: Part, number: u32) -> Ellipse {
   let over = 1.0 / function.z;
   let middle = function.xy * over;
 
-  // The normal, and the depth steps by which its plane falls for each pixel.
+  // Normal, and the change of depth per pixel on its plane.
   var normal = normal_of(word.y, column.w);
   let facing = 1.0 / max(dot(column_of(own, 6u).xyz, normal), ${float(MIN_COSINE)});
   let u = column.xyz + dot(column_of(own, 4u).xyz, normal) * facing * step;
@@ -112,7 +112,7 @@ fn ellipse_of(part: Part, number: u32) -> Ellipse {
   let slope = -vec2<f32>(u.z, v.z) * over * over * factor;
   var half_size = vec2<f32>(0.0);
   if is_surfel {
-    // A surfel that is seen from its edge is a line: only the sample of its middle shows it.
+    // A surfel seen edge-on is a line: only the sample of its centre shows it.
     let determinant = du.x * dv.y - dv.x * du.y;
     let is_flat = abs(determinant) <= 1.2e-7 * (abs(du.x) + abs(dv.x)) * (abs(du.y) + abs(dv.y));
     if is_flat {
@@ -171,7 +171,7 @@ fn extent_of(own: Ellipse) -> vec2<u32> {
   return vec2<u32>(max(own.high - own.low + 1, vec2<i32>(0)));
 }
 
-// Of a part, the first tile and number of tiles in which it may show.
+// Returns the first tile and the number of tiles that a part may cover.
 fn tiles_of(part: Part) -> vec4<u32> {
   let low = vec2<u32>(part.low & 0xffffu, max(part.low >> 16u, draw.size.z) - draw.size.z);
   let bottom = min(part.high >> 16u, draw.size.z + draw.size.y);
@@ -188,11 +188,11 @@ fn tile_columns() -> u32 {
 
 var<workgroup> reached: atomic<u32>;
 var<workgroup> is_seen: u32;
-// Splats that cover much.
+// Splats that cover many samples.
 var<workgroup> large_count: atomic<u32>;
 var<workgroup> large: array<u32, TURN>;
 
-// A workgroup draws a part, if it does not lie behind what all of its tiles show.
+// A workgroup draws a part unless it lies behind the farthest depth of each of its tiles.
 @compute @workgroup_size(GROUP)
 fn splats(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
   let number = group.y * ROW + group.x;
@@ -250,7 +250,7 @@ fn splats(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
   }
 }
 
-// Number of the part that has a splat.
+// Returns the index of the part that contains a splat.
 fn part_of(splat: u32) -> u32 {
   var low = 0u;
   var high = draw.all.x;
@@ -265,7 +265,7 @@ fn part_of(splat: u32) -> u32 {
   return listed[low];
 }
 
-// Light on the splats that samples show, as far as they lie in this page.
+// Shades the splats of one page that samples show.
 @compute @workgroup_size(GROUP)
 fn shade(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
   let sample = (group.y * ROW + group.x) * GROUP + lane;
@@ -281,7 +281,7 @@ fn shade(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_inde
     return;
   }
   let own = ellipse_of(part, LAST - code - part.number);
-  // A view sees the insides of what a cell's side cuts open: normals are turned towards the viewer.
+  // Surfaces cut by a cell's side show their inside: normals are turned towards the viewer.
   let ray = draw.rays[0].xyz + own.middle.x * draw.rays[1].xyz + own.middle.y * draw.rays[2].xyz;
   let normal = select(own.normal, -own.normal, dot(own.normal, ray) > 0.0);
   let albedo = linear_of(vec3<f32>(vec3<u32>(own.code, own.code >> 8u, own.code >> 16u) & vec3<u32>(255u)) / 255.0);
