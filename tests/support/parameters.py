@@ -114,7 +114,7 @@ RANGES: dict[str, str] = {
     "[0, 1.5708)": "angle cube_lookup.radius",
     "(0, 3.2)": "orthoview.size_for.fov",
     "[0, 10]": "handshake",
-    "[0, 10)": "Scene.load.lod open_source.lod",
+    "[0, 10)": "LoadOptions.lod",
     "[0, 60]": "fade",
     "[0, 90]": "lift_deg",
     "(0, 90)": "kink_deg",
