@@ -10,7 +10,7 @@ import typer
 
 import nearfar as nf
 from nearfar._base import check
-from nearfar.cli._options import option
+from nearfar.cli._options import option, read_numbers
 from nearfar.cli._output import check_target, count
 from nearfar.cli._scenes import FileOptions, open_scene, open_world
 
@@ -61,11 +61,7 @@ def read_box(text: str | None) -> Box:
     """Parse "x0,z0,x1,z1" in metres as a box of unlimited height; None means everything."""
     if text is None:
         return (-math.inf, -math.inf, -math.inf), (math.inf, math.inf, math.inf)
-    try:
-        x0, z0, x1, z1 = (float(part) for part in text.replace(",", " ").split())
-    except ValueError:
-        got = check.shortened(text)
-        raise ValueError(f"--box: expected x0,z0,x1,z1 in metres such as 0,0,200,200, got {got}") from None
+    x0, z0, x1, z1 = read_numbers("--box", text, "x0,z0,x1,z1 in metres such as 0,0,200,200", 4)
     if not (x0 <= x1 and z0 <= z1):
         raise ValueError(f"--box: expected least x and z before greatest x and z, got {check.shortened(text)}")
     return (x0, -math.inf, z0), (x1, math.inf, z1)

@@ -14,10 +14,10 @@ import typer
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._base import check, formats
+from nearfar._base import formats
 from nearfar.cli import _options as options
 from nearfar.cli._groups import Options
-from nearfar.cli._options import option
+from nearfar.cli._options import option, read_numbers
 from nearfar.cli._output import bytes_text, check_target, count, note_rows, show
 from nearfar.cli._scenes import SceneOptions, open_scene
 
@@ -40,7 +40,9 @@ class SimplifyOptions(Options):
     @cached_property
     def shares(self) -> list[float] | None:
         """Shares of the triangles; None for the default."""
-        return None if self.ratios is None else read_ratios(self.ratios)
+        if self.ratios is None:
+            return None
+        return read_numbers("--ratios", self.ratios, "numbers such as 0.5,0.2,0.05")
 
     def simplify(self, scene: nf.Scene, name: str) -> nf.lod.Levels:
         """Return the levels of a scene."""
@@ -120,14 +122,6 @@ def lod(
         *note_rows(document),
     ]
     show(document, rows, title=scene, as_json=as_json)
-
-
-def read_ratios(text: str) -> list[float]:
-    """Parse a list of numbers such as "0.5,0.2"."""
-    try:
-        return [float(part) for part in text.split(",")]
-    except ValueError:
-        raise ValueError(f"--ratios: expected numbers such as 0.5,0.2,0.05, got {check.shortened(text)}") from None
 
 
 def describe(model: nf.lod.LodModel, switches: nf.lod.Switches, written: NDArray[np.bool_]) -> dict[str, Any]:

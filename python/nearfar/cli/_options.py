@@ -22,14 +22,22 @@ FACE_SIZE = 1024
 """Default number of texels per side of a cube face."""
 
 
+def read_numbers(option: str, text: str, expected: str, count: int | None = None) -> list[float]:
+    """Parse numbers that commas or spaces separate; ValueError unless there are `count`, or any for None."""
+    try:
+        numbers = [float(part) for part in text.replace(",", " ").split()]
+    except ValueError:
+        numbers = []
+    if len(numbers) != (count or max(len(numbers), 1)):
+        raise ValueError(f"{option}: expected {expected}, got {check.shortened(text)}")
+    return numbers
+
+
 def read_point(option: str, text: str | None) -> Point | None:
     """Parse "x,y,z" or "x y z" in metres; None stays None."""
     if text is None:
         return None
-    try:
-        x, y, z = (float(part) for part in text.replace(",", " ").split())
-    except ValueError:
-        raise ValueError(f"{option}: expected x,y,z in metres such as 0,1.7,0, got {check.shortened(text)}") from None
+    x, y, z = read_numbers(option, text, "x,y,z in metres such as 0,1.7,0", 3)
     if not all(map(math.isfinite, (x, y, z))):
         raise ValueError(f"{option}: expected three finite numbers, got {check.shortened(text)}")
     return x, y, z
@@ -43,17 +51,6 @@ def read_size(option: str, text: str) -> tuple[int, int]:
         got = check.shortened(text)
         raise ValueError(f"{option}: expected WIDTHxHEIGHT in pixels such as 1280x720, got {got}") from None
     return check.size(option, (width, height))
-
-
-def read_radii(text: str | None) -> list[float] | None:
-    """Parse "r1,r2,..." in metres; None stays None."""
-    if text is None:
-        return None
-    try:
-        return [float(part) for part in text.split(",")]
-    except ValueError:
-        got = check.shortened(text)
-        raise ValueError(f"--radii: expected metres such as 10,22,63, got {got}") from None
 
 
 def check_angle(fov: float) -> None:
@@ -74,7 +71,6 @@ INPUT = option(
     "world or asteroids, as in city:blocks=4,seed=1.",
 )
 Input = Annotated[str, INPUT]
-Degrees = Annotated[float, option("--fov", "DEGREES", "Horizontal field of view.")]
 Folder = Annotated[Path, option("-o --output", "FOLDER", "Folder to write.")]
 FaceSize = Annotated[
     int | None, option("--face-size", "TEXELS", f"Texels across a face of the cube map. By default {FACE_SIZE}.")
@@ -181,7 +177,7 @@ class RingOptions(Options):
     @cached_property
     def metres(self) -> list[float] | None:
         """The radii; None for the default."""
-        return read_radii(self.radii)
+        return None if self.radii is None else read_numbers("--radii", self.radii, "metres such as 10,22,63")
 
     @property
     def texels(self) -> int:

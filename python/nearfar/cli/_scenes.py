@@ -18,7 +18,7 @@ import nearfar as nf
 from nearfar._base import check, files
 from nearfar._reduce import folder
 from nearfar.cli._groups import Options
-from nearfar.cli._options import option
+from nearfar.cli._options import option, read_numbers
 
 PROCEDURAL = ("city", "room", "factory", "forest", "beams", "spheres", "landscape", "world", "asteroids")
 """Names of the procedural scenes."""
@@ -61,7 +61,8 @@ class FileOptions(Options):
         """The options for loading; ValueError that names the option."""
         values = {field.name: getattr(self, field.name) for field in fields(self)}
         if values.get("origin") is not None:
-            values["origin"] = _read_origin(values["origin"])
+            expected = "longitude,latitude,height such as 139.767,35.681,40"
+            values["origin"] = read_numbers("--origin", values["origin"], expected, 3)
         with _options_named():
             return nf.LoadOptions(**values)
 
@@ -180,16 +181,6 @@ def make_procedural(text: str, loading: nf.LoadOptions) -> nf.Scene | nf.dataset
             raise ValueError(f"{name}: expected a whole number for {key}, got {check.shortened(value)}") from None
     made: nf.Scene | nf.datasets.World | nf.datasets.Asteroids = maker(**chosen)
     return made
-
-
-def _read_origin(text: str) -> tuple[float, ...]:
-    """Parse "longitude,latitude,height"."""
-    try:
-        longitude, latitude, height = (float(part) for part in text.replace(",", " ").split())
-    except ValueError:
-        expected = "longitude,latitude,height such as 139.767,35.681,40"
-        raise ValueError(f"--origin: expected {expected}, got {check.shortened(text)}") from None
-    return longitude, latitude, height
 
 
 def _flag(name: str) -> str:
