@@ -50,9 +50,11 @@ def open_truth(folder: str, truth: str | None, loading: nf.LoadOptions) -> tuple
     if not isinstance(source, str):
         raise ValueError(f"--truth: expected the scene that {folder} was made from, which no report.json names there")
     try:
-        return source, open_scene(source, _stated(report, loading))
-    except TypeError as error:
+        stated = _stated(report, loading)
+    except (TypeError, ValueError) as error:
         raise ValueError(f"{folder}/report.json: {error}") from None
+    try:
+        return source, open_scene(source, stated)
     except FileNotFoundError:
         raise ValueError(f"--truth: expected the scene that {folder} was made from; {source} is not there") from None
 
