@@ -65,8 +65,8 @@ TAKEN: dict[str, str] = {
     " morph.points nearest_points.points *.view_vectors.points range_error.distance stream.Growth.radii"
     " stream.assign.radii *.bytes_at.time visual_continuity.frames",
     "callable": "render_path.lod",
-    "free": "Hmd.name lod.Level.note lod.*.name SceneBuilder.*.name SceneBuilder.place_many.names relative"
-    " stream.client.*.room stream.client.*.name stream.client.*.token",
+    "free": "Hmd.name LoadOptions.height lod.Level.note lod.*.name SceneBuilder.*.name SceneBuilder.place_many.names"
+    " relative stream.client.*.room stream.client.*.name stream.client.*.token",
     "path": "relative",
     "names": "object_names Hmd.sources SceneBuilder.objects.names Shot.channels",
     "entries": "*.stats lod.LodModel.measured ReducedScene.counts lod.Selection.columns",
