@@ -96,7 +96,7 @@ PACKAGE: dict[str, set[str]] = {
     },
     "_lens": {"_base", "_camera", "_render"},
     "hmd": {"_base", "_camera", "_lens", "_render"},
-    "stereo": {"_base", "_camera", "_render", "_scene", "hmd"},
+    "stereo": {"_base", "_camera", "_metrics", "_render", "_scene", "hmd"},
     "gpu": {"_base", "_camera", "_metrics", "_morph", "_render"},
     "lod": {"_base", "_bounds", "_camera", "_lens", "_metrics", "_render", "_scene", "hmd"},
     "stream": {"_base", "_camera", "_cubemap", "_metrics", "_partition", "_reduce", "_render", "_scene", "_trace"},

@@ -23,7 +23,12 @@ CALLABLES = public_callables()
 NAMES = sorted({*CALLABLES, *(name for name in OWN if not name.endswith("."))})
 """Names of all calls."""
 
-PASSED_ON = {"Walk.render": "ReducedScene.render", "lod.measure": "lod.MeasureSettings"}
+PASSED_ON = {
+    "Scene.load": "LoadOptions",
+    "Walk.render": "ReducedScene.render",
+    "lod.measure": "lod.MeasureSettings",
+    "open_source": "LoadOptions",
+}
 """Callables to which others pass all keywords that they do not name."""
 
 NEEDS = {
