@@ -14,6 +14,8 @@ from scipy.ndimage import map_coordinates
 import nearfar as nf
 from benchmarks.harness.compare import OURS, Case, Work, compare, comparisons, describe, draw
 from benchmarks.harness.timing import machine, table
+from nearfar._cubemap.layouts import Layout
+from nearfar._cubemap.lookup import Filter
 
 Array = NDArray[Any]
 SIZE = 512
@@ -79,7 +81,7 @@ def cv2_remap(faces: Array, d: Array, interpolation: int) -> Array:
 Lookup = Callable[[Array, Array], Array]
 
 
-def ours(name: str) -> Lookup:
+def ours(name: Filter) -> Lookup:
     return lambda faces, d: nf.cube_lookup(faces, d, filter=name)
 
 
@@ -217,7 +219,7 @@ def conversions() -> str:
     def error(truth: Array) -> Callable[[Array], float]:
         return lambda result: float(np.abs(result - truth).max())
 
-    def convert(values: Array, source: str, target: str, size: Any, name: str) -> Callable[[], Array]:
+    def convert(values: Array, source: Layout, target: Layout, size: Any, name: Filter) -> Callable[[], Array]:
         return lambda: nf.convert_envmap(values, source=source, target=target, size=size, filter=name)
 
     there = [

@@ -18,6 +18,7 @@ from benchmarks.harness.timing import machine, table
 from benchmarks.lod._objects import RATIOS, RIFT_S, VIVE_PRO, Headset, crowd, measured, sources
 from benchmarks.lod._printed_turns import COUNTS, SIZES
 from benchmarks.lod._turns import DRAWS, FRAMES, RADIUS, Draws, turns
+from nearfar._render.backend import Backend
 
 LEVELS = 10
 """Number of levels of an object, as published: here down to 0.15 % of its triangles."""
@@ -117,7 +118,7 @@ def ablation(headset: Headset, models: Models, sparse: Models, draws: int, frame
     return table(f"{headset.name}: per cent saved with {COUNTS[-1]:,} objects", ["", *titles], rows)
 
 
-def times(models: Models, size: int, count: int, headset: Headset, backend: str) -> dict[str, float]:
+def times(models: Models, size: int, count: int, headset: Headset, backend: Backend) -> dict[str, float]:
     """Seconds of a mean frame by mode, colour only, including selection; the least of two turns."""
     scene = crowd(models, size=size, count=count)
     world = nf.lod.place(models, scene.model_index, scene.transforms)
@@ -135,7 +136,7 @@ def times(models: Models, size: int, count: int, headset: Headset, backend: str)
     return seconds
 
 
-def timings(headset: Headset, models: Models, counts: tuple[int, ...], backend: str) -> str:
+def timings(headset: Headset, models: Models, counts: tuple[int, ...], backend: Backend) -> str:
     """Tables 5.16 and 5.17: render times."""
     rows = []
     for size in SIZES:

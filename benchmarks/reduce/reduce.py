@@ -16,6 +16,7 @@ import nearfar as nf
 from benchmarks.harness.timing import Timing, best, machine, table
 from benchmarks.harness.tokyo import whole
 from nearfar._base import data
+from nearfar._reduce.drawing import MorphKind
 
 R1, R2 = 30.0, 50.0
 
@@ -53,7 +54,7 @@ def frames(name: str, scene: nf.Scene, center: NDArray[np.float64], size: tuple[
     truth = best(lambda: nf.render(scene, camera, channels=("color",)), repeat=3)
     rows = [["truth", f"{scene.triangle_count:,}", f"{truth.wall * 1e3:.0f}", "1.0", ""]]
     exact = nf.render(scene, camera, channels=("color",)).require("color")
-    jobs: list[tuple[str, str, dict[str, Any]]] = [
+    jobs: list[tuple[str, MorphKind, dict[str, Any]]] = [
         ("conventional", "none", {}),
         ("blend, vertices as they are", "blend", {"tolerance_px": np.inf}),
         ("blend, edges within half a pixel", "blend", {}),

@@ -17,6 +17,7 @@ import nearfar as nf
 from benchmarks.harness.timing import machine, table
 from benchmarks.stream.maps import whole_range
 from nearfar import _core
+from nearfar._reduce.drawing import MorphKind
 from nearfar.stream import _map_files as codec
 from nearfar.stream._encode import scale_of
 from nearfar.stream._radii import PUBLISHED
@@ -42,7 +43,7 @@ def faces_of(source: Any, eye: Point, size: int) -> Any:
     return np.concatenate([nf.render(source, view, channels=("object_id",)).require("object_id") for view in views])
 
 
-def in_front_of_map(near: nf.Scene, env: nf.EnvMap, center: Point, morph: str) -> nf.ReducedScene:
+def in_front_of_map(near: nf.Scene, env: nf.EnvMap, center: Point, morph: MorphKind) -> nf.ReducedScene:
     """Return whole objects in front of a map."""
     zones = nf.partition(near, center=center, r1=0.7 * PUBLISHED[-1], r2=PUBLISHED[-1])
     counts = {**zones.summary(), "rays": 0}

@@ -11,6 +11,7 @@ import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar._reduce.drawing import MorphKind
 from tests.support import data
 from tests.support.gpu_cases import ADAPTERS, adapter, check_color, check_ids, check_range, edges
 from tests.support.normal_cases import scene_around
@@ -90,7 +91,7 @@ def test_normals_of_vertices_are_the_same(tolerance_px: float) -> None:
 
 @pytest.mark.parametrize("morph", ["blend", "cylinder"])
 def test_split_frames_show_the_same_within_the_tolerance(
-    city: nf.Scene, poses: dict[str, NDArray[np.float64]], morph: str
+    city: nf.Scene, poses: dict[str, NDArray[np.float64]], morph: MorphKind
 ) -> None:
     reduced = nf.reduce(city, center=CENTER, r1=30, r2=50, face_size=128, morph=morph, channels=CHANNELS, samples=1)
     cpu, gpu = both(reduced, view(USERS["near"]), at=poses, channels=ALL)
@@ -286,7 +287,7 @@ def street_with_a_drone() -> tuple[nf.Scene, dict[str, NDArray[np.float64]]]:
     ("morph", "user"),
     [*zip(["blend", "cylinder", "none", "blend"], [(-16.0, 1.7, 0.0), (-25.0, 1.7, 3.0)] * 2, strict=True)],
 )
-def test_what_moves_beyond_is_hidden_by_all_that_is_near(morph: str, user: tuple[float, float, float]) -> None:
+def test_what_moves_beyond_is_hidden_by_all_that_is_near(morph: MorphKind, user: tuple[float, float, float]) -> None:
     """Includes a user nearer to the wall than the centre is, and scenes without triangles wholly within r1."""
     scene, pose = street_with_a_drone()
     reduced = nf.reduce(scene, center=CENTER, r1=30, r2=50, face_size=32, morph=morph, channels=CHANNELS, samples=1)
@@ -302,7 +303,7 @@ def test_what_moves_beyond_is_hidden_by_all_that_is_near(morph: str, user: tuple
 
 
 @pytest.mark.parametrize("morph", ["blend", "cylinder"])
-def test_a_mover_across_both_radii_has_no_hole(morph: str) -> None:
+def test_a_mover_across_both_radii_has_no_hole(morph: MorphKind) -> None:
     """Its vertices are morphed on both sides of r2, so that the parts, which are drawn separately, meet."""
     scene, _ = street_with_a_drone()
     reduced = nf.reduce(scene, center=CENTER, r1=10, r2=25, face_size=64, morph=morph, channels=CHANNELS, samples=1)

@@ -9,6 +9,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar._reduce.drawing import MorphKind
 from tests.support.gpu_cases import adapter
 from tests.support.reduce_cases import CENTER, place, street
 
@@ -86,7 +87,7 @@ def test_what_was_behind_the_earlier_camera_is_nan() -> None:
 
 
 @pytest.mark.parametrize("morph", ["blend", "cylinder", "none"])
-def test_reduced_scenes_move_as_they_are_shown(morph: str) -> None:
+def test_reduced_scenes_move_as_they_are_shown(morph: MorphKind) -> None:
     """Every surface against the place at which the earlier user was shown it."""
     light = nf.reduce(
         street(), center=CENTER, r1=12.0, r2=30.0, face_size=64, samples=1, morph=morph, channels=("color", "range")

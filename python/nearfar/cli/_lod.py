@@ -72,7 +72,8 @@ def lod(
     simplify = functools.partial(nf.lod.simplify, loaded, method=method, normals=normals, name=name)
     levels = simplify() if shares is None else simplify(shares)
     simplified = time.perf_counter()
-    model = nf.lod.measure(levels, hmd=device, views=views, directions=directions, distances=distances, backend=backend)
+    how: dict[str, Any] = {"views": views, "directions": directions, "distances": distances, "backend": backend}
+    model = nf.lod.measure(levels, hmd=device, **how)
     seconds = {"simplify": simplified - started, "measure": time.perf_counter() - simplified}
     model.export(output, view=device, k=k, d=d, threshold=threshold, all_levels=all_levels)
     switches = nf.lod.switches(model, view=device, k=k, d=d, threshold=threshold)

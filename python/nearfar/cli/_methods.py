@@ -7,9 +7,10 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import nearfar as nf
+from nearfar._reduce.drawing import MorphKind
 from nearfar.cli._output import Clock
 
-METHODS = {"conventional": "none", "continuous": "blend"}
+METHODS: dict[str, MorphKind] = {"conventional": "none", "continuous": "blend"}
 """Morph of each method by name."""
 
 DENSITY = 20.0
@@ -28,7 +29,7 @@ class Rendered:
     """Positions of both methods at `DENSITY`, if requested."""
 
 
-def morph_of(method: str, saved: nf.ReducedScene | None) -> str:
+def morph_of(method: str, saved: nf.ReducedScene | None) -> MorphKind:
     """Return the morph of a method; a saved scene keeps its continuous one."""
     continues = method == "continuous" and saved is not None and saved.morph != "none"
     return saved.morph if saved is not None and continues else METHODS[method]

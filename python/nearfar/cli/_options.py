@@ -14,6 +14,7 @@ import typer
 import nearfar as nf
 from nearfar._base import check, files
 from nearfar._reduce import default_radii, folder
+from nearfar._render import backend as backends
 
 Point = tuple[float, float, float]
 
@@ -179,10 +180,9 @@ SceneOrFolder = Annotated[str, SCENE_OR_FOLDER]
 Json = Annotated[bool, typer.Option("--json", help="Print a JSON document instead of text.")]
 
 
-def check_backend(text: str | None) -> None:
-    """Reject unknown back ends before the work starts."""
-    if text is not None:
-        check.choice("--backend", text, ("auto", "cpu", "gpu"))
+def check_backend(text: str | None) -> backends.Backend | None:
+    """Return a back end; reject unknown ones before the work starts."""
+    return None if text is None else check.choice("--backend", text, backends.BACKENDS)
 
 
 def faces(face_size: int | None) -> int:

@@ -130,7 +130,7 @@ def render(
                 r2=outer,
                 face_size=options.faces(face_size),
                 morph=METHODS[method],
-                backend=backend,
+                backend=options.check_backend(backend),
             )
         else:
             reduced = saved.with_morph(morph_of(method, saved))

@@ -89,11 +89,10 @@ def stereo(
         where, towards = (place.eye, aim or place.target) if stand is None else (stand.user, stand.target)
         way = nf.Camera.look_at(where, towards, fov=rig.center_fov, size=(1, 1)).orientation
         settings: dict[str, Any] = {"samples": samples, "channels": ("color",), "backend": backend}
+        looks: dict[str, Any] = {"assembly": assembly, "cull": cull, "near": NEAR}
         # The first picture builds the scene's trees, which both methods need; it is not timed.
-        nf.render(source, nf.Camera(where, way, fov=rig.center_fov, size=(8, 8)), channels=("color",), backend=backend)
-        hybrid, hybrid_seconds = _timed(
-            lambda: rig.render(source, where, way, assembly=assembly, cull=cull, near=NEAR, **settings)
-        )
+        nf.render(source, nf.Camera(where, way, fov=rig.center_fov, size=(8, 8)), **settings | {"samples": 1})
+        hybrid, hybrid_seconds = _timed(lambda: rig.render(source, where, way, **looks, **settings))
         ahead = rig.clip(where, way, near=NEAR)
         plain, plain_seconds = _timed(
             lambda: nf.render_eyes(source, device, where, orientation=way, size=pixels, clip=ahead, **settings)

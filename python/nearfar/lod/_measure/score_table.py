@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from nearfar._base import check, progress
 from nearfar._render.renderer import Renderer
+from nearfar._render.settings import RenderSettings
 from nearfar.lod._levels import Levels
 from nearfar.lod._measure import statistic
 from nearfar.lod._measure.score_cache import ScoreCache, content
@@ -57,7 +58,10 @@ class ScoreTable:
     def prepare(self) -> None:
         """Choose the device for pictures, once for all levels, and load the known scores."""
         base = self.levels[0].scene
-        device = Renderer(base, ("color", "range"), self.settings.samples).device(self.settings.backend)
+        wanted = RenderSettings(
+            samples=self.settings.samples, channels=("color", "range"), backend=self.settings.backend
+        )
+        device = Renderer(base, wanted).device()
         if device is not None:
             self.backend, self.device = "gpu", device.label
         contents = [content(level.scene) for level in self.levels]
