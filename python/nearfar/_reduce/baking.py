@@ -70,23 +70,6 @@ class MapSettings:
         """Whether range is stored as float16."""
         return self.range_dtype == np.float16
 
-    def require_cpu(self, kind: str) -> None:
-        """Raise ValueError for a graphics adapter, which cannot draw maps of a kind of world."""
-        if self.backend not in (None, "cpu"):
-            raise ValueError(f"backend: expected cpu for {kind}, got {self.backend}")
-
-    def arguments(self, scene: Scene) -> dict[str, Any]:
-        """Keyword arguments of `bake` for a scene; DeviceError if no adapter can be used for "gpu"."""
-        names = tuple(self.channels)
-        device = backends.device_for(self.backend, scene, (names, self.samples))
-        return {
-            "size": self.face_size,
-            "samples": self.samples,
-            "channels": names,
-            "half": self.half,
-            "device": device,
-        }
-
 
 class MapKeywords(TypedDict, total=False):
     """Fields of `MapSettings` as keywords; a test compares both."""
@@ -96,3 +79,22 @@ class MapKeywords(TypedDict, total=False):
     channels: Iterable[str]
     range_dtype: DTypeLike
     backend: Backend | None
+
+
+def require_cpu(settings: MapSettings, kind: str) -> None:
+    """Raise ValueError for a graphics adapter, which cannot draw maps of a kind of world."""
+    if settings.backend not in (None, "cpu"):
+        raise ValueError(f"backend: expected cpu for {kind}, got {settings.backend}")
+
+
+def bake_arguments(settings: MapSettings, scene: Scene) -> dict[str, Any]:
+    """Keyword arguments of `bake` for a scene; DeviceError if no adapter can be used for "gpu"."""
+    names = tuple(settings.channels)
+    device = backends.device_for(settings.backend, scene, (names, settings.samples))
+    return {
+        "size": settings.face_size,
+        "samples": settings.samples,
+        "channels": names,
+        "half": settings.half,
+        "device": device,
+    }

@@ -56,7 +56,8 @@ class RadiusSettings:
         if self.budget is not None:
             object.__setattr__(self, "budget", check.integer("budget", self.budget, 0, 2**63 - 1))
         for name in ("r2", "reach", "eye_height", "shear"):
-            if (value := getattr(self, name)) is not None:
+            value = getattr(self, name)
+            if name != "r2" or value is not None:
                 object.__setattr__(self, name, check.positive(name, value))
 
 

@@ -100,29 +100,6 @@ class MorphSettings:
         """Radius of the morph in metres, None for r2, and its strength."""
         return self.radius, 1.0 if self.strength is None else self.strength
 
-    def after(self, own: MorphSettings) -> MorphSettings:
-        """Take radius and strength, where they are None, from the settings of a reduced scene."""
-        radius = own.radius if self.radius is None else self.radius
-        return replace(self, radius=radius, strength=own.strength if self.strength is None else self.strength)
-
-    def grown(self, r1: float, r2: float) -> dict[str, Any]:
-        """Effective radii in metres and strength, as arguments of `morph`, for the radii of the reduction."""
-        radius = r2 if self.radius is None else min(float(self.radius), r2)
-        near, far = (r1, r2) if radius == r2 else (r1 * (radius / r2), radius)
-        return {"r1": near, "r2": far, "strength": self.growth[1]}
-
-    def settings(self, method: str) -> dict[str, Any]:
-        """Kernel settings for "vertex" or "exact"."""
-        tolerance = TOLERANCES[method] if self.tolerance_px is None else self.tolerance_px
-        return {
-            "method": method,
-            "mapped": self.env,
-            "tolerance_px": tolerance,
-            "radius": self.radius,
-            "strength": self.growth[1],
-            "conventional_dynamic": self.conventional_dynamic,
-        }
-
 
 class MorphKeywords(TypedDict, total=False):
     """Fields of `MorphSettings` as keywords; a test compares both."""
@@ -137,6 +114,33 @@ class MorphKeywords(TypedDict, total=False):
 
 class MorphOptions(RenderKeywords, MorphKeywords, total=False):
     """Keywords of `ReducedScene.render`."""
+
+
+def fill_growth(settings: MorphSettings, own: MorphSettings) -> MorphSettings:
+    """Take radius and strength, where they are None, from a reduced scene's own settings."""
+    radius = own.radius if settings.radius is None else settings.radius
+    return replace(settings, radius=radius, strength=own.strength if settings.strength is None else settings.strength)
+
+
+def grow_radii(settings: MorphSettings, r1: float, r2: float) -> dict[str, Any]:
+    """Effective radii in metres and strength, as arguments of `morph`, for the radii of the reduction."""
+    radius, strength = settings.growth
+    reach = r2 if radius is None else min(float(radius), r2)
+    near, far = (r1, r2) if reach == r2 else (r1 * (reach / r2), reach)
+    return {"r1": near, "r2": far, "strength": strength}
+
+
+def kernel_settings(settings: MorphSettings, method: str) -> dict[str, Any]:
+    """Kernel settings for "vertex" or "exact"."""
+    radius, strength = settings.growth
+    return {
+        "method": method,
+        "mapped": settings.env,
+        "tolerance_px": TOLERANCES[method] if settings.tolerance_px is None else settings.tolerance_px,
+        "radius": radius,
+        "strength": strength,
+        "conventional_dynamic": settings.conventional_dynamic,
+    }
 
 
 def check_morph(morph: MorphKind, boundary: Boundary) -> None:

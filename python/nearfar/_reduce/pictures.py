@@ -18,7 +18,15 @@ from nearfar._camera.shot import Shot, check_begin, check_request
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._morph import morph
 from nearfar._partition.partition import Partition
-from nearfar._reduce.drawing import Boundary, MorphKind, MorphOptions, MorphSettings
+from nearfar._reduce.drawing import (
+    Boundary,
+    MorphKind,
+    MorphOptions,
+    MorphSettings,
+    fill_growth,
+    grow_radii,
+    kernel_settings,
+)
 from nearfar._render.frame import Frame
 from nearfar._render.renderable import Images, Renderable, Report
 from nearfar._render.renderer import Renderer
@@ -105,7 +113,7 @@ class InPictures:
         """
         rest, own = split(MorphSettings, keywords)
         chosen = gather(RenderSettings, settings, rest)
-        drawn = self._drawn_by(gather(MorphSettings, morphing, own, argument="morphing").after(self._drawing))
+        drawn = self._drawn_by(fill_growth(gather(MorphSettings, morphing, own, argument="morphing"), self._drawing))
         if chosen.backend == "gpu" and "gpu" not in drawn.backends:
             raise ValueError("method: expected 'vertex' with backend='gpu', got 'exact': rays are bent on the CPU")
         renderer = Renderer(cast(Renderable, drawn), chosen)
@@ -133,7 +141,7 @@ class InPictures:
         places = check.array("points", points, columns=3, dtype=np.float64)
         center, eye = self._partition.center, check.vector("user", user)
         if self._morph != "none":
-            grown = self._drawing.grown(self._partition.r1, self._partition.r2)
+            grown = grow_radii(self._drawing, self._partition.r1, self._partition.r2)
             return np.asarray(morph(places, user=eye, center=center, kind=self._morph, **grown))
         away = places - np.array(center)
         boundary = self._partition.r1 if self._boundary == "r1" else self._partition.r2
@@ -177,7 +185,7 @@ class InPictures:
             beyond = f"{-margin:.3g} m beyond" if margin > -math.inf else "at a height outside of"
             message = f"the picture folds: the user is {beyond} the fold margin; go closer to the centre"
             warnings.warn(message, UserWarning, stacklevel=2)
-        return {"user": shot.user, **self._drawing.settings(method)}
+        return {"user": shot.user, **kernel_settings(self._drawing, method)}
 
     def _margin(self, shot: Shot, camera: Camera) -> float:
         """Distance in metres that the user of a picture may still move before it folds."""

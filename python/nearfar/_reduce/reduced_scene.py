@@ -18,7 +18,16 @@ from nearfar._cubemap.envmap import EnvMap
 from nearfar._partition.partition import Partition, partition
 from nearfar._reduce import folder, stages
 from nearfar._reduce.baking import MapSettings
-from nearfar._reduce.drawing import BOUNDARIES, Boundary, MorphKind, MorphSettings, check_morph, morphed, rows_of
+from nearfar._reduce.drawing import (
+    BOUNDARIES,
+    Boundary,
+    MorphKind,
+    MorphSettings,
+    check_morph,
+    grow_radii,
+    morphed,
+    rows_of,
+)
 from nearfar._reduce.notebook import InNotebooks
 from nearfar._reduce.pictures import InPictures
 from nearfar._reduce.walk.recentering import Recenters
@@ -186,7 +195,7 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         leveled = self._scene.leveled
         if leveled is None or self._morph == "none":
             return leveled
-        grown = self._drawing.grown(self.r1, self.r2)
+        grown = grow_radii(self._drawing, self.r1, self.r2)
         return morphed(leveled, user, center=self.center, kind=self._morph, grown=grown)
 
     def _copy_with(

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._partition.partition import Partition, Unit, partition
 from nearfar._reduce import folder
-from nearfar._reduce.baking import MapKeywords, MapSettings
+from nearfar._reduce.baking import MapKeywords, MapSettings, bake_arguments, require_cpu
 from nearfar._reduce.drawing import Boundary
 from nearfar._render.bake import bake
 from nearfar._scene.scene import Scene
@@ -61,7 +61,7 @@ def parts(
     rays = 0
     if zones.summary()["sf"] > 0 or boundary == "r1":
         radius = zones.r1 if boundary == "r1" else zones.r2
-        env, rays = bake(zones.scene, zones.center, radius, **baking.arguments(scene))
+        env, rays = bake(zones.scene, zones.center, radius, **bake_arguments(baking, scene))
     return _parts(zones, env, rays)
 
 
@@ -75,7 +75,7 @@ def divided(
     baking: MapSettings,
 ) -> Parts:
     """Like `parts`, for a world that provides its parts itself."""
-    baking.require_cpu(type(world).__name__)
+    require_cpu(baking, type(world).__name__)
     scene = world.near_scene(center, r2)
     if scene is None:
         raise ValueError(f"center: expected geometry within r2 = {r2:g} m, found none")

@@ -66,13 +66,6 @@ class RenderSettings(Sampling):
             object.__setattr__(self, "channels", channel_names(self.channels))
         backends.check(self.backend)
 
-    def require_defaults(self, user: str, *names: str) -> None:
-        """Raise ValueError for a field that a function cannot use and that differs from its default."""
-        for one in fields(self):
-            value = getattr(self, one.name)
-            if one.name in names and value != one.default:
-                raise ValueError(f"{one.name}: expected {one.default} for {user}, which cannot use it, got {value}")
-
 
 class RenderKeywords(TypedDict, total=False):
     """Fields of `RenderSettings` as keywords; a test compares both."""
@@ -84,3 +77,11 @@ class RenderKeywords(TypedDict, total=False):
     channels: Iterable[str] | None
     backend: Backend | None
     lod: Lod | None
+
+
+def require_defaults(settings: RenderSettings, user: str, *names: str) -> None:
+    """Raise ValueError for a field that a function cannot use and that differs from its default."""
+    for one in fields(settings):
+        value = getattr(settings, one.name)
+        if one.name in names and value != one.default:
+            raise ValueError(f"{one.name}: expected {one.default} for {user}, which cannot use it, got {value}")

@@ -7,14 +7,13 @@ import inspect
 import math
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 import typer
 
 import nearfar as nf
 from nearfar._base import check, files
 from nearfar._reduce import default_radii, folder
-from nearfar._render import backend as backends
 
 Point = tuple[float, float, float]
 
@@ -159,6 +158,9 @@ FaceSize = Annotated[
 ]
 Size = Annotated[str, option("--size", "WxH", "Width and height of a picture in pixels.")]
 Samples = Annotated[int, option("--samples", "N", "Colour samples of each pixel.")]
+BACKENDS: tuple[Literal["auto", "cpu", "gpu"], ...] = ("auto", "cpu", "gpu")
+"""Names of back ends."""
+
 Backend = Annotated[
     str | None,
     option("--backend", "auto|cpu|gpu", "Renderer; `nearfar info --gpu` lists the graphics adapters. By default auto."),
@@ -180,9 +182,9 @@ SceneOrFolder = Annotated[str, SCENE_OR_FOLDER]
 Json = Annotated[bool, typer.Option("--json", help="Print a JSON document instead of text.")]
 
 
-def check_backend(text: str | None) -> backends.Backend | None:
+def check_backend(text: str | None) -> Literal["auto", "cpu", "gpu"] | None:
     """Return a back end; reject unknown ones before the work starts."""
-    return None if text is None else check.choice("--backend", text, backends.BACKENDS)
+    return None if text is None else check.choice("--backend", text, BACKENDS)
 
 
 def faces(face_size: int | None) -> int:

@@ -10,7 +10,7 @@ from nearfar._camera.camera import Camera
 from nearfar._render import backend as backends
 from nearfar._render.renderable import Renderable
 from nearfar._render.renderer import Renderer
-from nearfar._render.settings import RenderKeywords, RenderSettings
+from nearfar._render.settings import RenderKeywords, RenderSettings, require_defaults
 
 ROUNDS = 3
 """Number of timed pictures, after one that is not timed."""
@@ -51,7 +51,7 @@ def measure(
         If no adapter can be used.
     """
     chosen = gather(RenderSettings, settings, keywords)
-    chosen.require_defaults("nearfar.gpu.measure", "backend")
+    require_defaults(chosen, "nearfar.gpu.measure", "backend")
     renderer, device = Renderer(source, chosen), backends.open_device()
     shot = renderer.shot([camera])
     timings: dict[str, list[float]] = {"cpu": [], "gpu": []}

@@ -16,7 +16,7 @@ from nearfar._base.settings import gather
 from nearfar._camera.camera import Camera, CubeFace
 from nearfar._camera.shot import Shot
 from nearfar._cubemap.envmap import EnvMap, to_half
-from nearfar._reduce.baking import MapKeywords, MapSettings
+from nearfar._reduce.baking import MapKeywords, MapSettings, require_cpu
 from nearfar._reduce.stages import Divided
 from nearfar._render.bake import bake
 from nearfar._scene.joined import join_scenes
@@ -127,7 +127,7 @@ class NearFarTree(FlownTree, Divided):
         x, y, z = check.vector("center", center)
         reach = check.positive("radius", radius)
         baking = gather(MapSettings, settings, keywords)
-        baking.require_cpu(type(self).__name__)
+        require_cpu(baking, type(self).__name__)
         size, channels = baking.face_size, tuple(baking.channels)
         grid = grid_of(check.integer("samples", baking.samples, 1, 64))
         if unknown := set(channels) - set(CHANNELS):

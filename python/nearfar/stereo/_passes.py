@@ -22,6 +22,7 @@ from nearfar._render.frame import Frame
 from nearfar._render.motion import Sight, motion
 from nearfar._render.renderable import Images
 from nearfar._render.renderer import Renderer, View
+from nearfar._render.settings import require_defaults
 from nearfar._scene.scene import Scene
 from nearfar.hmd._hmd import EYES
 from nearfar.hmd._stereo import StereoFrame
@@ -330,7 +331,7 @@ def render(
     """Check the arguments of `HybridRig.render`, and draw; `pose` is the head's, `at` has the objects' poses."""
     check_near(rig, how.near)
     settings = renderer.settings
-    settings.require_defaults("a rig", *UNUSED)
+    require_defaults(settings, "a rig", *UNUSED)
     kind = type(renderer.source).__name__
     if how.assembly == "resolved" and not isinstance(renderer.source, Scene):
         raise ValueError(f"assembly: expected 'bilinear' for {kind}, whose triangles are not looked up, got 'resolved'")

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base import check, progress
+from nearfar._render.backend import Backend
 from nearfar._render.renderer import Renderer
 from nearfar._render.settings import RenderSettings
 from nearfar.lod._levels import Levels
@@ -51,7 +52,8 @@ class ScoreTable:
         self.is_base = np.arange(len(levels)) == 0
         self.is_used = np.zeros(self.scores.shape, bool)
         self.was_known = np.isfinite(self.scores)
-        self.backend = self.device = "cpu"
+        self.backend: Backend = "cpu"
+        self.device = "cpu"
         self.cache: ScoreCache | None = None
         self._done = 0
 
