@@ -10,7 +10,6 @@ from nearfar._base import background, check, progress
 from nearfar._camera.camera import Camera
 from nearfar._render.frame import Frame
 
-
 EPSILON = 17.0
 """Radius of a neighbourhood in pixels of the truth, as published (Popescu, Lee, Choi, Fahmy 2022, Eq. 5–6)."""
 

@@ -269,7 +269,7 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         ValueError, TypeError
             A radius below 0, or a strength outside 0 to 1.
         """
-        return self._drawn_by(replace(self._drawing, radius=radius, strength=strength))
+        return self._drawn_by(replace(self._drawing, radius=radius, strength=check.number("strength", strength)))
 
     def save(self, path: str | os.PathLike[str], *, half: bool = True) -> None:
         """Write a folder of files that other programs can read, atomically.
