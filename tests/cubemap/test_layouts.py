@@ -182,7 +182,9 @@ def test_samples_equal_means_of_finer_pictures(target: str) -> None:
         ("cube", (6, 49, 49)),
     ],
 )
-def test_picked_texels_survive_conversion_to_the_same_layout(layout: Layout, shape: tuple[int, ...], name: Filter) -> None:
+def test_picked_texels_survive_conversion_to_the_same_layout(
+    layout: Layout, shape: tuple[int, ...], name: Filter
+) -> None:
     """At a texel's centre its neighbours have no weight, up to rounding."""
     values = np.random.default_rng(0).uniform(size=shape)
     values[..., ::5] = np.nan

@@ -198,7 +198,9 @@ def test_memory_keeps_needed_parts_and_little_else(tree: Tree) -> None:
                 needed = {part for part in plan.order if part[2] not in (GEOMETRY, RECORD)}
                 assert needed <= set(views._kept.values)
                 own = sum(layer.bytes for key in needed for layer in views._kept.values[key])
-                assert views.cached_bytes == sum(layer.bytes for layers in views._kept.values.values() for layer in layers)
+                assert views.cached_bytes == sum(
+                    layer.bytes for layers in views._kept.values.values() for layer in layers
+                )
                 assert views.cached_bytes <= max(cache_bytes, own)
                 assert views.reads > reads
                 reads = views.reads
