@@ -14,12 +14,13 @@ from scipy.ndimage import map_coordinates
 import nearfar as nf
 from benchmarks.harness.compare import OURS, Case, Work, compare, comparisons, draw, greatest_error, print_limits
 from benchmarks.harness.report import start, table
+from nearfar._cubemap.lookup import Filter
 
 Array = NDArray[Any]
 SIZE = 512
 DIRECTIONS = 1_000_000
-FILTERS = ("linear", "cubic")
-FILTERS = ("linear", "cubic")
+FILTERS: tuple[Filter, ...] = ("linear", "cubic")
+NAMED: tuple[Filter, ...] = ("linear", "nearest", "cubic")
 
 
 def smooth(d: Array) -> Array:
@@ -82,7 +83,7 @@ Lookup = Callable[[Array, Array], Array]
 
 
 LOOKUPS: dict[str, Lookup] = {
-    **{f"{OURS} {name}": partial(nf.cube_lookup, filter=name) for name in ("linear", "nearest", "cubic")},
+    **{f"{OURS} {name}": partial(nf.cube_lookup, filter=name) for name in NAMED},
     "NumPy nearest": numpy_nearest,
     "NumPy linear": numpy_linear,
     "scipy order 1": partial(scipy_spline, order=1),

@@ -17,6 +17,7 @@ from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import best
 from benchmarks.lod._objects import RATIOS, RIFT_S, VIVE_PRO, Crowd, Headset, crowd, measured, sources
 from benchmarks.lod._printed_turns import COUNTS, SIZES
+from nearfar._render.backend import Backend
 
 LEVELS = 10
 """Number of levels of an object, as published: here down to 0.15 % of its triangles."""
@@ -205,7 +206,7 @@ def ablation(headset: Headset, models: Models, sparse: Models, draws: int, frame
     return table(f"{headset.name}: per cent saved with {COUNTS[-1]:,} objects", ["", *titles], rows)
 
 
-def times(models: Models, size: int, count: int, headset: Headset, backend: str) -> dict[str, float]:
+def times(models: Models, size: int, count: int, headset: Headset, backend: Backend) -> dict[str, float]:
     """Seconds of a mean frame by mode, colour only, including selection; the least of two turns."""
     scene = crowd(models, size=size, count=count)
     world = nf.lod.place(models, scene.model_index, scene.transforms)
@@ -219,7 +220,7 @@ def times(models: Models, size: int, count: int, headset: Headset, backend: str)
     return {mode: best(partial(turn, mode), repeat=2, warm=False).wall / TIMED for mode in ("off", *MODES)}
 
 
-def timings(headset: Headset, models: Models, counts: tuple[int, ...], backend: str) -> str:
+def timings(headset: Headset, models: Models, counts: tuple[int, ...], backend: Backend) -> str:
     """Tables 5.16 and 5.17: render times."""
     rows = []
     for size, count in itertools.product(SIZES, counts):

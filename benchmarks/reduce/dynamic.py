@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.harness.report import save_figure, start, subplots, table
+from nearfar._reduce.drawing import MorphKind
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -71,7 +72,7 @@ def lone_car(scene: nf.Scene, view: nf.Camera, poses: Array, method: str) -> lis
     if method == "truth":
         frames = (nf.render(alone.at({CAR: pose}), view, channels=("object_id",)) for pose in poses)
     else:
-        kind = "none" if method == "conventional" else "blend"
+        kind: MorphKind = "none" if method == "conventional" else "blend"
         reduced = nf.reduce(alone, center=CENTER, r1=R1, r2=R2, morph=kind)
         how: dict[str, Any] = {"method": "exact", "env": False, "channels": ("object_id",)}
         frames = (reduced.render(view, at={CAR: pose}, **how) for pose in poses)

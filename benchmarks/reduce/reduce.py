@@ -16,6 +16,7 @@ from benchmarks.harness import scenes
 from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import best
 from benchmarks.harness.tokyo import whole
+from nearfar._reduce.drawing import MorphKind
 
 R1, R2 = 30.0, 50.0
 
@@ -49,7 +50,7 @@ def frames(name: str, scene: nf.Scene, center: NDArray[np.float64], size: tuple[
     truth = best(lambda: nf.render(scene, camera, channels=("color",)), repeat=3)
     rows: list[list[object]] = [["truth", scene.triangle_count, truth.ms, 1.0, None]]
     exact = nf.render(scene, camera, channels=("color",)).require("color")
-    jobs: list[tuple[str, str, dict[str, Any]]] = [
+    jobs: list[tuple[str, MorphKind, dict[str, Any]]] = [
         ("conventional", "none", {}),
         ("blend, vertices as they are", "blend", {"tolerance_px": np.inf}),
         ("blend, edges within half a pixel", "blend", {}),

@@ -16,6 +16,7 @@ import nearfar as nf
 from benchmarks.harness import scenes
 from benchmarks.harness.report import start, table
 from benchmarks.harness.views import Point, center_for
+from nearfar._reduce.drawing import MorphKind
 
 Positions = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -57,7 +58,8 @@ def views(center: Point, seed: int) -> Iterator[nf.Camera]:
 def pictures(reduced: nf.ReducedScene, camera: nf.Camera) -> list[nf.Frame]:
     """Positions of the conventional and of the continuous picture, with a far part of unlimited resolution."""
     frames = []
-    for morph, method in (("none", "auto"), ("blend", "exact")):
+    pairs: tuple[tuple[MorphKind, str], ...] = (("none", "auto"), ("blend", "exact"))
+    for morph, method in pairs:
         how: dict[str, Any] = {"method": method, "env": False, "channels": ("position", "object_id")}
         frames.append(reduced.with_morph(morph).render(camera, **how))
     return frames

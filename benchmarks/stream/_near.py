@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -138,7 +138,7 @@ def one_scene(scenes: Sequence[nf.Scene | None], moving: nf.Scene | None = None)
     return join_rings(moving, [(f"ring {ring}", scene) for ring, scene in enumerate(scenes, 1) if scene is not None])
 
 
-def in_front_of_map(near: nf.Scene, env: nf.EnvMap, morph: str = "cylinder") -> nf.ReducedScene:
+def in_front_of_map(near: nf.Scene, env: nf.EnvMap, morph: Literal["cylinder", "none"] = "cylinder") -> nf.ReducedScene:
     """Whole objects in front of a map."""
     zones = nf.partition(near, center=env.center, r1=0.7 * PUBLISHED[-1], r2=PUBLISHED[-1])
     counts = {**zones.summary(), "rays": 0}

@@ -26,6 +26,7 @@ from ._tessellate import tessellate
 from ._bounds import bounding_sphere, bounding_spheres, solid_angle
 from ._render.frame import Frame
 from ._render.renderable import Renderable
+from ._render.settings import RenderSettings
 from ._render.sequence import render_path
 from ._render.truth import render
 from ._metrics.comparison import Comparison, compare
@@ -35,7 +36,9 @@ from ._metrics.pixel_errors import object_completion, psnr, rmse
 from ._metrics.result import Similarity
 from ._metrics.similarity import ms_ssim, ssim, ssim_pairs, visual_continuity
 from ._metrics.tear import BoundaryTear, boundary_tear, tear
-from ._reduce.choose_radii import Radii, choose_radii
+from ._reduce.choose_radii import Radii, RadiusSettings, choose_radii
+from ._reduce.baking import MapSettings
+from ._reduce.drawing import MorphSettings
 from ._reduce.reduce import reduce
 from ._reduce.reduced_scene import ReducedScene
 from ._reduce.walk.plan import regions
@@ -65,14 +68,18 @@ __all__ = [
     "Hmd",
     "LoadCurve",
     "LoadOptions",
+    "MapSettings",
+    "MorphSettings",
     "Nearest",
     "Orthographic",
     "Partition",
     "RadialLens",
     "Radii",
+    "RadiusSettings",
     "Recentering",
     "ReducedScene",
     "Regions",
+    "RenderSettings",
     "Renderable",
     "Scene",
     "SceneBuilder",

@@ -22,6 +22,7 @@ _LONG = (
     "datasets.World.query",
     "datasets.factory",
     "datasets.room",
+    "reduce",
     "regions",
     "stream.export",
     "stream.simulate",

@@ -9,6 +9,7 @@ import pytest
 
 import nearfar as nf
 from nearfar._base import memory
+from nearfar._render.backend import Backend
 
 
 def test_results_that_exceed_memory_are_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -32,7 +33,7 @@ def test_results_that_exceed_memory_are_refused(tmp_path: Path, monkeypatch: pyt
 
 
 @pytest.mark.parametrize("backend", ["cpu", None])
-def test_pictures_that_exceed_memory_are_refused(backend: str | None, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_pictures_that_exceed_memory_are_refused(backend: Backend | None, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(memory, "_room", lambda: 1 << 30)
     scene = nf.Scene.from_arrays(np.eye(3, dtype=np.float32), np.array([[0, 1, 2]], np.uint32))
     large = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(60), size=(20_000, 20_000))

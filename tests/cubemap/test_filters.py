@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from typing import Any, Literal
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ from hypothesis import given, strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar._cubemap.lookup import Filter, MipFilter
 from tests.support import printed_by_threads
 
 Array = NDArray[np.float64]
@@ -101,7 +103,7 @@ def test_cubic_errors_at_seams_are_no_larger_and_fall_as_fast() -> None:
 
 
 @given(st.integers(1, 12), st.integers(0, 2**32 - 1), st.sampled_from(["linear", "cubic"]))
-def test_lookups_are_continuous(size: int, seed: int, name: str) -> None:
+def test_lookups_are_continuous(size: int, seed: int, name: Filter) -> None:
     rng = np.random.default_rng(seed)
     faces = rng.uniform(-1, 1, (6, size, size))
     d = everywhere(size + 1, 64) * rng.choice([-1, 1], (64, 3))
@@ -200,7 +202,8 @@ def test_cones_by_channel_in_both_types() -> None:
     size = 33
     faces = np.random.default_rng(0).uniform(-1, 1, (6, size, size, 3)).astype(np.float32)
     d = everywhere(size, 50).astype(np.float32)
-    for name, radius in itertools.product(("min", "max"), (0.02, 0.9)):
+    extremes: tuple[Filter, ...] = ("min", "max")
+    for name, radius in itertools.product(extremes, (0.02, 0.9)):
         together = nf.cube_lookup(faces, d, filter=name, radius=radius)
         assert together.dtype == np.float32
         for channel in range(3):
@@ -262,7 +265,8 @@ def test_mips_cover_what_they_should(size: int) -> None:
     assert levels[0] is faces
     # Shares of 9 pieces, each within a few roundings.
     np.testing.assert_allclose(levels[1], mean, rtol=0, atol=2e-15)
-    for name, choose in (("min", np.min), ("max", np.max)):
+    extremes: dict[MipFilter, Any] = {"min": np.min, "max": np.max}
+    for name, choose in extremes.items():
         found = nf.cube_mips(faces.astype(np.float32), filter=name)[1]
         for j, i in np.ndindex(after, after):
             covered = faces.astype(np.float32)[:, weight[j, i] > 0]
@@ -338,7 +342,7 @@ def extremum(values: Array, name: str) -> Array:
     st.integers(0, 2**32 - 1),
     st.sampled_from(["min", "max"]),
 )
-def test_extremes_skip_nan(size: int, channels: int, share: float, seed: int, name: str) -> None:
+def test_extremes_skip_nan(size: int, channels: int, share: float, seed: int, name: Literal["min", "max"]) -> None:
     faces = with_nan(size, channels, share, seed)
     texels = faces.reshape(-1, channels)
     d = everywhere(size, 8)
@@ -369,7 +373,7 @@ def test_extremes_skip_nan(size: int, channels: int, share: float, seed: int, na
 
 
 @pytest.mark.parametrize("name", ["min", "max"])
-def test_nan_handling_does_not_depend_on_position(name: str) -> None:
+def test_nan_handling_does_not_depend_on_position(name: Filter) -> None:
     """A mirrored map, whose first texels are the last ones, gives the results of the mirrored cone."""
     for size, radius in itertools.product((4, 5, 16, 33), (None, 0.1, 0.9)):
         faces = with_nan(size, 1, 0.7, size)[..., 0]

@@ -11,8 +11,10 @@ from hypothesis import given, strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar._cubemap.layouts import Layout
+from nearfar._cubemap.lookup import Filter
 
-LAYOUTS = ("cube", "equirectangular", "octahedral")
+LAYOUTS: tuple[Layout, ...] = ("cube", "equirectangular", "octahedral")
 Array = NDArray[np.float64]
 
 
@@ -23,7 +25,7 @@ def smooth(d: Array) -> Array:
 
 @pytest.mark.parametrize("layout", LAYOUTS)
 @pytest.mark.parametrize("size", [1, 2, 3, 10, 33])
-def test_directions_and_texels_are_inverses(layout: str, size: int) -> None:
+def test_directions_and_texels_are_inverses(layout: Layout, size: int) -> None:
     directions = nf.envmap_directions(size, layout=layout)
     shape = {"cube": (6, size, size), "equirectangular": (size, 2 * size), "octahedral": (size, size)}[layout]
     assert directions.shape == (*shape, 3)
@@ -74,7 +76,8 @@ def test_orientation() -> None:
     assert octahedron[3].tolist() == [left, left, up, up, up, right, right]
     assert octahedron[:, 3].tolist() == [front, front, up, up, up, back, back]
     assert {octahedron[i, j] for i in (0, 6) for j in (0, 6)} == {down}
-    for layout, picture in (("equirectangular", around), ("octahedral", octahedron)):
+    pictures: dict[Layout, Any] = {"equirectangular": around, "octahedral": octahedron}
+    for layout, picture in pictures.items():
         again = nf.convert_envmap(picture, source=layout, target="cube", size=1, filter="nearest")
         for number, mark in enumerate(marks.values(), 1):
             assert nf.cube_lookup(again, mark) == number
@@ -83,7 +86,7 @@ def test_orientation() -> None:
 
 @pytest.mark.parametrize("source", LAYOUTS)
 @pytest.mark.parametrize("target", LAYOUTS)
-def test_errors_of_smooth_pictures(source: str, target: str) -> None:
+def test_errors_of_smooth_pictures(source: Layout, target: Layout) -> None:
     """Errors in all directions, including every edge and pole: a wrong neighbour would be off by a texel, 0.1."""
     size = 48
     values = smooth(nf.envmap_directions(size, layout=source))
@@ -105,7 +108,7 @@ def test_errors_of_smooth_pictures(source: str, target: str) -> None:
 
 
 @pytest.mark.parametrize("layout", LAYOUTS)
-def test_round_trips(layout: str) -> None:
+def test_round_trips(layout: Layout) -> None:
     values = smooth(nf.envmap_directions(64)).astype(np.float32)
     there = nf.convert_envmap(values, source="cube", target=layout, size=256, filter="cubic")
     back = nf.convert_envmap(there, source=layout, target="cube", size=64, filter="linear")
@@ -119,7 +122,7 @@ def test_round_trips(layout: str) -> None:
 
 
 @pytest.mark.parametrize("source", LAYOUTS)
-def test_nearest_and_extremes_pick_texels(source: str) -> None:
+def test_nearest_and_extremes_pick_texels(source: Layout) -> None:
     rng = np.random.default_rng(0)
     shape = nf.envmap_directions(9, layout=source).shape[:-1]
     values = rng.uniform(-1, 1, (*shape, 2))
@@ -142,7 +145,7 @@ def test_nearest_and_extremes_pick_texels(source: str) -> None:
 
 
 @pytest.mark.parametrize("source", LAYOUTS)
-def test_infinite_ranges_do_not_become_nan(source: str) -> None:
+def test_infinite_ranges_do_not_become_nan(source: Layout) -> None:
     values = np.full(nf.envmap_directions(8, layout=source).shape[:-1], np.inf, np.float32)
     values[0] = 7
     for name in ("nearest", "linear", "min", "max"):
@@ -179,7 +182,9 @@ def test_samples_equal_means_of_finer_pictures(target: str) -> None:
         ("cube", (6, 49, 49)),
     ],
 )
-def test_picked_texels_survive_conversion_to_the_same_layout(layout: str, shape: tuple[int, ...], name: str) -> None:
+def test_picked_texels_survive_conversion_to_the_same_layout(
+    layout: Layout, shape: tuple[int, ...], name: Filter
+) -> None:
     """At a texel's centre its neighbours have no weight, up to rounding."""
     values = np.random.default_rng(0).uniform(size=shape)
     values[..., ::5] = np.nan
@@ -203,7 +208,7 @@ def test_extremes_skip_nan(source: str) -> None:
         expected = choose(np.where(mixed, texels, nothing), axis=-1)
         expected[~mixed.any(-1)] = np.nan
         assert np.isnan(expected).any()
-        np.testing.assert_array_equal(nf.convert_envmap(values, **settings, filter=name), expected)
+        np.testing.assert_array_equal(nf.convert_envmap(values, **settings | {"filter": name}), expected)
 
 
 def test_errors_at_octahedral_folds_are_of_first_order() -> None:

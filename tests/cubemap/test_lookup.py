@@ -12,8 +12,9 @@ from hypothesis.extra import numpy as hnp
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar._cubemap.lookup import Filter
 
-FILTERS = ("nearest", "linear", "min", "max")
+FILTERS: tuple[Filter, ...] = ("nearest", "linear", "min", "max")
 """Filters whose values lie between those of texels."""
 
 # Right and down of each face: Vulkan 1.3 specification, table "Cube map face selection".
@@ -192,6 +193,6 @@ def test_shapes_follow_the_directions() -> None:
         (np.zeros((6, 2, 2), np.int32), np.ones((1, 3)), "linear", "filter: expected 'nearest'"),
     ],
 )
-def test_refuses(faces: NDArray[np.float64], directions: NDArray[np.float64], name: str, words: str) -> None:
+def test_refuses(faces: NDArray[np.float64], directions: NDArray[np.float64], name: Filter, words: str) -> None:
     with pytest.raises(ValueError, match=words):
         nf.cube_lookup(faces, directions, filter=name)

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar import _core, gpu
+from nearfar._cubemap.lookup import Filter
 from nearfar._scene.scene import core_of
 from tests.support import need
 from tests.support.gpu_cases import ADAPTERS, adapter
@@ -296,7 +297,7 @@ def ranges(seed: int, shape: tuple[int, ...]) -> NDArray[np.float32]:
 
 @SHARED
 @given(st.integers(0, 2**32 - 1), st.integers(1, 40), st.sampled_from(gpu._kernels.FILTERS))
-def test_lookups_equal_the_cpu(device: _core.GpuDevice, seed: int, size: int, chosen: str) -> None:
+def test_lookups_equal_the_cpu(device: _core.GpuDevice, seed: int, size: int, chosen: Filter) -> None:
     random = np.random.default_rng(seed)
     faces = ranges(seed, (6, size, size))
     directions = (random.normal(size=(600, 3)) * 10.0 ** random.integers(-3, 4, (600, 1))).astype(np.float32)
@@ -315,7 +316,7 @@ def test_lookups_equal_the_cpu(device: _core.GpuDevice, seed: int, size: int, ch
 
 
 @pytest.mark.parametrize("chosen", gpu._kernels.FILTERS)
-def test_lookups_of_edges_corners_and_channels(device: _core.GpuDevice, chosen: str) -> None:
+def test_lookups_of_edges_corners_and_channels(device: _core.GpuDevice, chosen: Filter) -> None:
     # No direction on these axes and diagonals depends on rounding: coordinates are -1, 0 and 1.
     grid = np.stack(np.meshgrid(*[(-1, 0, 1)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
     directions = grid[np.abs(grid).any(axis=1)].astype(np.float32).reshape(2, 13, 3)

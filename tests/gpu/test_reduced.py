@@ -11,6 +11,7 @@ import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar._reduce.drawing import MorphKind
 from tests.support import data
 from tests.support.gpu_cases import ADAPTERS, adapter, check_color, check_ids, check_range, edges
 from tests.support.normal_cases import scene_around
@@ -88,7 +89,7 @@ def test_normals_of_vertices_are_the_same(tolerance_px: float) -> None:
 
 @pytest.mark.parametrize("morph", ["blend", "cylinder"])
 def test_split_frames_agree_within_the_tolerance(
-    city: nf.Scene, poses: dict[str, NDArray[np.float64]], morph: str
+    city: nf.Scene, poses: dict[str, NDArray[np.float64]], morph: MorphKind
 ) -> None:
     reduced = nf.reduce(city, center=CENTER, r1=30, r2=50, face_size=128, morph=morph, channels=CHANNELS, samples=1)
     cpu, gpu = both(reduced, view(USERS["near"]), at=poses, channels=ALL)
@@ -284,7 +285,7 @@ def street_with_a_drone() -> tuple[nf.Scene, dict[str, NDArray[np.float64]]]:
     ("morph", "user"),
     [*zip(["blend", "cylinder", "none", "blend"], [(-16.0, 1.7, 0.0), (-25.0, 1.7, 3.0)] * 2, strict=True)],
 )
-def test_moving_objects_beyond_are_hidden_by_near_geometry(morph: str, user: tuple[float, float, float]) -> None:
+def test_moving_objects_beyond_are_hidden_by_near_geometry(morph: MorphKind, user: tuple[float, float, float]) -> None:
     """Covers a user nearer to the wall than the centre, and scenes without triangles wholly within r1."""
     scene, pose = street_with_a_drone()
     reduced = nf.reduce(scene, center=CENTER, r1=30, r2=50, face_size=32, morph=morph, channels=CHANNELS, samples=1)
@@ -300,7 +301,7 @@ def test_moving_objects_beyond_are_hidden_by_near_geometry(morph: str, user: tup
 
 
 @pytest.mark.parametrize("morph", ["blend", "cylinder"])
-def test_a_moving_object_across_both_radii_has_no_hole(morph: str) -> None:
+def test_a_moving_object_across_both_radii_has_no_hole(morph: MorphKind) -> None:
     """Its vertices are morphed on both sides of r2, so that the separately drawn parts meet."""
     scene, _ = street_with_a_drone()
     reduced = nf.reduce(scene, center=CENTER, r1=10, r2=25, face_size=64, morph=morph, channels=CHANNELS, samples=1)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from benchmarks.harness.torn import WIDE, at_the_line, picture, pixels, torn
 from nearfar._metrics.tear import _tears
+from nearfar._reduce.drawing import MorphKind
 
 Array = NDArray[np.float64]
 
@@ -117,7 +118,7 @@ def plane() -> nf.Scene:
     return nf.Scene.from_arrays(corners, np.array([[0, 2, 1], [0, 3, 2]], np.uint32))
 
 
-def seen_ground(plane: nf.Scene, morph: str, r1: float, focal: float) -> nf.BoundaryTear:
+def seen_ground(plane: nf.Scene, morph: MorphKind, r1: float, focal: float) -> nf.BoundaryTear:
     """Return the border at 50 m of a reduced ground, seen from 8 m beside the centre, by bent rays without a map."""
     eye = np.array([0.0, 1.7, 0.0])
     reduced = nf.reduce(plane, center=eye, r1=r1, r2=50, morph=morph, face_size=16, channels=("color", "range"))

@@ -10,6 +10,7 @@ import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar._reduce.drawing import MorphKind
 from tests.support import need
 
 need("zarr")
@@ -156,7 +157,7 @@ def test_a_map_of_geometry_alone_equals_the_worlds(
 
 @pytest.mark.parametrize("morph", ["blend", "none"])
 def test_a_tree_is_reduced_like_its_world(
-    tree: Tree, scene: nf.Scene, center: tuple[float, float, float], morph: str
+    tree: Tree, scene: nf.Scene, center: tuple[float, float, float], morph: MorphKind
 ) -> None:
     camera = nf.Camera.look_at(center, np.add(center, [10.0, -2.0, 3.0]), fov=nf.Fov.symmetric(80), size=(64, 64))
     made, true = (

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
+from nearfar._reduce.drawing import ConventionalDynamic
 from tests.support.gpu_cases import ADAPTERS, adapter, check_color, check_ids, edges
 from tests.support.reduce_cases import ALL, CENTER, R1, R2, camera, place, rho, street
 
@@ -72,7 +73,7 @@ def test_the_centre_is_the_default_and_omitted_objects_are_not_traced() -> None:
     default, named = reduced.render(view), reduced.render(view, conventional_dynamic="center")
     for name in default.channels:
         np.testing.assert_array_equal(default.require(name), named.require(name))
-    ways = ("center", "user", "omit")
+    ways: tuple[ConventionalDynamic, ...] = ("center", "user", "omit")
     moving = [reduced.render(view, conventional_dynamic=way).stats["dynamic_triangles"] for way in ways]
     assert moving == [12, 12, 0]
 

@@ -9,6 +9,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar._reduce.drawing import MorphKind
 from tests.support.reduce_cases import CENTER, R1, R2, camera, place, rho, street
 
 Array = NDArray[np.float64]
@@ -57,7 +58,7 @@ def test_empty_far_parts_have_no_map(scene: nf.Scene) -> None:
 
 
 @pytest.mark.parametrize("kind", ["blend", "cylinder"])
-def test_a_car_that_leaves_moves_without_a_jump(scene: nf.Scene, kind: str) -> None:
+def test_a_car_that_leaves_moves_without_a_jump(scene: nf.Scene, kind: MorphKind) -> None:
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=256, samples=1, morph=kind, channels=OBJECTS)
     view = camera(USER, (1, -0.02, 0.1), SIZE)
     path, expected = [], []

@@ -11,6 +11,7 @@ import pytest
 
 import nearfar as nf
 from nearfar._base import card
+from nearfar._reduce.drawing import Boundary, MorphKind
 from nearfar._reduce.explore import Explorer
 from tests.support import need
 from tests.support.card_cases import Card, decoded
@@ -19,7 +20,7 @@ from tests.support.reduce_cases import CENTER, R1, R2, street
 SIZE = (64, 40)
 
 
-def small(scene: nf.Scene, *, morph: str = "blend", boundary: str = "r2") -> nf.ReducedScene:
+def small(scene: nf.Scene, *, morph: MorphKind = "blend", boundary: Boundary = "r2") -> nf.ReducedScene:
     return nf.reduce(
         scene, center=CENTER, r1=R1, r2=R2, face_size=32, samples=1, morph=morph, boundary=boundary, backend="cpu"
     )

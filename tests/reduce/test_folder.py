@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._base import formats
+from nearfar._reduce.drawing import Boundary, MorphKind
 from nearfar._reduce.folder import COUNTS
 from nearfar._scene import glb
 from nearfar._scene.builder import SceneBuilder
@@ -76,7 +77,7 @@ def dressed() -> nf.Scene:
 
 
 @pytest.mark.parametrize("morph", ["blend", "cylinder", "none"])
-def test_a_loaded_scene_shows_the_same_pictures(morph: str, tmp_path: Path) -> None:
+def test_a_loaded_scene_shows_the_same_pictures(morph: MorphKind, tmp_path: Path) -> None:
     scene = street(dynamic=True)
     pose = {"car": place(14, 0.75, -3)}
     reduced = nf.reduce(
@@ -120,7 +121,7 @@ def test_maps_are_stored_as_half_floats_by_default(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("boundary", ["r1", "r2"])
-def test_saved_geometry_is_the_drawn_geometry(boundary: str, tmp_path: Path) -> None:
+def test_saved_geometry_is_the_drawn_geometry(boundary: Boundary, tmp_path: Path) -> None:
     scene = street(dynamic=True)
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=32, morph="none", boundary=boundary)
     reduced.save(tmp_path / "saved", half=False)

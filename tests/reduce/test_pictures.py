@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
 import nearfar as nf
+from nearfar._reduce.drawing import MorphKind
 from nearfar._scene.builder import SceneBuilder
 from tests.support.reduce_cases import ALL, CENTER, R1, R2, SIZE, Array, box, camera, place, rho, street
 
@@ -29,7 +32,7 @@ USERS = [(0, 0, 8), (-6, 0.3, -5), (9, -0.5, 0), (0, 6, 0)]
 @pytest.mark.parametrize("kind", ["blend", "cylinder"])
 @pytest.mark.parametrize("offset", USERS)
 def test_every_near_pixel_shows_the_morphed_point(
-    scene: nf.Scene, kind: str, offset: tuple[float, float, float]
+    scene: nf.Scene, kind: MorphKind, offset: tuple[float, float, float]
 ) -> None:
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=16, samples=1, morph=kind, channels=RANGE)
     user = CENTER + np.array(offset)
@@ -115,7 +118,7 @@ def test_the_conventional_break_has_the_predicted_width_and_blend_has_none(
 
 @pytest.mark.parametrize("kind", ["blend", "cylinder"])
 @pytest.mark.parametrize("face_size", [32, 256])
-def test_the_ground_has_no_cracks_and_walls_show_no_sky(kind: str, face_size: int) -> None:
+def test_the_ground_has_no_cracks_and_walls_show_no_sky(kind: MorphKind, face_size: int) -> None:
     scene = street()
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=face_size, samples=1, morph=kind)
     for offset in USERS:
@@ -167,7 +170,7 @@ def test_without_near_geometry_only_the_map_is_shown(scene: nf.Scene) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", ["blend", "cylinder", "none"])
-def test_users_outside_the_cylinder_see_inside(scene: nf.Scene, kind: str) -> None:
+def test_users_outside_the_cylinder_see_inside(scene: nf.Scene, kind: MorphKind) -> None:
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=64, samples=1, morph=kind, channels=RANGE)
     view = camera(CENTER + np.array([-90.0, 5, 0]), (1, -0.1, 0))
     frame = reduced.render(view, channels=("color", "position", "face_id"))
@@ -182,8 +185,8 @@ def test_users_outside_the_cylinder_see_inside(scene: nf.Scene, kind: str) -> No
 
 
 def test_conventional_at_r1_keeps_less_geometry(scene: nf.Scene) -> None:
-    plain = {"morph": "none", "boundary": "r1"}
-    reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=64, samples=1, channels=RANGE, **plain)
+    place: dict[str, Any] = {"center": CENTER, "r1": R1, "r2": R2, "morph": "none", "boundary": "r1"}
+    reduced = nf.reduce(scene, **place, face_size=64, samples=1, channels=RANGE)
     frame = reduced.render(camera(CENTER + np.array([0, 0, 5]), (1, -0.1, 0)), channels=("position", "face_id"))
     near = frame.require("face_id") >= 0
     assert R1 - 1 < rho(frame.require("position")[near]).max() <= R1 + 1e-5

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
+from nearfar._reduce.drawing import Method, MorphKind
 from tests.support.gpu_cases import edges
 from tests.support.growth_cases import AHEAD, CAR, KINDS, USER, reduced
 from tests.support.reduce_cases import ALL, CENTER, R1, R2, camera, rho
@@ -30,7 +31,7 @@ def agree(frame: nf.Frame, expected: nf.Frame, *, pixels: int = 0) -> None:
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("method", ["vertex", "exact"])
 @pytest.mark.parametrize("radius", [12.0, 25.0, 41.0])
-def test_a_smaller_radius_equals_a_reduction_with_it(kind: str, method: str, radius: float) -> None:
+def test_a_smaller_radius_equals_a_reduction_with_it(kind: MorphKind, method: Method, radius: float) -> None:
     """A reduction with that radius, whose far part is traced from the centre, gives the same picture."""
     settings: dict[str, Any] = {"channels": ALL, "env": False, "tolerance_px": 0.1}
     with warnings.catch_warnings():
@@ -48,7 +49,7 @@ def test_a_smaller_radius_equals_a_reduction_with_it(kind: str, method: str, rad
 
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("method", ["vertex", "exact"])
-def test_radius_zero_shows_everything_from_the_centre(kind: str, method: str) -> None:
+def test_radius_zero_shows_everything_from_the_centre(kind: MorphKind, method: Method) -> None:
     whole = reduced(kind)
     frame = whole.render(camera(USER, AHEAD), radius=0.0, method=method, channels=ALL, env=False)
     truth = nf.render(whole.scene, camera(CENTER, AHEAD), channels=ALL)
@@ -65,7 +66,7 @@ def test_radius_zero_shows_everything_from_the_centre(kind: str, method: str) ->
 
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("method", ["vertex", "exact"])
-def test_the_whole_radius_is_the_default(kind: str, method: str) -> None:
+def test_the_whole_radius_is_the_default(kind: MorphKind, method: Method) -> None:
     whole = reduced(kind)
     frames = [
         whole.render(camera(USER, AHEAD), radius=radius, method=method, channels=ALL[:2]) for radius in (None, R2)
@@ -75,7 +76,7 @@ def test_the_whole_radius_is_the_default(kind: str, method: str) -> None:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_the_picture_is_continuous_in_the_radius(kind: str) -> None:
+def test_the_picture_is_continuous_in_the_radius(kind: MorphKind) -> None:
     """Points move by less than a pixel for a small step of the radius, so that no step causes a jump."""
     whole = reduced(kind)
     points = whole.scene.triangles().reshape(-1, 3).astype(np.float64) + whole.scene.origin
@@ -96,7 +97,7 @@ def test_the_conventional_method_has_no_radius() -> None:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_frames_report_the_fold_margin(kind: str) -> None:
+def test_frames_report_the_fold_margin(kind: MorphKind) -> None:
     whole = reduced(kind)
     for step in (0.0, 3.0, 8.0):
         user = CENTER + np.array([step, 0.2, 0.0])
@@ -123,11 +124,12 @@ def test_a_folded_picture_is_reported_once() -> None:
 
 def test_auto_bends_rays_only_where_vertices_fold() -> None:
     whole = reduced("blend")
-    for step, method in ((5.0, "vertex"), (22.0, "exact")):
+    steps: dict[float, Method] = {5.0: "vertex", 22.0: "exact"}
+    for step, method in steps.items():
         view = camera(CENTER + np.array([step, 0.0, 0.0]), AHEAD)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            auto, told = (whole.render(view, method=name, channels=ALL[:2]) for name in ("auto", method))
+            auto, told = whole.render(view, channels=ALL[:2]), whole.render(view, method=method, channels=ALL[:2])
         np.testing.assert_array_equal(auto.require("color"), told.require("color"))
         assert auto.stats == told.stats
         # If rays cannot be bent, vertices are moved.

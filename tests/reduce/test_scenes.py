@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
+from nearfar._reduce.drawing import MorphKind
 from nearfar._scene.builder import SceneBuilder
 from tests.support import printed_by_threads
 from tests.support.reduce_cases import CENTER, FOV, R1, R2, Array, box, camera, place, rho, street
@@ -48,7 +49,7 @@ def fences() -> nf.Scene:
 
 
 @pytest.mark.parametrize("kind", ["blend", "cylinder", "none"])
-def test_cut_out_holes_are_open_in_maps_and_near_parts(kind: str) -> None:
+def test_cut_out_holes_are_open_in_maps_and_near_parts(kind: MorphKind) -> None:
     scene = fences()
     number = {name: i for i, name in enumerate(scene.object_names)}
     reduced = nf.reduce(
@@ -97,7 +98,7 @@ def digest() -> str:
 
 @pytest.mark.parametrize("kind", ["blend", "cylinder"])
 @pytest.mark.parametrize("offset", [(20.0, 0.0, 10.0), (-20.0, 0.0, -10.0)])
-def test_far_walls_occlude_only_objects_behind_them(kind: str, offset: tuple[float, float, float]) -> None:
+def test_far_walls_occlude_only_objects_behind_them(kind: MorphKind, offset: tuple[float, float, float]) -> None:
     scene = street(dynamic=True)
     car = scene.object_names.index("car")
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=512, samples=1, morph=kind, channels=BAKED)
@@ -111,7 +112,7 @@ def test_far_walls_occlude_only_objects_behind_them(kind: str, offset: tuple[flo
 
 
 @pytest.mark.parametrize("kind", ["blend", "cylinder"])
-def test_ranges_of_far_pixels_are_displayed_distances(kind: str) -> None:
+def test_ranges_of_far_pixels_are_displayed_distances(kind: MorphKind) -> None:
     reduced = nf.reduce(
         street(), center=CENTER, r1=R1, r2=R2, face_size=128, samples=1, morph=kind, channels=("color", "range")
     )

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
+from nearfar._render.backend import Backend
 from tests.support import render_oracle as oracle
 from tests.support.gpu_cases import ADAPTERS, adapter, backend_of, check_color, check_ids, check_range, edges
 from tests.support.morphed_oracle import AHEAD, ALL, APART, PLACES, USER, check_near, pictures, reduced_street
@@ -109,7 +110,7 @@ def test_adapters_agree_with_the_tracer_on_segments(name: str, kind: str, segmen
 
 
 @pytest.mark.parametrize("backend", ["cpu", "auto"])
-def test_methods_without_ray_segments_refuse_them(backend: str) -> None:
+def test_methods_without_ray_segments_refuse_them(backend: Backend) -> None:
     reduced, view = reduced_street("blend"), camera(USER, AHEAD)
     with pytest.raises(ValueError, match="t_min: expected 0 with method='exact'; method='vertex' takes any, got 2"):
         reduced.render(view, method="exact", t_min=2.0, backend=backend)

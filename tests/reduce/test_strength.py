@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar._reduce.drawing import morphed
+from nearfar._reduce.drawing import Method, MorphKind, morphed
 from nearfar._scene.levels import Leveled
 from tests.support.gpu_cases import ADAPTERS, adapter, check_color, check_ids
 from tests.support.growth_cases import AHEAD, KINDS, USER, reduced
@@ -47,7 +47,7 @@ def slowly(points: Array, kind: str, strength: float) -> Array:
 
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("strength", STRENGTHS)
-def test_points_are_morphed_by_weight_times_strength(kind: str, strength: float) -> None:
+def test_points_are_morphed_by_weight_times_strength(kind: MorphKind, strength: float) -> None:
     points = scattered(500)
     found = nf.morph(points, kind=kind, strength=strength, **PLACE)
     # Roots of polynomials by eigenvalues have about ten digits.
@@ -58,7 +58,7 @@ def test_points_are_morphed_by_weight_times_strength(kind: str, strength: float)
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_strength_1_is_the_morph_and_0_the_view_from_the_centre(kind: str) -> None:
+def test_strength_1_is_the_morph_and_0_the_view_from_the_centre(kind: MorphKind) -> None:
     points = scattered()
     np.testing.assert_array_equal(
         nf.morph(points, kind=kind, strength=1.0, **PLACE), nf.morph(points, kind=kind, **PLACE)
@@ -69,7 +69,7 @@ def test_strength_1_is_the_morph_and_0_the_view_from_the_centre(kind: str) -> No
 
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("strength", [0.0, *STRENGTHS, 0.5])
-def test_bent_rays_contain_the_points_displayed_there(kind: str, strength: float) -> None:
+def test_bent_rays_contain_the_points_displayed_there(kind: MorphKind, strength: float) -> None:
     points = scattered()
     points = points[(rho(points) < R2) & (np.linalg.norm(points - USER, axis=1) > 1.0)]
     shown = nf.morph(points, kind=kind, strength=strength, **PLACE)
@@ -128,7 +128,7 @@ def test_the_cylinder_never_folds_for_users_within_r1(strength: float) -> None:
 
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("method", ["vertex", "exact"])
-def test_a_frame_of_strength_0_equals_radius_0(kind: str, method: str) -> None:
+def test_a_frame_of_strength_0_equals_radius_0(kind: MorphKind, method: Method) -> None:
     whole, view = reduced(kind), camera(USER, AHEAD)
     given: dict[str, Any] = {"method": method, "channels": ALL, "env": False}
     none, nothing = whole.render(view, strength=0.0, **given), whole.render(view, radius=0.0, **given)
@@ -141,14 +141,14 @@ def test_a_frame_of_strength_0_equals_radius_0(kind: str, method: str) -> None:
 
 
 @pytest.mark.parametrize(("strength", "kind"), [*zip(STRENGTHS, itertools.cycle(KINDS), strict=False)])
-def test_vertex_morph_and_bent_rays_agree(kind: str, strength: float) -> None:
+def test_vertex_morph_and_bent_rays_agree(kind: MorphKind, strength: float) -> None:
     """A pixel shows a point that the morph displays there."""
     whole, view = reduced(kind), camera(USER, AHEAD)
     given: dict[str, Any] = {"strength": strength, "channels": ALL, "env": False}
     # Rays keep their tolerance. Next to a user far from the centre no bound holds for vertices, as the frame says:
     # pieces of ground are as long as they may be there.
     for method, greatest in (("exact", 0.1), ("vertex", 8.0)):
-        frame = whole.render(view, method=method, tolerance_px=0.1, **given)
+        frame = whole.render(view, tolerance_px=0.1, **given | {"method": method})
         near = (frame.require("face_id") >= 0) & (rho(frame.require("position")) < R2)
         assert near.sum() > 10_000
         points = frame.require("position")[near].astype(float) + frame.origin
@@ -160,7 +160,7 @@ def test_vertex_morph_and_bent_rays_agree(kind: str, strength: float) -> None:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_points_move_continuously_with_strength(kind: str) -> None:
+def test_points_move_continuously_with_strength(kind: MorphKind) -> None:
     points = scattered()
     points = points[np.linalg.norm(points - USER, axis=1) > 8.0]
     shown = [unit(nf.morph(points, kind=kind, strength=s, **PLACE) - USER) for s in np.linspace(0.0, 1.0, 201)]
@@ -172,7 +172,7 @@ def test_points_move_continuously_with_strength(kind: str) -> None:
 
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("name", ADAPTERS)
-def test_adapters_agree_for_all_strengths_and_radii(name: str, kind: str) -> None:
+def test_adapters_agree_for_all_strengths_and_radii(name: str, kind: MorphKind) -> None:
     whole, view = reduced(kind), camera(USER, AHEAD, (320, 180))
     settings: dict[str, Any] = {"channels": ALL[:4], "method": "vertex", "env": False}
     with adapter(name):

@@ -9,6 +9,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar._reduce.drawing import MorphKind
 from nearfar._scene.builder import SceneBuilder
 from tests.support.gpu_cases import ADAPTERS, adapter, backend_of, check_color, check_ids, check_range, edges
 from tests.support.morphed_oracle import AHEAD, ALL, APART, PLACES, USER, check_near, pictures, reduced_street
@@ -132,7 +133,7 @@ def test_adapters_agree_with_the_tracer_for_users(
 
 
 @pytest.mark.parametrize("kind", ["blend", "cylinder"])
-def test_far_instances_at_the_edges_of_a_view_are_not_culled(kind: str) -> None:
+def test_far_instances_at_the_edges_of_a_view_are_not_culled(kind: MorphKind) -> None:
     """Culling takes into account that far geometry has no parallax between user and camera."""
     builder = SceneBuilder()
     angles = np.linspace(0, 2 * np.pi, 120, endpoint=False)

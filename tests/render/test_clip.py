@@ -11,6 +11,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar._reduce.drawing import MorphKind
 from tests.support.gpu_cases import ADAPTERS, adapter, check_color, check_ids, edges
 from tests.support.reduce_cases import ALL, CENTER, R1, R2, camera, place, street
 
@@ -76,7 +77,7 @@ def test_every_projection_is_clipped(name: str, projection: Any) -> None:
 
 @pytest.mark.parametrize("name", CLIPS)
 @pytest.mark.parametrize("kind", ["blend", "cylinder", "none"])
-def test_reduced_scenes_are_clipped_at_displayed_positions(name: str, kind: str) -> None:
+def test_reduced_scenes_are_clipped_at_displayed_positions(name: str, kind: MorphKind) -> None:
     scene = street(dynamic=True).at({"car": place(30.0, 0.75, -16.0)})
     reduced = nf.reduce(
         scene, center=CENTER, r1=R1, r2=R2, face_size=64, morph=kind, channels=("color", "range", "object_id")

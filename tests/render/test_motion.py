@@ -9,6 +9,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar._reduce.drawing import MorphKind
 from tests.support.gpu_cases import adapter
 from tests.support.reduce_cases import CENTER, place, street
 
@@ -86,7 +87,7 @@ def test_motion_of_points_behind_the_earlier_camera_is_nan() -> None:
 
 
 @pytest.mark.parametrize("morph", ["blend", "cylinder", "none"])
-def test_motion_of_reduced_scenes_follows_displayed_positions(morph: str) -> None:
+def test_motion_of_reduced_scenes_follows_displayed_positions(morph: MorphKind) -> None:
     """Compares every surface with its displayed position for the earlier user."""
     light = nf.reduce(
         street(), center=CENTER, r1=12.0, r2=30.0, face_size=64, samples=1, morph=morph, channels=("color", "range")

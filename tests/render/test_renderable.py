@@ -83,9 +83,9 @@ def test_a_sky_is_rendered_on_an_adapter(sky: Sky, name: str) -> None:
 
 
 def test_a_shot_contains_cameras_user_and_ray_segment(sky: Sky) -> None:
-    renderer = Renderer(sky, ("color",), 4)
+    renderer = Renderer(sky, nf.RenderSettings(channels=("color",), samples=4, t_min=0.5, t_max=80.0))
     eyes = cameras(2)
-    frames = renderer.frames(renderer.shot(eyes, (5, 6, 7), 0.5, 80.0), None, None)
+    frames = renderer.frames(renderer.shot(eyes, (5, 6, 7)), None, None)
     assert [frame.camera for frame in frames] == eyes
     expected = nf.Shot(cameras=tuple(eyes), channels=("color",), samples=4, user=(5, 6, 7), t_min=0.5, t_max=80.0)
     assert sky.shots == [expected]

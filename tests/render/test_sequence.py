@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
+from nearfar._render.backend import Backend
 from tests.support import need
 from tests.support.gpu_cases import ADAPTERS, adapter, crowd, view
 
@@ -43,7 +44,7 @@ def backend(request: pytest.FixtureRequest) -> Iterator[str]:
         yield "gpu"
 
 
-def test_frames_of_a_path_equal_single_calls(backend: str) -> None:
+def test_frames_of_a_path_equal_single_calls(backend: Backend) -> None:
     scene = crowd()
     frames = nf.render_path(scene, CAMERAS, backend=backend)
     for camera, frame in zip(CAMERAS, frames, strict=True):
@@ -53,7 +54,7 @@ def test_frames_of_a_path_equal_single_calls(backend: str) -> None:
     assert list(nf.render_path(scene, [], backend=backend)) == []
 
 
-def test_objects_move_along_the_path(backend: str) -> None:
+def test_objects_move_along_the_path(backend: Backend) -> None:
     scene = crowd(("one_7",))
     poses = [{"one_7": pose(0.3 * step)} for step in range(5)]
     frames = list(nf.render_path(scene, CAMERAS, at=iter(poses), backend=backend))
@@ -63,7 +64,7 @@ def test_objects_move_along_the_path(backend: str) -> None:
     equal(fixed[0], nf.render(scene.at(poses[3]), CAMERAS[0], backend=backend))
 
 
-def test_a_pose_changed_in_place_is_a_new_pose(backend: str) -> None:
+def test_a_pose_changed_in_place_is_a_new_pose(backend: Backend) -> None:
     matrix = pose(0.0)
 
     def walk() -> Iterator[dict[str, Any]]:
@@ -100,7 +101,7 @@ def test_one_camera_is_requested_ahead() -> None:
         assert len(list(frames)) == 3
 
 
-def test_stopping_early_drops_frames_in_progress(backend: str) -> None:
+def test_stopping_early_drops_frames_in_progress(backend: Backend) -> None:
     scene = crowd()
     frames = nf.render_path(scene, itertools.repeat(CAMERAS[0]), backend=backend)
     first = [next(frames) for _ in range(3)]
@@ -110,7 +111,7 @@ def test_stopping_early_drops_frames_in_progress(backend: str) -> None:
     equal(first[0], nf.render(scene, CAMERAS[0], backend=backend))
 
 
-def test_items_of_iterators_are_checked_on_arrival(backend: str) -> None:
+def test_items_of_iterators_are_checked_on_arrival(backend: Backend) -> None:
     scene = crowd(("one_7",))
     ahead = 2 if backend == "gpu" else 1
     for arguments, error, words in (
@@ -145,7 +146,7 @@ def interrupted(frames: Iterator[nf.Frame], seconds: float) -> float:
         timer.join()
 
 
-def test_a_long_path_ends_with_control_c(backend: str) -> None:
+def test_a_long_path_ends_with_control_c(backend: Backend) -> None:
     need("linux")
     scene = crowd()
     # A frame of these takes some milliseconds; the path is endless.

@@ -10,6 +10,7 @@ import trimesh
 
 import nearfar as nf
 from nearfar import _core
+from nearfar._reduce.drawing import MorphKind
 from nearfar._scene.builder import SceneBuilder
 from tests.support import render_oracle as oracle
 from tests.support.normal_cases import PLACES, Array, ball, camera, colors, scene_around, scene_of
@@ -193,7 +194,7 @@ def test_a_split_trimesh_keeps_the_normals_that_it_was_given() -> None:
 
 @pytest.mark.parametrize("morph", ["blend", "cylinder", "none"])
 @pytest.mark.parametrize("method", ["vertex", "exact"])
-def test_a_user_at_the_centre_of_a_reduced_scene_sees_the_truth(morph: str, method: Any) -> None:
+def test_a_user_at_the_centre_of_a_reduced_scene_sees_the_truth(morph: MorphKind, method: Any) -> None:
     center = np.array([3.0, 1.7, -2.0])
     scene = scene_around(center)
     channels = ("color", "object_id")

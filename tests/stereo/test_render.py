@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar._scene.builder import SceneBuilder
 from nearfar.stereo import HybridRig
+from nearfar.stereo._settings import Assembly
 from tests.support.hybrid_cases import AHEAD, HEAD, SHALLOW, cut, places, rig, rotate, scene, textured, towards
 from tests.support.reduce_cases import ALL, street
 
@@ -94,7 +95,7 @@ def empty() -> nf.Scene:
 
 @pytest.mark.parametrize("samples", [1, 3])
 @pytest.mark.parametrize("assembly", ["bilinear", "resolved"])
-def test_culling_changes_no_pixel_of_the_eyes(assembly: str, samples: int) -> None:
+def test_culling_changes_no_pixel_of_the_eyes(assembly: Assembly, samples: int) -> None:
     frames = [
         rig().render(scene(), HEAD, AHEAD, cull=cull, assembly=assembly, samples=samples, channels=ALL)
         for cull in ("frustum", "discard", "occlusion")

@@ -11,6 +11,7 @@ import pytest
 import trimesh
 
 import nearfar as nf
+from nearfar._reduce.drawing import Method
 from tests.support import need, valid
 
 CENTER = (3.0, 1.7, -2.0)
@@ -56,7 +57,7 @@ def reduced(city: nf.Scene, ring: int, **changes: Any) -> nf.ReducedScene:
 )
 @pytest.mark.parametrize("method", ["exact", "vertex"])
 def test_a_client_shows_the_reduction(
-    city: nf.Scene, bundle: nf.stream.Bundle, ring: int, radius: float, method: str
+    city: nf.Scene, bundle: nf.stream.Bundle, ring: int, radius: float, method: Method
 ) -> None:
     channels = ("color", "range")
     shown = bundle.at(ring, radius).render(VIEW, channels=channels, samples=1, method=method)

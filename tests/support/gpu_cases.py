@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._render import backend as backends
+from nearfar._render.backend import Backend
 from nearfar._scene.builder import SceneBuilder
 from tests.support import need
 from tests.support.render_cases import QUAD, noise, quad
@@ -39,7 +40,7 @@ def adapter(name: str) -> Iterator[None]:
 
 
 @contextmanager
-def backend_of(name: str) -> Iterator[str]:
+def backend_of(name: str) -> Iterator[Backend]:
     """Yield the `backend` that renders on the CPU ("cpu"), or on an adapter, which is selected within the block."""
     if name == "cpu":
         yield "cpu"

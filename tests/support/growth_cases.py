@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 import nearfar as nf
+from nearfar._reduce.drawing import MorphKind
 from tests.support.reduce_cases import CENTER, R1, R2, place, street
 
 USER = CENTER + np.array([5.0, 0.3, 4.0])
@@ -16,7 +17,7 @@ CAR = {"car": place(12.0, 0.75, -16.0)}
 KINDS = ("blend", "cylinder")
 
 
-def reduced(kind: str, radius: float = R2, **settings: Any) -> nf.ReducedScene:
+def reduced(kind: MorphKind, radius: float = R2, **settings: Any) -> nf.ReducedScene:
     """The street, reduced to this radius and r1 in proportion."""
     scene = street(dynamic=True).at(CAR)
     share = radius / R2

@@ -9,6 +9,7 @@ import numpy as np
 import trimesh
 
 import nearfar as nf
+from nearfar._reduce.drawing import MorphKind
 from tests.support.gpu_cases import edges
 from tests.support.reduce_cases import CENTER, R1, R2, Array, place, rho, street
 
@@ -24,7 +25,7 @@ LONGEST = 0.6
 
 
 @functools.cache
-def reduced_street(kind: str) -> nf.ReducedScene:
+def reduced_street(kind: MorphKind) -> nf.ReducedScene:
     """The street without ground, with a map of colours, ranges and objects."""
     scene = street(dynamic=True, ground=False)
     return nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=256, samples=1, morph=kind, channels=MAPPED)

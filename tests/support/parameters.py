@@ -29,7 +29,8 @@ ANNOTATIONS: dict[str, str] = {
 TAKEN: dict[str, str] = {
     "rows": "LoadCurve.count.r2 visual_continuity.frames",
     "endless": "visual_continuity.frames",
-    "any": "lod.Curve4PL.[abcd] *.reason *.rms *.status Frame.lod Scene.dropped Scene.frames Scene.notes Scene.rest"
+    "any": "RenderSettings.lod lod.Curve4PL.[abcd] *.reason *.rms *.status Frame.lod Scene.dropped Scene.frames"
+    " Scene.notes Scene.rest"
     " Scene.table Scene.undrawn Scene.used lod.Selection.counts lod.Selection.level lod.Selection.spent similarities"
     " *.shown_to.user",
     "number big": "LoadCurve.*.budget LoadCurve.*.r2 Frame.lod *.bytes_at.time eccentricity_deg *.__call__.sigma r"
@@ -79,12 +80,13 @@ TAKEN: dict[str, str] = {
 RANGES: dict[str, str] = {
     "(0, inf)": "acuity_limit_deg aspect blend cell data_range distance error_px eye_height focal k1 k2 lens_radius"
     " limit_deg moving pixel radius *.AdaptivePlane.rate reach reference refresh_hz scale seconds shear sigma speed"
-    " step tolerance tolerance_px choose_radii.r2 regions.r2 r_max mono_plane depth_from_range.near"
+    " step tolerance tolerance_px RadiusSettings.r2 choose_radii.r2 regions.r2 r_max mono_plane depth_from_range.near"
     " stereo.mono_plane_for.slope range_from_depth.near range_error.near regions.budget",
     "(0, 4294967295)": "orthoview.OrthoTree.render.budget",
-    "(0, inf]": "depth ReducedScene.render.tolerance_px cast_rays.t_max",
+    "(0, inf]": "depth MorphSettings.tolerance_px ReducedScene.render.tolerance_px cast_rays.t_max",
     "[0, inf)": "acuity_slope datasets.Asteroids.*.detail datasets.World.*.detail detail error floor hysteresis near"
-    " pixel_deg slope time stream.Growth.fade budget cache_bytes ReducedScene.*.radius *.AdaptivePlane.update.seconds",
+    " pixel_deg slope time stream.Growth.fade budget cache_bytes MorphSettings.radius"
+    " ReducedScene.*.radius *.AdaptivePlane.update.seconds",
     "(-inf, inf)": "cutoff d k t lod.Level.* orthoview.*.time Walk.render.seconds index",
     "[-inf, inf]": "Similarity.mean Scene.dropped *.shown.depth RadialLens.warp.fill",
     "[0, r2)": "r1",

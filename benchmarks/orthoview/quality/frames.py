@@ -25,6 +25,7 @@ from benchmarks.harness.report import save_figure, start, subplots, table
 from benchmarks.harness.timing import best
 from benchmarks.orthoview.flights import FOV, PICTURE, START
 from nearfar._camera.shot import Shot
+from nearfar._render.backend import Backend
 from nearfar.orthoview._cut import Settings
 from nearfar.orthoview._viewer import Parts
 
@@ -106,7 +107,8 @@ def geometry(tiles: str, half: float, way: str) -> tuple[Callable[[nf.Camera], A
     low, high = source.bounds
     box = [(START[0] - half, low[1], START[1] - half), (START[0] + half, high[1], START[1] + half)]
     scene = source.query(box)
-    backend = {"rays": "cpu", "rasters": "gpu"}[way]
+    backends: dict[str, Backend] = {"rays": "cpu", "rasters": "gpu"}
+    backend = backends[way]
     facts = {"triangles": scene.triangle_count}
     return lambda camera: nf.render(scene, camera, channels=("color",), backend=backend), facts
 

@@ -38,3 +38,12 @@ def gather(
     if settings is None:
         return kind(**keywords)
     return replace(check.instance(argument, settings, kind, kind.__name__), **keywords)  # type: ignore[type-var]
+
+
+def split(kind: type[Any], keywords: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Split the keywords of a function that takes two groups: return those of other settings, and the fields of one."""
+    names = {field.name for field in fields(kind)}
+    return (
+        {name: value for name, value in keywords.items() if name not in names},
+        {name: value for name, value in keywords.items() if name in names},
+    )

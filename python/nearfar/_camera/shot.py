@@ -1,4 +1,4 @@
-"""The `Shot` class: cameras, channels and ray limits of one rendering request."""
+"""The `Shot` class: cameras, channels, samples and ray limits of one rendering request."""
 
 from __future__ import annotations
 
@@ -19,23 +19,44 @@ MAX_SAMPLES = 1024
 
 
 @dataclass(frozen=True, kw_only=True)
-class Shot:
-    """A request to render one moment from one or more cameras, such as the eyes of a headset."""
+class Sampling:
+    """Number of samples of each pixel, and limits of their rays; the base of `Shot` and of render settings."""
 
-    cameras: tuple[Camera, ...]
-    """The views, one picture each."""
-    channels: tuple[str, ...]
-    """Images of each picture, in the order of the channels of `Frame`."""
     samples: int = 1
     """Number of colour samples of each pixel."""
-    user: tuple[float, float, float] | None = None
-    """World position in metres of the eye for which a reduced scene is morphed; None for each camera's position."""
     t_min: float = 0.0
     """Least distance along each ray at which surfaces are visible, metres."""
     t_max: float = math.inf
     """Greatest distance along each ray at which surfaces are visible, metres."""
     clip: Clip | None = None
     """Planes and a box; nothing outside them is visible."""
+
+    def __post_init__(self) -> None:
+        near, far = check.number("t_min", self.t_min), check.number("t_max", self.t_max, finite=False)
+        if not 0.0 <= near < far:
+            raise ValueError(f"t_max: expected more than t_min and t_min at least 0, got {near:g} to {far:g}")
+        if self.clip is not None:
+            check.instance("clip", self.clip, Clip, "a Clip")
+        samples = check.integer("samples", self.samples, 1, MAX_SAMPLES)
+        for name, value in (("samples", samples), ("t_min", near), ("t_max", far)):
+            object.__setattr__(self, name, value)
+
+    @property
+    def sampling(self) -> dict[str, Any]:
+        """Samples and limits by name, as arguments of a `Shot`."""
+        return {name: getattr(self, name) for name in ("samples", "t_min", "t_max", "clip")}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Shot(Sampling):
+    """A request to render one moment from one or more cameras, such as the eyes of a headset."""
+
+    cameras: tuple[Camera, ...]
+    """The views, one picture each."""
+    channels: tuple[str, ...]
+    """Images of each picture, in the order of the channels of `Frame`."""
+    user: tuple[float, float, float] | None = None
+    """World position in metres of the eye for which a reduced scene is morphed; None for each camera's position."""
     mask: NDArray[np.bool_] | None = field(default=None, compare=False)
     """(H, W), true for needed pixels; others may be black and misses. None for all pixels."""
     bare: bool = False
@@ -50,11 +71,7 @@ class Shot:
         cameras = check.items("cameras", self.cameras, Camera, "a sequence of Cameras")
         if not cameras:
             raise ValueError("cameras: expected at least one, got none")
-        near, far = check.number("t_min", self.t_min), check.number("t_max", self.t_max, finite=False)
-        if not 0.0 <= near < far:
-            raise ValueError(f"t_max: expected more than t_min and t_min at least 0, got {near:g} to {far:g}")
-        if self.clip is not None:
-            check.instance("clip", self.clip, Clip, "a Clip")
+        super().__post_init__()
         checked: dict[str, Any] = {
             "cameras": tuple(cameras),
             "mask": self._checked_mask(cameras),
@@ -62,10 +79,7 @@ class Shot:
             "occlusion": check.flag("occlusion", self.occlusion),
             "instances": self._checked_instances(),
             "channels": tuple(check.texts("channels", self.channels)),
-            "samples": check.integer("samples", self.samples, 1, MAX_SAMPLES),
             "user": None if self.user is None else check.vector("user", self.user),
-            "t_min": near,
-            "t_max": far,
         }
         for name, value in checked.items():
             object.__setattr__(self, name, value)
@@ -92,11 +106,8 @@ class Shot:
     @property
     def settings(self) -> dict[str, Any]:
         """Kernel arguments of the images, samples, pixels and ray limits, in addition to the camera."""
-        return {
+        return self.sampling | {
             "channels": list(self.channels),
-            "samples": self.samples,
-            "t_min": self.t_min,
-            "t_max": self.t_max,
             "clip": [] if self.clip is None else self.clip.half_spaces.tolist(),
             "mask": self.mask,
             "bare": self.bare,

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import background, card, check, exr, files, formats
 from nearfar._cubemap.layouts import convert_envmap
-from nearfar._cubemap.lookup import FILTERS, cube_lookup
+from nearfar._cubemap.lookup import FILTERS, Filter, cube_lookup
 
 FACES = ("px", "nx", "py", "ny", "pz", "nz")
 """Names of the faces in files."""
@@ -93,7 +93,7 @@ class EnvMap:
         directions: ArrayLike,
         *,
         channel: str = "color",
-        filter: str | None = None,  # noqa: A002
+        filter: Filter | None = None,  # noqa: A002
         radius: float | None = None,
     ) -> NDArray[Any]:
         """Look up a channel along directions; see `cube_lookup`.
@@ -124,7 +124,7 @@ class EnvMap:
         values = getattr(self, channel)
         if values is None:
             raise ValueError(f"channel: expected one of {', '.join(self.channels)}, which were baked, got {channel!r}")
-        default = "linear" if channel == "color" else "nearest"
+        default: Filter = "linear" if channel == "color" else "nearest"
         chosen = default if filter is None else check.choice("filter", filter, FILTERS)
         if channel == "range" and chosen in ("linear", "cubic"):
             raise ValueError(f"filter: expected 'nearest', 'min' or 'max' for range, got {chosen!r}")

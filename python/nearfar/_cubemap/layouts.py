@@ -3,26 +3,27 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import check, progress
-from nearfar._cubemap.lookup import BITS, FILTERS, LIMIT, directions_of, numbers_of
+from nearfar._cubemap.lookup import BITS, FILTERS, LIMIT, Filter, directions_of, numbers_of
 
-LAYOUTS = ("cube", "equirectangular", "octahedral")
-"""Names of the layouts that `convert_envmap` describes."""
+Layout = Literal["cube", "equirectangular", "octahedral"]
+"""Name of a layout that `convert_envmap` describes."""
+LAYOUTS: tuple[Layout, ...] = get_args(Layout)
 
 
 def convert_envmap(
     values: ArrayLike,
     *,
-    source: str,
-    target: str,
+    source: Layout,
+    target: Layout,
     size: int | tuple[int, int],
-    filter: str = "linear",  # noqa: A002
+    filter: Filter = "linear",  # noqa: A002
     samples: int = 1,
 ) -> NDArray[Any]:
     """Convert an environment map to another layout.
@@ -108,7 +109,7 @@ def convert_envmap(
     return out
 
 
-def envmap_directions(size: int | tuple[int, int], *, layout: str = "cube") -> NDArray[np.float64]:
+def envmap_directions(size: int | tuple[int, int], *, layout: Layout = "cube") -> NDArray[np.float64]:
     """Compute the directions of the texel centres of an environment map.
 
     Parameters
@@ -135,7 +136,7 @@ def envmap_directions(size: int | tuple[int, int], *, layout: str = "cube") -> N
     return directions
 
 
-def envmap_texels(directions: ArrayLike, *, size: int | tuple[int, int], layout: str = "cube") -> NDArray[np.int64]:
+def envmap_texels(directions: ArrayLike, *, size: int | tuple[int, int], layout: Layout = "cube") -> NDArray[np.int64]:
     """Compute the numbers of the texels that directions pass through: the inverse of `envmap_directions`.
 
     Parameters

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,8 +11,12 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check
 
-FILTERS = ("nearest", "linear", "cubic", "min", "max")
-"""Names of the filters that `cube_lookup` describes."""
+Filter = Literal["nearest", "linear", "cubic", "min", "max"]
+"""Name of a filter that `cube_lookup` describes."""
+FILTERS: tuple[Filter, ...] = get_args(Filter)
+
+MipFilter = Literal["mean", "min", "max"]
+"""Name of a filter of `cube_mips`."""
 
 BITS = {1: np.uint8, 2: np.uint16, 4: np.uint32, 8: np.uint64}
 """Unsigned type by size in bytes, in which "nearest" copies numbers of any type."""
@@ -25,7 +29,7 @@ def cube_lookup(
     faces: ArrayLike,
     directions: ArrayLike,
     *,
-    filter: str = "nearest",  # noqa: A002
+    filter: Filter = "nearest",  # noqa: A002
     radius: float | None = None,
 ) -> NDArray[Any]:
     """Look up values of a cube map along directions.
@@ -99,7 +103,7 @@ def cube_lookup(
     return values.reshape(shape + maps.shape[3:])
 
 
-def cube_mips(faces: ArrayLike, *, filter: str = "mean") -> list[NDArray[Any]]:  # noqa: A002
+def cube_mips(faces: ArrayLike, *, filter: MipFilter = "mean") -> list[NDArray[Any]]:  # noqa: A002
     """Compute the mip levels of a cube map, each half the size of the one before, down to one texel per face.
 
     Parameters
@@ -124,7 +128,7 @@ def cube_mips(faces: ArrayLike, *, filter: str = "mean") -> list[NDArray[Any]]: 
     TypeError
         Values that are not numbers.
     """
-    check.choice("filter", filter, ("mean", "min", "max"))
+    check.choice("filter", filter, get_args(MipFilter))
     texels = check.plain("faces", faces)
     texels = texels.astype(np.float64) if texels.dtype.kind == "b" else texels
     levels = [_faces(check.array("faces", texels, columns=None))]

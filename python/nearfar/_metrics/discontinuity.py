@@ -10,9 +10,12 @@ from nearfar._base import background, check, progress
 from nearfar._camera.camera import Camera
 from nearfar._render.frame import Frame
 
+EPSILON = 17.0
+"""Radius of a neighbourhood in pixels of the truth, as published (Popescu, Lee, Choi, Fahmy 2022, Eq. 5–6)."""
+
 
 def discontinuity(
-    frame: Frame, truth_camera: Camera | None = None, *, epsilon: float = 17.0, min_distance: float = 1.0
+    frame: Frame, truth_camera: Camera | None = None, *, epsilon: float = EPSILON, min_distance: float = 1.0
 ) -> NDArray[np.float32]:
     """Measure for each pixel how far its neighbours in the true picture are torn apart in this picture.
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypedDict
 
 import numpy as np
 from numpy.typing import DTypeLike
@@ -13,50 +13,88 @@ from nearfar._base import check
 from nearfar._camera.shot import MAX_SAMPLES
 from nearfar._cubemap import envmap
 from nearfar._render import backend as backends
+from nearfar._render.backend import Backend
 from nearfar._render.bake import is_half
-from nearfar._render.channels import CHANNELS, channel_names
+from nearfar._render.channels import channel_names
 from nearfar._scene.scene import Scene
 
 
-@dataclass(frozen=True)
-class Baking:
-    """Settings of a map; `reduce` documents them."""
+@dataclass(frozen=True, kw_only=True)
+class MapSettings:
+    """Settings of an environment map: its size, samples, channels, and the backend that bakes it.
+
+    Parameters
+    ----------
+    face_size
+        Number of texels across each of the map's six faces, 1 to 16,384.
+    samples
+        Number of colour samples of each texel, 1 to 1024; for maps of trees of orthoviews on a grid, 1, 4, 9 … 64.
+    channels
+        Channels of the map: "color" always, "range" and "object_id" if named. Scenes with moving objects always get
+        range, because it decides which of them far buildings hide. Maps of trees of orthoviews have no "object_id".
+    range_dtype
+        Type of the map's range: float32, or float16, which halves memory and file and has an error of at most 2⁻¹¹ of
+        the range.
+    backend
+        Backend that bakes the map: "cpu", "gpu", "auto" or None, as in `RenderSettings`. Maps of trees of orthoviews
+        are drawn on the CPU.
+
+    Raises
+    ------
+    ValueError, TypeError
+        Settings out of range.
+    """
 
     face_size: int = 1024
     samples: int = 4
-    channels: tuple[str, ...] = ("color",)
-    """Channel names, in the order of `CHANNELS`."""
-    half: bool = False
-    """Whether range is stored as float16."""
-    backend: str | None = None
+    channels: Iterable[str] = ("color",)
+    range_dtype: DTypeLike = np.float32
+    backend: Backend | None = None
 
-    @classmethod
-    def check_settings(
-        cls,
-        face_size: int,
-        samples: int,
-        channels: Iterable[str],
-        backend: str | None,
-        range_dtype: DTypeLike = np.float32,
-    ) -> Baking:
-        """Check arguments; TypeError or ValueError if they are out of range."""
-        size = check.integer("face_size", face_size, 1, 16384)
-        count = check.integer("samples", samples, 1, MAX_SAMPLES)
-        names = set(channel_names(channels))
-        if unknown := names - set(envmap.CHANNELS):
-            listed = ", ".join(name for name in CHANNELS if name in unknown)
-            raise ValueError(f"channels: expected names of {', '.join(envmap.CHANNELS)}, got {listed}")
-        backends.check(backend)
-        ordered = tuple(name for name in CHANNELS if name in names)
-        return cls(size, count, ordered, is_half("range_dtype", range_dtype), backend)
-
-    def arguments(self, scene: Scene) -> dict[str, Any]:
-        """Keyword arguments of `stages.parts` for a scene; DeviceError if no adapter can be used for "gpu"."""
-        device = backends.device_for(self.backend, scene, (self.channels, self.samples))
-        return {
-            "size": self.face_size,
-            "samples": self.samples,
-            "channels": self.channels,
-            "half": self.half,
-            "device": device,
+    def __post_init__(self) -> None:
+        names = channel_names(self.channels)
+        if unknown := [name for name in names if name not in envmap.CHANNELS]:
+            raise ValueError(f"channels: expected names of {', '.join(envmap.CHANNELS)}, got {', '.join(unknown)}")
+        backends.check(self.backend)
+        checked: dict[str, Any] = {
+            "face_size": check.integer("face_size", self.face_size, 1, 16384),
+            "samples": check.integer("samples", self.samples, 1, MAX_SAMPLES),
+            "channels": names,
+            "range_dtype": np.dtype(np.float16 if is_half("range_dtype", self.range_dtype) else np.float32),
         }
+        for name, value in checked.items():
+            object.__setattr__(self, name, value)
+
+    @property
+    def half(self) -> bool:
+        """Whether range is stored as float16."""
+        return self.range_dtype == np.float16
+
+
+class MapKeywords(TypedDict, total=False):
+    """Fields of `MapSettings` as keywords; a test compares both."""
+
+    face_size: int
+    samples: int
+    channels: Iterable[str]
+    range_dtype: DTypeLike
+    backend: Backend | None
+
+
+def require_cpu(settings: MapSettings, kind: str) -> None:
+    """Raise ValueError for a graphics adapter, which cannot draw maps of a kind of world."""
+    if settings.backend not in (None, "cpu"):
+        raise ValueError(f"backend: expected cpu for {kind}, got {settings.backend}")
+
+
+def bake_arguments(settings: MapSettings, scene: Scene) -> dict[str, Any]:
+    """Keyword arguments of `bake` for a scene; DeviceError if no adapter can be used for "gpu"."""
+    names = tuple(settings.channels)
+    device = backends.device_for(settings.backend, scene, (names, settings.samples))
+    return {
+        "size": settings.face_size,
+        "samples": settings.samples,
+        "channels": names,
+        "half": settings.half,
+        "device": device,
+    }

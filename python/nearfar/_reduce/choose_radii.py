@@ -5,18 +5,70 @@ from __future__ import annotations
 import functools
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import SupportsFloat, SupportsIndex
+from typing import TypedDict, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from nearfar._base import check
+from nearfar._base.settings import gather
 from nearfar._bend import fold_margin
 from nearfar._partition.load_curve import load_curve
 from nearfar._scene.scene import Scene
 
 STEPS = 24
 """Bisection steps for a radius: they leave less than a millionth of an interval; margins are exact to 1e-4 only."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class RadiusSettings:
+    """Requirements on the radii of a reduction for a walking user; either `r2` or `budget` must be set.
+
+    Parameters
+    ----------
+    r2
+        Radius in metres beyond which the map shows everything.
+    budget
+        Maximum number of triangles that stay geometry, instead of `r2`: r2 is the greatest radius within it.
+    reach
+        Distance R in metres that the user walks away from the centre, above 0.
+    eye_height
+        Height h in metres of the eyes above the ground, above 0.
+    shear
+        Greatest shear s of the ground between the radii, above 0: pixels sideways for each pixel upwards.
+
+    Raises
+    ------
+    ValueError, TypeError
+        Neither or both of `r2` and `budget`, and settings out of range.
+    """
+
+    r2: float | None = None
+    budget: int | None = None
+    reach: float = 8.0
+    eye_height: float = 1.7
+    shear: float = 1.0
+
+    def __post_init__(self) -> None:
+        if (self.r2 is None) == (self.budget is None):
+            got = "neither" if self.r2 is None else "both"
+            raise ValueError(f"r2: expected either r2 or budget, got {got}")
+        if self.budget is not None:
+            object.__setattr__(self, "budget", check.integer("budget", self.budget, 0, 2**63 - 1))
+        for name in ("r2", "reach", "eye_height", "shear"):
+            value = getattr(self, name)
+            if name != "r2" or value is not None:
+                object.__setattr__(self, name, check.positive(name, value))
+
+
+class RadiusKeywords(TypedDict, total=False):
+    """Fields of `RadiusSettings` as keywords; a test compares both."""
+
+    r2: float | None
+    budget: int | None
+    reach: float
+    eye_height: float
+    shear: float
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -43,11 +95,8 @@ def choose_radii(
     scene: Scene,
     center: ArrayLike,
     *,
-    r2: SupportsFloat | None = None,
-    budget: SupportsIndex | None = None,
-    reach: SupportsFloat = 8.0,
-    eye_height: SupportsFloat = 1.7,
-    shear: SupportsFloat = 1.0,
+    settings: RadiusSettings | None = None,
+    **keywords: Unpack[RadiusKeywords],
 ) -> Radii:
     """Choose r1 so that the ground is sheared little for a walking user, for a given r2 or a budget of triangles.
 
@@ -61,16 +110,10 @@ def choose_radii(
         The scene; its triangles count for a `budget`.
     center
         World position O, metres.
-    r2
-        Radius in metres beyond which the map shows everything.
-    budget
-        Maximum number of triangles that stay geometry, instead of `r2`: r2 is the greatest radius within it.
-    reach
-        Distance R in metres that the user walks away from the centre, above 0.
-    eye_height
-        Height h in metres of the eyes above the ground, above 0.
-    shear
-        Greatest shear s of the ground between the radii, above 0.
+    settings
+        Either r2 or a budget, and the user's reach R, eye height h and shear s, as `RadiusSettings`.
+    keywords
+        Fields of `settings`, which they replace: `r2`, `budget`, `reach`, `eye_height`, `shear`.
 
     Returns
     -------
@@ -91,21 +134,13 @@ def choose_radii(
     r1 = max(R, s h r2 / (R + s h)) for the blend of Popescu, Lee, Choi, Fahmy (2022), Eq. 1–3.
     """
     check.instance("scene", scene, Scene)
-    middle = check.vector("center", center)
-    walked, height = check.positive("reach", reach), check.positive("eye_height", eye_height)
-    wanted = check.positive("shear", shear)
-    if r2 is not None and budget is not None:
-        raise ValueError("r2: expected either r2 or budget, got both")
-    if r2 is not None:
-        outer = check.positive("r2", r2)
-    elif budget is not None:
-        outer = _radius_for_budget(scene, middle, budget)
-    else:
-        raise ValueError("r2: expected either r2 or budget, got neither")
+    chosen = gather(RadiusSettings, settings, keywords)
+    outer = _outer(scene, check.vector("center", center), chosen)
+    walked, height, wanted = chosen.reach, chosen.eye_height, chosen.shear
     inner = by_ground(outer, walked, height, wanted)
     margin = _margin(inner, outer)
     if margin < walked:
-        name, given = ("r2", "got") if r2 is not None else ("budget", "which gives")
+        name, given = ("r2", "got") if chosen.r2 is not None else ("budget", "which gives")
         raise ValueError(
             f"{name}: expected an r2 of at least {least_outer(walked):.4g} m for a reach of {walked:g} m, because the "
             f"picture would fold within it, {given} {outer:.4g}"
@@ -142,10 +177,12 @@ def shear_of(r1: float, r2: float, reach: float, height: float) -> float:
     return reach * r1 / ((r2 - r1) * height)
 
 
-def _radius_for_budget(scene: Scene, center: tuple[float, float, float], budget: SupportsIndex) -> float:
-    """Greatest r2 within a budget; if the whole scene fits, the distance of its farthest corner."""
-    count = check.integer("budget", budget, 0, 2**63 - 1)
-    radius = float(load_curve(scene, center=center).radius(count))
+def _outer(scene: Scene, center: tuple[float, float, float], settings: RadiusSettings) -> float:
+    """Given r2, or the greatest within a budget; if the whole scene fits, the distance of its farthest corner."""
+    if settings.budget is None:
+        assert settings.r2 is not None
+        return settings.r2
+    radius = float(load_curve(scene, center=center).radius(settings.budget))
     if np.isfinite(radius):
         return radius
     low, high = scene.bounds[:, [0, 2]]

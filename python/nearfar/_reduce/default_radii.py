@@ -1,15 +1,18 @@
-"""Default radii of commands: r2 from the surroundings of the centre, r1 from the shear of the ground."""
+"""Default centre and radii: r2 from the surroundings of the centre, r1 from the shear of the ground."""
 
 from __future__ import annotations
 
+import logging
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from nearfar._base import check
 from nearfar._reduce.choose_radii import by_ground, least_outer, shear_of
 from nearfar._scene.scene import Scene
 from nearfar._trace import viewpoint
-from nearfar._trace.viewpoint import Viewpoint
+from nearfar._trace.viewpoint import Point, Viewpoint
 
 CITY = 75.0
 """Least distance in metres from the centre to a city's farthest bounds."""
@@ -38,7 +41,7 @@ ASIDE = (0.3, 0.9)
 
 @dataclass(frozen=True)
 class Choice:
-    """Radii in metres, and the reason for them in words; empty if the caller gave both."""
+    """Radii in metres, and the reason for them in words; empty if the caller set both."""
 
     r1: float
     r2: float
@@ -57,7 +60,8 @@ def choose(scene: Scene, place: Viewpoint, r1: float | None = None, r2: float | 
     if r1 is not None or r2 is not None:
         inner, outer = completed(r1, r2)
         if r1 is not None:
-            return Choice(inner, outer)
+            why = f"r2 is the greater of {CITY_OUTER:g} m and {SPREAD:.3g} r1"
+            return Choice(inner, outer, why if r2 is None else "")
         return Choice(inner, outer, _by_ground(inner, outer), is_by_ground=True)
     nearest, farthest = _extent(scene, place)
     if (not place.is_outside and farthest >= CITY) or not nearest < farthest < np.inf:
@@ -71,6 +75,27 @@ def choose(scene: Scene, place: Viewpoint, r1: float | None = None, r2: float | 
     inner = completed(None, outer)[0]
     why = f"r2 is two thirds of the way to the walls; {_by_ground(inner, outer)}"
     return Choice(inner, outer, why, is_by_ground=True)
+
+
+def find_place(scene: Scene, center: ArrayLike | None = None) -> Viewpoint:
+    """Find a viewpoint for a centre, by default an open place of the scene or a place in front of an object."""
+    return viewpoint.find(scene) if center is None else viewpoint.facing_open(scene, check.vector("center", center))
+
+
+def complete(
+    scene: Scene, center: ArrayLike | None, r1: float | None, r2: float | None
+) -> tuple[Point, float, float, str]:
+    """Choose a centre and radii that are None; return all three, and the reasons in words. The log has them, too."""
+    inner = None if r1 is None else check.at_least_zero("r1", r1)
+    outer = None if r2 is None else check.positive("r2", r2)
+    place = find_place(scene, center)
+    radii = choose(scene, place, inner, outer)
+    where = "in front of the scene, where all of it is in view" if place.is_outside else "an open place near the middle"
+    x, y, z = place.eye
+    reasons = [f"the centre ({x:.4g}, {y:.4g}, {z:.4g}) is {where}"] if center is None else []
+    reason = "; ".join([*reasons, *([radii.reason] if radii.reason else [])])
+    logging.getLogger("nearfar").info("reduce: %s", reason)
+    return place.eye, radii.r1, radii.r2, reason
 
 
 def completed(r1: float | None, r2: float | None) -> tuple[float, float]:

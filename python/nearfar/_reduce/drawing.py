@@ -4,69 +4,146 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, Literal, TypedDict, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from nearfar._base import check
 from nearfar._morph import morph
+from nearfar._render.settings import RenderKeywords
 from nearfar._scene.levels import Leveled
 
-MORPHS = ("blend", "cylinder", "none")
-"""Morphs by name; "none" is the conventional method."""
+MorphKind = Literal["blend", "cylinder", "none"]
+"""Name of a morph; "none" is the conventional method."""
+MORPHS: tuple[MorphKind, ...] = get_args(MorphKind)
+
+Boundary = Literal["r1", "r2"]
+"""Name of the radius at which the near part ends."""
+BOUNDARIES: tuple[Boundary, ...] = get_args(Boundary)
+
+Method = Literal["auto", "vertex", "exact"]
+"""Name of a rendering method; "auto" bends rays if the picture of moved vertices would fold for the user."""
 
 TOLERANCES = {"vertex": 0.5, "exact": 0.1}
 """Default tolerance in pixels of each rendering method."""
 
-CONVENTIONAL_DYNAMIC = ("center", "user", "omit")
-"""Names of the placements of moving objects beyond the near part with the conventional method."""
-
-METHODS = ("auto", *TOLERANCES)
-"""Names of rendering methods; "auto" bends rays if the picture of moved vertices would fold for the user."""
+ConventionalDynamic = Literal["center", "user", "omit"]
+"""Name of a placement of moving objects beyond the near part with the conventional method."""
 
 
-@dataclass(frozen=True)
-class Drawing:
-    """Settings for drawing a reduced scene; `ReducedScene.render` documents them."""
+@dataclass(frozen=True, kw_only=True)
+class MorphSettings:
+    """Settings for drawing a reduced scene: the method of the morph, its extent, and what lies beyond.
 
-    method: str = "auto"
+    Parameters
+    ----------
+    method
+        "vertex": the morph moves vertices, as a vertex shader would. "exact": every pixel shows the first hit of its
+        bent ray (`bend_rays`) in the unmorphed scene. "auto": "exact" where moved vertices would fold the picture and
+        rays can be bent (on the CPU, for one eye, whole rays), else "vertex".
+    env
+        True draws the far part from the map. False traces it from the centre, so that all channels exist; this is the
+        method's picture with a map of unlimited resolution.
+    tolerance_px
+        For "vertex": greatest distance, in the image's finest pixels, between a drawn triangle's points and their
+        morph, by default 0.5; larger triangles are split for the frame. It is a proven bound if the frame's `stats`
+        have `tolerance_held`. On the CPU it is doubled until splitting makes at most 4 million triangles. Infinity
+        morphs only the given vertices, which bends long triangles wrongly and opens breaks at both radii. For "exact":
+        greatest distance between a bent ray and its curve, in pixels of the size at its place in the image, by default
+        0.1.
+    radius
+        Radius of the morph in metres instead of r2, 0 to r2; r1 shrinks in proportion. Near geometry beyond it is
+        drawn, too, as seen from the centre; with 0 that is everything. A client that increases it over several frames
+        shows near geometry without a jump. None is r2, or the radius of `ReducedScene.with_growth`. Not for the
+        conventional method.
+    strength
+        Factor of the weight of the user's view, 0 to 1. With 0 everything is shown as the centre sees it. Below 1 near
+        geometry within r1 moves too, also for users for whom a smaller radius would fold the picture; rays are then
+        bent one by one, which takes "exact" several times as long, and `tolerance_held` is False. None is 1, or the
+        strength of `ReducedScene.with_growth`. Not for the conventional method.
+    conventional_dynamic
+        Where the conventional method shows moving objects beyond the near part. "center": in the direction in which the
+        centre sees them, if nothing in the map is nearer. "user": in the direction in which the user sees them, over
+        everything in the map, as in figure 1d of the paper. "omit": nowhere. A morph takes only "center".
+
+    Raises
+    ------
+    ValueError, TypeError
+        Settings out of range.
+    """
+
+    method: Method = "auto"
     env: bool = True
     tolerance_px: float | None = None
     radius: float | None = None
-    strength: float = 1.0
-    conventional_dynamic: str = "center"
+    strength: float | None = None
+    conventional_dynamic: ConventionalDynamic = "center"
 
     def __post_init__(self) -> None:
-        check.choice("method", self.method, METHODS)
-        check.choice("conventional_dynamic", self.conventional_dynamic, CONVENTIONAL_DYNAMIC)
-        object.__setattr__(self, "env", check.flag("env", self.env))
+        check.choice("method", self.method, get_args(Method))
+        check.choice("conventional_dynamic", self.conventional_dynamic, get_args(ConventionalDynamic))
+        checked: dict[str, Any] = {"env": check.flag("env", self.env)}
         if self.tolerance_px is not None:
-            object.__setattr__(self, "tolerance_px", check.number("tolerance_px", self.tolerance_px, finite=False))
+            checked["tolerance_px"] = check.number("tolerance_px", self.tolerance_px, finite=False)
+            if not checked["tolerance_px"] > 0.0:
+                raise ValueError(f"tolerance_px: expected a number above 0, got {self.tolerance_px}")
         if self.radius is not None:
-            object.__setattr__(self, "radius", check.at_least_zero("radius", self.radius))
-        object.__setattr__(self, "strength", check.in_range("strength", self.strength, 0.0, 1.0))
+            checked["radius"] = check.at_least_zero("radius", self.radius)
+        if self.strength is not None:
+            checked["strength"] = check.in_range("strength", self.strength, 0.0, 1.0)
+        for name, value in checked.items():
+            object.__setattr__(self, name, value)
 
-    def grown(self, r1: float, r2: float) -> dict[str, Any]:
-        """Effective radii in metres and strength, as arguments of `morph`, for the radii of the reduction."""
-        radius = r2 if self.radius is None else min(float(self.radius), r2)
-        near, far = (r1, r2) if radius == r2 else (r1 * (radius / r2), radius)
-        return {"r1": near, "r2": far, "strength": self.strength}
-
-    def settings(self, method: str) -> dict[str, Any]:
-        """Kernel settings for "vertex" or "exact"."""
-        tolerance = TOLERANCES[method] if self.tolerance_px is None else self.tolerance_px
-        return {
-            "method": method,
-            "mapped": self.env,
-            "tolerance_px": tolerance,
-            "radius": self.radius,
-            "strength": self.strength,
-            "conventional_dynamic": self.conventional_dynamic,
-        }
+    @property
+    def growth(self) -> tuple[float | None, float]:
+        """Radius of the morph in metres, None for r2, and its strength."""
+        return self.radius, 1.0 if self.strength is None else self.strength
 
 
-def check_morph(morph: str, boundary: str) -> None:
+class MorphKeywords(TypedDict, total=False):
+    """Fields of `MorphSettings` as keywords; a test compares both."""
+
+    method: Method
+    env: bool
+    tolerance_px: float | None
+    radius: float | None
+    strength: float | None
+    conventional_dynamic: ConventionalDynamic
+
+
+class MorphOptions(RenderKeywords, MorphKeywords, total=False):
+    """Keywords of `ReducedScene.render`."""
+
+
+def fill_growth(settings: MorphSettings, own: MorphSettings) -> MorphSettings:
+    """Take radius and strength, where they are None, from a reduced scene's own settings."""
+    radius = own.radius if settings.radius is None else settings.radius
+    return replace(settings, radius=radius, strength=own.strength if settings.strength is None else settings.strength)
+
+
+def grow_radii(settings: MorphSettings, r1: float, r2: float) -> dict[str, Any]:
+    """Effective radii in metres and strength, as arguments of `morph`, for the radii of the reduction."""
+    radius, strength = settings.growth
+    reach = r2 if radius is None else min(float(radius), r2)
+    near, far = (r1, r2) if reach == r2 else (r1 * (reach / r2), reach)
+    return {"r1": near, "r2": far, "strength": strength}
+
+
+def kernel_settings(settings: MorphSettings, method: str) -> dict[str, Any]:
+    """Kernel settings for "vertex" or "exact"."""
+    radius, strength = settings.growth
+    return {
+        "method": method,
+        "mapped": settings.env,
+        "tolerance_px": TOLERANCES[method] if settings.tolerance_px is None else settings.tolerance_px,
+        "radius": radius,
+        "strength": strength,
+        "conventional_dynamic": settings.conventional_dynamic,
+    }
+
+
+def check_morph(morph: MorphKind, boundary: Boundary) -> None:
     """Raise ValueError for an unknown morph, or for a continuous one with a map baked from r1."""
     check.choice("morph", morph, MORPHS)
     if boundary == "r1" and morph != "none":

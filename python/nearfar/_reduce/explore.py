@@ -16,8 +16,8 @@ from nearfar._cubemap.envmap import EnvMap
 from nearfar._metrics.comparison import Comparison, compare
 from nearfar._metrics.discontinuity import discontinuity
 from nearfar._partition.load_curve import load_curve
-from nearfar._reduce.baking import Baking
-from nearfar._reduce.drawing import MORPHS
+from nearfar._reduce.baking import MapSettings
+from nearfar._reduce.drawing import MORPHS, Boundary, MorphKind
 from nearfar._render.frame import Frame
 from nearfar._render.truth import render
 from nearfar._scene.scene import Scene
@@ -35,7 +35,7 @@ LARGEST_R1 = 0.95
 class Reduced(Protocol):
     """Interface of `ReducedScene` for notebooks; the class itself belongs to a later stage."""
 
-    _boundary: str
+    _boundary: Boundary
     _is_whole: bool
 
     @property
@@ -49,15 +49,17 @@ class Reduced(Protocol):
     @property
     def r2(self) -> float: ...
     @property
-    def morph(self) -> str: ...
+    def morph(self) -> MorphKind: ...
+    @property
+    def reason(self) -> str: ...
     @property
     def stats(self) -> dict[str, Any]: ...
     @property
     def default_channels(self) -> tuple[str, ...]: ...
     @property
     def render(self) -> Any: ...
-    def with_morph(self, morph: str) -> Reduced: ...
-    def _again(self, baking: Baking, **changed: Any) -> Reduced: ...
+    def with_morph(self, morph: MorphKind) -> Reduced: ...
+    def _again(self, baking: MapSettings, **changed: Any) -> Reduced: ...
 
 
 class Explorer:
@@ -70,7 +72,7 @@ class Explorer:
 
     def __init__(self, reduced: Reduced, *, size: tuple[int, int], face_size: int) -> None:
         self._size = check.size("size", size)
-        self._baking = Baking.check_settings(face_size, 1, ("color", "range"), "cpu")
+        self._baking = MapSettings(face_size=face_size, samples=1, channels=("color", "range"), backend="cpu")
         widgets = _ipywidgets()
         self._is_quiet = False
         self._seen: tuple[Camera, Frame] | None = None

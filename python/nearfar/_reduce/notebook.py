@@ -22,6 +22,7 @@ class InNotebooks:
             ("intermediate", f"{stats['intermediate']:,}"),
             *([("moving", f"{moving:,}")] if moving else []),
             ("r₁, r₂", f"{self.r1:g} m, {self.r2:g} m"),
+            *([("chosen", self.reason)] if self.reason else []),
             ("morph", self.morph),
             ("centre", card.point(self.center)),
             ("copies of near geometry", f"{stats['near_bytes'] / 1e6:,.1f} MB"),

@@ -5,25 +5,32 @@ from __future__ import annotations
 import copy
 import math
 import warnings
-from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any, Self, cast
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, Self, Unpack, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
+from nearfar._base.settings import gather, split
 from nearfar._camera.camera import Camera
-from nearfar._camera.clip import Clip
 from nearfar._camera.shot import Shot, check_begin, check_request
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._morph import morph
 from nearfar._partition.partition import Partition
-from nearfar._reduce.drawing import Drawing
-from nearfar._render import backend as backends
+from nearfar._reduce.drawing import (
+    Boundary,
+    MorphKind,
+    MorphOptions,
+    MorphSettings,
+    fill_growth,
+    grow_radii,
+    kernel_settings,
+)
 from nearfar._render.frame import Frame
-from nearfar._render.level_choice import Lod
 from nearfar._render.renderable import Images, Renderable, Report
 from nearfar._render.renderer import Renderer
+from nearfar._render.settings import RenderSettings
 from nearfar._scene.scene import Scene
 
 if TYPE_CHECKING:
@@ -35,11 +42,11 @@ class InPictures:
 
     _scene: Scene
     _partition: Partition
-    _boundary: str
+    _boundary: Boundary
     _env: EnvMap | None
-    _morph: str
+    _morph: MorphKind
     _core: Reduced
-    _drawing: Drawing
+    _drawing: MorphSettings
     _is_whole: bool
     _has_warned: list[bool]
     """Whether a folded picture was reported: one entry, shared by copies."""
@@ -50,19 +57,9 @@ class InPictures:
         *,
         at: Mapping[str, ArrayLike] | None = None,
         user: ArrayLike | None = None,
-        t_min: float = 0.0,
-        t_max: float = math.inf,
-        clip: Clip | None = None,
-        samples: int = 1,
-        channels: Iterable[str] | None = None,
-        lod: Lod | None = None,
-        radius: float | None = None,
-        strength: float | None = None,
-        method: str = "auto",
-        env: bool = True,
-        tolerance_px: float | None = None,
-        conventional_dynamic: str = "center",
-        backend: str | None = None,
+        settings: RenderSettings | None = None,
+        morphing: MorphSettings | None = None,
+        **keywords: Unpack[MorphOptions],
     ) -> Frame:
         """Render the picture that a thin client shows.
 
@@ -77,54 +74,19 @@ class InPictures:
             World position (3,), metres, of the eye U that near geometry is morphed for; by default the camera's
             position. Another camera, such as one of two eyes, sees the morphed geometry from its own position, in front
             of the map along its own directions.
-        t_min, t_max
-            Limits in metres of the displayed distance along each pixel's ray, for near geometry and moving objects. The
-            map is drawn only if `t_max` is infinite and its range, where it has one, is at least `t_min`.
-        clip
-            Planes and a box that limit what is visible, by displayed position. The map is drawn only where no plane
-            ends the ray.
-        samples
-            Number of colour samples of each pixel; all other images are sampled once, at the pixel's centre.
-        channels
-            Images to compute, as in `render`; by default the channels of the map (`default_channels`). `range`,
-            `position` and `object_id` need a map that was baked with them; the position of a far pixel is the point at
-            the map's range. Far pixels of a map have `face_id` −1 and no normal. `range` is the displayed distance;
-            `position` and `normal` are unmorphed.
-        lod
-            Levels of detail of near objects, as in `nearfar.render`, for scenes whose objects have some. The map shows
-            far objects at the levels that were baked. A change of levels gathers the near geometry again.
-        radius
-            Radius of the morph in metres in this frame instead of r2, 0 to r2; r1 shrinks in proportion. Near geometry
-            beyond it is drawn, too, as seen from the centre; with 0 that is everything. A client that increases it over
-            several frames shows near geometry without a jump. Not for the conventional method.
-        strength
-            Factor of the weight of the user's view in this frame, 0 to 1, instead of 1 or that of `with_growth`. With 0
-            everything is shown as the centre sees it. Below 1 near geometry within r1 moves too, also for users for
-            whom a smaller radius would fold the picture; rays are then bent one by one, which takes "exact" several
-            times as long, and `tolerance_held` is False. Not for the conventional method.
-        method
-            "vertex": the morph moves vertices, as a vertex shader would. "exact": every pixel shows the first hit of
-            its bent ray (`bend_rays`) in the unmorphed scene. "auto": "exact" where moved vertices would fold the
-            picture and rays can be bent (on the CPU, for one eye, whole rays), else "vertex".
-        env
-            True draws the far part from the map. False traces it from the centre, so that all channels exist; this is
-            the method's picture with a map of unlimited resolution.
-        tolerance_px
-            For "vertex": greatest distance, in the image's finest pixels, between a drawn triangle's points and their
-            morph, by default 0.5; larger triangles are split for the frame. It is a proven bound if the frame's
-            `stats` have `tolerance_held`. On the CPU it is doubled until splitting makes at most 4 million triangles.
-            Infinity morphs only the given vertices, which bends long triangles wrongly and opens breaks at both radii.
-            For "exact": greatest distance between a bent ray and its curve, in pixels of the size at its place in the
-            image, by default 0.1.
-        conventional_dynamic
-            Where the conventional method shows moving objects beyond the near part. "center": in the direction in which
-            the centre sees them, if nothing in the map is nearer. "user": in the direction in which the user sees them,
-            over everything in the map, as in figure 1d of the paper. "omit": nowhere. A morph takes only "center".
-        backend
-            "cpu", "gpu", "auto" or None, as in `render`. On a graphics adapter near triangles are split once for all
-            users at about the same distance from the centre, not for each frame, and moving objects are split only if
-            their edges are too long, so that a frame sends one transform for each. The map's colours are half floats
-            there, at most 65,504. "exact" runs on the CPU only, also with "auto".
+        settings
+            Samples, channels, limits, backend and levels of detail, as `RenderSettings`. `range`, `position` and
+            `object_id` need a map that was baked with them; the position of a far pixel is the point at the map's
+            range. Far pixels of a map have `face_id` −1 and no normal. `range` is the displayed distance; `position`
+            and `normal` are unmorphed. A change of levels gathers the near geometry again. On a graphics adapter near
+            triangles are split once for all users at about the same distance from the centre, not for each frame, and
+            moving objects are split only if their edges are too long, so that a frame sends one transform for each. The
+            map's colours are half floats there, at most 65,504.
+        morphing
+            Method, map, tolerance and growth of the morph, as `MorphSettings`. "exact" runs on the CPU only, also with
+            the backend "auto".
+        keywords
+            Fields of `settings` and `morphing`, which they replace.
 
         Returns
         -------
@@ -149,15 +111,13 @@ class InPictures:
         DeviceError
             As in `render`.
         """
-        shown = self._drawing.radius if radius is None else radius
-        share = self._drawing.strength if strength is None else strength
-        drawn = self._drawn_by(Drawing(method, env, tolerance_px, shown, share, conventional_dynamic))
-        if backends.check(backend) == "gpu" and "gpu" not in drawn.backends:
+        rest, own = split(MorphSettings, keywords)
+        chosen = gather(RenderSettings, settings, rest)
+        drawn = self._drawn_by(fill_growth(gather(MorphSettings, morphing, own, argument="morphing"), self._drawing))
+        if chosen.backend == "gpu" and "gpu" not in drawn.backends:
             raise ValueError("method: expected 'vertex' with backend='gpu', got 'exact': rays are bent on the CPU")
-        renderer = Renderer(cast(Renderable, drawn), channels, samples, lod)
-        (frame,) = renderer.frames(
-            renderer.shot([camera], user, t_min, t_max, clip), at, renderer.device(backend, self)
-        )
+        renderer = Renderer(cast(Renderable, drawn), chosen)
+        (frame,) = renderer.frames(renderer.shot([camera], user), at, renderer.device(self))
         return frame
 
     @property
@@ -181,7 +141,7 @@ class InPictures:
         places = check.array("points", points, columns=3, dtype=np.float64)
         center, eye = self._partition.center, check.vector("user", user)
         if self._morph != "none":
-            grown = self._drawing.grown(self._partition.r1, self._partition.r2)
+            grown = grow_radii(self._drawing, self._partition.r1, self._partition.r2)
             return np.asarray(morph(places, user=eye, center=center, kind=self._morph, **grown))
         away = places - np.array(center)
         boundary = self._partition.r1 if self._boundary == "r1" else self._partition.r2
@@ -210,7 +170,7 @@ class InPictures:
             jobs.append(device.reduced(self._core, scene, camera._core, shot.settings, **how, report=report))
         return jobs
 
-    def _drawn_by(self, drawing: Drawing) -> Self:
+    def _drawn_by(self, drawing: MorphSettings) -> Self:
         drawn = copy.copy(self)
         drawn._drawing = drawing
         return drawn
@@ -225,12 +185,12 @@ class InPictures:
             beyond = f"{-margin:.3g} m beyond" if margin > -math.inf else "at a height outside of"
             message = f"the picture folds: the user is {beyond} the fold margin; go closer to the centre"
             warnings.warn(message, UserWarning, stacklevel=2)
-        return {"user": shot.user, **self._drawing.settings(method)}
+        return {"user": shot.user, **kernel_settings(self._drawing, method)}
 
     def _margin(self, shot: Shot, camera: Camera) -> float:
         """Distance in metres that the user of a picture may still move before it folds."""
         user = camera.position if shot.user is None else shot.user
-        return self._core.fold_margin(user, self._drawing.radius, self._drawing.strength)
+        return self._core.fold_margin(user, *self._drawing.growth)
 
     def _bends(self, shot: Shot, camera: Camera) -> bool:
         """Whether rays can be bent for a picture."""

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import Any
+from typing import Any, Unpack
 
-import numpy as np
-from numpy.typing import ArrayLike, DTypeLike
+from numpy.typing import ArrayLike
 
 from nearfar._base import check
-from nearfar._partition.partition import UNITS
-from nearfar._reduce import stages
-from nearfar._reduce.baking import Baking
-from nearfar._reduce.drawing import check_morph
+from nearfar._base.settings import gather
+from nearfar._partition.partition import UNITS, Unit
+from nearfar._reduce import default_radii, stages
+from nearfar._reduce.baking import MapKeywords, MapSettings
+from nearfar._reduce.drawing import BOUNDARIES, Boundary, MorphKind, check_morph
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._reduce.stages import Divided
 from nearfar._scene.scene import Scene, core_of
@@ -21,17 +20,14 @@ from nearfar._scene.scene import Scene, core_of
 def reduce(
     scene: Scene | Divided,
     *,
-    center: ArrayLike,
-    r1: float,
-    r2: float,
-    face_size: int = 1024,
-    morph: str = "blend",
-    boundary: str = "r2",
-    unit: str = "triangle",
-    channels: Iterable[str] = ("color",),
-    samples: int = 4,
-    range_dtype: DTypeLike = np.float32,
-    backend: str | None = None,
+    center: ArrayLike | None = None,
+    r1: float | None = None,
+    r2: float | None = None,
+    morph: MorphKind = "blend",
+    boundary: Boundary = "r2",
+    unit: Unit = "triangle",
+    settings: MapSettings | None = None,
+    **keywords: Unpack[MapKeywords],
 ) -> ReducedScene:
     """Reduce a scene: near triangles stay geometry, far ones are baked into a cube map, and a morph joins the two.
 
@@ -40,15 +36,16 @@ def reduce(
     scene
         The scene, or a world that provides its own near part and map, such as an `OrthoTree` with geometry: leaves
         within r2 become the near part, and the map is drawn from views. That needs the unit "triangle", the channels
-        "color" and "range", and the CPU.
+        "color" and "range", the CPU, and centre and radii.
     center
         World position O in metres that the map is baked from: an eye's height above the ground, in the middle of the
-        users' area.
+        users' area. None chooses an open place near the middle of the scene, or in front of a scene that is a single
+        object.
     r1, r2
         Radii in metres about the vertical axis through O, 0 ≤ r1 < r2. Inside r1 nothing is moved; beyond r2 only the
-        map is visible; between the radii the morph interpolates.
-    face_size
-        Number of texels across each of the map's six faces, 1 to 16,384.
+        map is visible; between the radii the morph interpolates. None chooses a radius as `nearfar reduce` does: r2
+        from the distances of the surroundings, r1 by the shear of the ground (`choose_radii`). The result's `reason`
+        tells what was chosen and why.
     morph
         "blend" (Popescu et al. 2022) and "cylinder" (CloVR 2024, points keep their distance from the axis) are
         continuous. "none" is the conventional method, whose picture breaks at the end of the near part.
@@ -59,16 +56,10 @@ def reduce(
         "triangle": triangles within r2 are geometry, and pictures are split at r2. "object", as in CloVR: objects that
         reach inside r2 are geometry as a whole, also beyond r2, where they are drawn in the direction in which the
         centre sees them if nothing in the map is nearer; so the map has range. These objects are dynamic then.
-    channels
-        Channels of the map: "color" always, "range" and "object_id" if named. Scenes with moving objects always get
-        range, because it decides which of them far buildings hide.
-    samples
-        Number of colour samples of each texel, 1 to 1024.
-    range_dtype
-        Type of the map's range: float32, or float16, which halves memory and file and has an error of at most 2⁻¹¹ of
-        the range.
-    backend
-        Backend that bakes the map: "cpu", "gpu", "auto" or None, as in `render`.
+    settings
+        Size, samples, channels and backend of the map, as `MapSettings`.
+    keywords
+        Fields of `settings`, which they replace: `face_size`, `samples`, `channels`, `range_dtype`, `backend`.
 
     Returns
     -------
@@ -86,28 +77,22 @@ def reduce(
     ----------
     Popescu, Lee, Choi, Fahmy (2022): Eq. 1–3 and figure 1. "cylinder" is Alg. 1 of CloVR (2024).
     """
-    if not isinstance(scene, Divided):
-        core_of(scene)
+    is_whole = not isinstance(scene, Divided)
     check.choice("unit", unit, UNITS)
-    check_morph(morph, check.choice("boundary", boundary, ("r1", "r2")))
-    baking = Baking.check_settings(face_size, samples, channels, backend, range_dtype)
-    zones: dict[str, Any] = {"center": center, "r1": r1, "r2": r2, "unit": unit}
+    check_morph(morph, check.choice("boundary", boundary, BOUNDARIES))
+    reason = ""
     if isinstance(scene, Divided):
+        kind = type(scene).__name__
         if unit != "triangle":
-            raise ValueError(f"unit: expected triangle for {type(scene).__name__}, got {unit}")
-        if backend not in (None, "cpu"):
-            raise ValueError(f"backend: expected cpu for {type(scene).__name__}, got {backend}")
-        parts = stages.divided(
-            scene,
-            center=center,
-            r1=r1,
-            r2=r2,
-            boundary=boundary,
-            size=baking.face_size,
-            samples=baking.samples,
-            channels=baking.channels,
-            half=baking.half,
-        )
-        return ReducedScene(**parts, morph=morph, boundary=boundary, baking=baking, is_whole=False)
-    parts = stages.parts(scene, **zones, boundary=boundary, **baking.arguments(scene))
-    return ReducedScene(**parts, morph=morph, boundary=boundary, baking=baking)
+            raise ValueError(f"unit: expected triangle for {kind}, got {unit}")
+        for name, value in (("center", center), ("r1", r1), ("r2", r2)):
+            if value is None:
+                raise ValueError(f"{name}: expected metres for {kind}, got None, which is chosen for a Scene only")
+    else:
+        core_of(scene)
+    baking = gather(MapSettings, settings, keywords)
+    if isinstance(scene, Scene) and (center is None or r1 is None or r2 is None):
+        center, r1, r2, reason = default_radii.complete(scene, center, r1, r2)
+    place: dict[str, Any] = {"center": center, "r1": r1, "r2": r2, "boundary": boundary, "baking": baking}
+    parts = stages.divided(scene, **place) if isinstance(scene, Divided) else stages.parts(scene, unit=unit, **place)
+    return ReducedScene(**parts, morph=morph, boundary=boundary, baking=baking, is_whole=is_whole)._with_reason(reason)

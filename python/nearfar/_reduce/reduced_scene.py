@@ -6,7 +6,7 @@ import copy
 import os
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,8 +17,17 @@ from nearfar._cubemap import envmap
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._partition.partition import Partition, partition
 from nearfar._reduce import folder, stages
-from nearfar._reduce.baking import Baking
-from nearfar._reduce.drawing import Drawing, check_morph, morphed, rows_of
+from nearfar._reduce.baking import MapSettings
+from nearfar._reduce.drawing import (
+    BOUNDARIES,
+    Boundary,
+    MorphKind,
+    MorphSettings,
+    check_morph,
+    grow_radii,
+    morphed,
+    rows_of,
+)
 from nearfar._reduce.notebook import InNotebooks
 from nearfar._reduce.pictures import InPictures
 from nearfar._reduce.walk.recentering import Recenters
@@ -39,24 +48,25 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         zones: Partition,
         env: EnvMap | None,
         *,
-        morph: str,
-        boundary: str,
+        morph: MorphKind,
+        boundary: Boundary,
         counts: dict[str, int],
         is_whole: bool = True,
-        baking: Baking | None = None,
+        baking: MapSettings | None = None,
     ) -> None:
         self._scene = check.instance("scene", scene, Scene)
         self._partition, self._env = check.instance("zones", zones, Partition), env
         if env is not None:
             check.instance("env", env, EnvMap, "an EnvMap")
-        check_morph(morph, check.choice("boundary", boundary, ("r1", "r2")))
+        check_morph(morph, check.choice("boundary", boundary, BOUNDARIES))
         check.instance("counts", counts, dict)
         is_whole = check.flag("is_whole", is_whole)
         self._morph, self._boundary, self._counts, self._is_whole = morph, boundary, counts, is_whole
         self._unposed, self._poses = scene, dict[str, ArrayLike]()
-        self._drawing = Drawing()
+        self._drawing = MorphSettings()
+        self._reason = ""
         self._has_warned = [False]
-        self._baking = Baking() if baking is None else check.instance("baking", baking, Baking)
+        self._baking = MapSettings() if baking is None else check.instance("baking", baking, MapSettings)
         self._at_levels: tuple[NDArray[np.int64], ReducedScene] | None = None
         radius = zones.r1 if boundary == "r1" else zones.r2
         channels = {} if env is None else {name: rows_of(getattr(env, name)) for name in env.channels}
@@ -95,9 +105,18 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         return self._partition.r2
 
     @property
-    def morph(self) -> str:
+    def morph(self) -> MorphKind:
         """Name of the morph that joins near and far part: "blend", "cylinder" or "none"."""
         return self._morph
+
+    @property
+    def reason(self) -> str:
+        """Centre and radii that `reduce` chose, and why, in words; empty if the caller set them."""
+        return self._reason
+
+    def _with_reason(self, reason: str) -> Self:
+        self._reason = reason
+        return self
 
     @property
     def stats(self) -> dict[str, Any]:
@@ -176,11 +195,11 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         leveled = self._scene.leveled
         if leveled is None or self._morph == "none":
             return leveled
-        grown = self._drawing.grown(self.r1, self.r2)
+        grown = grow_radii(self._drawing, self.r1, self.r2)
         return morphed(leveled, user, center=self.center, kind=self._morph, grown=grown)
 
     def _copy_with(
-        self, scene: Scene, zones: Partition, counts: dict[str, int], *, morph: str | None = None
+        self, scene: Scene, zones: Partition, counts: dict[str, int], *, morph: MorphKind | None = None
     ) -> ReducedScene:
         """Copy with the same map and other near geometry or another morph."""
         reduced = ReducedScene(
@@ -193,9 +212,9 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
             is_whole=self._is_whole,
             baking=self._baking,
         )
-        return reduced._drawn_by(self._drawing)
+        return reduced._drawn_by(self._drawing)._with_reason(self._reason)
 
-    def with_morph(self, morph: str) -> ReducedScene:
+    def with_morph(self, morph: MorphKind) -> ReducedScene:
         """Return the same near part and the same map with another morph, without baking again.
 
         Parameters
@@ -230,7 +249,7 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         counts = zones.summary()
         # Triangles beyond r2 are those of the bake, even if only the near part was loaded.
         inner = {name: counts[name] for name in ("near", "intermediate", "nsf_at_r1")}
-        changed = self._copy_with(zones.scene, zones, self._counts | inner)
+        changed = self._copy_with(zones.scene, zones, self._counts | inner)._with_reason("")
         return changed.at(self._poses) if self._poses else changed
 
     def with_growth(self, radius: float | None = None, strength: float = 1.0) -> ReducedScene:
@@ -250,7 +269,7 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         ValueError, TypeError
             A radius below 0, or a strength outside 0 to 1.
         """
-        return self._drawn_by(replace(self._drawing, radius=radius, strength=strength))
+        return self._drawn_by(replace(self._drawing, radius=radius, strength=check.number("strength", strength)))
 
     def save(self, path: str | os.PathLike[str], *, half: bool = True) -> None:
         """Write a folder of files that other programs can read, atomically.
@@ -310,20 +329,19 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         """The scene before near objects became dynamic."""
         return self._partition.source if self._partition.unit == "object" else self._unposed
 
-    def _again(self, baking: Baking, **changed: Any) -> ReducedScene:
+    def _again(self, baking: MapSettings, **changed: Any) -> ReducedScene:
         """Reduce the scene again in the same pose, about another `center` or with another `r1` and `r2`."""
         place: dict[str, Any] = {"center": self.center, "r1": self.r1, "r2": self.r2, **changed}
         source = self._undivided
-        parts = stages.parts(
-            source, **place, unit=self._partition.unit, boundary=self._boundary, **baking.arguments(source)
-        )
+        parts = stages.parts(source, **place, unit=self._partition.unit, boundary=self._boundary, baking=baking)
         again = ReducedScene(**parts, morph=self._morph, boundary=self._boundary, baking=baking)
         again = again._drawn_by(self._drawing)
         return again.at(self._poses) if self._poses else again
 
     def __repr__(self) -> str:
         stats = self.stats
+        chosen = ", chosen by reduce" if self._reason else ""
         return (
-            f"ReducedScene({self._morph!r}, r1={self.r1:g}, r2={self.r2:g}: {stats['drawn']:,} of "
+            f"ReducedScene({self._morph!r}, r1={self.r1:g}, r2={self.r2:g}{chosen}: {stats['drawn']:,} of "
             f"{stats['triangles']:,} triangles, map of {stats['map_bytes']:,} bytes)"
         )

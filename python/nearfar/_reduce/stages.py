@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Collection
 from dataclasses import replace
-from typing import TypedDict
+from typing import TypedDict, Unpack
 
-import numpy as np
 from numpy.typing import ArrayLike
 
-from nearfar import _core
-from nearfar._cubemap.envmap import EnvMap, to_half
-from nearfar._partition.partition import Partition, partition
+from nearfar._cubemap.envmap import EnvMap
+from nearfar._partition.partition import Partition, Unit, partition
 from nearfar._reduce import folder
+from nearfar._reduce.baking import MapKeywords, MapSettings, bake_arguments, require_cpu
+from nearfar._reduce.drawing import Boundary
 from nearfar._render.bake import bake
 from nearfar._scene.scene import Scene
 
@@ -27,7 +26,12 @@ class Divided(ABC):
 
     @abstractmethod
     def far_map(
-        self, center: ArrayLike, radius: float, *, face_size: int, samples: int, channels: Collection[str]
+        self,
+        center: ArrayLike,
+        radius: float,
+        *,
+        settings: MapSettings | None = None,
+        **keywords: Unpack[MapKeywords],
     ) -> EnvMap:
         """Draw the map of the geometry beyond the radius."""
 
@@ -47,13 +51,9 @@ def parts(
     center: ArrayLike,
     r1: float,
     r2: float,
-    unit: str,
-    boundary: str,
-    size: int,
-    samples: int,
-    channels: Collection[str],
-    half: bool = False,
-    device: _core.GpuDevice | None = None,
+    unit: Unit,
+    boundary: Boundary,
+    baking: MapSettings,
 ) -> Parts:
     """Partition a scene and bake the part beyond; arguments as in `reduce`, already checked."""
     zones = partition(scene, center=center, r1=r1, r2=r2, unit=unit)
@@ -61,9 +61,7 @@ def parts(
     rays = 0
     if zones.summary()["sf"] > 0 or boundary == "r1":
         radius = zones.r1 if boundary == "r1" else zones.r2
-        env, rays = bake(
-            zones.scene, zones.center, radius, size=size, samples=samples, channels=channels, half=half, device=device
-        )
+        env, rays = bake(zones.scene, zones.center, radius, **bake_arguments(baking, scene))
     return _parts(zones, env, rays)
 
 
@@ -73,24 +71,20 @@ def divided(
     center: ArrayLike,
     r1: float,
     r2: float,
-    boundary: str,
-    size: int,
-    samples: int,
-    channels: Collection[str],
-    half: bool = False,
+    boundary: Boundary,
+    baking: MapSettings,
 ) -> Parts:
     """Like `parts`, for a world that provides its parts itself."""
+    require_cpu(baking, type(world).__name__)
     scene = world.near_scene(center, r2)
     if scene is None:
         raise ValueError(f"center: expected geometry within r2 = {r2:g} m, found none")
     zones = partition(scene, center=center, r1=r1, r2=r2, unit="triangle")
     moves = scene._core.triangle_count > scene._core.standing_triangle_count
-    named = {*channels, "range"} if moves else {*channels}
+    if moves:
+        baking = replace(baking, channels=(*baking.channels, "range"))
     radius = zones.r1 if boundary == "r1" else zones.r2
-    env = world.far_map(zones.center, radius, face_size=size, samples=samples, channels=named)
-    if half and env.range is not None:
-        env = replace(env, range=to_half(np.asarray(env.range)))
-    return _parts(zones, env, 0)
+    return _parts(zones, world.far_map(zones.center, radius, settings=baking), 0)
 
 
 def _parts(zones: Partition, env: EnvMap | None, rays: int) -> Parts:

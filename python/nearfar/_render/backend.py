@@ -9,13 +9,15 @@ import platform
 import weakref
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Literal, get_args
 
 from nearfar import _core
 from nearfar._base import check as checks
 from nearfar._base.errors import DeviceError
 
-BACKENDS = ("auto", "cpu", "gpu")
-"""Names of back ends; see `device_for`."""
+Backend = Literal["auto", "cpu", "gpu"]
+"""Name of a back end; see `device_for`."""
+BACKENDS: tuple[Backend, ...] = get_args(Backend)
 VARIABLE = "NEARFAR_ADAPTER"
 """Environment variable that names an adapter."""
 
@@ -35,7 +37,7 @@ _faster: weakref.WeakKeyDictionary[object, dict[tuple[str, Work], bool]] = weakr
 """For each source, whether an adapter was faster than the CPU, by the adapter's label and the kind of work."""
 
 
-def check(backend: str | None) -> str:
+def check(backend: str | None) -> Backend:
     """Return a backend's name, "auto" for None; TypeError or ValueError for unknown ones."""
     return "auto" if backend is None else checks.choice("backend", backend, BACKENDS)
 

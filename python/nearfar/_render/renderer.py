@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from numpy.typing import ArrayLike
@@ -11,14 +10,14 @@ from numpy.typing import ArrayLike
 from nearfar import _core
 from nearfar._base import check, memory, progress
 from nearfar._camera.camera import Camera
-from nearfar._camera.clip import Clip
-from nearfar._camera.shot import MAX_SAMPLES, Shot
+from nearfar._camera.shot import Shot
 from nearfar._render import backend as backends
 from nearfar._render.channels import BYTES, channel_names
 from nearfar._render.frame import Frame
-from nearfar._render.level_choice import LevelChoice, Lod
+from nearfar._render.level_choice import LevelChoice
 from nearfar._render.motion import Sight, motion
 from nearfar._render.renderable import Images, Job, Renderable, Report, check_renderable
+from nearfar._render.settings import RenderSettings
 from nearfar._scene.levels import Shown
 
 NEEDED_BY_MOTION = ("position", "object_id")
@@ -87,17 +86,14 @@ class Renderer:
     def __init__(
         self,
         source: Renderable,
-        channels: Iterable[str] | None,
-        samples: int,
-        lod: Lod | None = None,
+        settings: RenderSettings,
         *,
         argument: str = "source",
     ) -> None:
         check_renderable(argument, source)
-        self.source, self._argument = source, argument
-        self.samples = check.integer("samples", samples, 1, MAX_SAMPLES)
-        self.channels = channel_names(source.default_channels if channels is None else channels)
-        self._choice = None if lod is None else LevelChoice(source, lod)
+        self.source, self.settings, self._argument = source, settings, argument
+        self.channels = channel_names(source.default_channels if settings.channels is None else settings.channels)
+        self._choice = None if settings.lod is None else LevelChoice(source, settings.lod)
 
     @property
     def drawn_channels(self) -> tuple[str, ...]:
@@ -110,16 +106,9 @@ class Renderer:
     @property
     def work(self) -> backends.Work:
         """Kind of work: channels and samples."""
-        return self.drawn_channels, self.samples
+        return self.drawn_channels, self.settings.samples
 
-    def shot(
-        self,
-        cameras: Sequence[Camera],
-        user: ArrayLike | None = None,
-        t_min: float = 0.0,
-        t_max: float = math.inf,
-        clip: Clip | None = None,
-    ) -> Shot:
+    def shot(self, cameras: Sequence[Camera], user: ArrayLike | None = None) -> Shot:
         """Check the arguments and make a shot of them."""
         for camera in cameras:
             check.instance("camera", camera, Camera)
@@ -128,22 +117,14 @@ class Renderer:
         what = f"a picture of {sizes} pixels" if len(cameras) == 1 else f"{len(cameras)} pictures of {sizes} pixels"
         memory.check_room("camera", what, pixels * sum(BYTES[name] for name in self.channels))
         place = None if user is None else check.vector("user", user)
-        return Shot(
-            cameras=tuple(cameras),
-            channels=self.drawn_channels,
-            samples=self.samples,
-            user=place,
-            t_min=t_min,
-            t_max=t_max,
-            clip=clip,
-        )
+        return Shot(cameras=tuple(cameras), channels=self.drawn_channels, user=place, **self.settings.sampling)
 
-    def device(self, backend: str | None, measured: object | None = None) -> _core.GpuDevice | None:
+    def device(self, measured: object | None = None) -> _core.GpuDevice | None:
         """Choose a device as `backend.device_for` does; "auto" chooses the CPU if no adapter can draw the source.
 
         `measured` is the object that measurements belong to; by default the source.
         """
-        known = check.texts(f"{self._argument}.backends", self.source.backends)
+        known, backend = check.texts(f"{self._argument}.backends", self.source.backends), self.settings.backend
         if "gpu" not in known and backends.check(backend) == "auto":
             return None
         return backends.device_for(backend, self.source if measured is None else measured, self.work)

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import repeat
+from typing import Unpack
 
 from numpy.typing import ArrayLike
 
 from nearfar import _core
 from nearfar._base import check
+from nearfar._base.settings import gather
 from nearfar._camera.camera import Camera
 from nearfar._render.frame import Frame
-from nearfar._render.level_choice import Lod
 from nearfar._render.renderable import Job, Renderable
 from nearfar._render.renderer import Renderer, View, posed_at
+from nearfar._render.settings import RenderKeywords, RenderSettings
 
 Pose = Mapping[str, ArrayLike]
 
@@ -26,31 +28,27 @@ def render_path(
     cameras: Iterable[Camera],
     *,
     at: Pose | Iterable[Pose] | None = None,
-    channels: Iterable[str] | None = None,
-    samples: int = 1,
-    lod: Lod | None = None,
-    backend: str | None = None,
+    settings: RenderSettings | None = None,
+    **keywords: Unpack[RenderKeywords],
 ) -> Iterator[Frame]:
     """Render a scene, a reduced scene or another renderable from successive cameras.
 
     Parameters
     ----------
     source
-        Scene, reduced scene or other renderable. A reduced scene is drawn with the default settings of
-        `ReducedScene.render`.
+        Scene, reduced scene or other renderable. A reduced scene is drawn with the default
+        `MorphSettings`.
     cameras
         Any number of views, of any sizes. On a graphics adapter, the next camera is taken from the iterable before the
         present frame is yielded.
     at
         Poses of dynamic objects, as `Scene.at` takes them: one mapping for all views, or one for each view.
-    channels
-        Images to compute; by default the source's `default_channels`. "motion" is relative to the previous frame, 0 in
-        the first one.
-    samples, backend
-        As in `render`.
-    lod
-        As in `render`, for scenes and reduced scenes whose objects have levels. One selector chooses for all views in
-        order and knows the levels of the previous view, so that hysteresis works.
+    settings
+        Samples, channels, limits, backend and levels, as `RenderSettings`. The channel "motion" is relative to the
+        previous frame, 0 in the first one. One selector of levels chooses for all views in order and knows the levels
+        of the previous view, so that hysteresis works.
+    keywords
+        Fields of `settings`, which they replace.
 
     Yields
     ------
@@ -69,12 +67,12 @@ def render_path(
     poses: Iterable[Pose | None] = repeat(None)
     if at is not None and not isinstance(at, Mapping):
         poses = check.iterable("at", at, "matrices by name, or one such mapping for each camera")
-    renderer = Renderer(source, channels, samples, lod)
+    renderer = Renderer(source, gather(RenderSettings, settings, keywords))
     _check_sequences(cameras, poses)
     if isinstance(at, Mapping):
         renderer.source = posed_at(source, at)
     views = _views(renderer, cameras, iter(poses))
-    device = renderer.device(backend, source)
+    device = renderer.device(source)
     return (frame for view in views for frame in view.trace()) if device is None else _pipelined_frames(device, views)
 
 

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
+from typing import Unpack
 
 from numpy.typing import ArrayLike
 
 from nearfar._base import check
+from nearfar._base.settings import gather
 from nearfar._camera.camera import Camera
-from nearfar._camera.clip import Clip
 from nearfar._render.frame import Frame
-from nearfar._render.level_choice import Lod
 from nearfar._render.renderable import Renderable
 from nearfar._render.renderer import Renderer, View, posed_at
+from nearfar._render.settings import RenderKeywords, RenderSettings
 
 
 def render(
@@ -24,18 +24,13 @@ def render(
     user: ArrayLike | None = None,
     before: Camera | None = None,
     before_at: Mapping[str, ArrayLike] | None = None,
-    t_min: float = 0.0,
-    t_max: float = math.inf,
-    clip: Clip | None = None,
-    samples: int = 1,
-    channels: Iterable[str] | None = None,
-    lod: Lod | None = None,
-    backend: str | None = None,
+    settings: RenderSettings | None = None,
+    **keywords: Unpack[RenderKeywords],
 ) -> Frame:
     """Render a scene or any other `Renderable`.
 
     Every pixel of a scene is exact; only `lod` simplifies objects. A reduced scene is rendered with the default
-    settings of `ReducedScene.render`.
+    `MorphSettings`.
 
     Parameters
     ----------
@@ -51,29 +46,10 @@ def render(
     before, before_at
         Camera of an earlier frame, of the same size, and its poses of dynamic objects, for the channel "motion"; by
         default the scene's present poses.
-    t_min, t_max
-        Limits in metres along each pixel's ray, for parallel rays from the image plane; surfaces nearer than `t_min` or
-        farther than `t_max` are not drawn. For reduced scenes see `ReducedScene.render`.
-    clip
-        Planes and a box; nothing outside them is drawn.
-    samples
-        Number of colour samples of each pixel, spread evenly over its square, 1 to 1024. Coverage counts them
-        too; all other images are sampled once, at the pixel's centre.
-    channels
-        Images to compute, from "color", "range", "object_id", "face_id", "position", "normal", "albedo",
-        "shading_normal", "coverage" and "motion"; see `Frame`. The default is colour, range and object_id for a scene,
-        and the channels of its map for a reduced scene.
-    lod
-        Level of detail of objects with levels (`Scene.with_levels`). None draws level 0. The names "off", "depth",
-        "depth+eccentricity" and "fovea" are modes of `nearfar.lod.select` with default settings and no lens. A
-        `nearfar.lod.Selector` (which may have a lens), or a function with the arguments of `select` that returns
-        levels, chooses for this camera; objects that it reports as out of view are not drawn. Levels may also be given
-        as for `Scene.at_levels`. Each object is drawn at one level; engines may fade between two levels.
-    backend
-        "cpu" traces rays. "gpu" draws with the graphics adapter that `nearfar.gpu.select` or NEARFAR_ADAPTER names, or
-        the best one. "auto" uses that adapter if it is hardware, or if it was measured to be faster for such pictures
-        of this scene (`nearfar.gpu.measure`); otherwise it traces rays and logs the reason, once on a machine. None
-        chooses as "auto" does, and logs nothing unless an adapter was named.
+    settings
+        Samples, channels, limits, backend and levels of detail, as `RenderSettings`.
+    keywords
+        Fields of `settings`, which they replace: `samples`, `t_min`, `t_max`, `clip`, `channels`, `backend`, `lod`.
 
     Returns
     -------
@@ -101,9 +77,9 @@ def render(
     sun and n the triangle's normal or, if its mesh has vertex normals, the interpolated one (Phong 1975), on the
     viewer's side of the triangle.
     """
-    renderer = Renderer(scene, channels, samples, lod, argument="scene")
-    shot = renderer.shot([camera], user, t_min, t_max, clip)
-    (frame,) = renderer.frames(shot, at, renderer.device(backend), _earlier(renderer, camera, before, before_at))
+    renderer = Renderer(scene, gather(RenderSettings, settings, keywords), argument="scene")
+    shot = renderer.shot([camera], user)
+    (frame,) = renderer.frames(shot, at, renderer.device(), _earlier(renderer, camera, before, before_at))
     return frame
 
 

@@ -54,7 +54,7 @@ def bake(
         samples=samples,
         channels=channels,
         morph="none",
-        backend=backend,
+        backend=options.check_backend(backend),
     )
     seconds = time.perf_counter() - started
     if reduced.env is None:

@@ -92,7 +92,7 @@ def lod(
     as_json: options.Json = False,
 ) -> None:
     """Simplify an object, measure the SSIM of each level over its size, and write the model with sizes to switch at."""
-    options.check_backend(backend)
+    renderer = options.check_backend(backend)
     check_target(output, ".glb", ".json")
     device = options.headset(pictures.hmd)
     loaded = open_scene(scene, file.loading)
@@ -100,7 +100,7 @@ def lod(
     levels = simplifier.simplify(loaded, Path(scene.partition(":")[0]).stem)
     simplified = time.perf_counter()
     asked = asdict(pictures) | {"hmd": device}
-    model = nf.lod.measure(levels, backend=backend, **asked)
+    model = nf.lod.measure(levels, backend=renderer, **asked)
     seconds = {"simplify": simplified - started, "measure": time.perf_counter() - simplified}
     threshold: dict[str, Any] = {"k": switching.k, "d": switching.d, "threshold": switching.threshold}
     model.export(output, view=device, all_levels=switching.all_levels, **threshold)

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, Literal
 
 import nearfar as nf
 from nearfar._camera.density import with_density
 from nearfar.cli._output import Clock
 
-METHODS = {"conventional": "none", "continuous": "blend"}
+Morph = Literal["blend", "cylinder", "none"]
+
+METHODS: dict[str, Morph] = {"conventional": "none", "continuous": "blend"}
 """Morph of each method by name."""
 
 DENSITY = 20.0
@@ -28,7 +30,7 @@ class Rendered:
     """Positions of both methods at `DENSITY`, if requested."""
 
 
-def morph_of(method: str, saved: nf.ReducedScene | None) -> str:
+def morph_of(method: str, saved: nf.ReducedScene | None) -> Morph:
     """Return the morph of a method; a saved scene keeps its continuous one."""
     continues = method == "continuous" and saved is not None and saved.morph != "none"
     return saved.morph if saved is not None and continues else METHODS[method]

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 import typer
 
@@ -76,6 +76,9 @@ FaceSize = Annotated[
     int | None, option("--face-size", "TEXELS", f"Texels across a face of the cube map. By default {FACE_SIZE}.")
 ]
 Samples = Annotated[int, option("--samples", "N", "Colour samples of each pixel.")]
+BACKENDS: tuple[Literal["auto", "cpu", "gpu"], ...] = ("auto", "cpu", "gpu")
+"""Names of back ends."""
+
 Backend = Annotated[
     str | None,
     option("--backend", "auto|cpu|gpu", "Renderer; `nearfar info --gpu` lists the graphics adapters. By default auto."),
@@ -185,10 +188,9 @@ class RingOptions(Options):
         return FACE_SIZE if self.face_size is None else self.face_size
 
 
-def check_backend(text: str | None) -> None:
-    """Reject unknown back ends before the work starts."""
-    if text is not None:
-        check.choice("--backend", text, ("auto", "cpu", "gpu"))
+def check_backend(text: str | None) -> Literal["auto", "cpu", "gpu"] | None:
+    """Return a back end; reject unknown ones before the work starts."""
+    return None if text is None else check.choice("--backend", text, BACKENDS)
 
 
 def headset(text: str) -> nf.Hmd:

@@ -155,7 +155,7 @@ def render(
                 r2=outer,
                 face_size=zones.texels,
                 morph=METHODS[method],
-                backend=backend,
+                backend=options.check_backend(backend),
             )
         else:
             reduced = saved.with_morph(morph_of(method, saved))

@@ -95,9 +95,12 @@ def stereo(
     as_json: options.Json = False,
 ) -> None:
     """Render near geometry for each eye of a headset and all else once, and compare with plain stereo."""
-    options.check_backend(backend)
-    check.choice("--assembly", assembly, ("bilinear", "resolved"))
-    check.choice("--cull", cull, ("frustum", "discard", "occlusion"))
+    renderer = options.check_backend(backend)
+    looks: dict[str, Any] = {
+        "assembly": check.choice("--assembly", assembly, ("bilinear", "resolved")),
+        "cull": check.choice("--cull", cull, ("frustum", "discard", "occlusion")),
+        "near": NEAR,
+    }
     device, clock, head, aim = options.headset(rig.hmd), Clock(), view.head, view.aim
     pixels = _headset.pixels_of(view.size, device)
     made = rig.make(device, pixels)
@@ -114,12 +117,10 @@ def stereo(
             stand = _source.view_of(scene) if is_reduced(scene) and (view.head, aim) == (None, None) else None
         where, towards = (place.eye, aim or place.target) if stand is None else (stand.user, stand.target)
         way = nf.Camera.look_at(where, towards, fov=made.center_fov, size=(1, 1)).orientation
-        settings: dict[str, Any] = {"samples": view.samples, "channels": ("color",), "backend": backend}
+        settings: dict[str, Any] = {"samples": view.samples, "channels": ("color",), "backend": renderer}
         # The first picture builds the scene's trees, which both methods need; it is not timed.
-        nf.render(source, nf.Camera(where, way, fov=made.center_fov, size=(8, 8)), channels=("color",), backend=backend)
-        hybrid, hybrid_seconds = _timed(
-            lambda: made.render(source, where, way, assembly=assembly, cull=cull, near=NEAR, **settings)
-        )
+        nf.render(source, nf.Camera(where, way, fov=made.center_fov, size=(8, 8)), **settings | {"samples": 1})
+        hybrid, hybrid_seconds = _timed(lambda: made.render(source, where, way, **looks, **settings))
         ahead = made.clip(where, way, near=NEAR)
         plain, plain_seconds = _timed(
             lambda: nf.render_eyes(source, device, where, orientation=way, size=pixels, clip=ahead, **settings)

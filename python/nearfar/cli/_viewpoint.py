@@ -37,10 +37,9 @@ class Stand:
 
 def choose(scene: nf.Scene, source: str, eye: Point | None = None) -> Viewpoint:
     """Choose a viewpoint: at `eye` if set, else the view of a procedural scene, else an open place of the scene."""
-    if eye is not None:
-        return viewpoint.facing_open(scene, eye)
     name = source.partition(":")[0]
-    return viewpoint.facing(*KNOWN[name]()) if name in KNOWN else viewpoint.find(scene)
+    is_known = eye is None and name in KNOWN
+    return viewpoint.facing(*KNOWN[name]()) if is_known else default_radii.find_place(scene, eye)
 
 
 def stand(

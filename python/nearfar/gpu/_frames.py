@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Unpack
 
 from numpy.typing import ArrayLike
 
 from nearfar import _core
 from nearfar._base import check, progress
+from nearfar._base.settings import gather
 from nearfar._camera.camera import Camera
 from nearfar._render import backend as backends
 from nearfar._render.channels import CHANNELS, missing
 from nearfar._render.frame import Frame
 from nearfar._render.renderable import Renderable
 from nearfar._render.renderer import Renderer
+from nearfar._render.settings import RenderKeywords, RenderSettings
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -53,8 +56,8 @@ def render(
     camera: Camera,
     *,
     at: Mapping[str, ArrayLike] | None = None,
-    channels: Iterable[str] | None = None,
-    samples: int = 1,
+    settings: RenderSettings | None = None,
+    **keywords: Unpack[RenderKeywords],
 ) -> DeviceFrame:
     """Draw a picture on the graphics device and leave it there.
 
@@ -62,10 +65,12 @@ def render(
     ----------
     source
         A scene, or a reduced scene, which is drawn with the default settings of `ReducedScene.render`.
-    camera, at, samples
+    camera, at
         As in `nearfar.render`.
-    channels
-        Images to compute; by default the source's `default_channels`.
+    settings
+        Samples, channels, limits and levels, as `nearfar.RenderSettings`; the backend is always "gpu".
+    keywords
+        Fields of `settings`, which they replace.
 
     Returns
     -------
@@ -79,7 +84,10 @@ def render(
     DeviceError
         If no adapter can be used.
     """
-    renderer = Renderer(source, channels, samples)
+    chosen = gather(RenderSettings, settings, keywords)
+    if chosen.backend == "cpu":
+        raise ValueError("backend: expected 'gpu' or None for a picture that stays on the device, got 'cpu'")
+    renderer = Renderer(source, chosen)
     shot, device = renderer.shot([camera]), backends.open_device()
     device.check_whole(camera._core, list(renderer.channels))
     view = renderer.view(shot, at)

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check, progress
 from nearfar._camera.camera import Camera
-from nearfar._metrics.discontinuity import truth_view
+from nearfar._metrics.discontinuity import EPSILON, truth_view
 from nearfar._metrics.result import Similarity
 from nearfar._morph import kernel_arguments
 from nearfar._render import backend as backends
@@ -83,7 +83,7 @@ def discontinuity(
     frame: DeviceFrame,
     truth_camera: Camera | None = None,
     *,
-    epsilon: float = 17.0,
+    epsilon: float = EPSILON,
     min_distance: float = 1.0,
 ) -> NDArray[np.float32]:
     """Measure the discontinuity of a frame on the device, as `nearfar.discontinuity` does for a frame read back.

@@ -3,19 +3,25 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterable
+from typing import Unpack
 
+from nearfar._base.settings import gather
 from nearfar._camera.camera import Camera
 from nearfar._render import backend as backends
 from nearfar._render.renderable import Renderable
 from nearfar._render.renderer import Renderer
+from nearfar._render.settings import RenderKeywords, RenderSettings, require_defaults
 
 ROUNDS = 3
 """Number of timed pictures, after one that is not timed."""
 
 
 def measure(
-    source: Renderable, camera: Camera, *, channels: Iterable[str] | None = None, samples: int = 1
+    source: Renderable,
+    camera: Camera,
+    *,
+    settings: RenderSettings | None = None,
+    **keywords: Unpack[RenderKeywords],
 ) -> dict[str, float]:
     """Time a picture on the CPU and on the selected adapter; from then on "auto" uses the faster one.
 
@@ -26,10 +32,10 @@ def measure(
         same channels and samples; scenes derived from it have to be measured separately.
     camera
         A typical view, of the size of later pictures.
-    channels
-        Images to compute; by default the source's `default_channels`.
-    samples
-        Number of colour samples of each pixel.
+    settings
+        Samples, channels, limits and levels, as `nearfar.RenderSettings`; the backend stays None.
+    keywords
+        Fields of `settings`, which they replace.
 
     Returns
     -------
@@ -44,15 +50,16 @@ def measure(
     DeviceError
         If no adapter can be used.
     """
-    renderer = Renderer(source, channels, samples)
+    chosen = gather(RenderSettings, settings, keywords)
+    require_defaults(chosen, "nearfar.gpu.measure", "backend")
+    renderer, device = Renderer(source, chosen), backends.open_device()
     shot = renderer.shot([camera])
-    label = backends.open_device().label
     timings: dict[str, list[float]] = {"cpu": [], "gpu": []}
     for _ in range(ROUNDS + 1):
         for backend, seconds in timings.items():
             started = time.perf_counter()
-            renderer.frames(shot, None, renderer.device(backend))
+            renderer.frames(shot, None, device if backend == "gpu" else None)
             seconds.append(time.perf_counter() - started)
     least = {backend: min(seconds[1:]) for backend, seconds in timings.items()}
-    backends.remember(source, renderer.work, label, least["gpu"] < least["cpu"])
+    backends.remember(source, renderer.work, device.label, least["gpu"] < least["cpu"])
     return least

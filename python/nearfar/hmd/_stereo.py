@@ -2,27 +2,27 @@
 
 from __future__ import annotations
 
-import math
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
-from typing import Any
+from typing import Any, Literal, Unpack, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import card, check, files
-from nearfar._camera.clip import Clip
+from nearfar._base.settings import gather
 from nearfar._render.frame import Frame
-from nearfar._render.level_choice import Lod
 from nearfar._render.renderable import Renderable
 from nearfar._render.renderer import Renderer
+from nearfar._render.settings import RenderKeywords, RenderSettings
 from nearfar.hmd._hmd import EYES, Hmd
 
-USERS = ("eyes", "middle")
-"""Names of the users that `render_eyes` describes."""
+User = Literal["eyes", "middle"]
+"""Name of a user that `render_eyes` describes."""
+USERS: tuple[User, ...] = get_args(User)
 
 _LEFT_EYE = np.array(
     [[0.4561, 0.500484, 0.176381], [-0.0400822, -0.0378246, -0.0157589], [-0.0152161, -0.0205971, -0.00546856]]
@@ -163,14 +163,9 @@ def render_eyes(
     size: tuple[int, int] | None = None,
     scale: float | None = None,
     at: Mapping[str, ArrayLike] | None = None,
-    user: str | ArrayLike = "eyes",
-    t_min: float = 0.0,
-    t_max: float = math.inf,
-    clip: Clip | None = None,
-    samples: int = 1,
-    channels: Iterable[str] | None = None,
-    lod: Lod | None = None,
-    backend: str | None = None,
+    user: User | ArrayLike = "eyes",
+    settings: RenderSettings | None = None,
+    **keywords: Unpack[RenderKeywords],
 ) -> StereoFrame:
     """Render a scene, a reduced scene or another `Renderable` for both eyes of a headset.
 
@@ -197,10 +192,10 @@ def render_eyes(
         between the eyes for both, so that both eyes see the same morphed geometry; its pictures break at r2 by half the
         eyes' distance / r2 radians. A world position (3,) in metres is used for both eyes. A scene does not depend on
         it.
-    t_min, t_max, clip, samples, channels, backend
-        As in `render`.
-    lod
-        As in `render`. It chooses the levels once, for both eyes.
+    settings
+        Samples, channels, limits, backend and levels, as `RenderSettings`. Levels are chosen once, for both eyes.
+    keywords
+        Fields of `settings`, which they replace.
 
     Returns
     -------
@@ -216,10 +211,10 @@ def render_eyes(
     """
     check.instance("hmd", hmd, Hmd, "an Hmd such as nearfar.hmd.QUEST_2")
     pixels = _size(hmd, size, scale)
-    renderer = Renderer(source, channels, samples, lod)
+    renderer = Renderer(source, gather(RenderSettings, settings, keywords))
     cameras = [hmd.camera(eye, position, orientation, size=pixels) for eye in EYES]
-    shot = renderer.shot(cameras, _user(user, [camera.position for camera in cameras]), t_min, t_max, clip)
-    left, right = renderer.frames(shot, at, renderer.device(backend))
+    shot = renderer.shot(cameras, _user(user, [camera.position for camera in cameras]))
+    left, right = renderer.frames(shot, at, renderer.device())
     return StereoFrame(hmd, left, right)
 
 

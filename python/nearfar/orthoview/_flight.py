@@ -7,9 +7,9 @@ import math
 import threading
 import time as clock
 import warnings
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from types import TracebackType
-from typing import Self, SupportsFloat, SupportsIndex
+from typing import Self, SupportsFloat, SupportsIndex, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,11 +17,13 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check
 from nearfar._base.errors import DeviceError
+from nearfar._base.settings import gather
 from nearfar._camera.camera import Camera
 from nearfar._camera.shot import Shot
 from nearfar._render.frame import Frame
 from nearfar._render.renderable import Images, Renderable, Report
 from nearfar._render.renderer import Renderer
+from nearfar._render.settings import RenderKeywords, RenderSettings
 from nearfar._scene.scene import Scene
 from nearfar.orthoview._cut import Settings
 from nearfar.orthoview._loader import Loader
@@ -146,9 +148,8 @@ class Flight(Pictured):
         camera: Camera,
         *,
         time: SupportsFloat | None = None,
-        samples: int = 1,
-        channels: Iterable[str] | None = None,
-        backend: str | None = None,
+        settings: RenderSettings | None = None,
+        **keywords: Unpack[RenderKeywords],
     ) -> Frame:
         """Draw the data read so far, without waiting for more.
 
@@ -158,8 +159,11 @@ class Flight(Pictured):
             The view.
         time
             Seconds of any monotonic clock, for the viewer's speed; the computer's own by default.
-        samples, channels, backend
-            As in `OrthoTree.render`. Views that arrive later are uploaded to the adapter in the background.
+        settings
+            Samples, channels, limits and backend, as `nearfar.RenderSettings`. Views that arrive later are uploaded to
+            the adapter in the background.
+        keywords
+            Fields of `settings`, which they replace.
 
         Returns
         -------
@@ -173,9 +177,9 @@ class Flight(Pictured):
             As in `OrthoTree.render`.
         """
         now = None if time is None else check.number("time", time)
-        renderer = Renderer(_Moment(self, now, self._movers), channels, samples, argument="flight")
-        shot = renderer.shot([camera], None, 0.0, math.inf, None)
-        (frame,) = renderer.frames(shot, None, renderer.device(backend, self))
+        chosen = gather(RenderSettings, settings, keywords)
+        renderer = Renderer(_Moment(self, now, self._movers), chosen, argument="flight")
+        (frame,) = renderer.frames(renderer.shot([camera]), None, renderer.device(self))
         return frame
 
     def at(self, poses: Mapping[str, ArrayLike]) -> Renderable:  # type: ignore[override]

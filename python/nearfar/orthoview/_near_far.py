@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Collection
 from dataclasses import dataclass
-from typing import Any, SupportsFloat, SupportsIndex
+from typing import Any, SupportsFloat, SupportsIndex, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import check
+from nearfar._base.settings import gather
 from nearfar._camera.camera import Camera, CubeFace
 from nearfar._camera.shot import Shot
-from nearfar._cubemap.envmap import EnvMap
+from nearfar._cubemap.envmap import EnvMap, to_half
+from nearfar._reduce.baking import MapKeywords, MapSettings, require_cpu
 from nearfar._reduce.stages import Divided
 from nearfar._render.bake import bake
 from nearfar._scene.joined import join_scenes
@@ -93,11 +94,10 @@ class NearFarTree(FlownTree, Divided):
         center: ArrayLike,
         radius: SupportsFloat,
         *,
-        face_size: SupportsIndex = 1024,
-        samples: SupportsIndex = 4,
-        channels: Collection[str] = ("color",),
         views: SupportsIndex = 3,
         error_px: SupportsFloat = 1.0,
+        settings: MapSettings | None = None,
+        **keywords: Unpack[MapKeywords],
     ) -> EnvMap:
         """Render an environment map of the world beyond a radius of the vertical axis through a centre.
 
@@ -109,14 +109,13 @@ class NearFarTree(FlownTree, Divided):
             World position O (3,), metres.
         radius
             Radius, metres.
-        face_size
-            Number of texels across each face, 1 to 16,384.
-        samples
-            Number of colour samples of a texel, on a grid: 1, 4, 9 … 64.
-        channels
-            "color" is always included, "range" if named.
         views, error_px
             As in `cut`.
+        settings
+            Size, samples (on a grid: 1, 4, 9 … 64) and channels, as `nearfar.MapSettings`; without "object_id", on the
+            CPU.
+        keywords
+            Fields of `settings`, which they replace.
 
         Raises
         ------
@@ -127,12 +126,15 @@ class NearFarTree(FlownTree, Divided):
         """
         x, y, z = check.vector("center", center)
         reach = check.positive("radius", radius)
-        size, grid = check.integer("face_size", face_size, 1, 16384), grid_of(check.integer("samples", samples, 1, 64))
-        if unknown := set(check.texts("channels", channels)) - set(CHANNELS):
+        baking = gather(MapSettings, settings, keywords)
+        require_cpu(baking, type(self).__name__)
+        size, channels = baking.face_size, tuple(baking.channels)
+        grid = grid_of(check.integer("samples", baking.samples, 1, 64))
+        if unknown := set(channels) - set(CHANNELS):
             raise ValueError(f"channels: expected names of {', '.join(CHANNELS)}, got {', '.join(sorted(unknown))}")
-        settings, viewer = settings_of(views, error_px, True), self._viewer
+        shown, viewer = settings_of(views, error_px, True), self._viewer
         cameras = [Camera((x, y, z), fov=CubeFace(face), size=(size, size)) for face in range(FACES)]
-        cuts = [viewer.cutter.whole(camera, settings) for camera in cameras]
+        cuts = [viewer.cutter.whole(camera, shown) for camera in cameras]
         near = viewer.near.scene(viewer.cutter.with_guests([leaf for cut in cuts for leaf in cut.leaf_places()]))
         splats = [self._far_splats(camera, cut, reach) for camera, cut in zip(cameras, cuts, strict=True)]
         parts = _FarParts(cameras, splats, near, reach)
@@ -140,6 +142,8 @@ class NearFarTree(FlownTree, Divided):
             images = self._faces(parts, ("color", *({"range"} & {*channels})), grid)
         else:  # range is taken at the texels' centres
             images = self._faces(parts, ("color",), grid) | self._faces(parts, ("range",), 1)
+        if baking.half and "range" in images:
+            images["range"] = to_half(images["range"])
         return EnvMap((x, y, z), images["color"], images.get("range"))
 
     def _faces(self, parts: _FarParts, channels: tuple[str, ...], grid: int) -> dict[str, NDArray[Any]]:

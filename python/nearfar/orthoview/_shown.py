@@ -3,24 +3,24 @@
 from __future__ import annotations
 
 import copy
-import math
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import cached_property
-from typing import Any, Self, SupportsFloat, SupportsIndex
+from typing import Any, Self, SupportsFloat, SupportsIndex, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import check
+from nearfar._base.settings import gather
 from nearfar._camera.camera import Camera
-from nearfar._camera.clip import Clip
 from nearfar._camera.shot import Shot
 from nearfar._render.frame import Frame
 from nearfar._render.renderable import Images, Report
 from nearfar._render.renderer import Renderer
+from nearfar._render.settings import RenderKeywords, RenderSettings
 from nearfar._scene.scene import Scene, core_of
 from nearfar.orthoview._cut import MAX_VIEWS, OrthoCut, Settings
 from nearfar.orthoview._open import Opened
@@ -165,12 +165,8 @@ class ShownTree(StoredTree, Pictured):
         gaze: ArrayLike | None = None,
         lift_deg: SupportsFloat = 0.0,
         budget: SupportsIndex | None = None,
-        t_min: float = 0.0,
-        t_max: float = math.inf,
-        clip: Clip | None = None,
-        samples: int = 1,
-        channels: Iterable[str] | None = None,
-        backend: str | None = None,
+        settings: RenderSettings | None = None,
+        **keywords: Unpack[RenderKeywords],
     ) -> Frame:
         """Draw a picture from any viewpoint: the views of the cut as splats, and the nearest leaves as geometry.
 
@@ -182,18 +178,15 @@ class ShownTree(StoredTree, Pictured):
             As in `cut`.
         budget
             Greatest number of splats in `stats`, None for no limit: the error is the least one, from `error_px` on,
-            that
-            keeps the limit. If no error does, views are left out.
-        t_min, t_max, clip
-            As in `nearfar.render`; a splat is drawn if its centre is within them.
-        samples
-            Number of colour samples of each pixel, on a grid: 1, 4, 9 … 64.
-        channels
-            Images to compute, as in `nearfar.render`: splats have "color", "coverage", "range", "position", "normal",
-            "albedo" and "shading_normal"; their `object_id` and `face_id` are −1. On geometry these numbers are valid
-            within this picture only, see `with_dynamic`. The default is colour and range.
-        backend
-            As in `nearfar.render`. An adapter keeps views in its memory, without loss and in fewer bytes.
+            that keeps the limit. If no error does, views are left out.
+        settings
+            Samples (on a grid: 1, 4, 9 … 64), channels, limits and backend, as `nearfar.RenderSettings`. A splat is
+            drawn if its centre is within the limits. Splats have the channels "color", "coverage", "range", "position",
+            "normal", "albedo" and "shading_normal"; their `object_id` and `face_id` are −1. On geometry these numbers
+            are valid within this picture only, see `with_dynamic`. An adapter keeps views in its memory, without loss
+            and in fewer bytes.
+        keywords
+            Fields of `settings`, which they replace.
 
         Returns
         -------
@@ -221,13 +214,12 @@ class ShownTree(StoredTree, Pictured):
         """
         shown = copy.copy(self)
         shown.__dict__["_viewer"] = self._viewer  # the views that it reads stay cached for the next picture
-        settings = settings_of(views, error_px, geometry, continuous, gaze, lift_deg)
         shown._settings = replace(
-            settings, budget=None if budget is None else check.integer("budget", budget, 1, MAX_SPLATS)
+            settings_of(views, error_px, geometry, continuous, gaze, lift_deg),
+            budget=None if budget is None else check.integer("budget", budget, 1, MAX_SPLATS),
         )
-        renderer = Renderer(shown, channels, samples, argument="tree")
-        shot = renderer.shot([camera], None, t_min, t_max, clip)
-        (frame,) = renderer.frames(shot, None, renderer.device(backend, self))
+        renderer = Renderer(shown, gather(RenderSettings, settings, keywords), argument="tree")
+        (frame,) = renderer.frames(renderer.shot([camera]), None, renderer.device(self))
         return frame
 
     def _pictures(self, shot: Shot, device: _core.GpuDevice | None, report: Report) -> list[Images]:

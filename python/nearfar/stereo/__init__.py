@@ -6,7 +6,16 @@ from nearfar.stereo._adaptive import AdaptivePlane
 from nearfar.stereo._layer import QuadLayer
 from nearfar.stereo._plane import mono_plane_for
 from nearfar.stereo._rig import HybridRig
+from nearfar.stereo._settings import HybridSettings
 from nearfar.stereo._temporal import TemporalAntialiasing
 from nearfar.stereo._view_vectors import view_vector_shader
 
-__all__ = ["AdaptivePlane", "HybridRig", "QuadLayer", "TemporalAntialiasing", "mono_plane_for", "view_vector_shader"]
+__all__ = [
+    "AdaptivePlane",
+    "HybridRig",
+    "HybridSettings",
+    "QuadLayer",
+    "TemporalAntialiasing",
+    "mono_plane_for",
+    "view_vector_shader",
+]

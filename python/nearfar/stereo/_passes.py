@@ -17,24 +17,21 @@ from nearfar._base import check, progress
 from nearfar._camera.camera import Camera, quaternion
 from nearfar._camera.clip import Clip
 from nearfar._camera.shot import Shot
-from nearfar._render import backend as backends
 from nearfar._render.channels import VECTORS
 from nearfar._render.frame import Frame
 from nearfar._render.motion import Sight, motion
 from nearfar._render.renderable import Images
 from nearfar._render.renderer import Renderer, View
+from nearfar._render.settings import require_defaults
 from nearfar._scene.scene import Scene
 from nearfar.hmd._hmd import EYES
 from nearfar.hmd._stereo import StereoFrame
 from nearfar.stereo._geometry import RigGeometry
 from nearfar.stereo._moments import Moment, carried, shifted
+from nearfar.stereo._settings import UNUSED, HybridSettings
 
-CULLS = ("frustum", "discard", "occlusion")
-"""Names of culling modes for pixels and geometry of the shared picture that no eye needs."""
 _BITS = {"left": 1, "right": 2, "center": 4}
 """Bit of each view in the masks of instances that `contents` returns."""
-ASSEMBLIES = ("bilinear", "resolved")
-"""Names of ways to look up the shared picture."""
 
 
 @dataclass
@@ -45,10 +42,7 @@ class Passes:
     moment: Moment
     view: View
     device: _core.GpuDevice | None
-    cull: str
-    assembly: str
-    near: float
-    far: float
+    how: HybridSettings
     before: Moment | None = None
     """Moment that motion is relative to; None for this one."""
     jitter: tuple[float, float] = (0.0, 0.0)
@@ -68,7 +62,7 @@ class Passes:
         with progress.bar("rendering") as self._report:
             if not has_far:
                 return *self._plain(left, right), None
-            near = self._between(self.near, min(self.rig.planes[0], self.far))
+            near = self._between(self.how.near, min(self.rig.planes[0], self.how.far))
             eyes = [
                 self._pass(side, camera, near, near=True) if has_near else self._nothing(camera)
                 for side, camera in zip(EYES, (left, right), strict=True)
@@ -84,11 +78,11 @@ class Passes:
     def _shared(self, camera: Camera, eyes: list[Images]) -> Images:
         """Draw the pixels of the third camera that an eye looks up."""
         mask = None
-        if self.cull != "frustum":
+        if self.how.cull != "frustum":
             with self._timed("culling"):
-                samples = self.view.shot.samples if self.assembly == "resolved" else 1
+                samples = self.view.shot.samples if self.how.assembly == "resolved" else 1
                 mask = self._core.needed(eyes[0]["coverage"], eyes[1]["coverage"], samples)
-        images = self._pass("center", camera, self._far_clip, mask=mask, faces=self.assembly == "resolved")
+        images = self._pass("center", camera, self._far_clip, mask=mask, faces=self.how.assembly == "resolved")
         if mask is not None and "color" in images:
             images["color"][~mask] = 0.0
         drawn = camera.width * camera.height if mask is None else int(mask.sum())
@@ -119,7 +113,7 @@ class Passes:
             clip=clip,
             mask=mask,
             bare=near,
-            occlusion=self.cull == "occlusion",
+            occlusion=self.how.cull == "occlusion",
             instances=None if self._views is None else (self._views & _BITS[name]) > 0,
         )
         with self._timed(stage or name):
@@ -141,7 +135,7 @@ class Passes:
             channels=self.view.shot.channels,
             samples=self.view.shot.samples,
             user=self.moment.head(self.rig),
-            clip=self._between(self.near, self.far),
+            clip=self._between(self.how.near, self.how.far),
         )
         with self._timed("eyes"):
             eyes = self._pictures(shot)
@@ -162,7 +156,7 @@ class Passes:
         """Draw an eye's own picture up to m₂, along rays that bend beyond m₁."""
         scene, pose = self.view.drawn, (self.moment.position, self.moment.orientation)
         assert isinstance(scene, Scene)
-        depths = (self.near, self.far)
+        depths = (self.how.near, self.how.far)
         return self._core.render_zone(
             side, scene._core, camera._core, shot.settings, *pose, depths, report=self._report
         )
@@ -171,7 +165,7 @@ class Passes:
         """Put the shared picture behind an eye's own, in place."""
         core, coverage = self._core, images["coverage"]
         if "color" in images:
-            if self.assembly == "resolved":
+            if self.how.assembly == "resolved":
                 settings = Shot(
                     cameras=(center,), channels=("color",), samples=self.view.shot.samples, clip=self._far_clip
                 ).settings
@@ -204,7 +198,7 @@ class Passes:
         A surface that is seen edge-on, or crosses the plane beside the line of sight, shows one side to the eye and the
         other one to the third camera.
         """
-        beyond = self._between(self.rig.planes[1], self.far)
+        beyond = self._between(self.rig.planes[1], self.how.far)
         covered, tried = images["coverage"] > 0.0, np.zeros(images["coverage"].shape, bool)
         self.stats["pixels"].setdefault("filled", 0)
         # After a gap is filled, its neighbour may be a narrow gap.
@@ -266,11 +260,11 @@ class Passes:
     def _has_near_and_far(self) -> tuple[bool, bool]:
         """Whether anything is drawn before the plane, and beyond it; both if the source does not tell."""
         scene, has_zone = self.view.drawn, self.rig.has_zone
-        if self.far <= self.rig.planes[1] and not has_zone:
+        if self.how.far <= self.rig.planes[1] and not has_zone:
             return True, False
         if not isinstance(scene, Scene):
             return True, True
-        depths = (self.near, self.far)
+        depths = (self.how.near, self.how.far)
         position, orientation = self.moment.position, self.moment.orientation
         views, near, far = self._core.contents(scene._core, position, orientation, depths, self.device is None)
         self.stats["instances"] = {"all": len(views)} | {
@@ -284,11 +278,11 @@ class Passes:
     @property
     def _begin(self) -> float:
         """Depth from which the third camera draws, metres."""
-        return max(self.near, min(self.rig.planes[1], self.far) - self.rig.overlap)
+        return max(self.how.near, min(self.rig.planes[1], self.how.far) - self.rig.overlap)
 
     @property
     def _far_clip(self) -> Clip:
-        return self._between(self._begin, self.far)
+        return self._between(self._begin, self.how.far)
 
     def _between(self, begin: float, end: float) -> Clip:
         return self.rig.clip(self.moment.position, self.moment.orientation, near=begin, far=end)
@@ -317,15 +311,11 @@ def _bridged(covered: NDArray[np.bool_]) -> NDArray[np.bool_]:
     return bridged
 
 
-def check_depths(rig: RigGeometry, near: float, far: float) -> tuple[float, float]:
-    """Return the depths between which surfaces are drawn; ValueError unless 0 ≤ near < far and near is before m₁."""
-    begin, end = check.at_least_zero("near", near), check.number("far", far, finite=False)
+def check_near(rig: RigGeometry, near: float) -> None:
+    """Raise ValueError unless surfaces are drawn from a depth before m₁."""
     m = rig.planes[0]
-    if not begin < m:
-        raise ValueError(f"near: expected less than the mono plane's {m:g} m, got {begin:g}")
-    if not end > begin:
-        raise ValueError(f"far: expected more than near, {begin:g} m, got {end:g}")
-    return begin, end
+    if not near < m:
+        raise ValueError(f"near: expected less than the mono plane's {m:g} m, got {near:g}")
 
 
 def render(
@@ -334,23 +324,20 @@ def render(
     pose: tuple[ArrayLike, ArrayLike],
     *,
     at: Mapping[str, ArrayLike] | None,
-    backend: str | None,
-    cull: str,
-    assembly: str,
-    depths: tuple[float, float],
+    how: HybridSettings,
     before: Moment | None = None,
     jitter: tuple[float, float] = (0.0, 0.0),
 ) -> tuple[StereoFrame, Moment]:
     """Check the arguments of `HybridRig.render`, and draw; `pose` is the head's, `at` has the objects' poses."""
-    check.choice("cull", cull, CULLS)
-    check.choice("assembly", assembly, ASSEMBLIES)
-    near, far = check_depths(rig, *depths)
+    check_near(rig, how.near)
+    settings = renderer.settings
+    require_defaults(settings, "a rig", *UNUSED)
     kind = type(renderer.source).__name__
-    if assembly == "resolved" and not isinstance(renderer.source, Scene):
+    if how.assembly == "resolved" and not isinstance(renderer.source, Scene):
         raise ValueError(f"assembly: expected 'bilinear' for {kind}, whose triangles are not looked up, got 'resolved'")
     if rig.has_zone and not isinstance(renderer.source, Scene):
         raise ValueError(f"mono_plane: expected one plane for {kind}, got a zone, which is drawn for scenes only")
-    device = None if rig.has_zone and backends.check(backend) != "gpu" else renderer.device(backend)
+    device = None if rig.has_zone and settings.backend != "gpu" else renderer.device()
     if rig.has_zone and device is not None:
         raise ValueError("mono_plane: expected one plane on a graphics adapter, got a zone: backend='cpu' draws it")
     place, way = check.vector("position", pose[0]), quaternion(pose[1])
@@ -358,7 +345,7 @@ def render(
     # Levels of detail are chosen for both eyes at once.
     view = renderer.view(renderer.shot([left, right]), at)
     moment = Moment(place, way, view.drawn)
-    passes = Passes(rig, moment, view, device, cull, assembly, near, far, before, jitter)
+    passes = Passes(rig, moment, view, device, how, before, jitter)
     *images, shared = passes.draw()
     origin = check.vector("origin", view.drawn.origin)
 

@@ -3,22 +3,25 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Unpack
 
 from numpy.typing import ArrayLike
 
 from nearfar._base import check, progress
+from nearfar._base.settings import gather, split
 from nearfar._camera.camera import quaternion
-from nearfar._render.level_choice import Lod
 from nearfar._render.renderable import Renderable
 from nearfar._render.renderer import Renderer
+from nearfar._render.settings import RenderSettings
 from nearfar._scene.scene import Scene
 from nearfar.hmd._hmd import EYES, Hmd
 from nearfar.hmd._stereo import StereoFrame
 from nearfar.stereo._geometry import RigGeometry
 from nearfar.stereo._moments import moment_before
-from nearfar.stereo._passes import check_depths, render
+from nearfar.stereo._passes import check_near, render
+from nearfar.stereo._settings import HybridOptions, HybridSettings
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -72,16 +75,11 @@ class HybridRig(RigGeometry):
         orientation: ArrayLike = (0.0, 0.0, 0.0, 1.0),
         *,
         at: Mapping[str, ArrayLike] | None = None,
-        channels: Iterable[str] | None = None,
-        samples: int = 1,
-        lod: Lod | None = None,
-        backend: str | None = None,
-        cull: str = "occlusion",
-        assembly: str = "bilinear",
-        near: float = 0.1,
-        far: float = math.inf,
         before: tuple[ArrayLike, ArrayLike] | None = None,
         before_at: Mapping[str, ArrayLike] | None = None,
+        settings: RenderSettings | None = None,
+        hybrid: HybridSettings | None = None,
+        **keywords: Unpack[HybridOptions],
     ) -> StereoFrame:
         """Render near geometry for each eye, and geometry beyond the plane once for both.
 
@@ -99,25 +97,20 @@ class HybridRig(RigGeometry):
             Unit quaternion (x, y, z, w) that rotates head axes to world axes; by default the head looks along −z.
         at
             Poses of dynamic objects, as `Scene.at` takes them.
-        channels, samples, lod, backend
-            As in `render`. Samples of an eye without a surface of its own show the shared picture, so that edges before
-            the plane are as smooth as in `render`; channels other than colour and coverage are taken from its nearest
-            pixel. Levels of detail are chosen once for both eyes, by the larger of two sizes.
-        cull
-            Drawn pixels of the shared picture: "frustum" draws all, "discard" those that an eye looks up, "occlusion"
-            the same without geometry that is completely occluded. The pictures of the eyes are the same for all. The
-            tracer needs no culling of geometry: its "occlusion" is "discard".
-        assembly
-            How eyes look up the shared picture. "bilinear" interpolates four pixels, as graphics adapters do, which
-            softens textures and edges. "resolved" intersects the third camera's ray through the place with the
-            triangles that these four pixels show, and shades there, for scenes only. The CPU also assembles pictures of
-            graphics adapters.
-        near, far
-            Depths in metres in front of the eyes between which surfaces are drawn.
         before, before_at
             For the channel "motion": position and orientation of the head in an earlier frame, and poses of dynamic
             objects then, by default the source's own. Pixels of the shared picture move by its own motion, mapped to
             the eye (Eq. 9).
+        settings
+            Samples, channels, backend and levels, as `nearfar.RenderSettings`; depths replace its limits. Samples of an
+            eye without a surface of its own show the shared picture, so that edges before the plane are as smooth as in
+            `render`;
+            channels other than colour and coverage are taken from its nearest pixel. Levels of detail are chosen once
+            for both eyes, by the larger of two sizes.
+        hybrid
+            Culling, look-up of the shared picture and depths, as `HybridSettings`.
+        keywords
+            Fields of `settings` and `hybrid`, which they replace.
 
         Returns
         -------
@@ -138,7 +131,8 @@ class HybridRig(RigGeometry):
         ----------
         Fink et al. (2019).
         """
-        renderer = Renderer(source, channels, samples, lod)
+        rest, own = split(HybridSettings, keywords)
+        renderer = Renderer(source, gather(RenderSettings, settings, rest))
         earlier = moment_before(source, before, before_at)
         if earlier is None and "motion" in renderer.channels:
             raise ValueError("channels: expected motion with the head's pose in an earlier frame, `before`")
@@ -147,10 +141,7 @@ class HybridRig(RigGeometry):
             renderer,
             (position, orientation),
             at=at,
-            backend=backend,
-            cull=cull,
-            assembly=assembly,
-            depths=(near, far),
+            how=gather(HybridSettings, hybrid, own, argument="hybrid"),
             before=earlier,
         )
         return frame
@@ -188,8 +179,9 @@ class HybridRig(RigGeometry):
             Arguments out of range.
         """
         check.instance("scene", scene, Scene)
-        depths = check_depths(self, near, far)
+        depths = HybridSettings(near=near, far=far)
+        check_near(self, depths.near)
         place, way = check.vector("position", position), quaternion(orientation)
         with progress.bar("counting") as report:
-            views, thrice, plain = self._core.triangles(scene._core, place, way, depths, report)
+            views, thrice, plain = self._core.triangles(scene._core, place, way, (depths.near, depths.far), report)
         return dict(zip((*EYES, "center"), views, strict=True)) | {"thrice": thrice, "plain": sum(plain)}

@@ -5,22 +5,24 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import check
+from nearfar._base.settings import gather, split
 from nearfar._render.frame import Frame
-from nearfar._render.level_choice import Lod
 from nearfar._render.renderable import Renderable
 from nearfar._render.renderer import Renderer
+from nearfar._render.settings import RenderSettings
 from nearfar.hmd._hmd import EYES
 from nearfar.hmd._stereo import StereoFrame
 from nearfar.stereo._moments import Moment
 from nearfar.stereo._passes import render
 from nearfar.stereo._rig import HybridRig
+from nearfar.stereo._settings import HybridOptions, HybridSettings
 
 _GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 
@@ -74,14 +76,9 @@ class TemporalAntialiasing:
         orientation: ArrayLike = (0.0, 0.0, 0.0, 1.0),
         *,
         at: Mapping[str, ArrayLike] | None = None,
-        channels: Iterable[str] | None = None,
-        samples: int = 1,
-        lod: Lod | None = None,
-        backend: str | None = None,
-        cull: str = "occlusion",
-        assembly: str = "bilinear",
-        near: float = 0.1,
-        far: float = math.inf,
+        settings: RenderSettings | None = None,
+        hybrid: HybridSettings | None = None,
+        **keywords: Unpack[HybridOptions],
     ) -> StereoFrame:
         """Render the next picture.
 
@@ -89,8 +86,8 @@ class TemporalAntialiasing:
         ----------
         rig
             The rig. Its plane may change between pictures; other eyes or another size restart the accumulation.
-        source, position, orientation, at, channels, samples, lod, backend, cull, assembly, near, far
-            As in `HybridRig.render`. "motion" is relative to the previous picture, 0 in the first one.
+        source, position, orientation, at, settings, hybrid, keywords
+            As in `HybridRig.render`. The channel "motion" is relative to the previous picture, 0 in the first one.
 
         Returns
         -------
@@ -104,8 +101,10 @@ class TemporalAntialiasing:
             As in `HybridRig.render`.
         """
         check.instance("rig", rig, HybridRig)
-        wanted = Renderer(source, channels, samples, lod)
-        renderer = Renderer(source, {*wanted.channels, "color", "motion", "range"}, samples, lod)
+        rest, own = split(HybridSettings, keywords)
+        wanted = Renderer(source, gather(RenderSettings, settings, rest))
+        needed = replace(wanted.settings, channels=(*wanted.channels, "color", "motion", "range"))
+        renderer = Renderer(source, needed)
         if self._rig is None or (self._rig.left, self._rig.right, self._rig.size) != (rig.left, rig.right, rig.size):
             self.restart()
         frame, moment = render(
@@ -113,10 +112,7 @@ class TemporalAntialiasing:
             renderer,
             (position, orientation),
             at=at,
-            backend=backend,
-            cull=cull,
-            assembly=assembly,
-            depths=(near, far),
+            how=gather(HybridSettings, hybrid, own, argument="hybrid"),
             before=self._before,
             jitter=self._offsets[self._count % len(self._offsets)],
         )

@@ -31,6 +31,17 @@ PASSED_ON = {
 }
 """Callables to which others pass all keywords that they do not name."""
 
+SETTINGS = {
+    "render": "RenderSettings", "render_path": "RenderSettings", "render_eyes": "RenderSettings",
+    "ReducedScene.render": "RenderSettings MorphSettings", "gpu.measure": "RenderSettings",
+    "gpu.render": "RenderSettings", "orthoview.Flight.render": "RenderSettings",
+    "orthoview.OrthoTree.far_map": "MapSettings", "orthoview.OrthoTree.render": "RenderSettings",
+    "stereo.HybridRig.render": "RenderSettings stereo.HybridSettings",
+    "stereo.TemporalAntialiasing.render": "RenderSettings stereo.HybridSettings", "choose_radii": "RadiusSettings",
+    "reduce": "MapSettings", "regions": "RadiusSettings MapSettings",
+}  # fmt: skip
+"""Groups of settings whose fields callables also take as keywords."""
+
 NEEDS = {
     "FlightLog.plot": "matplotlib", "LoadCurve.plot": "matplotlib", "LodModel.plot": "matplotlib",
     "Timeline.plot": "matplotlib", "explore": "ipywidgets", ".show ": "anywidget",
@@ -51,9 +62,15 @@ def parameters_of(name: str) -> dict[str, tuple[str, Parameter]]:
     Keywords that the callable passes on are those of the other callable.
     """
     entry = callable_of(name)
-    found = {key: (f"{entry.name}.{key}", value) for key, value in entry.parameters.items()}
+    found = {key: (f"{entry.name}.{key}", value) for key, value in _own_parameters(entry).items()}
     passed_on = PASSED_ON.get(entry.name)
     return found if passed_on is None else {**parameters_of(passed_on), **found}
+
+
+def _own_parameters(entry: PublicCallable) -> dict[str, Parameter]:
+    """Return the parameters of a callable, and the fields of its groups of settings."""
+    groups = [CALLABLES[group].parameters for group in SETTINGS.get(entry.name, "").split()]
+    return {name: parameter for one in (*groups, entry.parameters) for name, parameter in one.items()}
 
 
 def needs(name: str) -> list[str]:
@@ -70,7 +87,7 @@ def arguments(name: str, valid: Valid) -> dict[str, Any]:
         if part.endswith(".") and name.startswith(part)
         for key, value in OWN[part](valid).items()
     }
-    for parameter in callable_of(name).parameters.values():
+    for parameter in _own_parameters(callable_of(name)).values():
         if parameter.name in found:
             continue
         if parameter.name in SMALL:

@@ -88,5 +88,7 @@ PICTURES: dict[str, Make] = {
     "stereo.mono_plane_for": lambda v: {"error_px": 1.0},
     "gpu.": lambda v: {"frame": v.device_frame, "reference": v.device_frame, "test": v.device_frame},
     "gpu.cube_lookup": lambda v: {"faces": v.cube, "directions": v.single},
+    "gpu.measure": lambda v: {"backend": None},
+    "gpu.render": lambda v: {"backend": None},
     "gpu.morph": lambda v: {"points": v.vertices},
 }  # fmt: skip

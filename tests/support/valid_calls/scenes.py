@@ -44,6 +44,7 @@ SCENES: dict[str, Make] = {
     "ReducedScene.render @levels": lambda v: {"lod": "depth"},
     "ReducedScene.save": lambda v: {"path": v.folder / "saved"},
     "ReducedScene.with_growth": lambda v: {"radius": 1.0, "strength": 0.5},
+    "RadiusSettings": lambda v: {"r2": 60.0},
     "Recentering": lambda v: {"make": lambda: 3},
     "Regions": lambda v: {"centers": [EYE], "radii": v.regions.radii, "hysteresis": 0.1},
     "Regions.index": lambda v: {"current": 0},

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Collection, Iterable, Mapping
 from pathlib import Path
-from typing import TypeVar
+from typing import TypeVar, cast
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from nearfar._base.check.describe import shortened, type_and_value
 
 Kind = TypeVar("Kind")
 Value = TypeVar("Value")
+Option = TypeVar("Option", bound=str)
 
 
 def instance(name: str, value: object, kind: type[Kind], expected: str = "") -> Kind:
@@ -22,14 +23,14 @@ def instance(name: str, value: object, kind: type[Kind], expected: str = "") -> 
     return value
 
 
-def choice(name: str, value: str, options: Collection[str]) -> str:
+def choice(name: str, value: str, options: Collection[Option]) -> Option:
     """Return one of the named options; ValueError or TypeError otherwise."""
     if not isinstance(value, str):
         raise TypeError(f"{name}: expected a string, got {type_and_value(value)}")
     if value not in options:
         listed = ", ".join(repr(option) for option in options)
         raise ValueError(f"{name}: expected one of {listed}, got {shortened(value)}")
-    return value
+    return cast(Option, value)
 
 
 def text(name: str, value: str) -> str:

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
-from typing import SupportsFloat, SupportsIndex
+from typing import SupportsFloat, Unpack
 
 import numpy as np
-from numpy.typing import ArrayLike, DTypeLike, NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
+from nearfar._base.settings import gather, split
 from nearfar._partition.load_curve import load_curve
-from nearfar._reduce.baking import Baking
-from nearfar._reduce.choose_radii import Radii, choose_radii
-from nearfar._reduce.drawing import MORPHS
+from nearfar._reduce.baking import MapKeywords, MapSettings
+from nearfar._reduce.choose_radii import Radii, RadiusKeywords, RadiusSettings, choose_radii
+from nearfar._reduce.drawing import MORPHS, MorphKind
 from nearfar._reduce.walk.folds import climbs, walkable
 from nearfar._reduce.walk.grid import Grid, grids
 from nearfar._reduce.walk.ground import ground_heights
@@ -29,24 +29,21 @@ MAX_CORNERS = 1000
 """Maximum number of corners of an area."""
 
 
+class RegionOptions(RadiusKeywords, MapKeywords, total=False):
+    """Keywords of `regions`."""
+
+
 def regions(
     scene: Scene,
     path: ArrayLike | None = None,
     *,
     area: ArrayLike | None = None,
-    reach: SupportsFloat = 8.0,
     hysteresis: SupportsFloat = 1.0,
-    r2: SupportsFloat | None = None,
-    budget: SupportsIndex | None = None,
-    eye_height: SupportsFloat = 1.7,
-    shear: SupportsFloat = 1.0,
-    face_size: int = 1024,
-    samples: int = 4,
-    channels: Iterable[str] = ("color",),
-    range_dtype: DTypeLike = np.float32,
-    morph: str = "blend",
-    backend: str | None = None,
+    morph: MorphKind = "blend",
     keep: int = 3,
+    radii: RadiusSettings | None = None,
+    settings: MapSettings | None = None,
+    **keywords: Unpack[RegionOptions],
 ) -> Regions:
     """Divide a walk into regions, each with a centre from which it is reduced, so that no picture folds on the way.
 
@@ -63,20 +60,21 @@ def regions(
     area
         Instead of a path: (N, 2) x and z of the corners of a polygon on the ground, metres; two are opposite corners of
         a rectangle. The ground is found by vertical rays. Under a roof, give a path.
-    reach
-        Greatest distance R in metres of a user from the centre of their region, above 0 and less than r2.
     hysteresis
         Least way b in metres between two changes of region, 0 ≤ b < R.
-    r2, budget, shear
-        As in `choose_radii`; either `r2` or `budget`, which is kept about every centre. All regions have the same
-        radii.
-    eye_height
-        Height of the eyes above the ground, metres, above 0. A path states its own heights; then this value is only
-        used for the shear of the ground.
-    face_size, samples, channels, range_dtype, morph, backend
+    morph
         As in `reduce`. "cylinder" suits users who stay at the height of the centre.
     keep
         Number of reduced scenes to cache, at least 3: the present, the previous and the next one.
+    radii
+        Requirements on the radii, as `RadiusSettings`; all regions have the same radii. `reach` is the greatest
+        distance R of a user from the centre of their region, less than r2. A `budget` is kept about every centre. A
+        path states its own heights; then `eye_height` is only used for the shear of the ground.
+    settings
+        Size, samples, channels and backend of the maps, as `MapSettings`.
+    keywords
+        Fields of `radii` and `settings`, which they replace: `r2`, `budget`, `reach`, `eye_height`, `shear`,
+        `face_size`, `samples`, `channels`, `range_dtype`, `backend`.
 
     Returns
     -------
@@ -99,29 +97,31 @@ def regions(
     core_of(scene)
     if (path is None) == (area is None):
         raise ValueError(f"path: expected either path or area, got {'neither' if path is None else 'both'}")
-    walked, height = _length("reach", reach), _length("eye_height", eye_height)
+    rest, own = split(RadiusSettings, keywords)
+    baking, wanted = gather(MapSettings, settings, rest), gather(RadiusSettings, radii, own, argument="radii")
+    walked = _length("reach", wanted.reach)
+    height = _length("eye_height", wanted.eye_height)
     band = checked_hysteresis(hysteresis, walked)
-    check.positive("shear", shear)
     check.choice("morph", morph, MORPHS)
-    baking = Baking.check_settings(face_size, samples, channels, backend, range_dtype)
     checked_keep(keep)
-    if r2 is not None and walked >= (outer := check.positive("r2", r2)):
-        raise ValueError(f"reach: expected less than r2 = {outer:g} m, beyond which all is in the map, got {walked:g}")
+    if wanted.r2 is not None and walked >= wanted.r2:
+        raise ValueError(
+            f"reach: expected less than r2 = {wanted.r2:g} m, beyond which all is in the map, got {walked:g}"
+        )
     spacing = spacing_for(walked, band)
     if path is not None:
         eyes = _eyes(scene, path)
         centers = _on_path(eyes, spacing)
     else:
         centers = _on_ground(scene, _corners(scene, area), spacing, height)
-    radii = _radii(scene, centers, walked, height, r2=r2, budget=budget, shear=shear)
+    chosen = _radii(scene, centers, wanted)
     if path is not None and np.ptp(eyes[:, 1]) > 0.0:
-        _check_heights(centers, climbs(eyes, centers, walked), radii, morph)
-    return Regions(scene, centers, radii=radii, hysteresis=band, morph=morph, baking=baking, keep=keep)
+        _check_heights(centers, climbs(eyes, centers, walked), chosen, morph)
+    return Regions(scene, centers, radii=chosen, hysteresis=band, morph=morph, baking=baking, keep=keep)
 
 
-def _length(name: str, value: SupportsFloat) -> float:
-    """Check a length in metres, above zero and small enough for grids; ValueError or TypeError otherwise."""
-    length = check.positive(name, value)
+def _length(name: str, length: float) -> float:
+    """Check a length in metres that is small enough for grids; ValueError otherwise."""
     if length > check.FARTHEST:
         raise ValueError(f"{name}: expected up to {check.FARTHEST:g} m, got {length:g}")
     return length
@@ -194,24 +194,16 @@ def _check_number(count: float) -> None:
         )
 
 
-def _radii(
-    scene: Scene,
-    centers: Floats,
-    reach: float,
-    height: float,
-    *,
-    r2: SupportsFloat | None,
-    budget: SupportsIndex | None,
-    shear: SupportsFloat,
-) -> Radii:
+def _radii(scene: Scene, centers: Floats, wanted: RadiusSettings) -> Radii:
     """Radii for all centres; for a budget those of the centre with the most triangles around it."""
     worst = centers[0]
-    if budget is not None and r2 is None:
-        count = check.integer("budget", budget, 0, 2**63 - 1)
-        worst = min(centers, key=lambda center: float(load_curve(scene, center=center).radius(count)))
-    radii = choose_radii(scene, worst, r2=r2, budget=budget, reach=reach, eye_height=height, shear=shear)
-    if reach >= radii.r2:
-        raise ValueError(f"reach: expected less than r2, which is {radii.r2:.4g} m for this budget, got {reach:g}")
+    if (budget := wanted.budget) is not None:
+        worst = min(centers, key=lambda center: float(load_curve(scene, center=center).radius(budget)))
+    radii = choose_radii(scene, worst, settings=wanted)
+    if wanted.reach >= radii.r2:
+        raise ValueError(
+            f"reach: expected less than r2, which is {radii.r2:.4g} m for this budget, got {wanted.reach:g}"
+        )
     return radii
 
 

@@ -8,16 +8,16 @@ from typing import Any, Generic, Protocol, Self, TypeVar
 from numpy.typing import ArrayLike
 
 from nearfar._base import background, check
-from nearfar._reduce.baking import Baking
+from nearfar._reduce.baking import MapSettings
 
 
 class Reduction(Protocol):
     """Interface of `ReducedScene` for recentering; the class itself belongs to a later stage."""
 
     _is_whole: bool
-    _baking: Baking
+    _baking: MapSettings
 
-    def _again(self, baking: Baking, **changed: Any) -> Self: ...
+    def _again(self, baking: MapSettings, **changed: Any) -> Self: ...
 
 
 Made = TypeVar("Made")

@@ -5,16 +5,16 @@ from __future__ import annotations
 import math
 from collections import OrderedDict
 from functools import partial
-from typing import Any, SupportsFloat
+from typing import SupportsFloat
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
 from nearfar._camera.camera import Camera
-from nearfar._reduce.baking import Baking
+from nearfar._reduce.baking import MapSettings
 from nearfar._reduce.choose_radii import Radii
-from nearfar._reduce.drawing import MORPHS
+from nearfar._reduce.drawing import MORPHS, MorphKind
 from nearfar._reduce.reduce import reduce
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._reduce.walk import jump
@@ -40,8 +40,8 @@ class Regions:
         *,
         radii: Radii,
         hysteresis: SupportsFloat = 1.0,
-        morph: str = "blend",
-        baking: Baking | None = None,
+        morph: MorphKind = "blend",
+        baking: MapSettings | None = None,
         keep: int = 3,
     ) -> None:
         core_of(scene)
@@ -52,7 +52,7 @@ class Regions:
         self._scene, self._centers, self._radii = scene, places, check.instance("radii", radii, Radii)
         self._hysteresis = checked_hysteresis(hysteresis, radii.reach)
         self._morph = check.choice("morph", morph, MORPHS)
-        self._baking = Baking() if baking is None else check.instance("baking", baking, Baking)
+        self._baking = MapSettings() if baking is None else check.instance("baking", baking, MapSettings)
         self._keep = checked_keep(keep)
         self._kept: OrderedDict[int, ReducedScene] = OrderedDict()
         self._ahead: tuple[int, Recentering[ReducedScene]] | None = None
@@ -240,11 +240,8 @@ class Regions:
         return None if following == here else following
 
     def _make(self, number: int) -> ReducedScene:
-        baking = self._baking
-        how: dict[str, Any] = {"face_size": baking.face_size, "samples": baking.samples, "channels": baking.channels}
-        how["range_dtype"] = np.float16 if baking.half else np.float32
-        zones: dict[str, Any] = {"center": self._centers[number], "r1": self._radii.r1, "r2": self._radii.r2}
-        return reduce(self._scene, **zones, **how, morph=self._morph, backend=baking.backend)
+        center, r1, r2 = self._centers[number], self._radii.r1, self._radii.r2
+        return reduce(self._scene, center=center, r1=r1, r2=r2, morph=self._morph, settings=self._baking)
 
     def _collect(self, following: int | None) -> None:
         """Store a region made in the background.

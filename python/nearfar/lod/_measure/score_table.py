@@ -8,7 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base import check, progress
+from nearfar._render.backend import Backend
 from nearfar._render.renderer import Renderer
+from nearfar._render.settings import RenderSettings
 from nearfar.lod._levels import Levels
 from nearfar.lod._measure import statistic
 from nearfar.lod._measure.score_cache import ScoreCache, content
@@ -50,14 +52,18 @@ class ScoreTable:
         self.is_base = np.arange(len(levels)) == 0
         self.is_used = np.zeros(self.scores.shape, bool)
         self.was_known = np.isfinite(self.scores)
-        self.backend = self.device = "cpu"
+        self.backend: Backend = "cpu"
+        self.device = "cpu"
         self.cache: ScoreCache | None = None
         self._done = 0
 
     def prepare(self) -> None:
         """Choose the device for pictures, once for all levels, and load the known scores."""
         base = self.levels[0].scene
-        device = Renderer(base, ("color", "range"), self.settings.samples).device(self.settings.backend)
+        wanted = RenderSettings(
+            samples=self.settings.samples, channels=("color", "range"), backend=self.settings.backend
+        )
+        device = Renderer(base, wanted).device()
         if device is not None:
             self.backend, self.device = "gpu", device.label
         contents = [content(level.scene) for level in self.levels]

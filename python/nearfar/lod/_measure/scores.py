@@ -13,6 +13,7 @@ from nearfar import _core
 from nearfar._camera.camera import Camera
 from nearfar._metrics.inputs import LUMA
 from nearfar._metrics.similarity import ssim_pairs
+from nearfar._render.backend import Backend
 from nearfar._render.sequence import render_path
 from nearfar._scene.scene import Scene
 from nearfar.lod._measure.views import PADDING
@@ -36,7 +37,7 @@ class Pictures(NamedTuple):
 
 
 def scores(
-    base: Scene, levels: Sequence[Compared], cameras: Sequence[Camera], samples: int, backend: str | None
+    base: Scene, levels: Sequence[Compared], cameras: Sequence[Camera], samples: int, backend: Backend | None
 ) -> Iterator[NDArray[np.float64]]:
     """Score level by level, each from its cameras; the base's pictures are made once for all levels.
 
@@ -67,7 +68,7 @@ def scores(
         yield _similarity(_select_pictures(luma, chosen), own, either)
 
 
-def _pictures(scene: Scene, cameras: Sequence[Camera], samples: int, backend: str | None) -> Pictures:
+def _pictures(scene: Scene, cameras: Sequence[Camera], samples: int, backend: Backend | None) -> Pictures:
     """Render an object before the sky."""
     width, height = cameras[0].size
     luma = np.empty((len(cameras), height, width))

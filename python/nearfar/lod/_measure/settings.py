@@ -9,6 +9,7 @@ from nearfar._base import check
 from nearfar._camera.camera import Fov
 from nearfar._camera.shot import MAX_SAMPLES
 from nearfar._render import backend as backends
+from nearfar._render.backend import Backend
 from nearfar.hmd._hmd import Hmd
 from nearfar.lod._measure import statistic
 from nearfar.lod._measure.views import AXES, DIRECTIONS, Screen
@@ -79,7 +80,7 @@ class MeasureSettings:
     step: float | None = 0.05
     saturated: float | None = 0.999
     samples: int = 4
-    backend: str | None = None
+    backend: Backend | None = None
     cache: bool = True
 
     def __post_init__(self) -> None:
@@ -120,7 +121,7 @@ class MeasureKeywords(TypedDict, total=False):
     step: float | None
     saturated: float | None
     samples: int
-    backend: str | None
+    backend: Backend | None
     cache: bool
 
 

@@ -1,0 +1,87 @@
+"""Settings that all functions which render pictures share: samples, limits of rays, channels, backend and levels."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, fields
+from typing import TypedDict
+
+from nearfar._camera.clip import Clip
+from nearfar._camera.shot import Sampling
+from nearfar._render import backend as backends
+from nearfar._render.backend import Backend
+from nearfar._render.channels import channel_names
+from nearfar._render.level_choice import Lod
+
+
+@dataclass(frozen=True, kw_only=True)
+class RenderSettings(Sampling):
+    """Settings of pictures: samples, limits of rays, channels, backend and levels of detail.
+
+    Parameters
+    ----------
+    samples
+        Number of colour samples of each pixel, spread evenly over its square, 1 to 1024. Coverage counts them
+        too; all other images are sampled once, at the pixel's centre. Trees of orthoviews take them on a grid: 1, 4,
+        9 … 64.
+    t_min, t_max
+        Limits in metres along each pixel's ray, for parallel rays from the image plane; surfaces nearer than `t_min` or
+        farther than `t_max` are not drawn. For reduced scenes they limit the displayed distance of near geometry and
+        moving objects; the map is drawn only if `t_max` is infinite and its range, where it has one, is at least
+        `t_min`.
+    clip
+        Planes and a box; nothing outside them is drawn. Reduced scenes are limited by displayed position, and their map
+        is drawn only where no plane ends the ray. A splat is drawn if its centre is within the limits.
+    channels
+        Images to compute, from "color", "range", "object_id", "face_id", "position", "normal", "albedo",
+        "shading_normal", "coverage" and "motion"; see `Frame`. None for the source's `default_channels`: colour, range
+        and object_id for a scene, the channels of its map for a reduced scene, colour and range for a tree of
+        orthoviews.
+    backend
+        "cpu" traces rays. "gpu" draws with the graphics adapter that `nearfar.gpu.select` or NEARFAR_ADAPTER names, or
+        the best one. "auto" uses that adapter if it is hardware, or if it was measured to be faster for such pictures
+        of this scene (`nearfar.gpu.measure`); otherwise it traces rays and logs the reason, once on a machine. None
+        chooses as "auto" does, and logs nothing unless an adapter was named.
+    lod
+        Level of detail of objects with levels (`Scene.with_levels`). None draws level 0. The names "off", "depth",
+        "depth+eccentricity" and "fovea" are modes of `nearfar.lod.select` with default settings and no lens. A
+        `nearfar.lod.Selector` (which may have a lens), or a function with the arguments of `select` that returns
+        levels, chooses for this camera; objects that it reports as out of view are not drawn. Levels may also be given
+        as for `Scene.at_levels`. Each object is drawn at one level; engines may fade between two levels. The map of a
+        reduced scene shows far objects at the levels that were baked.
+
+    Raises
+    ------
+    ValueError, TypeError
+        Settings out of range.
+    """
+
+    channels: Iterable[str] | None = None
+    backend: Backend | None = None
+    lod: Lod | None = None
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.channels is not None:
+            object.__setattr__(self, "channels", channel_names(self.channels))
+        backends.check(self.backend)
+
+
+class RenderKeywords(TypedDict, total=False):
+    """Fields of `RenderSettings` as keywords; a test compares both."""
+
+    samples: int
+    t_min: float
+    t_max: float
+    clip: Clip | None
+    channels: Iterable[str] | None
+    backend: Backend | None
+    lod: Lod | None
+
+
+def require_defaults(settings: RenderSettings, user: str, *names: str) -> None:
+    """Raise ValueError for a field that a function cannot use and that differs from its default."""
+    for one in fields(settings):
+        value = getattr(settings, one.name)
+        if one.name in names and value != one.default:
+            raise ValueError(f"{one.name}: expected {one.default} for {user}, which cannot use it, got {value}")

@@ -1,0 +1,70 @@
+"""Settings of the pictures of a rig: culling, assembly and depths."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Literal, TypedDict, get_args
+
+from nearfar._base import check
+from nearfar._render.settings import RenderKeywords
+
+Cull = Literal["frustum", "discard", "occlusion"]
+"""Name of a culling mode for pixels and geometry of the shared picture that no eye needs."""
+
+Assembly = Literal["bilinear", "resolved"]
+"""Name of a way to look up the shared picture."""
+
+UNUSED = ("t_min", "t_max", "clip")
+"""Fields of `RenderSettings` that the pictures of a rig cannot use: depths limit them."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class HybridSettings:
+    """Settings of hybrid pictures: culling, look-up of the shared picture, and depths.
+
+    Parameters
+    ----------
+    cull
+        Drawn pixels of the shared picture: "frustum" draws all, "discard" those that an eye looks up, "occlusion" the
+        same without geometry that is completely occluded. The pictures of the eyes are the same for all. The tracer
+        needs no culling of geometry: its "occlusion" is "discard".
+    assembly
+        How eyes look up the shared picture. "bilinear" interpolates four pixels, as graphics adapters do, which softens
+        textures and edges. "resolved" intersects the third camera's ray through the place with the triangles that these
+        four pixels show, and shades there, for scenes only. The CPU also assembles pictures of graphics adapters.
+    near, far
+        Depths in metres in front of the eyes between which surfaces are drawn.
+
+    Raises
+    ------
+    ValueError, TypeError
+        Settings out of range.
+    """
+
+    cull: Cull = "occlusion"
+    assembly: Assembly = "bilinear"
+    near: float = 0.1
+    far: float = math.inf
+
+    def __post_init__(self) -> None:
+        check.choice("cull", self.cull, get_args(Cull))
+        check.choice("assembly", self.assembly, get_args(Assembly))
+        near, far = check.at_least_zero("near", self.near), check.number("far", self.far, finite=False)
+        if not far > near:
+            raise ValueError(f"far: expected more than near, {near:g} m, got {far:g}")
+        object.__setattr__(self, "near", near)
+        object.__setattr__(self, "far", far)
+
+
+class HybridKeywords(TypedDict, total=False):
+    """Fields of `HybridSettings` as keywords; a test compares both."""
+
+    cull: Cull
+    assembly: Assembly
+    near: float
+    far: float
+
+
+class HybridOptions(RenderKeywords, HybridKeywords, total=False):
+    """Keywords of the functions that render a rig."""

@@ -1,0 +1,49 @@
+"""Reductions without a centre or radii: the library chooses what the command chooses, and says why."""
+
+from __future__ import annotations
+
+import logging
+
+import pytest
+
+import nearfar as nf
+from tests.support.cli_cases import command, document
+from tests.support.reduce_cases import CENTER, street
+
+
+def test_a_procedural_scene_gets_the_place_and_the_radii_of_the_command(capsys: pytest.CaptureFixture[str]) -> None:
+    told = document(command(capsys, "partition", "-i", "forest:detail=0", "--json")[1], "partition")
+    reduced = nf.reduce(nf.datasets.forest(detail=0), settings=nf.MapSettings(face_size=8, samples=1))
+    assert list(reduced.center) == pytest.approx(told["center"])
+    assert (reduced.r1, reduced.r2) == pytest.approx((told["r1"], told["r2"]))
+    assert reduced.reason.startswith("the centre (")
+    assert reduced.reason.endswith(f" is an open place near the middle; {told['radii_reason']}")
+
+
+def test_a_given_centre_gets_the_radii_of_the_command(capsys: pytest.CaptureFixture[str]) -> None:
+    told = document(command(capsys, "partition", "-i", "room:detail=0", "--json")[1], "partition")
+    reduced = nf.reduce(nf.datasets.room(detail=0), center=told["center"], face_size=8, samples=1)
+    assert (reduced.r1, reduced.r2) == pytest.approx((told["r1"], told["r2"]))
+    assert reduced.reason == told["radii_reason"]
+
+
+def test_the_choice_is_told(caplog: pytest.LogCaptureFixture) -> None:
+    with caplog.at_level(logging.INFO, logger="nearfar"):
+        reduced = nf.reduce(street(), center=CENTER, r2=20.0, face_size=8, samples=1)
+    assert reduced.r2 == 20.0
+    assert reduced.r1 == 8.0
+    assert reduced.reason.startswith("with r1 = 8 m the ground between the radii is sheared")
+    assert caplog.messages == [f"reduce: {reduced.reason}"]
+    assert ", chosen by reduce: " in repr(reduced)
+    assert "sheared" in reduced._repr_html_()
+    assert reduced.with_morph("none").reason == reduced.reason
+    assert reduced.with_r1(4.0).reason == ""
+    whole = nf.reduce(street(), center=CENTER, r1=8.0, r2=20.0, face_size=8, samples=1)
+    assert whole.reason == ""
+    assert "chosen" not in repr(whole)
+
+
+@pytest.mark.parametrize(("name", "value"), [("r1", -1.0), ("r2", 0.0), ("center", (0, 1))])
+def test_wrong_places_are_named(name: str, value: object) -> None:
+    with pytest.raises(ValueError, match=f"^{name}: expected"):
+        nf.reduce(street(), **{name: value})  # type: ignore[arg-type]
