@@ -58,12 +58,12 @@ def frames(label: str) -> None:
         Case("reading both back alone", lambda: (one.read(), other.read())),
     ]
     print(compare(f"SSIM of two frames of {SIZE[0]} × {SIZE[1]} pixels, {label}", cases))
-    torn = nf.discontinuity(read[0], views[1])
+    torn = nf.metrics.discontinuity(read[0], views[1])
     of = functools.partial(greatest, expected=torn)
     tear: list[tuple[str, Callable[[], Any], bool]] = [
         (f"{OURS}, on the device", lambda: gpu.discontinuity(one, views[1]), False),
-        ("read back, then CPU", lambda: nf.discontinuity(one.read(), views[1]), True),
-        ("CPU alone", lambda: nf.discontinuity(read[0], views[1]), True),
+        ("read back, then CPU", lambda: nf.metrics.discontinuity(one.read(), views[1]), True),
+        ("CPU alone", lambda: nf.metrics.discontinuity(read[0], views[1]), True),
     ]
     title = f"Discontinuity of a frame of {SIZE[0]} × {SIZE[1]} pixels, ε = 17, {label}"
     print(compare(title, [Case(name, job, of, peer=peer) for name, job, peer in tear]))

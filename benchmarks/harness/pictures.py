@@ -25,7 +25,7 @@ def draw_torn(truth: nf.Frame, frames: Mapping[str, nf.Frame], title: str, path:
     for column, (name, frame) in enumerate(frames.items(), start=1):
         axes[0, column].imshow(frame.to_image())
         axes[0, column].set_title(name)
-        torn = np.abs(nf.discontinuity(frame))
+        torn = np.abs(nf.metrics.discontinuity(frame))
         shown = axes[1, column].imshow(np.clip(torn, 0.0, 4.0), cmap="inferno", vmin=0.0, vmax=4.0)
         axes[1, column].set_title(f"its discontinuity, mean {np.nanmean(torn):.2f}")
     figure.colorbar(shown, ax=axes[1, :].tolist()[1:], shrink=0.8, label="|δ|")
@@ -89,12 +89,13 @@ def _draw_inverses(lens: nf.RadialLens, axis: Any) -> None:
     """Draw the residual between a radius and the image of its root."""
     r = np.linspace(0.01, 1.6, 800)
     shown = lens.distort(r)
-    for label, method, steps, color in (
+    inverses: tuple[tuple[str, Any, int, str], ...] = (
         ("published iteration, 5 steps (OpenCV's default)", "fixed_point", 5, "#999999"),
         ("published iteration, 50 steps", "fixed_point", 50, "#555555"),
         ("look-up table", "lut", 0, "#e08a1e"),
         ("Newton (0)", "newton", 0, "#c8102e"),
-    ):
+    )
+    for label, method, steps, color in inverses:
         residual = np.abs(lens.distort(lens.undistort(shown, method=method, iterations=steps)) - shown)
         axis.semilogy(r, np.maximum(residual, 1e-17), label=label, color=color)
     axis.axvline(1.0, linestyle=":", color="black")

@@ -116,16 +116,16 @@ def pairs() -> str:
             ].mean()
         return result
 
-    exact = nf.ssim_pairs(views.astype(np.float64), levels.astype(np.float64), data_range=1, masks=disc)
+    exact = nf.metrics.ssim_pairs(views.astype(np.float64), levels.astype(np.float64), data_range=1, masks=disc)
 
     def error(result: Image) -> float:
         return float(np.abs(result - exact).max())
 
     def masked_windows() -> Image:
-        return nf.ssim_pairs(views, levels, data_range=1, masks=disc, masking="windows")
+        return nf.metrics.ssim_pairs(views, levels, data_range=1, masks=disc, masking="windows")
 
     cases = [
-        Case(OURS, lambda: nf.ssim_pairs(views, levels, data_range=1, masks=disc), error, peer=False),
+        Case(OURS, lambda: nf.metrics.ssim_pairs(views, levels, data_range=1, masks=disc), error, peer=False),
         Case("scikit-image, one by one", scikit, error),
         Case(f"{OURS}, windows that see only the mask", masked_windows, None, peer=False),
     ]
@@ -166,7 +166,7 @@ def scales_and_sequences() -> str:
             peer=False,
         ),
         Case("ssim, wang-downsampled", lambda: nf.ssim(a, b, data_range=1, convention="wang-downsampled"), peer=False),
-        Case("ms_ssim", lambda: nf.ms_ssim(a, b, data_range=1), peer=False),
+        Case("ms_ssim", lambda: nf.metrics.ms_ssim(a, b, data_range=1), peer=False),
     ]
     return compare("Other similarities, 1080p, float32", cases)
 
@@ -196,14 +196,14 @@ def frames() -> str:
     pairs = 1920 * 1080 * np.pi * 17**2 / 2
     breaks = compare(
         "Discontinuity, 1080p, ε = 17 px",
-        [Case(OURS, lambda: nf.discontinuity(torn), peer=False)],
+        [Case(OURS, lambda: nf.metrics.discontinuity(torn), peer=False)],
         work=Work(multiply_adds=25 * pairs),
         repeat=3,
     )
     completion = compare(
         "Object completion, 1080p",
         [
-            Case(OURS, lambda: nf.object_completion(ids[0], ids[1]), error, peer=False),
+            Case(OURS, lambda: nf.metrics.object_completion(ids[0], ids[1]), error, peer=False),
             Case("NumPy's unique", unique, error),
             Case("reading the numbers (NumPy's max)", lambda: [i.max() for i in ids]),
         ],

@@ -77,7 +77,7 @@ def part(world: World, tree: nf.orthoview.OrthoTree, number: int, folder: Path) 
             now = {name: replace(frame, range=truth.range, motion=truth.motion) for name, frame in shown.items()}
             if n >= FIRST:
                 for name, findings in found.items():
-                    findings.alike.append(float(nf.motion_ssim(last[name], now[name])))
+                    findings.alike.append(float(nf.metrics.motion_ssim(last[name], now[name])))
                     if name != "truth":
                         findings.psnr.append(nf.psnr(truth, now[name]))
                         findings.ssim.append(float(nf.ssim(truth, now[name])))

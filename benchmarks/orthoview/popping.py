@@ -150,7 +150,7 @@ def blends(world: World, tree: Tree, out: Path, parts: int) -> None:
                 now[name] = replace(truth, color=render_blended(tree, truth.camera, blend, sky).color)
                 errors[name].append((nf.psnr(truth, now[name]), float(nf.ssim(truth, now[name]))))
             for name, frame in last.items():
-                alike[name].append(float(nf.motion_ssim(frame, now[name])))
+                alike[name].append(float(nf.metrics.motion_ssim(frame, now[name])))
             last = now
         for name, values in alike.items():
             row = [f"{start:g} s", name, f"{np.mean(values):.4f}", f"{min(values):.4f}"]

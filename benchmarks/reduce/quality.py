@@ -66,7 +66,7 @@ def measures(truth: nf.Frame, frame: nf.Frame, case: Case) -> list[float]:
     comparison = nf.compare(truth, frame, center=case.center, radius=case.r2)
     torn = [
         np.nan if v is None else v
-        for v in (comparison.discontinuity, comparison.discontinuity_p99, comparison.boundary)
+        for v in (comparison.discontinuity, comparison.discontinuity_p99, comparison.boundary_discontinuity)
     ]
     return [*torn, comparison.psnr, comparison.ssim]
 

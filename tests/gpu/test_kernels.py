@@ -168,7 +168,7 @@ def test_discontinuity_is_that_of_the_cpu(device: _core.GpuDevice, name: str, ep
     truth = TRUTHS[name]
     frame = gpu.render(street(), view(size=truth.size if truth else (96, 60)), channels=("position",))
     found = gpu.discontinuity(frame, truth, epsilon=epsilon, min_distance=least)
-    expected = nf.discontinuity(frame.read(), truth, epsilon=epsilon, min_distance=least)
+    expected = nf.metrics.discontinuity(frame.read(), truth, epsilon=epsilon, min_distance=least)
     np.testing.assert_array_equal(np.isnan(found), np.isnan(expected))
     # Places are rounded to some 1e-5 pixels, and a pair whose distance is ε to that may count or not: one of dozens.
     np.testing.assert_allclose(found, expected, rtol=2e-3, atol=2e-3)
@@ -203,7 +203,7 @@ def check_heaps() -> None:
     assert np.sort(counts)[1] > 1 << 12
     found = gpu.discontinuity(frame, heap, epsilon=1.0137)
     # Places are rounded to some 1e-5 pixels, and of thousands of neighbours some at the distance ε may count or not.
-    np.testing.assert_allclose(found + 1, nf.discontinuity(read, heap, epsilon=1.0137) + 1, rtol=5e-3)
+    np.testing.assert_allclose(found + 1, nf.metrics.discontinuity(read, heap, epsilon=1.0137) + 1, rtol=5e-3)
 
 
 def test_a_truth_of_another_size_is_refused(device: _core.GpuDevice) -> None:

@@ -14,7 +14,6 @@ CHECKOUT = Path(__file__).resolve().parents[2]
 PACKAGE = CHECKOUT / "python" / "nearfar"
 
 PRIVATE_TO_COMMANDS = {
-    "nearfar._metrics.comparison",
     "nearfar._reduce.default_radii",
     "nearfar._reduce.findings",
     "nearfar._reduce.folder",

@@ -23,7 +23,10 @@ CALLABLES = public_callables()
 NAMES = sorted({*CALLABLES, *(name for name in OWN if not name.endswith("."))})
 """Names of all calls."""
 
-PASSED_ON = {"Walk.render": "ReducedScene.render", "lod.measure": "lod.MeasureSettings"}
+PASSED_ON = {
+    "Walk.render": "ReducedScene.render", "lod.measure": "lod.MeasureSettings", "metrics.ms_ssim": "SsimSettings",
+    "metrics.ssim_pairs": "SsimSettings", "ssim": "SsimSettings",
+}  # fmt: skip
 """Callables to which others pass all keywords that they do not name."""
 
 NEEDS = {

@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check, progress
 from nearfar._camera.camera import Camera, Fov
-from nearfar._metrics.discontinuity import boundary, truth_view
 from nearfar._render.frame import Frame
+from nearfar.metrics._discontinuity import boundary_mask, truth_view
 
 EPSILON = 4.0
 """Radius of a neighbourhood in pixels of the truth."""
@@ -96,21 +96,21 @@ def boundary_tear(
     epsilon
         Radius ε of the neighbourhood in pixels of the truth, from 10⁻⁶ to 5,000.
     surfaces
-        True measures only where a surface crosses the radius, as `boundary` does.
+        True measures only where a surface crosses the radius, as `boundary_mask` does.
 
     Returns
     -------
     BoundaryTear
-        Means over the pixels of `boundary` whose neighbourhood within ε lies on both sides of `radius`. With T the tear
-        for ε, and T₂ that for 2 ε, the kink is √((T₂² − T²) / 3), at most T: a tear has the same value for both, a kink
-        twice its value for the second.
+        Means over the pixels of `boundary_mask` whose neighbourhood within ε lies on both sides of `radius`. With T the
+        tear for ε, and T₂ that for 2 ε, the kink is √((T₂² − T²) / 3), at most T: a tear has the same value for both, a
+        kink twice its value for the second.
 
     Raises
     ------
     ValueError, TypeError
         Frames without positions and arguments out of range.
     """
-    edge = boundary(frame, center=center, radius=radius, surfaces=surfaces)
+    edge = boundary_mask(frame, center=center, radius=radius, surfaces=surfaces)
     middle, end = np.array(check.vector("center", center)), check.positive("radius", radius)
     near = check.in_range("epsilon", epsilon, EPSILONS[0], EPSILONS[1] / 2)
     away = frame.require("position").astype(np.float64) + np.array(frame.origin) - middle
