@@ -14,6 +14,7 @@ import nearfar as nf
 from benchmarks.harness.compare import FOLDER, OURS, Case, Work, compare, describe
 from benchmarks.harness.pictures import draw_lens
 from benchmarks.harness.timing import machine
+from nearfar._lens.warp import Filter
 
 Array = NDArray[np.float64]
 
@@ -90,7 +91,8 @@ def warps() -> str:
 
     ready = maps()
     cases = []
-    for name, code in (("linear", cv2.INTER_LINEAR), ("cubic", cv2.INTER_CUBIC)):
+    codes: dict[Filter, int] = {"linear": cv2.INTER_LINEAR, "cubic": cv2.INTER_CUBIC}
+    for name, code in codes.items():
         ours = functools.partial(RIFT_S.warp, image, True, fov=fov, filter=name)
         cases += [Case(f"{OURS}, {name}", ours, error, peer=False)]
         cases += [Case(f"OpenCV, {name}, maps at hand", functools.partial(opencv, code, ready), error)]

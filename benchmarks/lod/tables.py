@@ -18,6 +18,7 @@ from benchmarks.harness.timing import machine, table
 from benchmarks.lod._objects import RATIOS, RIFT_S, VIVE_PRO, Headset, crowd, measured, sources
 from benchmarks.lod._printed_turns import COUNTS, SIZES
 from benchmarks.lod._turns import DRAWS, FRAMES, RADIUS, Draws, turns
+from nearfar.lod._select.rules import Mode
 
 LEVELS = 10
 """Number of levels of an object, as published: here down to 0.15 % of its triangles."""
@@ -27,7 +28,8 @@ RADII = (0.5, 1.0)
 """Radii of objects, metres; the thesis does not print them."""
 TWO_LEVELS = 0.008
 """Share of the triangles in the coarser one of two levels."""
-MODES = ("depth", "depth+eccentricity", "fovea")
+MODES: tuple[Mode, ...] = ("depth", "depth+eccentricity", "fovea")
+TIMED_MODES: tuple[Mode, ...] = ("off", *MODES)
 TIMED = 4
 """Number of drawn frames of a turn."""
 
@@ -121,8 +123,8 @@ def times(models: Models, size: int, count: int, headset: Headset, backend: str)
     """Seconds of a mean frame by mode, colour only, including selection; the least of two turns."""
     scene = crowd(models, size=size, count=count)
     world = nf.lod.place(models, scene.model_index, scene.transforms)
-    seconds = {}
-    for mode in ("off", *MODES):
+    seconds: dict[str, float] = {}
+    for mode in TIMED_MODES:
         how = nf.lod.Selector(lens=headset.lens, mode=mode)
         turned = []
         for _ in range(2):
@@ -143,12 +145,12 @@ def timings(headset: Headset, models: Models, counts: tuple[int, ...], backend: 
             seconds, printed = times(models, size, count, headset, backend), headset.printed[size]
             by_depth = 100 * (1 - seconds["depth"] / seconds["off"])
             by_lens = 100 * (1 - seconds[MODES[1]] / seconds["depth"])
-            place, milliseconds = COUNTS.index(count), [f"{1000 * seconds[mode]:.0f}" for mode in ("off", *MODES)]
+            place, milliseconds = COUNTS.index(count), [f"{1000 * seconds[mode]:.0f}" for mode in TIMED_MODES]
             theirs = [printed.time_depth[place], printed.time_lens[place] if printed.time_lens else "< 1.5"]
             shares = [f"{by_depth:.1f} ({theirs[0]})", f"{by_lens:.1f} ({theirs[1]})"]
             rows.append([f"{size}", f"{count:,}", *milliseconds, *shares])
     width, height = headset.size
-    titles = ["radius m", "objects", "off", *MODES, "saved by depth % (printed)", "further by lens % (printed)"]
+    titles = ["radius m", "objects", *TIMED_MODES, "saved by depth % (printed)", "further by lens % (printed)"]
     full = np.mean([model.triangles[0] for model in models])
     title = f"{headset.name}: milliseconds of a frame of {width} x {height}, colour, backend={backend!r}"
     return table(f"{title}, objects of {full:,.0f} triangles", titles, rows)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -59,7 +59,9 @@ def triangle_radii(vertices: ArrayLike, faces: ArrayLike | None = None, *, cente
         return _core.triangle_radii(rows, indices, axis, report)
 
 
-UNITS = ("triangle", "object")
+Unit = Literal["triangle", "object"]
+"""Name of a unit in which triangles are geometry or baked."""
+UNITS: tuple[Unit, ...] = get_args(Unit)
 """Units in which a scene is divided."""
 
 
@@ -87,7 +89,7 @@ class Partition:
     """Radius that bounds the intermediate zone, metres."""
     source: Scene
     """The scene that `partition` was given."""
-    unit: str = "triangle"
+    unit: Unit = "triangle"
     """"triangle" or "object": the unit in which triangles are geometry or baked."""
 
     @property
@@ -158,7 +160,7 @@ class Partition:
         )
 
 
-def partition(scene: Scene, *, center: ArrayLike, r1: float, r2: float, unit: str = "triangle") -> Partition:
+def partition(scene: Scene, *, center: ArrayLike, r1: float, r2: float, unit: Unit = "triangle") -> Partition:
     """Divide a scene into near geometry and far environment.
 
     Parameters

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from nearfar import _core
 from nearfar._cubemap.envmap import EnvMap, to_half
-from nearfar._partition.partition import Partition, partition
+from nearfar._partition.partition import Partition, Unit, partition
 from nearfar._reduce import folder
 from nearfar._render.bake import bake
 from nearfar._scene.scene import Scene
@@ -47,7 +47,7 @@ def parts(
     center: ArrayLike,
     r1: float,
     r2: float,
-    unit: str,
+    unit: Unit,
     boundary: str,
     size: int,
     samples: int,

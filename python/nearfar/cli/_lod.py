@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 import time
 from pathlib import Path
 from typing import Annotated, Any
@@ -69,13 +68,15 @@ def lod(
     )
     started = time.perf_counter()
     name = Path(scene.partition(":")[0]).stem
-    simplify = functools.partial(nf.lod.simplify, loaded, method=method, normals=normals, name=name)
-    levels = simplify() if shares is None else simplify(shares)
+    shaped: dict[str, Any] = {"method": method, "normals": normals} | ({} if shares is None else {"ratios": shares})
+    levels = nf.lod.simplify(loaded, name=name, **shaped)
     simplified = time.perf_counter()
-    model = nf.lod.measure(levels, hmd=device, views=views, directions=directions, distances=distances, backend=backend)
+    sides: dict[str, Any] = {"views": views, "directions": directions, "distances": distances}
+    model = nf.lod.measure(levels, hmd=device, backend=backend, **sides)
     seconds = {"simplify": simplified - started, "measure": time.perf_counter() - simplified}
-    model.export(output, view=device, k=k, d=d, threshold=threshold, all_levels=all_levels)
-    switches = nf.lod.switches(model, view=device, k=k, d=d, threshold=threshold)
+    seen: dict[str, Any] = {"view": device, "k": k, "d": d, "threshold": threshold}
+    model.export(output, all_levels=all_levels, **seen)
+    switches = nf.lod.switches(model, **seen)
     written = np.ones(len(model), bool) if all_levels else switches.is_ever_shown
     document = describe(model, switches, written) | {
         "source": scene,

@@ -9,6 +9,7 @@ from nearfar.lod._measure.settings import MeasureSettings
 from nearfar.lod._model import LodModel
 from nearfar.lod._place import place
 from nearfar.lod._select.budget import Spent
+from nearfar.lod._select.rules import LodRules
 from nearfar.lod._select.select import select
 from nearfar.lod._select.selection import Selection
 from nearfar.lod._select.selector import Selector
@@ -22,6 +23,7 @@ __all__ = [
     "Level",
     "Levels",
     "LodModel",
+    "LodRules",
     "LodThreshold",
     "MeasureSettings",
     "Samples",

@@ -24,8 +24,9 @@ NAMES = sorted({*CALLABLES, *(name for name in OWN if not name.endswith("."))})
 """Names of all calls."""
 
 PASSED_ON = {
-    "Walk.render": "ReducedScene.render", "lod.measure": "lod.MeasureSettings", "metrics.ms_ssim": "SsimSettings",
-    "metrics.ssim_pairs": "SsimSettings", "ssim": "SsimSettings",
+    "Walk.render": "ReducedScene.render", "lod.measure": "lod.MeasureSettings", "lod.Selector": "lod.LodRules",
+    "lod.select": "lod.LodRules", "metrics.ms_ssim": "SsimSettings", "metrics.ssim_pairs": "SsimSettings",
+    "ssim": "SsimSettings",
 }  # fmt: skip
 """Callables to which others pass all keywords that they do not name."""
 
