@@ -17,7 +17,7 @@ from nearfar.lod._measure import statistic
 from nearfar.lod._measure.statistic import Mean
 from nearfar.lod._measured_levels import MeasuredLevels
 from nearfar.lod._select.rules import Mode
-from nearfar.lod._select.selector import Selector
+from nearfar.lod._select.select import Selector
 from nearfar.lod._select.threshold import Kind, LodThreshold, threshold_of
 
 if TYPE_CHECKING:

@@ -30,12 +30,8 @@ def tear(frame: Frame, truth_camera: Camera | None = None, *, epsilon: float = E
 
     Parameters
     ----------
-    frame
-        Frame with `position`, the unmorphed scene point of each pixel. Far pixels of a reduced scene have it if the
-        map was baked with range.
-    truth_camera
-        View of the true picture, of the frame's size in pixels, because distances in pixels of both are compared; by
-        default the frame's camera.
+    frame, truth_camera
+        As in `discontinuity`.
     epsilon
         Radius ε of the neighbourhood in pixels of the truth, from 10⁻⁶ to 10,000. Time grows with its square.
 
@@ -87,16 +83,10 @@ def boundary_tear(
 
     Parameters
     ----------
-    frame
-        Frame with `position`, as for `tear`.
-    center
-        World position O of the reduction, metres.
-    radius
-        Radius in metres at which the near part ends: r2 of the reduction.
+    frame, center, radius, surfaces
+        As in `boundary_mask`.
     epsilon
-        Radius ε of the neighbourhood in pixels of the truth, from 10⁻⁶ to 5,000.
-    surfaces
-        True measures only where a surface crosses the radius, as `boundary_mask` does.
+        As in `tear`, up to 5,000.
 
     Returns
     -------
