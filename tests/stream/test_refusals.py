@@ -21,7 +21,7 @@ def _no_work(monkeypatch: pytest.MonkeyPatch) -> None:
     def work(*given: Any, **named: Any) -> None:
         raise AssertionError("the work began")
 
-    for name in ("chosen", "assign", "TextureFiles", "Writer"):
+    for name in ("choose_radii", "assign", "TextureFiles", "Writer"):
         monkeypatch.setattr(_export, name, work)
 
 
