@@ -211,7 +211,7 @@ def times(models: Models, size: int, count: int, headset: Headset, backend: str)
     world = nf.lod.place(models, scene.model_index, scene.transforms)
     cameras = [headset.camera(2 * np.pi * frame / TIMED) for frame in range(TIMED)]
 
-    def turn(mode: str) -> None:
+    def turn(mode: Any) -> None:
         how = nf.lod.Selector(lens=headset.lens, mode=mode)
         for camera in cameras:
             nf.render(world, camera, lod=how, channels=("color",), backend=backend)
