@@ -20,7 +20,7 @@ SIZE, LENS = nf.hmd.RIFT_S.render_size, nf.RadialLens((0.22, 0.24))
 FOV = nf.Fov.symmetric(87, np.tan(np.radians(87 / 2)) / np.tan(np.radians(90 / 2)))
 COUNT, BALL, ACROSS = 500, 10.0, 1.0
 FRAMES = 360
-COLORS = {"depth": "#555555", "depth+eccentricity": "#e08a1e", "fovea": "#c8102e"}
+COLORS: dict[Any, str] = {"depth": "#555555", "depth+eccentricity": "#e08a1e", "fovea": "#c8102e"}
 
 
 def draw_lod(path: Path) -> None:

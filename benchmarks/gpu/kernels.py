@@ -58,11 +58,11 @@ def frames(label: str) -> None:
         Case("reading both back alone", lambda: (one.read(), other.read())),
     ]
     print(compare(f"SSIM of two frames of {SIZE[0]} × {SIZE[1]} pixels, {label}", cases))
-    of = partial(greatest, expected=nf.discontinuity(read[0], views[1]))
+    of = partial(greatest, expected=nf.metrics.discontinuity(read[0], views[1]))
     cases = [
         Case(f"{OURS}, on the device", lambda: gpu.discontinuity(one, views[1]), of),
-        Case("read back, then CPU", lambda: nf.discontinuity(one.read(), views[1]), of),
-        Case("CPU alone", lambda: nf.discontinuity(read[0], views[1]), of),
+        Case("read back, then CPU", lambda: nf.metrics.discontinuity(one.read(), views[1]), of),
+        Case("CPU alone", lambda: nf.metrics.discontinuity(read[0], views[1]), of),
     ]
     print(compare(f"Discontinuity of a frame of {SIZE[0]} × {SIZE[1]} pixels, ε = 17, {label}", cases))
 

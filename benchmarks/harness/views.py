@@ -62,7 +62,7 @@ def views(
 def boundary_length(reduced: nf.ReducedScene, camera: nf.Camera) -> int:
     """Number of pixels along the end of the near part in the continuous picture."""
     frame = reduced.render(camera, channels=("position",))
-    return int(nf.boundary(frame, center=reduced.center, radius=reduced.r2).sum())
+    return int(nf.metrics.boundary_mask(frame, center=reduced.center, radius=reduced.r2).sum())
 
 
 def _is_free(

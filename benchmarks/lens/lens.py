@@ -87,7 +87,8 @@ def warps() -> str:
 
     ready = maps()
     cases = []
-    for name, code in (("linear", cv2.INTER_LINEAR), ("cubic", cv2.INTER_CUBIC)):
+    codes: dict[Any, int] = {"linear": cv2.INTER_LINEAR, "cubic": cv2.INTER_CUBIC}
+    for name, code in codes.items():
         ours = functools.partial(RIFT_S.warp, image, True, fov=fov, filter=name)
         cases += [Case(f"{OURS}, {name}", ours, error)]
         cases += [Case(f"OpenCV, {name}, maps at hand", functools.partial(opencv, code, ready), error)]
@@ -147,12 +148,13 @@ def _draw_inverses(lens: nf.RadialLens, axis: Any) -> None:
     """Draw the residual between a radius and the image of its root."""
     r = np.linspace(0.01, 1.6, 800)
     shown = lens.distort(r)
-    for label, method, steps, color in (
+    inverses: tuple[tuple[str, Any, int, str], ...] = (
         ("published iteration, 5 steps (OpenCV's default)", "fixed_point", 5, "#999999"),
         ("published iteration, 50 steps", "fixed_point", 50, "#555555"),
         ("look-up table", "lut", 0, "#e08a1e"),
         ("Newton (0)", "newton", 0, "#c8102e"),
-    ):
+    )
+    for label, method, steps, color in inverses:
         residual = np.abs(lens.distort(lens.undistort(shown, method=method, iterations=steps)) - shown)
         axis.semilogy(r, np.maximum(residual, 1e-17), label=label, color=color)
     axis.axvline(1.0, linestyle=":", color="black")

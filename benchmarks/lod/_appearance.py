@@ -221,5 +221,5 @@ def _view(levels: list[Shape], camera: nf.Camera, materials: Sequence[Material])
     similarity = np.empty((len(coarser), len(materials)))
     for row, surface in zip(similarity, coarser, strict=True):
         mask = base.silhouette | surface.silhouette
-        row[:] = nf.ssim_pairs(truth, shade(surface, materials), data_range=255, masks=mask)
+        row[:] = nf.metrics.ssim_pairs(truth, shade(surface, materials), data_range=255, masks=mask)
     return similarity

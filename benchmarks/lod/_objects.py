@@ -20,6 +20,7 @@ from benchmarks.lod._dense import densify
 from benchmarks.lod._printed_turns import RIFT_S as PRINTED_RIFT_S, VIVE_PRO as PRINTED_VIVE_PRO, PrintedTurn
 from nearfar._base import data
 from nearfar.lod._select.kernel_inputs import on_panel
+from nearfar.lod._simplify.simplify import Method
 
 RATIOS = (1, 0.5, 0.25, 0.12, 0.06, 0.03, 0.015, 0.007, 0.003, 0.0015, 0.0007, 0.0003)
 
@@ -105,7 +106,8 @@ VIEWS = 36
 @functools.cache
 def simplified(name: str, *, dense: bool) -> nf.lod.Levels:
     """Simplify an object, which may be `densify` before."""
-    scene, method = sources()[name](), "meshopt" if name in BY_MESHOPT else "fast"
+    scene = sources()[name]()
+    method: Method = "meshopt" if name in BY_MESHOPT else "fast"
     return nf.lod.simplify(densify(scene) if dense else scene, RATIOS, method=method, normals="smooth", name=name)
 
 

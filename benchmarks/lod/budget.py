@@ -16,6 +16,7 @@ import nearfar as nf
 from benchmarks.harness.report import start, table
 from benchmarks.lod._objects import RIFT_S, Headset, measured
 from benchmarks.lod._views import Case, Levels
+from nearfar.lod._select.rules import Mode
 
 PIXELS = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
 """Allowed screen-space errors of tile viewers, pixels; 16 is the usual default."""
@@ -23,7 +24,7 @@ SCENES = [(10, 100), (15, 500), (20, 500), (30, 1000)]
 """Radius of the ball in metres, and number of objects."""
 STEPS = 7
 """Bisection steps of the search for a budget: to 1 % of the triangles that a rule draws."""
-MODE = "panel"
+MODE: Mode = "panel"
 """Mode that measures sizes in pixels of the panel, on which scores are measured."""
 
 

@@ -16,6 +16,7 @@ from benchmarks.harness.report import start, table
 from benchmarks.lod._objects import RIFT_S, VIEWS, VIVE_PRO, Headset, measured
 from benchmarks.lod._views import Case
 from nearfar._camera.rotation import rotation
+from nearfar.lod._select.rules import Mode
 
 PUBLISHED = 25
 """Percentile of the views for the published curves."""
@@ -31,7 +32,7 @@ HALVES = 200
 """Number of draws for a standard error."""
 ALL_VIEWS = 144
 """Number of sides from which objects are measured, for fine steps of percentiles."""
-MODES = ("depth", "depth+eccentricity", "panel")
+MODES: tuple[Mode, ...] = ("depth", "depth+eccentricity", "panel")
 
 
 @dataclass(frozen=True)
@@ -77,7 +78,7 @@ class Promises:
         return float(np.std(spreads, axis=0).max())
 
 
-def promises(cases: Sequence[Case], models: Sequence[nf.lod.LodModel], mode: str) -> Promises:
+def promises(cases: Sequence[Case], models: Sequence[nf.lod.LodModel], mode: Mode) -> Promises:
     """Choose levels by the curves of models, and score the objects in the pictures with these levels."""
     kept, degrees, objects, drawn = [], [], [], 0
     for place, case in enumerate(cases):

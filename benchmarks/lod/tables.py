@@ -27,7 +27,7 @@ RADII = (0.5, 1.0)
 """Radii of objects, metres; the thesis does not print them."""
 TWO_LEVELS = 0.008
 """Share of the triangles in the coarser one of two levels."""
-MODES = ("depth", "depth+eccentricity", "fovea")
+MODES: tuple[Any, ...] = ("depth", "depth+eccentricity", "fovea")
 TIMED = 4
 """Number of drawn frames of a turn."""
 
@@ -212,7 +212,7 @@ def times(models: Models, size: int, count: int, headset: Headset, backend: Back
     world = nf.lod.place(models, scene.model_index, scene.transforms)
     cameras = [headset.camera(2 * np.pi * frame / TIMED) for frame in range(TIMED)]
 
-    def turn(mode: str) -> None:
+    def turn(mode: Any) -> None:
         how = nf.lod.Selector(lens=headset.lens, mode=mode)
         for camera in cameras:
             nf.render(world, camera, lod=how, channels=("color",), backend=backend)

@@ -19,6 +19,7 @@ from benchmarks.harness.report import start, table
 from benchmarks.lod._objects import BY_MESHOPT, sources
 from nearfar.lod._measure import statistic
 from nearfar.lod._measure.views import Screen, Stand, turns
+from nearfar.lod._simplify.simplify import Method
 
 Array = NDArray[np.float64]
 
@@ -27,7 +28,7 @@ WINDOWS: dict[str, dict[str, Any]] = {
     "Gaussian, 10 × 10": {"size": 10},
     "uniform, 10 × 10": {"window": "uniform", "size": 10},
 }
-"""Settings of `nf.ssim_pairs` by name, ours first."""
+"""Settings of `nf.metrics.ssim_pairs` by name, ours first."""
 
 OBJECTS = ("bunny", "armadillo", "FlightHelmet", "knot")
 RATIOS = (0.25, 0.06, 0.015)
@@ -55,7 +56,7 @@ def scores(levels: nf.lod.Levels, screen: Screen, distances: Sequence[int], view
         for level in range(1, len(levels)):
             other, also_shown = pictures(levels[level].scene, cameras, samples)
             for window, options in enumerate(WINDOWS.values()):
-                found[window, level - 1, size] = nf.ssim_pairs(
+                found[window, level - 1, size] = nf.metrics.ssim_pairs(
                     base, other, data_range=255.0, masks=shown | also_shown, **options
                 )
     return found
@@ -75,7 +76,7 @@ def main() -> None:
     every, screen = sources(), Screen.from_arguments(nf.hmd.RIFT_S, None, None)
     listed, parts = [], []
     for name in (name for name in OBJECTS if name in every):
-        method = "meshopt" if name in BY_MESHOPT else "fast"
+        method: Method = "meshopt" if name in BY_MESHOPT else "fast"
         levels = nf.lod.simplify(every[name](), RATIOS, method=method, normals="smooth", name=name)
         parts.append(scores(levels, screen, DISTANCES, views, SAMPLES))
         listed += rows(name, parts[-1])

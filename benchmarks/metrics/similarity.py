@@ -109,9 +109,9 @@ def pairs() -> str:
             result[i, j] = scikit_map(views[i, 0], levels[i, j])[disc[i, 0]].mean()
         return result
 
-    exact = nf.ssim_pairs(views.astype(np.float64), levels.astype(np.float64), data_range=1, masks=disc)
+    exact = nf.metrics.ssim_pairs(views.astype(np.float64), levels.astype(np.float64), data_range=1, masks=disc)
     error = greatest_error(exact)
-    ours = partial(nf.ssim_pairs, views, levels, data_range=1, masks=disc)
+    ours = partial(nf.metrics.ssim_pairs, views, levels, data_range=1, masks=disc)
     cases = [
         Case(OURS, ours, error),
         Case("scikit-image, one by one", scikit, error),
@@ -149,7 +149,7 @@ def scales_and_sequences() -> str:
         Case("ssim, mask of 14 %", partial(ssim, mask=mask)),
         Case("the same, windows see only the mask", partial(ssim, mask=mask, masking="windows")),
         Case("ssim, wang-downsampled", partial(ssim, convention="wang-downsampled")),
-        Case("ms_ssim", partial(nf.ms_ssim, a, b, data_range=1)),
+        Case("ms_ssim", partial(nf.metrics.ms_ssim, a, b, data_range=1)),
     ]
     return compare("Other similarities, 1080p, float32", cases)
 
@@ -173,10 +173,10 @@ def frames() -> str:
     error = greatest_error(unique())
     # Each pair of neighbours within 17 pixels is processed once, hence half; about 25 multiply-adds per pair.
     pairs = 1920 * 1080 * np.pi * 17**2 / 2
-    work, cases = Work(multiply_adds=25 * pairs), [Case(OURS, lambda: nf.discontinuity(torn))]
+    work, cases = Work(multiply_adds=25 * pairs), [Case(OURS, lambda: nf.metrics.discontinuity(torn))]
     breaks = compare("Discontinuity, 1080p, ε = 17 px", cases, work=work, repeat=3)
     cases = [
-        Case(OURS, lambda: nf.object_completion(ids[0], ids[1]), error),
+        Case(OURS, lambda: nf.metrics.object_completion(ids[0], ids[1]), error),
         Case("NumPy's unique", unique, error),
         Case("reading the numbers (NumPy's max)", lambda: [i.max() for i in ids]),
     ]

@@ -27,7 +27,7 @@ CASES: tuple[tuple[str, str, float, float], ...] = (
 def measure(kind: str, shear: float, curvature: float, tear: float, direction: float) -> float:
     """Mean tear measured along the line."""
     frame = torn(tear, direction, kind=kind, shear=shear, curvature=curvature)
-    return float(at_the_line(nf.tear(frame), tear, direction, kind=kind).mean())
+    return float(at_the_line(nf.metrics.tear(frame), tear, direction, kind=kind).mean())
 
 
 def main() -> None:

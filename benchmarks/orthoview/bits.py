@@ -145,7 +145,7 @@ def loss_of(views: Stored, finest: Stored, truths: list[NDArray[np.uint8]], side
 
 def differences(right: list[NDArray[np.uint8]], shown: list[NDArray[np.uint8]]) -> tuple[float, float]:
     """PSNR in decibels over all pictures, and the mean of their SSIM."""
-    square = float(np.mean([nf.rmse(one, other) ** 2 for one, other in zip(right, shown, strict=True)]))
+    square = float(np.mean([nf.metrics.rmse(one, other) ** 2 for one, other in zip(right, shown, strict=True)]))
     ssim = np.mean([nf.ssim(one, other, data_range=255) for one, other in zip(right, shown, strict=True)])
     return (float(20 * np.log10(255 / np.sqrt(square))) if square else np.inf), float(ssim)
 

@@ -96,7 +96,7 @@ def part(world: World, tree: nf.orthoview.OrthoTree, number: int, folder: Path) 
             now = {name: replace(frame, range=truth.range, motion=truth.motion) for name, frame in shown.items()}
             if n >= FIRST:
                 for name, findings in found.items():
-                    findings.alike.append(float(nf.motion_ssim(last[name], now[name])))
+                    findings.alike.append(float(nf.metrics.motion_ssim(last[name], now[name])))
                     if name != "truth":
                         findings.psnr.append(nf.psnr(truth, now[name]))
                         findings.ssim.append(float(nf.ssim(truth, now[name])))
@@ -243,7 +243,7 @@ def blends(world: World, tree: Tree, out: Path, parts: int) -> None:
                 now[name] = replace(truth, color=render_blended(tree, truth.camera, blend, sky).color)
                 errors[name].append((nf.psnr(truth, now[name]), float(nf.ssim(truth, now[name]))))
             for name, frame in last.items():
-                alike[name].append(float(nf.motion_ssim(frame, now[name])))
+                alike[name].append(float(nf.metrics.motion_ssim(frame, now[name])))
             last = now
         for name, values in alike.items():
             quality = np.mean(errors[name], axis=0) if name in errors else (None, None)

@@ -56,7 +56,7 @@ def cases(quick: bool) -> Iterator[Case]:
 def measures(truth: nf.Frame, frame: nf.Frame, case: Case) -> list[float]:
     """Mean and 99th percentile of discontinuity, its absolute mean along the boundary, PSNR in decibels and SSIM."""
     comparison = nf.compare(truth, frame, center=case.center, radius=case.r2)
-    torn = comparison.discontinuity, comparison.discontinuity_p99, comparison.boundary
+    torn = comparison.discontinuity, comparison.discontinuity_p99, comparison.boundary_discontinuity
     return [*(np.nan if value is None else value for value in torn), comparison.psnr, comparison.ssim]
 
 
@@ -121,7 +121,7 @@ def draw_torn(truth: nf.Frame, frames: Mapping[str, nf.Frame], title: str, path:
     for column, (name, frame) in enumerate(frames.items(), start=1):
         axes[0, column].imshow(frame.to_image())
         axes[0, column].set_title(name)
-        torn = np.abs(nf.discontinuity(frame))
+        torn = np.abs(nf.metrics.discontinuity(frame))
         shown = axes[1, column].imshow(np.clip(torn, 0.0, 4.0), cmap="inferno", vmin=0.0, vmax=4.0)
         axes[1, column].set_title(f"its discontinuity, mean {np.nanmean(torn):.2f}")
     figure.colorbar(shown, ax=axes[1, :].tolist()[1:], shrink=0.8, label="|δ|")

@@ -28,7 +28,7 @@ def measures(reduced: nf.ReducedScene, view: nf.Camera, truth: nf.Frame) -> list
     """PSNR in decibels and SSIM of a picture, its mean tear along r2 in pixels, and its share that is a kink."""
     frame = reduced.render(view, channels=("color",), method="exact")
     placed = reduced.render(dense(view), channels=("position",), method="exact", env=False)
-    torn = nf.boundary_tear(placed, center=reduced.center, radius=reduced.r2)
+    torn = nf.metrics.boundary_tear(placed, center=reduced.center, radius=reduced.r2)
     return [nf.psnr(truth, frame), nf.ssim(truth, frame), torn.tear or 0.0, torn.kink or 0.0]
 
 

@@ -120,7 +120,7 @@ def tears(name: str, scene: nf.Scene, center: Point, count: int, seed: int) -> s
         taken = 0
         for camera in views(center, seed):
             frames = pictures(reduced, camera)
-            if not all(_count(nf.boundary_tear(frame, **where)) >= MIN_EDGE for frame in frames):
+            if not all(_count(nf.metrics.boundary_tear(frame, **where)) >= MIN_EDGE for frame in frames):
                 continue
             taken += 1
             truth = nf.render(scene, camera, channels=("position",), backend="cpu")
@@ -129,7 +129,7 @@ def tears(name: str, scene: nf.Scene, center: Point, count: int, seed: int) -> s
                 for part, each in parts(scene, frame, truth, end).items():
                     added = sums.setdefault(part, np.zeros((2, 3)))
                     for one, surfaces in each:
-                        added[method] += _weighted(nf.boundary_tear(one, **where, surfaces=surfaces))
+                        added[method] += _weighted(nf.metrics.boundary_tear(one, **where, surfaces=surfaces))
             if taken == count:
                 break
         rows += [_row(r1, part, taken, added) for part, added in sums.items()]
@@ -143,11 +143,11 @@ def _rho(frame: nf.Frame, center: Point) -> Positions:
     return np.asarray(np.hypot(away[..., 0], away[..., 2]))
 
 
-def _count(one: nf.BoundaryTear) -> float:
+def _count(one: nf.metrics.BoundaryTear) -> float:
     return one.pixels * (one.shared or 0.0)
 
 
-def _weighted(one: nf.BoundaryTear) -> Positions:
+def _weighted(one: nf.metrics.BoundaryTear) -> Positions:
     """Number of pixels, and sums of tears and kinks over them."""
     return _count(one) * np.array([1.0, one.tear or 0.0, one.kink or 0.0])
 

@@ -19,7 +19,7 @@ COUNT = 32
 def error(frame: nf.StereoFrame, truth: nf.StereoFrame) -> float:
     """Root mean square error of both eyes, sRGB codes."""
     pairs = [(getattr(frame, eye).to_image(), getattr(truth, eye).to_image()) for eye in ("left", "right")]
-    return float(np.mean([nf.rmse(a, b) for a, b in pairs]))
+    return float(np.mean([nf.metrics.rmse(a, b) for a, b in pairs]))
 
 
 def measure(name: str, scene: nf.Scene, size: tuple[int, int]) -> str:

@@ -125,7 +125,7 @@ def measure(case: Case, pairs: int) -> Measured:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             pair = [case.picture(moment), case.picture(moment + step)]
-        found.append(next(nf.visual_continuity(pair)))
+        found.append(next(nf.metrics.visual_continuity(pair)))
         folded += sum(frame.stats.get("fold_margin", 1.0) < 0.0 for frame in pair)
     return Measured(case, moments / max(case.seconds, step), np.array(found), folded)
 

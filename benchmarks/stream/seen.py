@@ -39,12 +39,12 @@ def clovr(scene: nf.Scene, maps: nf.stream.RingMaps, sent: list[int], size: int,
     truth = faces_of(scene, user, size)
     moving = scene.subset(objects=maps.rings.objects(0))
     still = in_front_of_map(moving, maps.map(0)).with_growth(0.0)
-    yield "ring 0", sent[0], *nf.object_completion(truth, faces_of(still, user, size))
+    yield "ring 0", sent[0], *nf.metrics.object_completion(truth, faces_of(still, user, size))
     for ring, radius in enumerate(maps.rings.radii, 1):
         reduced = nf.reduce(scene, center=center, r1=0.7 * radius, r2=radius, unit="object", morph="cylinder",
                             channels=("color", "range", "object_id"), face_size=TEXELS * size, samples=1)  # fmt: skip
         picture = faces_of(reduced, user, size)
-        yield f"ring {ring}, to {radius:g} m", sent[ring], *nf.object_completion(truth, picture)
+        yield f"ring {ring}, to {radius:g} m", sent[ring], *nf.metrics.object_completion(truth, picture)
 
 
 def vis1(scene: nf.Scene, maps: nf.stream.RingMaps, map_bytes: int, size: int, user: Point) -> Iterator[Row]:
@@ -66,10 +66,11 @@ def vis1(scene: nf.Scene, maps: nf.stream.RingMaps, map_bytes: int, size: int, u
         sent += len(export.glb(number, uris=uris)[0])
         sent += sum(len(data) for (data, _, _), group in zip(shared, first, strict=True) if group == number)
         shown = scene.subset(objects=[scene.object_names[place] for place in order[part < number]])
-        yield f"vis1, {number}/{PARTS} of geometry", sent, *nf.object_completion(truth, faces_of(shown, user, size))
+        completion = nf.metrics.object_completion(truth, faces_of(shown, user, size))
+        yield f"vis1, {number}/{PARTS} of geometry", sent, *completion
     whole = in_front_of_map(shown, maps.map(last), "none")
     picture = faces_of(whole, user, size)
-    yield "vis1 with its map", sent + map_bytes, *nf.object_completion(truth, picture)
+    yield "vis1 with its map", sent + map_bytes, *nf.metrics.object_completion(truth, picture)
 
 
 def sent_by_ring(bundle: nf.stream.Bundle) -> list[int]:
@@ -113,7 +114,7 @@ def main() -> None:
     found = {}
     for away in (1.0, 2.0):
         user = (center[0] - away, center[1], center[2])
-        truth = nf.object_completion(faces_of(scene, user, size), faces_of(scene, center, size))
+        truth = nf.metrics.object_completion(faces_of(scene, user, size), faces_of(scene, center, size))
         found[away] = list(clovr(scene, maps, sent, size, user)), list(vis1(scene, maps, last, size, user))
         shown = (*found[away][0], *found[away][1])
         rows: list[list[object]] = [["truth at O", None, *truth]]

@@ -119,7 +119,7 @@ def print_seen(cases: list[Case], lines: dict[str, plots.Lines], size: int, ever
             for name, line in lines[case.place.name].items()
         }
         pictures = Pictures(parts, by_footprint=False)
-        limit = nf.object_completion(pictures.truth(eye).objects, pictures.truth((x, y, z)).objects)
+        limit = nf.metrics.object_completion(pictures.truth(eye).objects, pictures.truth((x, y, z)).objects)
         rows.append([case.place.name, "truth at the centre", *limit, None, None, None])
         for name, line in own.items():
             seen = line.pictures

@@ -29,13 +29,11 @@ from ._render.renderable import Renderable
 from ._render.settings import RenderSettings
 from ._render.sequence import render_path
 from ._render.truth import render
-from ._metrics.comparison import Comparison, compare
-from ._metrics.discontinuity import boundary, discontinuity
-from ._metrics.motion_similarity import motion_ssim
-from ._metrics.pixel_errors import object_completion, psnr, rmse
-from ._metrics.result import Similarity
-from ._metrics.similarity import ms_ssim, ssim, ssim_pairs, visual_continuity
-from ._metrics.tear import BoundaryTear, boundary_tear, tear
+from .metrics._comparison import Comparison, compare
+from .metrics._pixel_errors import psnr
+from .metrics._result import Similarity
+from .metrics._similarity import ssim
+from .metrics._window import SsimSettings
 from ._reduce.choose_radii import Radii, RadiusSettings, choose_radii
 from ._reduce.baking import MapSettings
 from ._reduce.drawing import MorphSettings
@@ -49,10 +47,9 @@ from ._lens.lens import ChromaticLens, RadialLens, corrected_solid_angle
 from ._lens.warp import WarpMesh
 from .hmd._hmd import Hmd
 from .hmd._stereo import StereoFrame, render_eyes
-from . import datasets, hmd, stereo, gpu, lod, orthoview, stream, view
+from . import datasets, metrics, hmd, stereo, gpu, lod, orthoview, stream, view
 
 __all__ = [
-    "BoundaryTear",
     "Camera",
     "ChromaticLens",
     "Clip",
@@ -87,13 +84,12 @@ __all__ = [
     "SceneSource",
     "Shot",
     "Similarity",
+    "SsimSettings",
     "StereoFrame",
     "Walk",
     "WarpMesh",
     "__version__",
     "bend_rays",
-    "boundary",
-    "boundary_tear",
     "bounding_sphere",
     "bounding_spheres",
     "cast_rays",
@@ -106,7 +102,6 @@ __all__ = [
     "cube_solid_angles",
     "datasets",
     "depth_from_range",
-    "discontinuity",
     "envmap_directions",
     "envmap_texels",
     "fold_margin",
@@ -114,11 +109,9 @@ __all__ = [
     "hmd",
     "load_curve",
     "lod",
+    "metrics",
     "morph",
-    "motion_ssim",
-    "ms_ssim",
     "nearest_points",
-    "object_completion",
     "open_source",
     "orthoview",
     "partition",
@@ -130,16 +123,12 @@ __all__ = [
     "render",
     "render_eyes",
     "render_path",
-    "rmse",
     "solid_angle",
     "ssim",
-    "ssim_pairs",
     "stereo",
     "stream",
-    "tear",
     "tessellate",
     "triangle_radii",
     "view",
-    "visual_continuity",
     "write_tiles",
 ]

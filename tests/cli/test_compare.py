@@ -59,8 +59,8 @@ def test_measures_equal_the_library_functions(city: Path, compared: tuple[Path, 
     for name, light in (("conventional", reduced.with_morph("none")), ("continuous", reduced)):
         frame = light.render(view, channels=("color", "position"))
         values = document["pictures"][name]
-        torn = nf.discontinuity(frame)
-        edge = nf.boundary(frame, center=(0, 1.7, 0), radius=50) & ~np.isnan(torn)
+        torn = nf.metrics.discontinuity(frame)
+        edge = nf.metrics.boundary_mask(frame, center=(0, 1.7, 0), radius=50) & ~np.isnan(torn)
         # The document has four to six decimals.
         assert values["psnr"] == pytest.approx(nf.psnr(truth, frame), abs=1e-4)
         assert values["ssim"] == pytest.approx(nf.ssim(truth, frame), abs=1e-6)
@@ -69,7 +69,7 @@ def test_measures_equal_the_library_functions(city: Path, compared: tuple[Path, 
         assert values["boundary"] == pytest.approx(np.abs(torn[edge]).mean(), abs=1e-5)
         # Twenty pixels for each degree around the view's axis.
         dense = light.render(replace(view, size=(949, 593)), channels=("position",), method="exact")
-        along = nf.boundary_tear(dense, center=(0, 1.7, 0), radius=50)
+        along = nf.metrics.boundary_tear(dense, center=(0, 1.7, 0), radius=50)
         assert values["tear_density"] == pytest.approx(20.0, rel=1e-3)
         for key in ("tear", "kink", "shared"):
             name_of = "tear" if key == "tear" else f"tear_{key}"

@@ -169,7 +169,7 @@ def test_discontinuity_equals_the_cpu(device: _core.GpuDevice, name: str, epsilo
     truth = TRUTHS[name]
     frame = gpu.render(street(), view(size=truth.size if truth else (96, 60)), channels=("position",))
     found = gpu.discontinuity(frame, truth, epsilon=epsilon, min_distance=least)
-    expected = nf.discontinuity(frame.read(), truth, epsilon=epsilon, min_distance=least)
+    expected = nf.metrics.discontinuity(frame.read(), truth, epsilon=epsilon, min_distance=least)
     np.testing.assert_array_equal(np.isnan(found), np.isnan(expected))
     # Positions are rounded to some 1e-5 pixels; a pair at a distance that close to ε may count or not: one of dozens.
     np.testing.assert_allclose(found, expected, rtol=2e-3, atol=2e-3)
@@ -204,7 +204,7 @@ def check_heaps() -> None:
     assert np.sort(counts)[1] > 1 << 12
     found = gpu.discontinuity(frame, heap, epsilon=1.0137)
     # Positions are rounded to some 1e-5 pixels; of thousands of neighbours some at the distance ε may count or not.
-    np.testing.assert_allclose(found + 1, nf.discontinuity(read, heap, epsilon=1.0137) + 1, rtol=5e-3)
+    np.testing.assert_allclose(found + 1, nf.metrics.discontinuity(read, heap, epsilon=1.0137) + 1, rtol=5e-3)
 
 
 def test_a_truth_of_another_size_is_refused(device: _core.GpuDevice) -> None:

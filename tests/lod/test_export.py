@@ -168,7 +168,7 @@ NUMBERS = pytest.mark.parametrize(("k", "d"), [(0.27, 0.9), (0.24, 0.8), (0.0, 0
 
 @THRESHOLDS
 @NUMBERS
-def test_switches_equal_the_formulas(model: nf.lod.LodModel, threshold: str, k: float, d: float) -> None:
+def test_switches_equal_the_formulas(model: nf.lod.LodModel, threshold: Any, k: float, d: float) -> None:
     fov = nf.Fov.symmetric(87, 87 / 90)
     found = nf.lod.switches(model, view=fov, k=k, d=d, threshold=threshold)
     reference = 2 * math.pi * (1 - math.cos(math.asin(math.tan(math.radians(87 / 2)) / 4)))
@@ -186,7 +186,7 @@ def test_switches_equal_the_formulas(model: nf.lod.LodModel, threshold: str, k: 
 
 @THRESHOLDS
 @NUMBERS
-def test_switches_equal_select(model: nf.lod.LodModel, threshold: str, k: float, d: float) -> None:
+def test_switches_equal_select(model: nf.lod.LodModel, threshold: Any, k: float, d: float) -> None:
     # Straight ahead in a symmetric view the sizes of engines and `select` are equal.
     fov = nf.Fov.symmetric(87, 87 / 90)
     found = nf.lod.switches(model, view=fov, k=k, d=d, threshold=threshold)

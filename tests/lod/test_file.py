@@ -137,7 +137,7 @@ def test_foreign_and_newer_model_files_are_refused(model: nf.lod.LodModel, tmp_p
 
 
 def test_saving_refuses_the_suffix_of_geometry(model: nf.lod.LodModel, tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match=r"path: expected a place for JSON, got .*; `export`"):
+    with pytest.raises(ValueError, match=r"path: expected the name of a JSON file, got .*; `export`"):
         model.save(tmp_path / "x.glb")
     assert not list(tmp_path.iterdir())
 

@@ -63,7 +63,7 @@ def cut(rows: int, name: str) -> nf.lod.Levels:
     ],
 )
 def test_boxes_score_like_whole_pictures(
-    name: str, directions: str, fov: nf.Fov, size: tuple[int, int], samples: int
+    name: str, directions: Any, fov: nf.Fov, size: tuple[int, int], samples: int
 ) -> None:
     own = cut(12, name)
     model = nf.lod.measure(

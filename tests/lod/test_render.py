@@ -81,7 +81,7 @@ def crowd(models: list[nf.lod.LodModel]) -> nf.Scene:
 
 
 @pytest.mark.parametrize("mode", ["off", "depth", "depth+eccentricity", "fovea"])
-def test_modes_equal_select(models: list[nf.lod.LodModel], mode: str) -> None:
+def test_modes_equal_select(models: list[nf.lod.LodModel], mode: Any) -> None:
     scene = crowd(models)
     objects = leveled(scene)
     expected = nf.lod.select(

@@ -35,7 +35,7 @@ TURNED = nf.Camera.look_at((0.5, 1.5, -2.0), (4.0, 0.5, -9.0), fov=FOV, size=(14
 )
 @settings(max_examples=40)
 def test_levels_equal_the_formulas(
-    seed: int, threshold: str, mode: str, k: tuple[float, ...], slope: float, start: float, inverse: str
+    seed: int, threshold: Any, mode: Any, k: tuple[float, ...], slope: float, start: float, inverse: Any
 ) -> None:
     models = [usual(), usual(5, seed), usual(1), model([])]
     centers, radii = random_spheres(8, seed, TURNED)
@@ -294,7 +294,7 @@ def test_models_of_other_sizes_and_samples_are_refused() -> None:
         ((1.0, 1.0, 0.0, 0.5), "c: expected numbers above 0, got 0.0"),
         ((1.0, -1.0, 1.0, 0.5), "b: expected numbers above 0, got -1.0"),
         ((math.inf, 1.0, 1.0, 0.5), "a: expected finite numbers, or NaN for no curve, got inf"),
-        ((1.0, 1.0, 1.0, 0.5, 0.01), "status: expected one beside rms and reason, got None"),
+        ((1.0, 1.0, 1.0, 0.5, 0.01), "status: expected the outcomes if rms or reason is given, got None"),
     ],
 )
 def test_curves_of_other_parameters_are_refused(parameters: Any, message: str) -> None:

@@ -59,7 +59,8 @@ def test_sizes_equal_the_formulas(kind: str, lens: str | None) -> None:
         exact = [float(size(center, radius, VIEW, glass, 1.0, kind)[1]) for center, radius in spheres]
     # The threshold is below all scores: every object is requested.
     options: dict[str, Any] = KINDS[kind] | {"camera": VIEW, "lens": glass, "d": -9.0, "cull": False, "full": True}
-    for inverse, off in (("lut", 1e-7), ("newton", 1e-12)):
+    errors: dict[Any, float] = {"lut": 1e-7, "newton": 1e-12}
+    for inverse, off in errors.items():
         found = nf.lod.select([usual()], np.zeros(60, int), centers, radii, inverse=inverse, **options)
         seen = found.sigma_seen
         assert np.isfinite(exact).mean() > 0.4

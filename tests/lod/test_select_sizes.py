@@ -99,7 +99,8 @@ def test_sizes_beyond_the_measured_range_use_its_ends() -> None:
     wide = model([(1.0, 1.0, 1.0, 0.99)], (1e-3, 1.0))
     for share, level in ((0.999, 1), (1.001, 0)):
         radius = 5 * math.sin(2 * math.asin(math.sqrt(share * reference / (4 * math.pi))))
-        for limit, counted in (("seen", "asked"), ("own", "large")):
+        limits: dict[Any, str] = {"seen": "asked", "own": "large"}
+        for limit, counted in limits.items():
             found = nf.lod.select([wide], [0], [(0.5, 1.5, -7.0)], radius, camera=VIEW, limit=limit, full=True)
             assert found.level[0] == level
             assert found.counts["asked" if level else counted] == 1

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +20,7 @@ LITERAL = nf.lod.LodThreshold(0.1, 0.8, "literal")
 def test_thresholds_equal_the_formulas() -> None:
     sigma = np.geomspace(1e-4, 0.3, 50)
     k, d = 0.3, 0.85
-    expected = {
+    expected: dict[Any, Any] = {
         "anchored": d + k * (sigma - REFERENCE),
         "literal": k * sigma + d,
         "normalized": d + k * (sigma / REFERENCE - 1),
@@ -54,9 +53,8 @@ def test_keywords_and_thresholds_are_equivalent(tmp_path: Path) -> None:
     np.testing.assert_array_equal(plain, nf.lod.select(*where, camera=CAMERA, threshold=nf.lod.LodThreshold()))
     selector = nf.lod.Selector(threshold=LITERAL, fade=0.5)
     assert selector == nf.lod.Selector(**keywords, fade=0.5)
-    assert selector.threshold == LITERAL
-    assert (selector.k, selector.d) == (LITERAL.k, LITERAL.d)
-    assert replace(selector, fade=0.0) == nf.lod.Selector(threshold=LITERAL)
+    assert selector.rules.score_threshold == LITERAL
+    assert nf.lod.Selector(selector.rules, fade=0.0) == nf.lod.Selector(threshold=LITERAL)
     one, other = (nf.lod.switches(usual(), view=CAMERA, **how) for how in (keywords, {"threshold": LITERAL}))
     assert np.array_equal(one.solid_angle, other.solid_angle)
     assert not np.array_equal(one.solid_angle, nf.lod.switches(usual(), view=CAMERA).solid_angle)
@@ -64,8 +62,8 @@ def test_keywords_and_thresholds_are_equivalent(tmp_path: Path) -> None:
     usual().export(tmp_path / "other.json", view=CAMERA, **keywords)
     assert (tmp_path / "one.json").read_bytes() == (tmp_path / "other.json").read_bytes()
     # Omitted parts have their defaults.
-    assert nf.lod.Selector(d=0.5).threshold == nf.lod.LodThreshold(d=0.5)
-    assert nf.lod.Selector(threshold="literal").threshold == nf.lod.LodThreshold(kind="literal")
+    assert nf.lod.LodRules(d=0.5).score_threshold == nf.lod.LodThreshold(d=0.5)
+    assert nf.lod.LodRules(threshold="literal").score_threshold == nf.lod.LodThreshold(kind="literal")
 
 
 @pytest.mark.parametrize(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import pickle
 from typing import Any
 
 import numpy as np
@@ -154,3 +155,20 @@ def test_a_selector_equals_the_call_with_its_settings() -> None:
     assert np.array_equal(one.shown, other.shown)
     assert np.array_equal(selector.select([usual()], index, centers, radii, camera=VIEW), other.level)
     assert selector == nf.lod.Selector(**settings)
+
+
+def test_rules_choose_as_keywords_do_and_keywords_replace_them() -> None:
+    rules = nf.lod.LodRules(lens=LENS, mode="fovea", d=0.95)
+    centers, radii = sized(np.geomspace(1e-4, 0.1, 100))
+    objects = ([usual()], np.zeros(100, int), centers, radii)
+    by_keywords = nf.lod.select(*objects, camera=VIEW, lens=LENS, mode="depth", k=0.2, d=0.95)
+    assert np.array_equal(nf.lod.select(*objects, camera=VIEW, rules=rules, mode="depth", k=0.2), by_keywords)
+    assert nf.lod.Selector(rules, mode="depth").rules == nf.lod.LodRules(lens=LENS, d=0.95, mode="depth")
+    assert pickle.loads(pickle.dumps(nf.lod.Selector(rules))) == nf.lod.Selector(rules)
+    wrong: dict[str, Any]
+    for wrong, message in (
+        ({"rules": 0.9}, "rules: expected LodRules"),
+        ({"wide": 1}, "wide: expected a field of Lod"),
+    ):
+        with pytest.raises(TypeError, match=message):
+            nf.lod.select(*objects, camera=VIEW, **wrong)

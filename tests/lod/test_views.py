@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, get_args
 
 import numpy as np
 import pytest
@@ -18,7 +18,7 @@ def stand() -> level_views.Stand:
     return level_views.Stand(level_views.Screen.from_arguments(None, FOV, (128, 128)), (3.0, -2.0, 1.0), 1.2, 1.2)
 
 
-def cameras(views: int, directions: str) -> list[nf.Camera]:
+def cameras(views: int, directions: level_views.Directions) -> list[nf.Camera]:
     """Return the camera of each distinct picture."""
     return [stand().camera(1, one) for one in level_views.turns(views, directions)[0]]
 
@@ -34,8 +34,8 @@ def widest_gap(directions: Array) -> float:
     return math.degrees(math.acos((fibonacci(20_000) @ directions.T).max(axis=1).min()))
 
 
-@pytest.mark.parametrize("directions", level_views.DIRECTIONS)
-def test_cameras_move_inversely_to_the_objects_rotation(directions: str) -> None:
+@pytest.mark.parametrize("directions", get_args(level_views.Directions))
+def test_cameras_move_inversely_to_the_objects_rotation(directions: level_views.Directions) -> None:
     views = 24
     turns, shown = level_views.turns(views, directions)
     assert len(shown) == views
@@ -84,13 +84,13 @@ def test_even_directions_cover_all_sides(views: int) -> None:
 
 
 def test_even_directions_leave_smaller_gaps_than_published_ones() -> None:
-    even, published = (widest_gap(sides(cameras(144, name))) for name in level_views.DIRECTIONS)
+    even, published = (widest_gap(sides(cameras(144, name))) for name in get_args(level_views.Directions))
     assert even < 13.5
     assert published > 22
 
 
-@pytest.mark.parametrize("directions", level_views.DIRECTIONS)
-def test_every_rotation_axis_is_across_the_view(directions: str) -> None:
+@pytest.mark.parametrize("directions", get_args(level_views.Directions))
+def test_every_rotation_axis_is_across_the_view(directions: level_views.Directions) -> None:
     for x, y, z, w in level_views.turns(144, directions)[0]:
         assert z == 0.0
         assert math.hypot(x, y, w) == pytest.approx(1.0, rel=1e-15)
@@ -99,13 +99,13 @@ def test_every_rotation_axis_is_across_the_view(directions: str) -> None:
 
 
 @pytest.mark.parametrize(("directions", "views"), [("even", 96), ("even", 144), ("even", 1000), ("published", 144)])
-def test_the_first_views_cover_all_sides(directions: str, views: int) -> None:
+def test_the_first_views_cover_all_sides(directions: level_views.Directions, views: int) -> None:
     few = sides(cameras(views, directions))[::PILOT]
     assert widest_gap(few) < 65
 
 
-@pytest.mark.parametrize("directions", level_views.DIRECTIONS)
-def test_a_model_records_its_view_directions(directions: str) -> None:
+@pytest.mark.parametrize("directions", get_args(level_views.Directions))
+def test_a_model_records_its_view_directions(directions: level_views.Directions) -> None:
     options: dict[str, Any] = SMALL | {"directions": directions, "cache": False}
     model = nf.lod.measure(levels(8, 4), **options)
     assert model.measured["directions"] == directions

@@ -51,7 +51,7 @@ def test_windows_equal_their_definition(name: str) -> None:
     base, other = random.uniform(0, 255, (2, 24, 30))
     mask = random.random((24, 30)) < 0.4
     options = window.WINDOWS[name]
-    found = nf.ssim_pairs(base, other, data_range=255.0, masks=mask, **options)
+    found = nf.metrics.ssim_pairs(base, other, data_range=255.0, masks=mask, **options)
     assert float(found) == pytest.approx(plain(base, other, mask, options), abs=1e-12)
 
 

@@ -53,7 +53,7 @@ def test_discontinuity_equals_its_definition(
     frames: dict[str, nf.Frame], name: str, epsilon: float, least: float
 ) -> None:
     expected = slow_discontinuity(frames[name], epsilon, least)
-    found = nf.discontinuity(frames[name], epsilon=epsilon, min_distance=least)
+    found = nf.metrics.discontinuity(frames[name], epsilon=epsilon, min_distance=least)
     np.testing.assert_array_equal(np.isnan(found), np.isnan(expected))
     # A point whose distance equals ε to float32 may count or not: one of some hundred neighbours. Unmoved pixels
     # have integer distances, so ε is not an integer.
@@ -62,7 +62,7 @@ def test_discontinuity_equals_its_definition(
 
 def test_the_truth_has_no_discontinuity(frames: dict[str, nf.Frame]) -> None:
     # Positions on triangles of 4,000 m are rounded to 2.4e-4 m, which 5 m away is 2e-3 px of the 96 across 90 degrees.
-    assert np.nanmax(np.abs(nf.discontinuity(frames["truth"]))) < 2e-3
+    assert np.nanmax(np.abs(nf.metrics.discontinuity(frames["truth"]))) < 2e-3
 
 
 def test_only_the_conventional_method_tears_walls_at_the_boundary() -> None:
@@ -72,9 +72,9 @@ def test_only_the_conventional_method_tears_walls_at_the_boundary() -> None:
     torn = {}
     for morph in ("none", "blend"):
         frame = reduced.with_morph(morph).render(view, channels=("position",))
-        edge = nf.boundary(frame, center=CENTER, radius=R2)
+        edge = nf.metrics.boundary_mask(frame, center=CENTER, radius=R2)
         assert edge.sum() > 50
-        torn[morph] = float(np.nanmean(np.abs(nf.discontinuity(frame)[edge])))
+        torn[morph] = float(np.nanmean(np.abs(nf.metrics.discontinuity(frame)[edge])))
     # The wall recedes, so that the morph shears it between the radii, which counts as discontinuity too.
     assert torn["none"] > 5 * torn["blend"]
 
@@ -85,22 +85,22 @@ def test_a_truth_of_another_size_is_refused(frames: dict[str, nf.Frame]) -> None
     half = nf.Camera(frame.camera.position, frame.camera.orientation, fov=frame.camera.fov, size=(48, 30))
     for wrong in (half, nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90, 1), size=(96, 61))):
         with pytest.raises(ValueError, match="truth_camera: expected 96 × 60 pixels, as the frame"):
-            nf.discontinuity(frame, wrong)
+            nf.metrics.discontinuity(frame, wrong)
     same = nf.Camera(frame.camera.position, frame.camera.orientation, fov=frame.camera.fov, size=(96, 60))
-    np.testing.assert_array_equal(nf.discontinuity(frame, same), nf.discontinuity(frame))
+    np.testing.assert_array_equal(nf.metrics.discontinuity(frame, same), nf.metrics.discontinuity(frame))
 
 
 def test_pixels_without_a_surface_or_neighbours_have_none(frames: dict[str, nf.Frame]) -> None:
     sky = np.isnan(frames["truth"].require("position")[..., 0])
     assert sky.any()
-    np.testing.assert_array_equal(np.isnan(nf.discontinuity(frames["truth"])), sky)
+    np.testing.assert_array_equal(np.isnan(nf.metrics.discontinuity(frames["truth"])), sky)
     behind = nf.Camera.look_at((0, 2, 0), (-1, 2, 0), fov=nf.Fov.symmetric(20, 1), size=(8, 8))
     view = nf.Camera.look_at((0, 2, 0), (1, 2, 0), fov=nf.Fov.symmetric(20, 1), size=(8, 8))
     seen = nf.render(street(), view, channels=("position",))
-    assert np.isnan(nf.discontinuity(seen, behind)).all()
-    assert np.isnan(nf.discontinuity(seen, epsilon=1e-3)).all()
+    assert np.isnan(nf.metrics.discontinuity(seen, behind)).all()
+    assert np.isnan(nf.metrics.discontinuity(seen, epsilon=1e-3)).all()
     with pytest.raises(ValueError, match="position"):
-        nf.discontinuity(nf.render(street(), view, channels=("color",)))
+        nf.metrics.discontinuity(nf.render(street(), view, channels=("color",)))
 
 
 @given(st.integers(0, 2**32 - 1), st.floats(0.3, 40), st.floats(0.05, 3))
@@ -112,7 +112,7 @@ def test_random_points_equal_the_definition(seed: int, epsilon: float, least: fl
     position[random.uniform(size=(18, 27)) < 0.1] = np.nan
     frame = nf.Frame(view, position=position.astype(np.float32))
     expected = slow_discontinuity(frame, epsilon, least)
-    found = nf.discontinuity(frame, epsilon=epsilon, min_distance=least)
+    found = nf.metrics.discontinuity(frame, epsilon=epsilon, min_distance=least)
     # A pair at the distance ε, up to rounding, may count or not.
     differs = ~np.isclose(found, expected, rtol=2e-3, atol=2e-3, equal_nan=True)
     assert differs.mean() <= 0.02
@@ -124,9 +124,9 @@ def test_coincident_and_missing_pixels_are_handled() -> None:
     # All pixels are neighbours at distance 0, which is raised to a pixel: δ + 1 is the mean distance of pixels.
     y, x = np.mgrid[:12, :12]
     apart = np.hypot(x[..., None, None] - x, y[..., None, None] - y).sum(axis=(2, 3)) / 143
-    np.testing.assert_allclose(nf.discontinuity(heap), apart - 1, rtol=1e-5)
+    np.testing.assert_allclose(nf.metrics.discontinuity(heap), apart - 1, rtol=1e-5)
     nothing = nf.Frame(view, position=np.full((12, 12, 3), np.nan, np.float32))
-    assert np.isnan(nf.discontinuity(nothing)).all()
+    assert np.isnan(nf.metrics.discontinuity(nothing)).all()
 
 
 def test_outlines_in_front_of_far_surfaces_do_not_cross_the_radius() -> None:
@@ -136,7 +136,9 @@ def test_outlines_in_front_of_far_surfaces_do_not_cross_the_radius() -> None:
     position = np.stack([np.zeros_like(ahead), np.zeros_like(ahead), -ahead], axis=-1).astype(np.float32)
     view = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(60, 4 / 3), size=(40, 30))
     frame = nf.Frame(view, position=position, origin=view.position)
-    every, crossed = (nf.boundary(frame, center=(0, 0, 0), radius=50, width=1, surfaces=way) for way in (False, True))
+    every, crossed = (
+        nf.metrics.boundary_mask(frame, center=(0, 0, 0), radius=50, width=1, surfaces=way) for way in (False, True)
+    )
     assert every[:14, 18:21].all()
     assert not crossed[:12].any()
     floor = crossed[15:]

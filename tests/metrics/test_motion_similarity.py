@@ -37,7 +37,7 @@ def compared(earlier: nf.Frame, later: nf.Frame, seen: NDArray[np.bool_]) -> flo
 
 
 def test_a_moved_wall_has_similarity_one() -> None:
-    assert nf.motion_ssim(*pictures()) == pytest.approx(1.0, abs=1e-9)
+    assert nf.metrics.motion_ssim(*pictures()) == pytest.approx(1.0, abs=1e-9)
     assert nf.ssim(*pictures()) < 0.2
 
 
@@ -47,7 +47,7 @@ def test_changes_count_as_in_ssim(change: float) -> None:
     seen = np.ones(SIZE[::-1], bool)
     # Only pixels that were in the earlier picture count, up to its border's outer edge.
     seen[:, -STEP:] = False
-    found = nf.motion_ssim(earlier, later, full=True)
+    found = nf.metrics.motion_ssim(earlier, later, full=True)
     assert float(found) == pytest.approx(compared(earlier, later, seen), abs=1e-6)
     assert found < 1 - change / 10
     assert found.map.shape == SIZE[::-1]
@@ -62,7 +62,7 @@ def test_disoccluded_pixels_do_not_count() -> None:
     seen = np.ones(SIZE[::-1], bool)
     seen[:, -STEP:] = False
     seen[10:20, 20 - STEP : 30 - STEP] = False
-    found = nf.motion_ssim(replace(earlier, range=hidden, color=noise), later)
+    found = nf.metrics.motion_ssim(replace(earlier, range=hidden, color=noise), later)
     assert float(found) == pytest.approx(compared(earlier, later, seen), abs=1e-6)
 
 
@@ -74,16 +74,16 @@ def test_true_pictures_of_a_scene_are_similar() -> None:
     earlier = nf.render(scene, first, channels=("color", "range"), **settings)  # type: ignore[arg-type]
     channels = ("color", "range", "motion")
     later = nf.render(scene, second, before=first, channels=channels, **settings)  # type: ignore[arg-type]
-    found, still = nf.motion_ssim(earlier, later), nf.ssim(earlier, later)
+    found, still = nf.metrics.motion_ssim(earlier, later), nf.ssim(earlier, later)
     assert 1 - found < 0.5 * (1 - still), (found, still)
 
 
 def test_invalid_input_of_motion_similarity_is_refused() -> None:
     earlier, later = pictures()
     with pytest.raises(ValueError, match=r"later: .*motion"):
-        nf.motion_ssim(earlier, replace(later, motion=None))
+        nf.metrics.motion_ssim(earlier, replace(later, motion=None))
     with pytest.raises(ValueError, match=r"earlier: .*range"):
-        nf.motion_ssim(replace(earlier, range=None), later)
+        nf.metrics.motion_ssim(replace(earlier, range=None), later)
     away = replace(later, motion=later.require("motion") * 100)
     with pytest.raises(ValueError, match="later: expected a picture that shows some surface"):
-        nf.motion_ssim(earlier, away)
+        nf.metrics.motion_ssim(earlier, away)

@@ -20,10 +20,10 @@ from tests.support.similarity_oracle import pictures
 def test_errors_equal_their_definition() -> None:
     a, b = pictures()
     assert nf.psnr(a, a, data_range=1) == math.inf
-    assert nf.rmse(a, a) == 0.0
-    assert nf.rmse(a, b) == pytest.approx(np.sqrt(np.mean((a - b) ** 2)), rel=1e-13)
-    assert nf.rmse(np.float64(1), 4) == 3.0
-    assert nf.rmse([[[1.0]], [[5.0]]], [[[1.0]], [[2.0]]]) == math.sqrt(4.5)
+    assert nf.metrics.rmse(a, a) == 0.0
+    assert nf.metrics.rmse(a, b) == pytest.approx(np.sqrt(np.mean((a - b) ** 2)), rel=1e-13)
+    assert nf.metrics.rmse(np.float64(1), 4) == 3.0
+    assert nf.metrics.rmse([[[1.0]], [[5.0]]], [[[1.0]], [[2.0]]]) == math.sqrt(4.5)
 
 
 @given(st.integers(0, 2**32 - 1), st.integers(1, 9), st.integers(1, 40_000), st.sampled_from([np.uint8, np.uint16]))
@@ -33,12 +33,12 @@ def test_integers_are_summed_without_rounding(seed: int, height: int, width: int
     if seed % 3 == 0:
         a[:], b[:] = 0, np.iinfo(kind).max
     exact = int(((a.astype(np.int64) - b.astype(np.int64)) ** 2).sum())
-    assert nf.rmse(a, b) == math.sqrt(exact / a.size)
+    assert nf.metrics.rmse(a, b) == math.sqrt(exact / a.size)
 
 
 def test_pictures_that_are_tall_and_narrow_need_no_memory() -> None:
     tall = np.broadcast_to(np.float32(0.25), (1 << 22, 1))
-    assert nf.rmse(tall, tall) == 0.0
+    assert nf.metrics.rmse(tall, tall) == 0.0
     assert nf.ssim(tall, tall, data_range=1, window="global") == 1.0
 
 
@@ -61,19 +61,19 @@ def test_8_bit_pictures_and_frames_are_compared_directly() -> None:
     assert nf.ssim(frame, frame) == 1.0
     assert nf.psnr(frame, frame) == math.inf
     jump = nf.ssim(frame, other, window="global")
-    assert list(nf.visual_continuity([frame, frame, other])) == [1.0, jump]
+    assert list(nf.metrics.visual_continuity([frame, frame, other])) == [1.0, jump]
     with pytest.raises(TypeError, match="two frames or two arrays"):
-        nf.rmse(frame, a)
+        nf.metrics.rmse(frame, a)
 
 
 @pytest.mark.parametrize(
     ("call", "message"),
     [
         (lambda a, b: nf.psnr(a, b), "data_range: expected"),
-        (lambda a, b: nf.rmse(a[:0], b[:0]), "at least one value"),
-        (lambda a, b: nf.rmse(a * np.nan, b), "reference: expected finite"),
-        (lambda a, b: nf.rmse(a, b.astype(np.float32) - np.float32(np.inf)), "test: expected finite"),
-        (lambda a, b: nf.rmse([1e200], [-1e200]), "values up to 1e\\+150"),
+        (lambda a, b: nf.metrics.rmse(a[:0], b[:0]), "at least one value"),
+        (lambda a, b: nf.metrics.rmse(a * np.nan, b), "reference: expected finite"),
+        (lambda a, b: nf.metrics.rmse(a, b.astype(np.float32) - np.float32(np.inf)), "test: expected finite"),
+        (lambda a, b: nf.metrics.rmse([1e200], [-1e200]), "values up to 1e\\+150"),
     ],
 )
 def test_refuses_what_cannot_be_compared(call: Any, message: str) -> None:
@@ -85,7 +85,7 @@ def test_refuses_what_cannot_be_compared(call: Any, message: str) -> None:
 def test_object_completion_equals_its_definition(pairs: list[tuple[int, int]]) -> None:
     reference, test = (np.array(ids, np.int32) for ids in zip(*pairs, strict=True))
     objects = [o for o in range(6) if (reference == o).any()]
-    found = nf.object_completion(reference, test)
+    found = nf.metrics.object_completion(reference, test)
     if not objects:
         assert all(math.isnan(value) for value in found)
         return
@@ -97,12 +97,12 @@ def test_object_completion_equals_its_definition(pairs: list[tuple[int, int]]) -
 def test_object_numbers_may_be_large_and_sparse() -> None:
     reference = np.array([2**31 - 1, 2**31 - 1, 2**30, -1, 0, 0, 0, 0], np.int32)
     test = np.array([2**31 - 1, 5, 6, 7, 0, 0, -(2**31), 0], np.int32)
-    assert nf.object_completion(reference, test) == pytest.approx((2 / 3, (0.5 + 0.75) / 3))
+    assert nf.metrics.object_completion(reference, test) == pytest.approx((2 / 3, (0.5 + 0.75) / 3))
     large = np.repeat(np.arange(3000, dtype=np.int32), 701)
-    assert nf.object_completion(large, large[::-1]) == (1.0, 1.0)
+    assert nf.metrics.object_completion(large, large[::-1]) == (1.0, 1.0)
     shifted = np.roll(large, 350)
     shifted[:350] = -1
-    assert nf.object_completion(large, shifted) == pytest.approx((1.0, (2999 + 351 / 701) / 3000))
+    assert nf.metrics.object_completion(large, shifted) == pytest.approx((1.0, (2999 + 351 / 701) / 3000))
 
 
 BITS = """
@@ -114,13 +114,13 @@ from tests.support.reduce_cases import CENTER, camera, street
 a, b = pictures(301, 203)
 frame = nf.render(street(), camera(CENTER, (1, -0.1, 0.2), (320, 200)), channels=("position",))
 mask = a > 0.5
-parts = [nf.rmse(a, b), nf.ms_ssim(a, b, data_range=1), nf.discontinuity(frame).tobytes()]
+parts = [nf.metrics.rmse(a, b), nf.metrics.ms_ssim(a, b, data_range=1), nf.metrics.discontinuity(frame).tobytes()]
 for window in ("gaussian", "uniform", "global"):
     for kind in (np.float32, np.float64):
         x, y = a.astype(kind), b.astype(kind)
         mean, found = nf.ssim(x, y, data_range=1, window=window, full=True)
         parts += [mean, found.tobytes(), nf.ssim(x, y, data_range=1, window=window, mask=mask, masking="windows")]
-parts += [nf.ssim_pairs(a[:64, :64], [b[:64, :64], b[64:128, 64:128]], data_range=1).tobytes()]
+parts += [nf.metrics.ssim_pairs(a[:64, :64], [b[:64, :64], b[64:128, 64:128]], data_range=1).tobytes()]
 print(hashlib.sha256(repr(parts).encode()).hexdigest())
 """
 
@@ -143,7 +143,7 @@ nf.ssim(a[:64, :64], b[:64, :64], data_range=1)
 before = peak()
 nf.ssim(a, b, data_range=1)
 nf.ssim(a, b, data_range=1, mask=a > 0.5)
-nf.rmse(a, b)
+nf.metrics.rmse(a, b)
 print((peak() - before) / a.nbytes)
 """
 

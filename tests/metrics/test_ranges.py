@@ -28,8 +28,8 @@ METRICS: dict[str, Callable[..., Any]] = {
     "ssim, even window": lambda a, b, **options: nf.ssim(a, b, size=8, window="uniform", **options),
     "ssim, full": lambda a, b, **options: nf.ssim(a, b, convention="full", **options),
     "ssim, map": lambda a, b, **options: nf.ssim(a, b, full=True, **options),
-    "ssim_pairs": nf.ssim_pairs,
-    "ms_ssim": lambda a, b, **options: nf.ms_ssim(a, b, size=3, **options),
+    "ssim_pairs": nf.metrics.ssim_pairs,
+    "ms_ssim": lambda a, b, **options: nf.metrics.ms_ssim(a, b, size=3, **options),
 }
 
 SHAPES = st.tuples(st.integers(60, 200), st.integers(80, 290))

@@ -30,7 +30,7 @@ def typed(kind: type, *, height: int = 23, width: int = 29) -> tuple[NDArray[Any
 
 @pytest.mark.parametrize("kind", list(TYPES))
 @pytest.mark.parametrize(("window", "size"), [("gaussian", 11), ("gaussian", 10), ("uniform", 7), ("uniform", 4)])
-def test_similarity_equals_its_definition(kind: type, window: str, size: int) -> None:
+def test_similarity_equals_its_definition(kind: type, window: Any, size: int) -> None:
     a, b, extent = typed(kind)
     expected, _ = slow_maps(a, b, weights(window, size), extent)
     mean, found = nf.ssim(a, b, data_range=extent, window=window, size=size, full=True)
@@ -107,7 +107,7 @@ sizes = st.tuples(st.integers(1, 40), st.integers(1, 40))
 
 
 @given(sizes, st.sampled_from(list(TYPES)), st.sampled_from(["gaussian", "uniform", "global"]), st.integers(1, 13))
-def test_identical_pictures_have_similarity_one(shape: tuple[int, int], kind: type, window: str, size: int) -> None:
+def test_identical_pictures_have_similarity_one(shape: tuple[int, int], kind: type, window: Any, size: int) -> None:
     a, b, extent = typed(kind, height=shape[0], width=shape[1])
     options: dict[str, Any] = {"data_range": extent, "window": window, "size": size}
     mean, found = nf.ssim(a, b, full=True, **options)
@@ -123,7 +123,7 @@ def test_identical_pictures_have_similarity_one(shape: tuple[int, int], kind: ty
 
 
 @given(st.integers(0, 2**32 - 1), sizes, st.integers(1, 12), st.sampled_from(["gaussian", "uniform"]))
-def test_random_pictures_equal_the_definition(seed: int, shape: tuple[int, int], size: int, window: str) -> None:
+def test_random_pictures_equal_the_definition(seed: int, shape: tuple[int, int], size: int, window: Any) -> None:
     random = np.random.default_rng(seed)
     a, b = random.normal(random.normal() * 10, 10 ** random.uniform(-3, 2), (2, *shape))
     expected, _ = slow_maps(a, b, weights(window, size), 2.0)
@@ -198,12 +198,12 @@ def test_any_layout_has_the_same_bits(kind: type) -> None:
     mask = np.add.outer(np.arange(61), np.arange(140)) % 3 == 0
     expected = nf.ssim(a, b, data_range=extent)
     masked = nf.ssim(a, b, data_range=extent, mask=mask)
-    noise = nf.rmse(a, b)
+    noise = nf.metrics.rmse(a, b)
     for layout, other in zip(layouts(a), layouts(mask.view(np.uint8)), strict=True):
         assert nf.ssim(layout, b, data_range=extent) == expected
         assert nf.ssim(b, layout, data_range=extent) == expected
         assert nf.ssim(a, b, data_range=extent, mask=other) == masked
-        assert nf.rmse(layout, b) == pytest.approx(noise, rel=1e-14)
+        assert nf.metrics.rmse(layout, b) == pytest.approx(noise, rel=1e-14)
     for channels in (np.stack([a, b], axis=-1), np.moveaxis(np.stack([a, b]), 0, -1)):
         found = nf.ssim(channels, channels[..., ::-1], data_range=extent, channel_axis=-1, full=True)
         # Tiles of maps begin elsewhere, and round otherwise.
@@ -214,9 +214,9 @@ def test_any_layout_has_the_same_bits(kind: type) -> None:
 def test_axes_of_one_pixel_may_have_any_step() -> None:
     line = np.linspace(0, 1, 50)[None]
     back = line[::-1]
-    assert nf.ssim(back, line, data_range=1) == nf.rmse(back, line) + 1 == 1.0
+    assert nf.ssim(back, line, data_range=1) == nf.metrics.rmse(back, line) + 1 == 1.0
     one = np.zeros((1, 5, 3), [("flag", np.uint8), ("value", np.float32)])["value"][0, :1, :1]
-    assert nf.rmse(one, one + 1) == 1.0
+    assert nf.metrics.rmse(one, one + 1) == 1.0
 
 
 def test_mixed_types_use_the_smallest_common_type() -> None:
@@ -244,22 +244,24 @@ def test_pairs_equal_single_calls() -> None:
     for kind in (np.float32, np.float64):
         first, second = views.astype(kind), levels.astype(kind)
         for options in ({}, {"window": "uniform", "size": 4}, {"window": "global"}, {"convention": "skimage"}):
-            found = nf.ssim_pairs(first, second, data_range=1, **options)
+            found = nf.metrics.ssim_pairs(first, second, data_range=1, **options)
             assert found.shape == (4, 3)
             for i, j in np.ndindex(4, 3):
                 assert found[i, j] == nf.ssim(first[i, 0], second[i, j], data_range=1, **options)
         for masking in ("mean", "windows"):
-            found = nf.ssim_pairs(first, second, data_range=1, masks=silhouettes, masking=masking)
+            found = nf.metrics.ssim_pairs(first, second, data_range=1, masks=silhouettes, masking=masking)
             for i, j in np.ndindex(4, 3):
                 mask = silhouettes[i, 0]
                 assert found[i, j] == nf.ssim(first[i, 0], second[i, j], data_range=1, mask=mask, masking=masking)
-    one = nf.ssim_pairs(views[0, 0], levels[0], data_range=1)
+    one = nf.metrics.ssim_pairs(views[0, 0], levels[0], data_range=1)
     assert one.shape == (3,)
     empty = np.zeros((3, 30, 41), bool)
     empty[1, 15, 15] = True
-    np.testing.assert_array_equal(np.isnan(nf.ssim_pairs(views[0, 0], levels[0], data_range=1, masks=empty)), [1, 0, 1])
-    assert nf.ssim_pairs(views[0, 0], levels[0, 0], data_range=1).shape == ()
-    assert nf.ssim_pairs(views[:0], levels[:0], data_range=1).shape == (0, 3)
+    np.testing.assert_array_equal(
+        np.isnan(nf.metrics.ssim_pairs(views[0, 0], levels[0], data_range=1, masks=empty)), [1, 0, 1]
+    )
+    assert nf.metrics.ssim_pairs(views[0, 0], levels[0, 0], data_range=1).shape == ()
+    assert nf.metrics.ssim_pairs(views[:0], levels[:0], data_range=1).shape == (0, 3)
 
 
 def test_multiple_scales_equal_their_definition() -> None:
@@ -270,17 +272,19 @@ def test_multiple_scales_equal_their_definition() -> None:
         similar, contrast = (inner_values(values, 11).mean() for values in slow_maps(first, second, line, 1.0))
         factors.append(similar if scale == 4 else contrast)
         first, second = shrunk(first, 2), shrunk(second, 2)
-    assert nf.ms_ssim(a, b, data_range=1) == pytest.approx((np.array(factors) ** exponents).prod(), abs=1e-12)
-    assert nf.ms_ssim(a, a, data_range=1) == 1.0
-    assert nf.ms_ssim(a, b, data_range=1, weights=[1.0]) == pytest.approx(nf.ssim(a, b, data_range=1), abs=1e-14)
-    double = nf.ms_ssim(np.stack([a, a]), np.stack([b, a]), data_range=1, channel_axis=0)
-    assert double == pytest.approx((nf.ms_ssim(a, b, data_range=1) + 1) / 2, abs=1e-14)
+    assert nf.metrics.ms_ssim(a, b, data_range=1) == pytest.approx((np.array(factors) ** exponents).prod(), abs=1e-12)
+    assert nf.metrics.ms_ssim(a, a, data_range=1) == 1.0
+    assert nf.metrics.ms_ssim(a, b, data_range=1, weights=[1.0]) == pytest.approx(
+        nf.ssim(a, b, data_range=1), abs=1e-14
+    )
+    double = nf.metrics.ms_ssim(np.stack([a, a]), np.stack([b, a]), data_range=1, channel_axis=0)
+    assert double == pytest.approx((nf.metrics.ms_ssim(a, b, data_range=1) + 1) / 2, abs=1e-14)
     byte = [np.round(255 * p).astype(np.uint8) for p in (a, b)]
-    assert nf.ms_ssim(*byte, data_range=255) == pytest.approx(nf.ms_ssim(a, b, data_range=1), abs=1e-3)
+    assert nf.metrics.ms_ssim(*byte, data_range=255) == pytest.approx(nf.metrics.ms_ssim(a, b, data_range=1), abs=1e-3)
     # Negative means count as 0.
-    assert nf.ms_ssim(a, 1 - a, data_range=1) == 0.0
+    assert nf.metrics.ms_ssim(a, 1 - a, data_range=1) == 0.0
     with pytest.raises(ValueError, match="reference: expected windows of 11 pixels"):
-        nf.ms_ssim(a[:150], b[:150], data_range=1)
+        nf.metrics.ms_ssim(a[:150], b[:150], data_range=1)
 
 
 def test_sequences_are_read_lazily() -> None:
@@ -292,14 +296,14 @@ def test_sequences_are_read_lazily() -> None:
             read.append(number)
             yield picture
 
-    continuity = nf.visual_continuity(frames(), data_range=1)
+    continuity = nf.metrics.visual_continuity(frames(), data_range=1)
     assert next(continuity) == 1.0
     assert read == [0, 1]
     change = nf.ssim(a, b, data_range=1, window="global")
     assert list(continuity) == [change, change]
-    assert list(nf.visual_continuity([a], data_range=1)) == []
+    assert list(nf.metrics.visual_continuity([a], data_range=1)) == []
     with pytest.raises(ValueError, match="data_range"):
-        list(nf.visual_continuity([a, b]))
+        list(nf.metrics.visual_continuity([a, b]))
 
     def same_memory() -> Iterator[NDArray[np.float64]]:
         buffer = np.empty_like(a)
@@ -307,7 +311,7 @@ def test_sequences_are_read_lazily() -> None:
             buffer[:] = picture
             yield buffer
 
-    assert list(nf.visual_continuity(same_memory(), data_range=1)) == [change]
+    assert list(nf.metrics.visual_continuity(same_memory(), data_range=1)) == [change]
 
 
 @pytest.mark.parametrize(
@@ -324,7 +328,7 @@ def test_sequences_are_read_lazily() -> None:
         (lambda a, b: nf.ssim(a, b * np.nan, data_range=1), ValueError, r"test: expected finite .* at \(0, 0\)"),
         (lambda a, b: nf.ssim(a + np.inf, b, data_range=1), ValueError, "reference: expected finite"),
         (lambda a, b: nf.ssim(a * 1e200, b, data_range=1), ValueError, "values up to 1e\\+150"),
-        (lambda a, b: nf.ssim_pairs([a] * 2, [b] * 3, data_range=1), ValueError, "tests, masks: expected axes"),
+        (lambda a, b: nf.metrics.ssim_pairs([a] * 2, [b] * 3, data_range=1), ValueError, "tests, masks: expected axes"),
         (lambda a, b: nf.ssim(a, b, data_range=1e200), ValueError, "data_range, k1, k2: expected squares"),
         (lambda a, b: nf.ssim(a, b, data_range=1, masking="windows"), ValueError, "masking: expected a mask"),
         (
@@ -332,7 +336,7 @@ def test_sequences_are_read_lazily() -> None:
             ValueError,
             "masking: expected 'mean'",
         ),
-        (lambda a, b: nf.ssim_pairs(a * np.nan, b, data_range=1), ValueError, "references: expected finite"),
+        (lambda a, b: nf.metrics.ssim_pairs(a * np.nan, b, data_range=1), ValueError, "references: expected finite"),
         (
             lambda a, b: nf.ssim(np.stack([a] * 3, -1), np.stack([b, b, np.full_like(b, np.inf)], -1), data_range=1),
             ValueError,
@@ -343,6 +347,18 @@ def test_sequences_are_read_lazily() -> None:
 def test_refuses_what_cannot_be_compared(call: Any, error: type[Exception], message: str) -> None:
     with pytest.raises(error, match=message):
         call(*pictures())
+
+
+def test_settings_compare_as_keywords_do() -> None:
+    a, b = pictures()
+    settings = nf.SsimSettings(window="uniform", size=4, k1=0.02)
+    expected = nf.ssim(a, b, data_range=1, window="uniform", size=7, k1=0.02)
+    assert nf.ssim(a, b, data_range=1, settings=settings, size=7) == expected
+    assert nf.metrics.ssim_pairs(a, b, data_range=1, settings=settings, size=7) == pytest.approx(float(expected))
+    by_keywords = nf.metrics.ms_ssim(a, b, data_range=1, weights=[1.0], window="uniform", size=4, k1=0.02)
+    assert nf.metrics.ms_ssim(a, b, data_range=1, weights=[1.0], settings=settings) == by_keywords
+    with pytest.raises(ValueError, match="convention: expected 'wang' for several scales, got 'full'"):
+        nf.metrics.ms_ssim(a, b, data_range=1, convention="full")
 
 
 def test_a_similarity_is_a_float_that_carries_its_map() -> None:

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.harness.torn import WIDE, at_the_line, picture, pixels, torn
-from nearfar._metrics.tear import _tears
 from nearfar._reduce.drawing import MorphKind
+from nearfar.metrics._tear import _tears
 
 Array = NDArray[np.float64]
 
@@ -41,7 +41,7 @@ def test_tear_equals_its_definition(epsilon: float) -> None:
     wavy = pixels(VIEW) + 3 * np.sin(pixels(VIEW)[..., ::-1] / 3) + random.normal(size=(48, 64, 2)) * 0.3
     frame = picture(wavy, VIEW)
     frame.require("position")[3:9, 5:20] = np.nan
-    found, expected = nf.tear(frame, epsilon=epsilon), slow_tear(frame, epsilon)
+    found, expected = nf.metrics.tear(frame, epsilon=epsilon), slow_tear(frame, epsilon)
     np.testing.assert_array_equal(np.isnan(found), np.isnan(expected))
     differs = ~np.isclose(found, expected, rtol=1e-4, atol=1e-3, equal_nan=True)
     # A pair at the distance ε, up to rounding, may count or not.
@@ -57,7 +57,7 @@ def test_random_points_equal_the_definition_of_tear(seed: int, epsilon: float) -
     truth = MIDDLE + random.normal(size=(SIZE[1], SIZE[0], 2)) * random.choice(np.array(spreads))
     frame = picture(truth, VIEW)
     frame.require("position")[random.uniform(size=truth.shape[:2]) < 0.7] = np.nan
-    found, expected = nf.tear(frame, epsilon=epsilon), slow_tear(frame, epsilon)
+    found, expected = nf.metrics.tear(frame, epsilon=epsilon), slow_tear(frame, epsilon)
     differs = ~np.isclose(found, expected, rtol=2e-3, atol=2e-2, equal_nan=True)
     assert differs.mean() <= 0.02
 
@@ -65,7 +65,7 @@ def test_random_points_equal_the_definition_of_tear(seed: int, epsilon: float) -
 @pytest.mark.parametrize("shear", [0.0, 0.3, 5.0])
 def test_affine_maps_have_no_tear(shear: float) -> None:
     turned = (pixels(VIEW) - MIDDLE) @ np.array([[0.9, 0.3], [shear, 1.2]]) + MIDDLE
-    assert np.nanmax(nf.tear(picture(turned, VIEW))) < 1e-3
+    assert np.nanmax(nf.metrics.tear(picture(turned, VIEW))) < 1e-3
 
 
 @pytest.mark.parametrize("shear", [0.0, 0.5, 5.0])
@@ -73,7 +73,7 @@ def test_affine_maps_have_no_tear(shear: float) -> None:
 @pytest.mark.parametrize("kind", ["opening", "sliding"])
 def test_tear_measures_width_in_every_direction_at_every_shear(kind: str, direction: float, shear: float) -> None:
     for tear in (1.0, 3.0, 10.0, 40.0):
-        found = at_the_line(nf.tear(torn(tear, direction, kind=kind, shear=shear)), tear, direction, kind=kind)
+        found = at_the_line(nf.metrics.tear(torn(tear, direction, kind=kind, shear=shear)), tear, direction, kind=kind)
         # Neighbourhoods hold some fifty pixels, and the line is up to a pixel beside their middles.
         assert found.mean() == pytest.approx(tear, rel=0.06)
         assert found.max() == pytest.approx(tear, rel=0.11)
@@ -82,16 +82,16 @@ def test_tear_measures_width_in_every_direction_at_every_shear(kind: str, direct
 @pytest.mark.parametrize("direction", [0.0, 0.5, np.pi / 2])
 def test_curvature_adds_little_to_a_tear(direction: float) -> None:
     """A curvature c alone reads about 12 c."""
-    curved = nf.tear(torn(0.0, direction, kind="sliding", curvature=0.002))
+    curved = nf.metrics.tear(torn(0.0, direction, kind="sliding", curvature=0.002))
     assert at_the_line(curved, 0.0, direction, kind="sliding").mean() == pytest.approx(0.024, rel=0.2)
     for tear in (1.0, 3.0, 10.0, 40.0):
-        found = nf.tear(torn(tear, direction, curvature=0.002))
+        found = nf.metrics.tear(torn(tear, direction, curvature=0.002))
         assert at_the_line(found, tear, direction).mean() == pytest.approx(tear, rel=0.1)
 
 
 @pytest.mark.parametrize("direction", [0.0, 0.5, np.pi / 2])
 def test_an_overlap_that_hides_a_side_measures_zero(direction: float) -> None:
-    found = nf.tear(torn(10.0, direction, kind="overlap"))
+    found = nf.metrics.tear(torn(10.0, direction, kind="overlap"))
     assert at_the_line(found, 10.0, direction, kind="overlap").max() < 1e-3
 
 
@@ -107,7 +107,7 @@ def test_borders_separate_neighbourhoods(epsilon: float, columns: tuple[int, int
 def test_only_requested_pixels_are_measured() -> None:
     frame = torn(3.0, 0.5)
     wanted = np.random.default_rng(3).random((160, 160)) < 0.3
-    some, every = _tears(frame, WIDE, 4.0, wanted=wanted)[0], nf.tear(frame)
+    some, every = _tears(frame, WIDE, 4.0, wanted=wanted)[0], nf.metrics.tear(frame)
     np.testing.assert_array_equal(np.isnan(some), ~wanted | np.isnan(every))
     np.testing.assert_array_equal(some[wanted], every[wanted])
 
@@ -118,7 +118,7 @@ def plane() -> nf.Scene:
     return nf.Scene.from_arrays(corners, np.array([[0, 2, 1], [0, 3, 2]], np.uint32))
 
 
-def seen_ground(plane: nf.Scene, morph: MorphKind, r1: float, focal: float) -> nf.BoundaryTear:
+def seen_ground(plane: nf.Scene, morph: MorphKind, r1: float, focal: float) -> nf.metrics.BoundaryTear:
     """Return the border at 50 m of a reduced ground, seen from 8 m beside the centre, by bent rays without a map."""
     eye = np.array([0.0, 1.7, 0.0])
     reduced = nf.reduce(plane, center=eye, r1=r1, r2=50, morph=morph, face_size=16, channels=("color", "range"))
@@ -126,7 +126,7 @@ def seen_ground(plane: nf.Scene, morph: MorphKind, r1: float, focal: float) -> n
     size = (400, round(0.06 * focal))
     camera = nf.Camera((8.0, 1.7, 0.0), fov=nf.Fov(-half, half, -0.06, 0.0), size=size)
     frame = reduced.render(camera, method="exact", env=False, channels=("position",), samples=1)
-    return nf.boundary_tear(frame, center=eye, radius=50)
+    return nf.metrics.boundary_tear(frame, center=eye, radius=50)
 
 
 @pytest.mark.parametrize(("r1", "gain"), [(30.0, 11.8), (8.77, 24.0)])
@@ -147,5 +147,5 @@ def test_the_conventional_method_tears_the_ground_and_the_continuous_one_bends_i
 def test_an_invisible_border_has_no_tear(plane: nf.Scene) -> None:
     camera = nf.Camera.look_at((0, 1.7, 0), (0, 9, -5), fov=nf.Fov.symmetric(60), size=(40, 30))
     frame = nf.render(plane, camera, channels=("position",))
-    found = nf.boundary_tear(frame, center=(0, 1.7, 0), radius=50)
+    found = nf.metrics.boundary_tear(frame, center=(0, 1.7, 0), radius=50)
     assert (found.pixels, found.shared, found.tear, found.kink) == (0, None, None, None)

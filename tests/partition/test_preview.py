@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 from PIL import ImageColor
@@ -22,7 +24,7 @@ def test_the_top_view_shows_zones_at_their_positions(scene: nf.Scene, shift: flo
     """Uses a flat board in each zone, near the scene's origin and far from it."""
     build = nf.SceneBuilder()
     square = np.array([[-4, 0, -4], [-4, 0, 4], [4, 0, 4], [4, 0, -4]], float)
-    places = {"near": (10.0, 0.0), "intermediate": (0.0, 40.0), "far": (-60.0, 0.0)}
+    places: dict[preview.Zone, Any] = {"near": (10.0, 0.0), "intermediate": (0.0, 40.0), "far": (-60.0, 0.0)}
     for zone, (x, z) in places.items():
         mesh = build.mesh(
             np.add(square, (shift + x, 0, z)), [[0, 1, 2], [0, 2, 3]], material=build.material((1, 1, 1, 1))
@@ -51,7 +53,7 @@ def test_only_the_largest_of_many_triangles_are_drawn(scene: nf.Scene, monkeypat
     parts = nf.partition(scene, center=CENTER, r1=R1, r2=R2)
     monkeypatch.setattr(preview, "MAX_DRAWN", 2)
     monkeypatch.setattr(preview, "LARGEST", 2)
-    settings = (parts._core, parts.scene._core, "far", (R1, R2), np.array(parts.scene.origin) - CENTER, 2.0)
+    settings: Any = (parts._core, parts.scene._core, "far", (R1, R2), np.array(parts.scene.origin) - CENTER, 2.0)
     area, flat = preview._largest_triangles(*settings)
     assert 2 <= len(area) == len(flat) < parts.summary()["far"]
     assert area[0] == area.max()

@@ -15,7 +15,6 @@ PACKAGE = CHECKOUT / "python" / "nearfar"
 
 PRIVATE_TO_COMMANDS = {
     "nearfar._camera.density",
-    "nearfar._metrics.comparison",
     "nearfar._reduce.default_radii",
     "nearfar._reduce.findings",
     "nearfar._reduce.folder",

@@ -61,7 +61,7 @@ def test_metrics_of_gigapixel_pictures_equal_those_of_their_parts() -> None:
     random = np.random.default_rng(0)
     a, b = random.integers(0, 256, (2, 512, 32_768), dtype=np.uint8)
     tall = [np.lib.stride_tricks.as_strided(p, (64, *p.shape), (0, *p.strides)).reshape(-1, 32_768) for p in (a, b)]
-    assert nf.rmse(*tall) == nf.rmse(a, b)
+    assert nf.metrics.rmse(*tall) == nf.metrics.rmse(a, b)
     # Windows across the seams see other pixels: 11 of 512 rows, with about the same mean.
     assert nf.ssim(*tall, data_range=255) == pytest.approx(nf.ssim(a, b, data_range=255), abs=1e-4)
     assert nf.ssim(tall[0], tall[0], data_range=255) == 1.0
@@ -76,7 +76,7 @@ def test_breaks_of_a_large_frame_do_not_depend_on_its_size() -> None:
     position = np.stack(
         [(x + 0.5) * step - 1 + np.where(x >= side // 2, 3 * step, 0), 1 - (y + 0.5) * step, -1 + 0 * x], -1
     )
-    torn = nf.discontinuity(nf.Frame(view, position=position.astype(np.float32)))
+    torn = nf.metrics.discontinuity(nf.Frame(view, position=position.astype(np.float32)))
     assert abs(torn[100:-100, 100:1000]).max() < 1e-3
     middle = torn[100:-100, side // 2 - 1]
     assert middle.min() < -0.01

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar import _core
-from nearfar._metrics.inputs import LUMA
 from nearfar._scene.builder import SceneBuilder
+from nearfar.metrics._inputs import LUMA
 from tests.support.lod_cases import ball, checkered, scene, smooth
 
 

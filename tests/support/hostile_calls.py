@@ -20,7 +20,7 @@ from tests.support.wrong_values import wrong_values
 HARMLESS = frozenset(("none", "big", "flag", "scene", "camera", "frame", "model", "mesh", "lens", "hmd"))
 """Kinds of values that are not hostile where they are valid."""
 
-ITEM_BY_ITEM = "render_path.cameras render_path.at visual_continuity.*"
+ITEM_BY_ITEM = "render_path.cameras render_path.at *.visual_continuity.*"
 """Parameters that may be iterators, whose items are checked on arrival; others are checked at the call."""
 
 

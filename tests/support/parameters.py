@@ -27,8 +27,8 @@ ANNOTATIONS: dict[str, str] = {
 """Kinds of hostile values that may be valid, by parts of an annotation."""
 
 TAKEN: dict[str, str] = {
-    "rows": "LoadCurve.count.r2 visual_continuity.frames",
-    "endless": "visual_continuity.frames",
+    "rows": "LoadCurve.count.r2 *.visual_continuity.frames",
+    "endless": "*.visual_continuity.frames",
     "any": "RenderSettings.lod lod.Curve4PL.[abcd] *.reason *.rms *.status Frame.lod Scene.dropped Scene.frames"
     " Scene.notes Scene.rest"
     " Scene.table Scene.undrawn Scene.used lod.Selection.counts lod.Selection.level lod.Selection.spent similarities"
@@ -52,19 +52,19 @@ TAKEN: dict[str, str] = {
     "hollow": "Clip.planes lod.LodModel.errors LoadCurve.*.r2 LoadCurve.*.budget *.__call__.sigma r ratios frames"
     " Scene.subset.triangles *.__call__.x *.bytes_at.time eccentricity_deg range_error.distance",
     "shape": "*.__call__.x LoadCurve.*.r2 *.__call__.sigma RadialLens.k r bounding_spheres.offsets *.bytes_at.time"
-    " eccentricity_deg visual_continuity.frames",
+    " eccentricity_deg *.visual_continuity.frames",
     "axes": "*.__call__.x r *.bytes_at.time EnvMap.sample.directions *cube_lookup.directions envmap_texels.directions"
     " depth_from_range.ranges stream.export.center lod.fit_4pl.* range_error.distance range_from_depth.depth ratios"
-    " ssim_pairs.references ssim_pairs.tests RadialLens.warp.image visual_continuity.frames",
+    " *.ssim_pairs.references *.ssim_pairs.tests RadialLens.warp.image *.visual_continuity.frames",
     "columns": "stream.Growth.radii RadialLens.k r Scene.subset.triangles stream.assign.radii *.bytes_at.time"
     " cube_*.faces gpu.cube_lookup.faces convert_envmap.values bounding_spheres.offsets depth_from_range.ranges ratios"
-    " range_error.distance *.__call__.x range_from_depth.depth RadialLens.warp.image visual_continuity.frames",
+    " range_error.distance *.__call__.x range_from_depth.depth RadialLens.warp.image *.visual_continuity.frames",
     "fewer": "*.project.points *.displayed.points *.warp.image RadialLens.*.r regions.path ratios"
     " EnvMap.sample.directions bend_rays.directions *cube_lookup.directions envmap_texels.directions"
     " Scene.from_arrays.faces SceneBuilder.mesh.faces triangle_radii.faces SceneBuilder.place_many.transforms"
     " bounding_sphere.points bounding_spheres.offsets depth_from_range.ranges range_from_depth.depth gpu.morph.points"
     " morph.points nearest_points.points *.view_vectors.points range_error.distance stream.Growth.radii"
-    " stream.assign.radii *.bytes_at.time visual_continuity.frames",
+    " stream.assign.radii *.bytes_at.time *.visual_continuity.frames",
     "callable": "render_path.lod",
     "free": "Hmd.name LoadOptions.height lod.Level.note lod.*.name SceneBuilder.*.name SceneBuilder.place_many.names"
     " relative stream.client.*.room stream.client.*.name stream.client.*.token",

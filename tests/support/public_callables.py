@@ -59,7 +59,7 @@ def _stage(value: Any) -> str:
 
 
 def _module(module: types.ModuleType, name: str, seen: set[int]) -> Iterator[PublicCallable]:
-    for member in module.__all__:
+    for member in sorted(module.__all__, key=lambda key: isinstance(getattr(module, key), types.ModuleType)):
         value, public = getattr(module, member), f"{name}{member}"
         if id(value) in seen:
             continue

@@ -56,7 +56,7 @@ WRONG: dict[str, list[Any]] = {
     "gpu.cube_lookup.faces": [np.zeros((5, 4, 4, 3), np.float32)],
     "lod.select.camera": [[]],
     "lod.LodModel.sigma": [(1.0, 0.1)],
-    "lod.select.weight lod.Selector.weight": ["pixels"],
+    "lod.LodRules.weight": ["pixels"],
     "lod.select.price lod.Selector.select.price": [0.1],
     "orthoview.build.normal_bits": [20],
     "range_from_depth?@matrix.near": [0.1],

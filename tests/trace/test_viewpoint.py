@@ -75,7 +75,7 @@ def test_the_default_view_shows_the_boundary_and_all_zones() -> None:
     torn = {}
     for name in ("none", "blend"):
         frame = reduced.with_morph(name).render(view, channels=("color", "position"))
-        torn[name] = nf.compare(truth, frame, center=CENTER, radius=R2).boundary
+        torn[name] = nf.compare(truth, frame, center=CENTER, radius=R2).boundary_discontinuity
     assert torn["none"] is not None
     assert torn["blend"] is not None
     assert torn["none"] > 2.0 * torn["blend"]

@@ -44,7 +44,7 @@ def pose(bundle: nf.stream.Bundle) -> dict[str, Any]:
 def continuity(pictures: list[NDArray[Any]]) -> NDArray[np.float64]:
     """Visual continuity of consecutive pictures in sRGB codes, by their luma."""
     grays = [np.asarray(picture, float) @ np.array([0.2126, 0.7152, 0.0722]) for picture in pictures]
-    return np.array(list(nf.visual_continuity(grays, data_range=255.0)))
+    return np.array(list(nf.metrics.visual_continuity(grays, data_range=255.0)))
 
 
 def of_load(page: SteppedPage, held: HeldRings, pose: dict[str, Any], growth: nf.stream.Growth) -> dict[str, Any]:

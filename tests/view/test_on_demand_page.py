@@ -119,7 +119,7 @@ def fades_to(told: dict[str, Any], ring: int) -> bool:
 def continuity(pictures: list[NDArray[np.uint8]]) -> NDArray[np.float64]:
     """Visual continuity of pictures in sRGB codes, by their luma."""
     grays = [picture.astype(float) @ np.array([0.2126, 0.7152, 0.0722]) for picture in pictures]
-    return np.array(list(nf.visual_continuity(grays, data_range=255.0)))
+    return np.array(list(nf.metrics.visual_continuity(grays, data_range=255.0)))
 
 
 @pytest.mark.stress

@@ -75,7 +75,7 @@ def truth(scene: nf.Scene, x: float, yaw: float) -> NDArray[np.float64]:
 def continuity(pictures: list[Any]) -> NDArray[np.float64]:
     """Visual continuity of pictures in sRGB codes, by their luma."""
     grays = [np.asarray(picture, float) @ np.array([0.2126, 0.7152, 0.0722]) for picture in pictures]
-    return np.array(list(nf.visual_continuity(grays, data_range=255.0)))
+    return np.array(list(nf.metrics.visual_continuity(grays, data_range=255.0)))
 
 
 def at_the_border(page: Any, url: str, yaw: float) -> SteppedPage:

@@ -30,7 +30,7 @@ def gather(
     Raises
     ------
     TypeError
-        `settings` of another type, or a keyword that is no field.
+        Settings of another type, or a keyword that is no field.
     """
     names = [field.name for field in fields(kind)]  # type: ignore[arg-type]
     if unknown := sorted(keywords.keys() - set(names)):

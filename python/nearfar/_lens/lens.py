@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,11 +16,8 @@ from nearfar._base.pickling import WithTwin
 from nearfar._camera.camera import Camera, Fov
 from nearfar._lens.warp import Warping, radius_of
 
-METHODS = ("newton", "fixed_point", "lut")
-"""Names of the methods that `RadialLens.undistort` describes."""
-
-OUTSIDE = ("raise", "nan")
-"""Names of treatments of values outside the lens's domain."""
+Method = Literal["newton", "fixed_point", "lut"]
+Outside = Literal["raise", "nan"]
 
 
 @dataclass(frozen=True)
@@ -87,7 +84,7 @@ class RadialLens(WithTwin, Warping):
         """
         return self._core.table_bound()[0]
 
-    def distort(self, r: ArrayLike, *, outside: str = "raise") -> NDArray[Any]:
+    def distort(self, r: ArrayLike, *, outside: Outside = "raise") -> NDArray[Any]:
         """Compute the radii f(r) at which the lens shows radii r.
 
         Parameters
@@ -110,13 +107,13 @@ class RadialLens(WithTwin, Warping):
         values = check.array("r", r, columns=None)
         return self._core.distort(values.reshape(-1), _raises_outside(outside)).reshape(values.shape)
 
-    def derivative(self, r: ArrayLike, *, outside: str = "raise") -> NDArray[Any]:
+    def derivative(self, r: ArrayLike, *, outside: Outside = "raise") -> NDArray[Any]:
         """Compute f′(r), which is 1 on the axis and 0 at `r_max`; arguments and errors as in `distort`."""
         values = check.array("r", r, columns=None)
         return self._core.derivative(values.reshape(-1), _raises_outside(outside)).reshape(values.shape)
 
     def undistort(
-        self, r: ArrayLike, *, method: str = "newton", iterations: int = 5, outside: str = "raise"
+        self, r: ArrayLike, *, method: Method = "newton", iterations: int = 5, outside: Outside = "raise"
     ) -> NDArray[Any]:
         """Compute the radii that the lens shows at radii `r`: the inverse of `distort`.
 
@@ -145,12 +142,12 @@ class RadialLens(WithTwin, Warping):
         ValueError
             Radii beyond `distorted_max` and NaN, unless `outside` is "nan".
         """
-        check.choice("method", method, METHODS)
+        check.choice("method", method, get_args(Method))
         steps = check.integer("iterations", iterations, 0, 1000)
         values = check.array("r", r, columns=None)
         return self._core.undistort(values.reshape(-1), method, steps, _raises_outside(outside)).reshape(values.shape)
 
-    def distort_points(self, points: ArrayLike, *, outside: str = "raise") -> NDArray[Any]:
+    def distort_points(self, points: ArrayLike, *, outside: Outside = "raise") -> NDArray[Any]:
         """Compute the positions at which the lens, with its tangential terms, shows points.
 
         Parameters
@@ -167,7 +164,7 @@ class RadialLens(WithTwin, Warping):
         """
         return self._core.distort_points(check.array("points", points, columns=2), _raises_outside(outside))
 
-    def undistort_points(self, points: ArrayLike, *, outside: str = "raise") -> NDArray[Any]:
+    def undistort_points(self, points: ArrayLike, *, outside: Outside = "raise") -> NDArray[Any]:
         """Compute the points that the lens shows at positions: the inverse of `distort_points`, same arguments."""
         return self._core.undistort_points(check.array("points", points, columns=2), _raises_outside(outside))
 
@@ -271,5 +268,6 @@ def _coefficients(name: str, value: ArrayLike) -> tuple[float, ...]:
     return tuple(float(c) for c in coefficients)
 
 
-def _raises_outside(outside: str) -> bool:
-    return check.choice("outside", outside, OUTSIDE) == "raise"
+def _raises_outside(outside: Outside) -> bool:
+    check.choice("outside", outside, get_args(Outside))
+    return outside == "raise"

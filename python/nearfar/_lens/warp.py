@@ -5,7 +5,7 @@ from __future__ import annotations
 import abc
 import math
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,11 +15,9 @@ from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
 from nearfar._render.frame import Frame
 
-FILTERS = ("linear", "cubic")
-"""Names of the filters that `RadialLens.warp` describes."""
-
-SYMMETRIC = "symmetric"
-"""Name of the field of view of a picture whose middle is on the lens's axis."""
+Filter = Literal["linear", "cubic"]
+Symmetric = Literal["symmetric"]
+"""Field of view of a picture whose middle is on the lens's axis."""
 
 TYPES = (np.uint8, np.uint16, np.float32, np.float64)
 """Number types of pictures."""
@@ -62,11 +60,11 @@ class Warping(abc.ABC):
         image: ArrayLike | Frame,
         inverse: bool = False,
         *,
-        fov: Fov | str | None = None,
+        fov: Fov | Symmetric | None = None,
         output_fov: Fov | None = None,
         lens_radius: float | None = None,
         size: tuple[int, int] | None = None,
-        filter: str = "linear",  # noqa: A002
+        filter: Filter = "linear",  # noqa: A002
         fill: float = 0.0,
     ) -> NDArray[Any]:
         """Distort a picture as the lens does, or warp it so that the lens's distortion cancels out.
@@ -106,7 +104,7 @@ class Warping(abc.ABC):
             Wrong shapes and types, unknown filters, a picture without a field of view, frames without colour, and
             frames of cameras without a `Fov`.
         """
-        check.choice("filter", filter, FILTERS)
+        check.choice("filter", filter, get_args(Filter))
         distort = not check.flag("inverse", inverse)
         if isinstance(image, Frame):
             fov = _fov_of("image", image.camera, fov)
@@ -131,7 +129,7 @@ class Warping(abc.ABC):
         size: tuple[int, int] | Camera | Frame,
         inverse: bool = True,
         *,
-        fov: Fov | str | None = None,
+        fov: Fov | Symmetric | None = None,
         output_fov: Fov | None = None,
         lens_radius: float | None = None,
         cells: tuple[int, int] | None = None,
@@ -241,10 +239,12 @@ def _fov_of(name: str, camera: Camera, fov: object) -> Fov:
     return camera.fov
 
 
-def _view(fov: Fov | str | None, output_fov: Fov | None, lens_radius: float | None, aspect: float) -> dict[str, Any]:
+def _view(
+    fov: Fov | Symmetric | None, output_fov: Fov | None, lens_radius: float | None, aspect: float
+) -> dict[str, Any]:
     """Fields of view of the source and the result, and the tangent at which r = 1, as arguments of kernels."""
-    if fov is None or (isinstance(fov, str) and fov != SYMMETRIC):
-        expected = f'the Fov of the picture, such as hmd.left.fov, or "{SYMMETRIC}" for an axis in its middle'
+    if fov is None or (isinstance(fov, str) and fov not in get_args(Symmetric)):
+        expected = 'the Fov of the picture, such as hmd.left.fov, or "symmetric" for an axis in its middle'
         raise ValueError(f"fov: expected {expected}, got {check.value_or_type(fov)}")
     if isinstance(fov, str):
         fov = Fov(-1.0, 1.0, -1.0 / aspect, 1.0 / aspect)

@@ -62,6 +62,7 @@ def triangle_radii(vertices: ArrayLike, faces: ArrayLike | None = None, *, cente
 Unit = Literal["triangle", "object"]
 """Name of a unit in which triangles are geometry or baked."""
 UNITS: tuple[Unit, ...] = get_args(Unit)
+"""Units in which a scene is divided."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)

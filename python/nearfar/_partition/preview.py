@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +14,8 @@ from nearfar._scene.preview import every
 if TYPE_CHECKING:
     from PIL import Image
 
-ZONES = {"near": card.COLORS[1], "intermediate": card.COLORS[0], "far": card.COLORS[7]}
+Zone = Literal["near", "intermediate", "far"]
+ZONES: dict[Zone, str] = {"near": card.COLORS[1], "intermediate": card.COLORS[0], "far": card.COLORS[7]}
 """Colours of the zones."""
 
 SIZE = 360
@@ -71,7 +72,7 @@ def _half(canvas: Image.Image) -> Image.Image:
 def _largest_triangles(
     core: _core.Partition,
     scene: _core.Scene,
-    zone: str,
+    zone: Zone,
     radii: tuple[float, float],
     shift: NDArray[np.float64],
     scale: float,

@@ -13,14 +13,14 @@ from nearfar._base import card, check
 from nearfar._base.errors import Error
 from nearfar._camera.camera import Camera, Fov
 from nearfar._cubemap.envmap import EnvMap
-from nearfar._metrics.comparison import Comparison, compare
-from nearfar._metrics.discontinuity import discontinuity
 from nearfar._partition.load_curve import load_curve
 from nearfar._reduce.baking import MapSettings
 from nearfar._reduce.drawing import MORPHS, Boundary, MorphKind
 from nearfar._render.frame import Frame
 from nearfar._render.truth import render
 from nearfar._scene.scene import Scene
+from nearfar.metrics._comparison import Comparison, compare
+from nearfar.metrics._discontinuity import discontinuity
 
 MAX_TRIANGLES = 300_000
 """Triangle count that limits the r2 slider, so that a frame takes less than seconds."""
@@ -246,7 +246,7 @@ def _radius(reduced: Reduced) -> float:
 
 
 def _tears(found: Comparison) -> list[tuple[str, str]]:
-    edge = "–" if found.boundary is None else f"{found.boundary:.3f}"
+    edge = "–" if found.boundary_discontinuity is None else f"{found.boundary_discontinuity:.3f}"
     return [*_torn(found.torn), ("discontinuity along the boundary", edge)]
 
 

@@ -122,7 +122,9 @@ def compare(
             measured = {
                 name: nf.compare(frames["truth"], frames[name], center=place.eye, radius=outer) for name in METHODS
             }
-            torn = {name: nf.boundary_tear(rendered.dense[name], center=place.eye, radius=outer) for name in METHODS}
+            torn = {
+                name: nf.metrics.boundary_tear(rendered.dense[name], center=place.eye, radius=outer) for name in METHODS
+            }
             values = {name: _document(measured[name], torn[name]) for name in METHODS}
         with clock.step("pictures"):
             _pictures.save_pictures(folder, {name: frame.to_image() for name, frame in frames.items()})
@@ -171,7 +173,7 @@ def compare(
         raise typer.Exit(_thresholds.BROKEN)
 
 
-def _document(measured: nf.Comparison, torn: nf.BoundaryTear) -> dict[str, Any]:
+def _document(measured: nf.Comparison, torn: nf.metrics.BoundaryTear) -> dict[str, Any]:
     """Return rounded measures for the report, without the map of discontinuity."""
     return {
         "tear": _rounded(torn.tear),
@@ -183,7 +185,7 @@ def _document(measured: nf.Comparison, torn: nf.BoundaryTear) -> dict[str, Any]:
         "rmse": round(measured.rmse, 6),
         "discontinuity": _rounded(measured.discontinuity),
         "discontinuity_p99": _rounded(measured.discontinuity_p99),
-        "boundary": _rounded(measured.boundary),
+        "boundary": _rounded(measured.boundary_discontinuity),
         "boundary_pixels": measured.boundary_pixels,
     }
 

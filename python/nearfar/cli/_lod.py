@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 import time
 from dataclasses import asdict, dataclass
 from functools import cached_property
@@ -46,8 +45,8 @@ class SimplifyOptions(Options):
 
     def simplify(self, scene: nf.Scene, name: str) -> nf.lod.Levels:
         """Return the levels of a scene."""
-        simplify = functools.partial(nf.lod.simplify, scene, method=self.method, normals=self.normals, name=name)
-        return simplify() if self.shares is None else simplify(self.shares)
+        shaped: dict[str, Any] = {"method": self.method, "normals": self.normals}
+        return nf.lod.simplify(scene, name=name, **shaped | ({} if self.shares is None else {"ratios": self.shares}))
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._base import check, files, formats
-from nearfar._metrics.comparison import visible_difference
 from nearfar._reduce import default_radii, findings
 from nearfar.cli import _options as options, _pictures, _report_page, _viewpoint
 from nearfar.cli._methods import render_all
@@ -20,6 +19,7 @@ from nearfar.cli._output import Clock, bytes_text, metres, note_rows, radii_rows
 from nearfar.cli._partition import curve_points
 from nearfar.cli._render import camera
 from nearfar.cli._scenes import PARTS, SceneOptions, open_scene
+from nearfar.metrics._comparison import visible_difference
 
 VERSION = 1
 

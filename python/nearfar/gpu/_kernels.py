@@ -10,11 +10,11 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check, progress
 from nearfar._camera.camera import Camera
-from nearfar._metrics.discontinuity import EPSILON, truth_view
-from nearfar._metrics.result import Similarity
 from nearfar._morph import kernel_arguments
 from nearfar._render import backend as backends
 from nearfar.gpu._frames import DeviceFrame
+from nearfar.metrics._discontinuity import EPSILON, truth_view
+from nearfar.metrics._result import Similarity
 
 WINDOWS = ("gaussian", "uniform")
 """Windows of `ssim` on the device."""
@@ -86,23 +86,23 @@ def discontinuity(
     epsilon: float = EPSILON,
     min_distance: float = 1.0,
 ) -> NDArray[np.float32]:
-    """Measure the discontinuity of a frame on the device, as `nearfar.discontinuity` does for a frame read back.
+    """Measure the discontinuity of a frame on the device as `nearfar.metrics.discontinuity` does for a frame in memory.
 
     Parameters
     ----------
     frame
         Frame with `position`.
     truth_camera, epsilon, min_distance
-        As in `nearfar.discontinuity`.
+        As in `nearfar.metrics.discontinuity`.
 
     Returns
     -------
     NDArray
-        Discontinuity δ, (H, W) float32; NaN where `nearfar.discontinuity` has NaN. Positions in the truth are computed
-        in float32 and rounded to about 1e-7 of the picture's width, so that pairs at a distance close to ε may count or
-        not. For points with hundreds of neighbours, δ differs from that of `nearfar.discontinuity` by less than
-        1e-3 (1 + |δ|); for points with few neighbours by more. Positions more than 10⁵ pixels outside the picture are
-        rounded to whole pixels.
+        Discontinuity δ, (H, W) float32; NaN where `nearfar.metrics.discontinuity` has NaN. Positions in the truth are
+        computed in float32 and rounded to about 1e-7 of the picture's width, so that pairs at a distance close to ε may
+        count or not. For points with hundreds of neighbours, δ differs from that of `nearfar.metrics.discontinuity` by
+        less than 1e-3 (1 + |δ|); for points with few neighbours by more. Positions more than 10⁵ pixels outside the
+        picture are rounded to whole pixels.
 
     Raises
     ------

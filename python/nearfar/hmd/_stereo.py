@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import card, check, files
 from nearfar._base.settings import gather
+from nearfar._lens.warp import Filter
 from nearfar._render.frame import Frame
 from nearfar._render.renderable import Renderable
 from nearfar._render.renderer import Renderer
@@ -84,7 +85,7 @@ class StereoFrame:
         self,
         *,
         size: tuple[int, int] | None = None,
-        filter: str = "linear",  # noqa: A002
+        filter: Filter = "linear",  # noqa: A002
     ) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
         """Warp both pictures so that the distortion of the headset's lens cancels out, as the panel shows them.
 

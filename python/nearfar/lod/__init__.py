@@ -9,9 +9,9 @@ from nearfar.lod._measure.settings import MeasureSettings
 from nearfar.lod._model import LodModel
 from nearfar.lod._place import place
 from nearfar.lod._select.budget import Spent
-from nearfar.lod._select.select import select
+from nearfar.lod._select.rules import LodRules
+from nearfar.lod._select.select import Selector, select
 from nearfar.lod._select.selection import Selection
-from nearfar.lod._select.selector import Selector
 from nearfar.lod._select.size import acuity, distortion, panel_magnification, reference_solid_angle
 from nearfar.lod._select.switches import Switches, switches
 from nearfar.lod._select.threshold import LodThreshold
@@ -22,6 +22,7 @@ __all__ = [
     "Level",
     "Levels",
     "LodModel",
+    "LodRules",
     "LodThreshold",
     "MeasureSettings",
     "Samples",

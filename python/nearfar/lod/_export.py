@@ -24,7 +24,7 @@ from nearfar.lod._levels import Level, Levels
 from nearfar.lod._measured_levels import MeasuredLevels
 from nearfar.lod._select.size import reference_solid_angle
 from nearfar.lod._select.switches import Switches, switches
-from nearfar.lod._select.threshold import LodThreshold, threshold_of
+from nearfar.lod._select.threshold import Kind, LodThreshold, threshold_of
 
 if TYPE_CHECKING:
     from nearfar._scene import glb
@@ -127,7 +127,7 @@ def export(
     view: Hmd | Camera | Fov,
     k: SupportsFloat | None = None,
     d: SupportsFloat | None = None,
-    threshold: LodThreshold | str | None = None,
+    threshold: LodThreshold | Kind | None = None,
     all_levels: bool = False,
 ) -> None:
     """Write a scene whose objects have levels as a GLB for engines that switch levels themselves.

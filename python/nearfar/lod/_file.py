@@ -80,7 +80,7 @@ def _fields(document: dict[str, Any]) -> dict[str, Any]:
     if least > most:
         raise ValueError(f"sigma: expected the least first, got {least} and {most}")
     if not isinstance(document["name"], str) or not isinstance(document["measured"], dict):
-        raise TypeError("expected a name and what was measured")
+        raise TypeError("name, measured: expected text and an object")
     triangles = [check.integer("triangles", level["triangles"], 1, 2**62) for level in levels]
     return {
         "name": document["name"],

@@ -84,7 +84,7 @@ class MeasuredLevels:
         samples = self.samples
         if samples is None or samples.views is None or not len(self.curves):
             return self
-        mean = replace(samples, score=statistic.of_views(samples.views, statistic.MEAN))
+        mean = replace(samples, score=statistic.of_views(samples.views, "mean"))
         return replace(self, curves=statistic.curves_through(mean))
 
     def of_levels(self, numbers: ArrayLike) -> Self:

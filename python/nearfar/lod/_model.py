@@ -14,9 +14,11 @@ from nearfar._camera.camera import Camera, Fov
 from nearfar.hmd._hmd import Hmd
 from nearfar.lod import _export, _file
 from nearfar.lod._measure import statistic
+from nearfar.lod._measure.statistic import Mean
 from nearfar.lod._measured_levels import MeasuredLevels
-from nearfar.lod._select.selector import Selector
-from nearfar.lod._select.threshold import LodThreshold, threshold_of
+from nearfar.lod._select.rules import Mode
+from nearfar.lod._select.select import Selector
+from nearfar.lod._select.threshold import Kind, LodThreshold, threshold_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -62,7 +64,7 @@ class LodModel(MeasuredLevels):
         """
         target = check.path("path", path)
         if target.suffix.lower() == ".glb":
-            raise ValueError(f"path: expected a place for JSON, got {target}; `export` writes the geometry as GLB")
+            raise ValueError(f"path: expected the name of a JSON file, got {target}; `export` writes GLB")
         formats.write_json(target, _file.document(self))
 
     @classmethod
@@ -82,7 +84,7 @@ class LodModel(MeasuredLevels):
         view: Hmd | Camera | Fov,
         k: float | None = None,
         d: float | None = None,
-        threshold: LodThreshold | str | None = None,
+        threshold: LodThreshold | Kind | None = None,
         all_levels: bool = False,
     ) -> None:
         """Write the model for engines, atomically; engines switch levels at sizes given by the curves.
@@ -116,7 +118,7 @@ class LodModel(MeasuredLevels):
         whole = check.flag("all_levels", all_levels)
         _export.write(self, target, view=view, threshold=least_score, all_levels=whole)
 
-    def refit(self, percentile: float | str) -> LodModel:
+    def refit(self, percentile: float | Mean) -> LodModel:
         """Return the model with curves through another percentile of the same views, or their mean, without rendering.
 
         Levels, and the sizes at which each was measured, stay those of the measurement. If these are all levels and all
@@ -145,7 +147,7 @@ class LodModel(MeasuredLevels):
         measured = self.measured | {"percentile": chosen, "chosen_by": before}
         return replace(self, curves=statistic.curves_through(samples), samples=samples, measured=measured)
 
-    def selector(self, mode: str) -> Selector:
+    def selector(self, mode: Mode) -> Selector:
         """Return the `Selector` with this mode and default settings, which `nearfar.render` uses for a mode alone."""
         return Selector(mode=mode)
 

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar._metrics.pixel_errors import psnr
-from nearfar._metrics.similarity import ssim
 from nearfar._render.frame import Frame
+from nearfar.metrics._pixel_errors import psnr
+from nearfar.metrics._similarity import ssim
 
 _CONTRAST = 10.0
 """Factor by which dissimilarity is brightened in pictures."""

@@ -10,13 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._camera.camera import Camera, CubeFace
-from nearfar._metrics import inputs
 from nearfar._partition.partition import partition
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._render import truth
 from nearfar._render.blend import blend
 from nearfar._render.frame import Frame
 from nearfar._scene.scene import Scene
+from nearfar.metrics import _inputs as inputs
 from nearfar.stream._assign import Rings, assign
 from nearfar.stream._bundle import Bundle
 from nearfar.stream._by_footprint import Portions

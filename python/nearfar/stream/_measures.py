@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base import progress
-from nearfar._metrics.pixel_errors import object_completion
-from nearfar._metrics.similarity import visual_continuity
+from nearfar.metrics._pixel_errors import object_completion
+from nearfar.metrics._similarity import visual_continuity
 from nearfar.stream._client_pictures import Pictures, SceneParts
 from nearfar.stream._head_path import HeadPath
 from nearfar.stream._stage import Shown

@@ -49,8 +49,8 @@ class Timeline:
     drawing."""
     pictures: dict[str, NDArray[np.float64]] = field(default_factory=dict)
     """Measures by name, if a scene was given, with an entry for each measured frame: `time`; `ovc` and `ofc`, as
-    `nearfar.object_completion` measures them against the truth for the user; `continuity`, the similarity to the
-    previous frame."""
+    `nearfar.metrics.object_completion` measures them against the truth for the user; `continuity`, the similarity to
+    the previous frame."""
     renders: int = 0
     """Number of pictures rendered for the measures; all views together count as one."""
 

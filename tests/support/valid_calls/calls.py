@@ -26,8 +26,13 @@ NAMES = sorted({*CALLABLES, *(name for name in OWN if not name.endswith("."))})
 PASSED_ON = {
     "Scene.load": "LoadOptions",
     "Walk.render": "ReducedScene.render",
+    "lod.Selector": "lod.LodRules",
     "lod.measure": "lod.MeasureSettings",
+    "lod.select": "lod.LodRules",
+    "metrics.ms_ssim": "SsimSettings",
+    "metrics.ssim_pairs": "SsimSettings",
     "open_source": "LoadOptions",
+    "ssim": "SsimSettings",
 }
 """Callables to which others pass all keywords that they do not name."""
 

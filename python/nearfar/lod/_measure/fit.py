@@ -62,7 +62,7 @@ class Curve4PL:
     def __post_init__(self) -> None:
         if self.status is None:
             if self.rms is not None or self.reason is not None:
-                raise ValueError("status: expected one beside rms and reason, got None")
+                raise ValueError("status: expected the outcomes if rms or reason is given, got None")
             for name, value in _fields_from_parameters(self.a, self.b, self.c, self.d).items():
                 object.__setattr__(self, name, value)
 
@@ -84,7 +84,7 @@ class Curve4PL:
     def __len__(self) -> int:
         """Number of curves."""
         if not self.is_many:
-            raise TypeError("curve: this is a single one")
+            raise TypeError("curve: expected several curves, got a single one")
         return len(self.a)
 
     def __bool__(self) -> bool:

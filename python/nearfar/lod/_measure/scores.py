@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 from nearfar._camera.camera import Camera
-from nearfar._metrics.inputs import LUMA
-from nearfar._metrics.similarity import ssim_pairs
 from nearfar._render.backend import Backend
 from nearfar._render.sequence import render_path
 from nearfar._scene.scene import Scene
 from nearfar.lod._measure.views import PADDING
+from nearfar.metrics._inputs import LUMA
+from nearfar.metrics._similarity import ssim_pairs
 
 
 class Compared(NamedTuple):

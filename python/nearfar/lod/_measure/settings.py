@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, TypedDict
+from typing import Any, TypedDict, get_args
 
 from nearfar._base import check
 from nearfar._camera.camera import Fov
@@ -12,7 +12,8 @@ from nearfar._render import backend as backends
 from nearfar._render.backend import Backend
 from nearfar.hmd._hmd import Hmd
 from nearfar.lod._measure import statistic
-from nearfar.lod._measure.views import AXES, DIRECTIONS, Screen
+from nearfar.lod._measure.statistic import Mean
+from nearfar.lod._measure.views import AXES, Directions, Screen
 
 MIN_VIEWS = 4
 """Least number of views: fewer directions lie in a plane and may miss whole sides of an object."""
@@ -74,9 +75,9 @@ class MeasureSettings:
     fov: Fov | None = None
     size: tuple[int, int] | None = None
     views: int = 144
-    directions: str = "even"
+    directions: Directions = "even"
     distances: int = 16
-    percentile: float | str = 25.0
+    percentile: float | Mean = 25.0
     step: float | None = 0.05
     saturated: float | None = 0.999
     samples: int = 4
@@ -88,7 +89,7 @@ class MeasureSettings:
         checked: dict[str, Any] = {
             "size": screen.size if self.hmd is None else None,
             "views": check.integer("views", self.views, MIN_VIEWS, MAX_VIEWS),
-            "directions": check.choice("directions", self.directions, DIRECTIONS),
+            "directions": check.choice("directions", self.directions, get_args(Directions)),
             "distances": check.integer("distances", self.distances, 1, MAX_DISTANCES),
             "percentile": statistic.check_percentile(self.percentile),
             "step": None if self.step is None else check.positive("step", self.step),
@@ -115,9 +116,9 @@ class MeasureKeywords(TypedDict, total=False):
     fov: Fov | None
     size: tuple[int, int] | None
     views: int
-    directions: str
+    directions: Directions
     distances: int
-    percentile: float | str
+    percentile: float | Mean
     step: float | None
     saturated: float | None
     samples: int

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
+from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,21 +12,21 @@ from nearfar._base import check
 from nearfar.lod._measure.fit import Curve4PL, fit_4pl
 from nearfar.lod._measure.samples import Samples
 
-MEAN = "mean"
+Mean = Literal["mean"]
 
 
-def check_percentile(percentile: float | str) -> float | str:
+def check_percentile(percentile: float | Mean) -> float | Mean:
     """Check a percentile, or "mean"; ValueError or TypeError that names the argument otherwise."""
     if not isinstance(percentile, str):
         return check.in_range("percentile", percentile, 0.0, 100.0)
-    if percentile != MEAN:
+    if percentile not in get_args(Mean):
         raise ValueError(
-            f'percentile: expected a number from 0 to 100, or "{MEAN}", got {check.value_or_type(percentile)}'
+            f'percentile: expected a number from 0 to 100, or "mean", got {check.value_or_type(percentile)}'
         )
-    return MEAN
+    return percentile
 
 
-def of_views(scores: NDArray[Any], percentile: float | str) -> NDArray[np.float64]:
+def of_views(scores: NDArray[Any], percentile: float | Mean) -> NDArray[np.float64]:
     """Reduce scores (…, V) to a percentile of the views, or their mean (…); NaN where a view is unknown."""
     found = np.full(scores.shape[:-1], np.nan)
     is_known = np.isfinite(scores).all(axis=-1)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +13,7 @@ from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
 from nearfar.hmd._hmd import Hmd
 
-DIRECTIONS = ("even", "published")
+Directions = Literal["even", "published"]
 """Distributions of the views over directions; see `MeasureSettings`."""
 
 AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (1.0, 1.0, 0.0), (1.0, -1.0, 0.0))
@@ -31,7 +32,7 @@ PADDING = 5
 Quaternion = tuple[float, float, float, float]
 
 
-def turns(views: int, directions: str) -> tuple[list[Quaternion], NDArray[np.intp]]:
+def turns(views: int, directions: Directions) -> tuple[list[Quaternion], NDArray[np.intp]]:
     """Distinct turns of the object as unit quaternions (x, y, z, w), and the index of each view's turn."""
     if directions == "published":
         return _published(views)
@@ -86,7 +87,7 @@ class Screen:
         """Make the screen of a headset, or of a view and its pixels; ValueError for neither or both."""
         if hmd is not None:
             if fov is not None or size is not None:
-                raise ValueError("hmd: expected None beside fov and size, which say the same, got a headset")
+                raise ValueError("hmd: expected None beside fov and size, got a headset")
             check.instance("hmd", hmd, Hmd, "an Hmd such as nearfar.hmd.RIFT_S")
             return cls._from_tangent(hmd.tan_half_angle, hmd.left.fov, hmd.render_size)
         if fov is None or size is None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from typing import SupportsFloat
+from typing import Any, SupportsFloat
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -132,12 +132,9 @@ def distortion(
     ----------
     Liebisch (2021), Eq. 4.10–4.12, where the half angle goes to 0.
     """
-    away = _eccentricities(eccentricity_deg)
+    tangent = _tangents(eccentricity_deg)
     scale = checked_lens(lens, view, lens_radius)
-    tangent = np.where(away < 90, np.tan(np.radians(np.minimum(away, 89.999999999))), np.nan)
-    with np.errstate(over="ignore"):
-        r = lens.undistort(tangent / scale, outside="nan")
-    slope = lens.derivative(np.nan_to_num(r), outside="nan")
+    r, slope = _through(lens, tangent, scale)
     share = (1 + tangent**2) / (1 + (scale * r) ** 2) / slope
     return np.asarray(np.where(np.isfinite(share), share, 1.0))
 
@@ -174,17 +171,13 @@ def panel_magnification(
     ----------
     Liebisch (2021), Eq. 4.10, for r and f; D is the ratio of areas that follows from it.
     """
-    away = _eccentricities(eccentricity_deg)
-    tangent = np.where(away < 90, np.tan(np.radians(np.minimum(away, 89.999999999))), np.inf)
+    tangent = _tangents(eccentricity_deg)
     spread = (1 + tangent**2) ** 1.5
     if lens is None:
         half_tangent(view)  # raises for anything but a view
         return np.asarray(spread)
-    scale = checked_lens(lens, view, lens_radius)
-    with np.errstate(over="ignore"):
-        r = lens.undistort(tangent / scale, outside="nan")
+    r, slope = _through(lens, tangent, checked_lens(lens, view, lens_radius))
     shrinks = np.polynomial.polynomial.polyval(np.nan_to_num(r) ** 2, (1.0, *lens.k))
-    slope = lens.derivative(np.nan_to_num(r), outside="nan")
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.asarray(np.where(np.isfinite(r), spread / (shrinks * slope), np.inf))
 
@@ -195,6 +188,19 @@ def _eccentricities(value: ArrayLike) -> NDArray[np.float64]:
     if not (away >= 0).all():
         raise ValueError(f"eccentricity_deg: expected numbers of at least 0, got {away.min()}")
     return away
+
+
+def _tangents(eccentricity_deg: ArrayLike) -> NDArray[np.float64]:
+    """Tangents of angles from the axis; ∞ from 90° on."""
+    away = _eccentricities(eccentricity_deg)
+    return np.where(away < 90, np.tan(np.radians(np.minimum(away, 89.999999999))), np.inf)
+
+
+def _through(lens: RadialLens, tangent: NDArray[np.float64], scale: float) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Radii that a lens shows at some tangents, NaN beyond its domain, and its slope at these radii."""
+    with np.errstate(over="ignore"):
+        r = lens.undistort(tangent / scale, outside="nan")
+    return r, lens.derivative(np.nan_to_num(r), outside="nan")
 
 
 def half_tangent(view: Hmd | Camera | Fov) -> float:

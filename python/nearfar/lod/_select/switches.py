@@ -15,7 +15,7 @@ from nearfar.hmd._hmd import Hmd
 from nearfar.lod._levels import level_numbers
 from nearfar.lod._measured_levels import MeasuredLevels
 from nearfar.lod._select.size import half_tangent, pixel_area, reference_solid_angle
-from nearfar.lod._select.threshold import LodThreshold, threshold_of
+from nearfar.lod._select.threshold import Kind, LodThreshold, threshold_of
 
 _SAMPLED_SIZES = 1024
 """Number of sizes in linear and in geometric steps, between which threshold crossings are searched."""
@@ -88,7 +88,7 @@ def switches(
     view: Hmd | Camera | Fov,
     k: SupportsFloat | None = None,
     d: SupportsFloat | None = None,
-    threshold: LodThreshold | str | None = None,
+    threshold: LodThreshold | Kind | None = None,
 ) -> Switches:
     """Compute the sizes at which the levels of a model take over.
 

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, SupportsFloat
+from typing import Any, Literal, SupportsFloat, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
 
-KINDS = ("anchored", "literal", "normalized")
+Kind = Literal["anchored", "literal", "normalized"]
 
 
 @dataclass(frozen=True)
@@ -41,12 +41,12 @@ class LodThreshold:
 
     k: float = 0.27
     d: float = 0.90
-    kind: str = "anchored"
+    kind: Kind = "anchored"
 
     def __post_init__(self) -> None:
         for name in ("k", "d"):
             object.__setattr__(self, name, check.number(name, getattr(self, name)))
-        check.choice("kind", self.kind, KINDS)
+        check.choice("kind", self.kind, get_args(Kind))
 
     def line(self, reference: float) -> tuple[float, float]:
         """Return f as a line: its score at σ = 0, and its slope in SSIM per steradian.
@@ -69,7 +69,7 @@ class LodThreshold:
 
 
 def threshold_of(
-    threshold: LodThreshold | str | None, k: SupportsFloat | None, d: SupportsFloat | None
+    threshold: LodThreshold | Kind | None, k: SupportsFloat | None, d: SupportsFloat | None
 ) -> LodThreshold:
     """Convert keywords to a threshold: a `LodThreshold` as it is, or the name of a kind with k and d."""
     if isinstance(threshold, LodThreshold):
@@ -79,6 +79,6 @@ def threshold_of(
                     f"{name}: expected None beside a LodThreshold, which has its own, got {check.value_or_type(value)}"
                 )
         return threshold
-    kind = None if threshold is None else check.choice("threshold", threshold, KINDS)
+    kind = None if threshold is None else check.choice("threshold", threshold, get_args(Kind))
     fields: dict[str, Any] = {"k": k, "d": d, "kind": kind}
     return LodThreshold(**{name: value for name, value in fields.items() if value is not None})

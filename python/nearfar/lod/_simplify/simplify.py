@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal, get_args
 
 import numpy as np
 
@@ -15,7 +15,7 @@ from nearfar.lod._levels import Level, Levels
 from nearfar.lod._simplify.deviation import deviation
 from nearfar.lod._simplify.meshopt import MeshoptSimplifier
 from nearfar.lod._simplify.quadrics import QuadricSimplifier
-from nearfar.lod._simplify.surface import Base, Surface
+from nearfar.lod._simplify.surface import Base, Normals, Surface
 
 if TYPE_CHECKING:
     import trimesh
@@ -23,8 +23,7 @@ if TYPE_CHECKING:
 RATIOS = (1.0, 0.7, 0.5, 0.35, 0.25, 0.18, 0.12, 0.08, 0.05, 0.03, 0.02)
 """Default shares of the base's triangles."""
 
-METHODS = ("fast", "meshopt")
-NORMALS = ("keep", "smooth", "flat")
+Method = Literal["fast", "meshopt"]
 
 _NOTED_MISS = 0.01
 """Relative deviation from the requested triangles above which, if also by more than two, a level gets a note."""
@@ -34,8 +33,8 @@ def simplify(
     mesh: Scene | trimesh.Trimesh | trimesh.Scene | str | os.PathLike[str],
     ratios: Iterable[float] = RATIOS,
     *,
-    method: str = "fast",
-    normals: str = "keep",
+    method: Method = "fast",
+    normals: Normals = "keep",
     name: str | None = None,
 ) -> Levels:
     """Make levels of detail of an object: the same surface with decreasing triangle counts, with its textures.
@@ -84,8 +83,8 @@ def simplify(
     perpendicular planes as there. Aspert, Santa-Cruz, Ebrahimi (2002): MESH, for the distances.
     """
     shares = _ratios(ratios)
-    check.choice("method", method, METHODS)
-    check.choice("normals", normals, NORMALS)
+    check.choice("method", method, get_args(Method))
+    check.choice("normals", normals, get_args(Normals))
     base = Base(mesh, name)
     base.with_normals(normals)
     simplifier = (QuadricSimplifier if method == "fast" else MeshoptSimplifier)(base.surface, base.places)

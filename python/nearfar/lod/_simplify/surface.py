@@ -6,7 +6,7 @@ import os
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     import trimesh
 
 Array = NDArray[Any]
+Normals = Literal["keep", "smooth", "flat"]
 
 ATTRIBUTES = ("uvs", "colors", "normals")
 """Attributes of vertices."""
@@ -73,7 +74,7 @@ class Base:
         attributes = {key: parts[key] for key in ATTRIBUTES if parts.get(key) is not None}
         self.surface = Surface(parts["positions"], parts["faces"], parts["materials"], attributes)
 
-    def with_normals(self, kind: str) -> None:
+    def with_normals(self, kind: Normals) -> None:
         """Keep existing normals ("keep"), compute smooth ones ("smooth") or remove them ("flat")."""
         surface = self.surface
         if kind == "smooth":

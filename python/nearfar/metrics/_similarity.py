@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import check, progress
-from nearfar._metrics import inputs
-from nearfar._metrics.inputs import Pair
-from nearfar._metrics.result import Similarity
-from nearfar._metrics.window import Window
+from nearfar._base.settings import gather
 from nearfar._render.frame import Frame
+from nearfar.metrics import _inputs as inputs
+from nearfar.metrics._inputs import Pair
+from nearfar.metrics._result import Similarity
+from nearfar.metrics._window import SsimKeywords, SsimSettings
 
 NAMES = ("references", "tests")
 """Argument names of `ssim_pairs` for error messages."""
@@ -32,16 +33,11 @@ def ssim(
     test: ArrayLike | Frame,
     *,
     data_range: float | None = None,
-    window: str = "gaussian",
-    size: int = 11,
-    sigma: float = 1.5,
-    k1: float = 0.01,
-    k2: float = 0.03,
     mask: ArrayLike | None = None,
-    masking: str = "mean",
-    convention: str = "wang",
     channel_axis: int | None = None,
     full: bool = False,
+    settings: SsimSettings | None = None,
+    **keywords: Unpack[SsimKeywords],
 ) -> Similarity:
     """Compute the structural similarity (SSIM) of two pictures.
 
@@ -53,27 +49,16 @@ def ssim(
         Pillow images, as in `rmse`.
     data_range
         As in `psnr`.
-    window
-        "gaussian", "uniform", or "global", which is one window over the whole picture.
-    size
-        Width and height of the window in pixels. An even window extends one pixel further up and left.
-    sigma
-        Standard deviation of the Gaussian, pixels.
-    k1, k2
-        Constants K₁ and K₂, which keep the similarity defined where means or variances vanish.
     mask
         (H, W), true for the pixels that count; None counts all.
-    masking
-        "mean": the mask limits the mean. "windows": it also limits the windows: pixels outside the mask, and outside
-        the picture, are ignored, and each window's remaining weights are scaled to the sum 1.
-    convention
-        "wang": windows that lie within the picture, as in Wang's ssim_index.m. "skimage": the same with sample
-        covariances (N/(N − 1)), scikit-image's default. "full": all windows, with the picture mirrored at its borders.
-        "wang-downsampled": "wang" after downsampling to about 256 pixels, as in Wang's ssim.m.
     channel_axis
         Axis of the channels, however many there are, -3 to 2; by default the last one if its length is 1 or 3.
     full
         Whether to return the similarity around each pixel as well.
+    settings
+        Windows, constants and conventions, as `SsimSettings`.
+    keywords
+        Fields of `settings`, which they replace: `window`, `size`, `sigma`, `k1`, `k2`, `masking`, `convention`.
 
     Returns
     -------
@@ -96,19 +81,20 @@ def ssim(
     ----------
     Wang, Bovik, Sheikh, Simoncelli (2004), Eq. 13. Masked windows: Knutsson, Westin (1993).
     """
-    settings = Window(window, size, sigma, k1, k2, convention, masking, mask is not None)
+    chosen = gather(SsimSettings, settings, keywords)
+    chosen._require_mask(mask)
     full = check.flag("full", full)
     pair = inputs.pair(reference, test, data_range)
     axis = inputs.channel_axis(pair, channel_axis)
     channels = pair.channels_first(axis)
-    masks = None if mask is None else _masks(mask, channels.reference.shape, settings)
-    sums, ranges, maps = _compare(channels, settings, masks, full=full)
+    masks = None if mask is None else _masks(mask, channels.reference.shape, chosen)
+    sums, ranges, maps = _compare(channels, chosen, masks, full=full)
     if not np.isfinite(sums).all():
         raise pair.refuse()
     if not sums[..., 1].all():
         raise ValueError("mask: expected at least one pixel whose window lies within the picture, got none")
     one_mask = None if masks is None else masks.reshape(-1, *masks.shape[-2:])[0]
-    _check_values(channels, settings, (ranges[..., 0].min(), ranges[..., 1].max()), one_mask)
+    _check_values(channels, chosen, (ranges[..., 0].min(), ranges[..., 1].max()), one_mask)
     mean = float((sums[..., 0] / sums[..., 1]).mean())
     return Similarity(mean, maps if maps is None or axis is None else np.moveaxis(maps, 0, axis))
 
@@ -118,14 +104,9 @@ def ssim_pairs(
     tests: ArrayLike,
     *,
     data_range: float,
-    window: str = "gaussian",
-    size: int = 11,
-    sigma: float = 1.5,
-    k1: float = 0.01,
-    k2: float = 0.03,
     masks: ArrayLike | None = None,
-    masking: str = "mean",
-    convention: str = "wang",
+    settings: SsimSettings | None = None,
+    **keywords: Unpack[SsimKeywords],
 ) -> NDArray[np.float64]:
     """Compute the structural similarity of many pairs of small pictures at once.
 
@@ -135,7 +116,7 @@ def ssim_pairs(
         (..., H, W), one channel each. The axes before the last two are broadcast as in NumPy, without copies: one
         reference (H, W) with many tests (N, H, W), or views (V, 1, H, W) with their levels (V, L, H, W). With three or
         more axes W may not be 3 or 4, which is taken for colours in the last axis.
-    data_range, window, size, sigma, k1, k2, masking, convention
+    data_range, settings, keywords
         As in `ssim`.
     masks
         (..., H, W), broadcast as well, such as the silhouette of each view (V, 1, H, W). Only the surroundings of the
@@ -151,7 +132,8 @@ def ssim_pairs(
     ValueError, TypeError
         As in `ssim`, and for axes that do not broadcast.
     """
-    settings = Window(window, size, sigma, k1, k2, convention, masking, masks is not None)
+    chosen = gather(SsimSettings, settings, keywords)
+    chosen._require_mask(masks)
     first, second = inputs.stack(references, tests, NAMES)
     for name, array in (("references", first), ("tests", second)):
         if array.ndim < 2 or 0 in array.shape[-2:]:
@@ -163,7 +145,7 @@ def ssim_pairs(
             )
     if first.shape[-2:] != second.shape[-2:]:
         raise ValueError(f"tests: expected pictures of {first.shape[-2:]} pixels, got {second.shape[-2:]}")
-    factor = settings.shrink(*first.shape[-2:])
+    factor = chosen._shrink(*first.shape[-2:])
     named = None if masks is None else inputs.mask_of(masks, "masks")
     if named is not None and named.shape[-2:] != first.shape[-2:]:
         raise ValueError(f"masks: expected pictures of {first.shape[-2:]} pixels, got shape {named.shape}")
@@ -180,13 +162,13 @@ def ssim_pairs(
         pair.extent()
         return np.empty(outer)
     spread_masks = spread[2] if named is not None else None
-    sums, ranges, _ = _compare(pair, settings, spread_masks)
+    sums, ranges, _ = _compare(pair, chosen, spread_masks)
     if not np.isfinite(sums).all():
         raise Pair(first, second, data_range).refuse(NAMES)
     beyond = ranges[..., 1] - ranges[..., 0] > pair.extent()
     for index in (tuple(place) for place in np.argwhere(beyond)):
         own = Pair(pair.reference[index], pair.test[index], data_range)
-        _check_values(own, settings, ranges[index], None if spread_masks is None else spread_masks[index])
+        _check_values(own, chosen, ranges[index], None if spread_masks is None else spread_masks[index])
     counted = sums[..., 1] > 0
     means: NDArray[np.float64] = np.divide(sums[..., 0], sums[..., 1], out=np.full(outer, np.nan), where=counted)
     return means
@@ -197,21 +179,18 @@ def ms_ssim(
     test: ArrayLike | Frame,
     *,
     data_range: float | None = None,
-    window: str = "gaussian",
-    size: int = 11,
-    sigma: float = 1.5,
-    k1: float = 0.01,
-    k2: float = 0.03,
     weights: Sequence[float] = SCALE_WEIGHTS,
     channel_axis: int | None = None,
+    settings: SsimSettings | None = None,
+    **keywords: Unpack[SsimKeywords],
 ) -> float:
     """Compute the structural similarity at several scales (MS-SSIM), each half as large as the one before.
 
     Parameters
     ----------
-    reference, test, data_range, window, size, sigma, k1, k2, channel_axis
-        As in `ssim`. The window must lie within the picture at every scale, which for five scales needs 176 × 176
-        pixels.
+    reference, test, data_range, channel_axis, settings, keywords
+        As in `ssim`, with the convention "wang". The window must lie within the picture at every scale, which for five
+        scales needs 176 × 176 pixels.
     weights
         Exponents of the scales, from the finest to the coarsest.
 
@@ -230,15 +209,19 @@ def ms_ssim(
     ----------
     Wang, Simoncelli, Bovik (2003), Eq. 7.
     """
-    window_settings = Window(window, size, sigma, k1, k2)
+    chosen = gather(SsimSettings, settings, keywords)
+    chosen._require_mask(None)
+    if chosen.convention != "wang":
+        raise ValueError(f"convention: expected 'wang' for several scales, got {chosen.convention!r}")
     exponents = check.array("weights", weights, columns=None, dtype=np.float64, finite=True)
     if exponents.ndim != 1 or not len(exponents) or (exponents < 0.0).any():
         wrong = check.value_or_type(exponents.tolist())
         raise ValueError(f"weights: expected numbers of at least 0, one for each scale, got {wrong}")
     pair = inputs.pair(reference, test, data_range)
     channels = pair.channels_first(inputs.channel_axis(pair, channel_axis))
-    settings = window_settings.settings(channels)
-    found = _core.multiscale(channels.reference, channels.test, settings=settings, scales=len(exponents))
+    found = _core.multiscale(
+        channels.reference, channels.test, settings=chosen._for_kernel(channels), scales=len(exponents)
+    )
     means = np.array([of_scales for of_scales, _, _ in found])
     if not np.isfinite(means).all():
         raise pair.refuse()
@@ -302,12 +285,12 @@ def _continuity(last: NDArray[Any], current: NDArray[Any], data_range: float | N
 
 
 def _check_values(
-    pair: Pair, window: Window, found: tuple[float, float] | NDArray[np.float64], mask: NDArray[np.uint8] | None
+    pair: Pair, settings: SsimSettings, found: tuple[float, float] | NDArray[np.float64], mask: NDArray[np.uint8] | None
 ) -> None:
     """Raise ValueError for values beyond `data_range`; `found` is the range of at least the values within windows."""
     least, greatest = (float(value) for value in found)
     if mask is not None and pair.is_beyond(least, greatest):
-        seen = window.covered_pixels(mask, *pair.reference.shape[-2:])
+        seen = settings._covered_pixels(mask, *pair.reference.shape[-2:])
         values = [picture[..., seen] for picture in (pair.reference, pair.test)]
         if not seen.any():
             return
@@ -315,28 +298,28 @@ def _check_values(
     pair.check_values(least, greatest)
 
 
-def _masks(mask: ArrayLike, shape: tuple[int, ...], window: Window) -> NDArray[np.uint8]:
+def _masks(mask: ArrayLike, shape: tuple[int, ...], settings: SsimSettings) -> NDArray[np.uint8]:
     """Check a mask, downsample it like the pictures, and repeat it for all channels without a copy."""
     named = inputs.mask_of(mask)
     if named.shape != shape[-2:]:
         raise ValueError(f"mask: expected shape {shape[-2:]}, got {named.shape}")
-    factor = window.shrink(*named.shape)
+    factor = settings._shrink(*named.shape)
     smaller = named[::factor, ::factor]
     return np.broadcast_to(smaller, shape[:-2] + smaller.shape)
 
 
 def _compare(
-    pair: Pair, window: Window, masks: NDArray[np.uint8] | None, *, full: bool = False
+    pair: Pair, settings: SsimSettings, masks: NDArray[np.uint8] | None, *, full: bool = False
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[Any] | None]:
     """Sums of similarity and of pixel weights, and ranges of values (..., 2) of each pair; and the maps if `full`."""
     shape = pair.reference.shape
-    factor = window.shrink(*shape[-2:])
+    factor = settings._shrink(*shape[-2:])
     map_shape = (*shape[:-2], -(-shape[-2] // factor), -(-shape[-1] // factor)) if full else None
-    settings = window.settings(pair)
+    kernel_settings = settings._for_kernel(pair)
 
     def run(report: Any) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[Any] | None]:
         sums, maps = _core.similarity(
-            pair.reference, pair.test, settings=settings, masks=masks, map_shape=map_shape, report=report
+            pair.reference, pair.test, settings=kernel_settings, masks=masks, map_shape=map_shape, report=report
         )
         found = np.array(sums).reshape(*shape[:-2], 4)
         return found[..., :2], found[..., 2:], maps

@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import background, check
-from nearfar._metrics import inputs
 from nearfar._render.frame import Frame
+from nearfar.metrics import _inputs as inputs
 
 
 def rmse(reference: ArrayLike | Frame, test: ArrayLike | Frame) -> float:

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
-from nearfar._metrics.discontinuity import boundary, discontinuity
-from nearfar._metrics.pixel_errors import psnr, rmse
-from nearfar._metrics.similarity import ssim
 from nearfar._render.frame import Frame
+from nearfar.metrics._discontinuity import boundary_mask, discontinuity
+from nearfar.metrics._pixel_errors import psnr, rmse
+from nearfar.metrics._similarity import ssim
 
 VISIBLE = 8
 """Least difference in 8-bit codes (of 255) at which a pixel counts as visibly different."""
@@ -34,7 +34,7 @@ class Comparison:
     """Mean of `torn`."""
     discontinuity_p99: float | None
     """99th percentile of `torn`."""
-    boundary: float | None
+    boundary_discontinuity: float | None
     """Mean of |`torn`| over the pixels along the boundary of the near part."""
     boundary_pixels: int
     """Number of pixels along that boundary that have a discontinuity."""
@@ -59,8 +59,8 @@ def compare(reference: Frame, test: Frame, *, center: ArrayLike, radius: float) 
     Returns
     -------
     Comparison
-        Results of `ssim`, `psnr`, `rmse` and `discontinuity` with default settings, and the discontinuity along the
-        `boundary`.
+        Results of `ssim`, `psnr`, `rmse` and `discontinuity` with default settings, and the discontinuity within the
+        `boundary_mask`.
 
     Raises
     ------
@@ -75,14 +75,14 @@ def compare(reference: Frame, test: Frame, *, center: ArrayLike, radius: float) 
         check.instance(name, frame, Frame)
     torn = discontinuity(test)
     defined = torn[~np.isnan(torn)]
-    edge = boundary(test, center=center, radius=radius) & ~np.isnan(torn)
+    edge = boundary_mask(test, center=center, radius=radius) & ~np.isnan(torn)
     return Comparison(
         psnr=psnr(reference, test),
         ssim=ssim(reference, test),
         rmse=rmse(reference, test),
         discontinuity=float(defined.mean()) if defined.size else None,
         discontinuity_p99=float(np.percentile(defined, 99)) if defined.size else None,
-        boundary=float(np.abs(torn[edge]).mean()) if edge.any() else None,
+        boundary_discontinuity=float(np.abs(torn[edge]).mean()) if edge.any() else None,
         boundary_pixels=int(edge.sum()),
         torn=torn,
     )

@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check, progress
 from nearfar._camera.camera import Camera, Fov
-from nearfar._metrics.discontinuity import boundary, truth_view
 from nearfar._render.frame import Frame
+from nearfar.metrics._discontinuity import boundary_mask, truth_view
 
 EPSILON = 4.0
 """Radius of a neighbourhood in pixels of the truth."""
@@ -30,12 +30,8 @@ def tear(frame: Frame, truth_camera: Camera | None = None, *, epsilon: float = E
 
     Parameters
     ----------
-    frame
-        Frame with `position`, the unmorphed scene point of each pixel. Far pixels of a reduced scene have it if the
-        map was baked with range.
-    truth_camera
-        View of the true picture, of the frame's size in pixels, because distances in pixels of both are compared; by
-        default the frame's camera.
+    frame, truth_camera
+        As in `discontinuity`.
     epsilon
         Radius ε of the neighbourhood in pixels of the truth, from 10⁻⁶ to 10,000. Time grows with its square.
 
@@ -87,30 +83,24 @@ def boundary_tear(
 
     Parameters
     ----------
-    frame
-        Frame with `position`, as for `tear`.
-    center
-        World position O of the reduction, metres.
-    radius
-        Radius in metres at which the near part ends: r2 of the reduction.
+    frame, center, radius, surfaces
+        As in `boundary_mask`.
     epsilon
-        Radius ε of the neighbourhood in pixels of the truth, from 10⁻⁶ to 5,000.
-    surfaces
-        True measures only where a surface crosses the radius, as `boundary` does.
+        As in `tear`, up to 5,000.
 
     Returns
     -------
     BoundaryTear
-        Means over the pixels of `boundary` whose neighbourhood within ε lies on both sides of `radius`. With T the tear
-        for ε, and T₂ that for 2 ε, the kink is √((T₂² − T²) / 3), at most T: a tear has the same value for both, a kink
-        twice its value for the second.
+        Means over the pixels of `boundary_mask` whose neighbourhood within ε lies on both sides of `radius`. With T the
+        tear for ε, and T₂ that for 2 ε, the kink is √((T₂² − T²) / 3), at most T: a tear has the same value for both, a
+        kink twice its value for the second.
 
     Raises
     ------
     ValueError, TypeError
         Frames without positions and arguments out of range.
     """
-    edge = boundary(frame, center=center, radius=radius, surfaces=surfaces)
+    edge = boundary_mask(frame, center=center, radius=radius, surfaces=surfaces)
     middle, end = np.array(check.vector("center", center)), check.positive("radius", radius)
     near = check.in_range("epsilon", epsilon, EPSILONS[0], EPSILONS[1] / 2)
     away = frame.require("position").astype(np.float64) + np.array(frame.origin) - middle

@@ -4,62 +4,83 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal, TypedDict, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
 from nearfar._base import check
-from nearfar._metrics.inputs import Pair
+from nearfar.metrics._inputs import Pair
 
-WINDOWS = ("gaussian", "uniform", "global")
-"""Names of the windows that `ssim` describes."""
-
-CONVENTIONS = ("wang", "wang-downsampled", "skimage", "full")
-"""Names of the conventions that `ssim` describes."""
-
-MASKINGS = ("mean", "windows")
-"""Names of the maskings that `ssim` describes."""
+Window = Literal["gaussian", "uniform", "global"]
+Masking = Literal["mean", "windows"]
+Convention = Literal["wang", "wang-downsampled", "skimage", "full"]
 
 _CONSTANTS = (1e-140, 1e140)
 """Least and greatest constants c1 and c2 whose product float64 holds with all digits."""
 
 
-@dataclass(frozen=True)
-class Window:
-    """Settings of the windows and constants of the similarity, checked."""
+@dataclass(frozen=True, kw_only=True)
+class SsimSettings:
+    """Windows, constants and conventions of the structural similarity.
 
-    name: str
-    size: int
-    sigma: float
-    k1: float
-    k2: float
-    convention: str = "wang"
-    masking: str = "mean"
-    masked: bool = False
+    Parameters
+    ----------
+    window
+        "gaussian", "uniform", or "global", which is one window over the whole picture.
+    size
+        Width and height of the window in pixels, 1 to 10,001. An even window extends one pixel further up and left.
+    sigma
+        Standard deviation of the Gaussian, pixels, above 0.
+    k1, k2
+        Constants K₁ and K₂, above 0, which keep the similarity defined where means or variances vanish.
+    masking
+        "mean": the mask limits the mean. "windows": it also limits the windows: pixels outside the mask, and outside
+        the picture, are ignored, and each window's remaining weights are scaled to the sum 1.
+    convention
+        "wang": windows that lie within the picture, as in Wang's ssim_index.m. "skimage": the same with sample
+        covariances (N/(N − 1)), scikit-image's default. "full": all windows, with the picture mirrored at its borders.
+        "wang-downsampled": "wang" after downsampling to about 256 pixels, as in Wang's ssim.m.
+
+    Raises
+    ------
+    ValueError, TypeError
+        Settings out of range, and masked windows with "skimage" or "wang-downsampled".
+    """
+
+    window: Window = "gaussian"
+    size: int = 11
+    sigma: float = 1.5
+    k1: float = 0.01
+    k2: float = 0.03
+    masking: Masking = "mean"
+    convention: Convention = "wang"
 
     def __post_init__(self) -> None:
-        check.choice("window", self.name, WINDOWS)
-        convention = check.choice("convention", self.convention, CONVENTIONS)
-        check.choice("masking", self.masking, MASKINGS)
-        if self.masking == "windows" and not self.masked:
-            raise ValueError("masking: expected a mask with 'windows', got none")
+        check.choice("window", self.window, get_args(Window))
+        check.choice("masking", self.masking, get_args(Masking))
+        convention = check.choice("convention", self.convention, get_args(Convention))
         if self.masking == "windows" and convention in ("skimage", "wang-downsampled"):
-            reason = "knows no masked windows" if convention == "skimage" else "makes pictures smaller without the mask"
+            reason = "has no masked windows" if convention == "skimage" else "downsamples pictures without the mask"
             raise ValueError(f"masking: expected 'mean' with convention={convention!r}, which {reason}, got 'windows'")
-        least = 2 if convention == "skimage" and self.name != "global" else 1
+        least = 2 if convention == "skimage" and self.window != "global" else 1
         object.__setattr__(self, "size", check.integer("size", self.size, least, 10_001))
         for name in ("sigma", "k1", "k2"):
             object.__setattr__(self, name, check.positive(name, getattr(self, name)))
 
-    def shrink(self, height: int, width: int) -> int:
+    def _require_mask(self, mask: object) -> None:
+        """Raise ValueError for masked windows without a mask."""
+        if mask is None and self.masking == "windows":
+            raise ValueError("masking: expected a mask with 'windows', got none")
+
+    def _shrink(self, height: int, width: int) -> int:
         """Factor of the downsampling before the comparison: to about 256 pixels for "wang-downsampled", else 1."""
         if self.convention != "wang-downsampled":
             return 1
         return max(1, math.floor(min(height, width) / 256 + 0.5))
 
-    def settings(self, pair: Pair) -> _core._Settings:
+    def _for_kernel(self, pair: Pair) -> _core._Settings:
         """Return the kernel's settings, which are the same for every pair of a comparison."""
         height, width = pair.reference.shape[-2:]
         extent = pair.extent()
@@ -72,11 +93,11 @@ class Window:
             )
         if self.convention == "skimage":
             # Sample covariances are N/(N − 1) times the population's; dividing c2 by that factor has the same effect.
-            count = height * width if self.name == "global" else self.size**2
+            count = height * width if self.window == "global" else self.size**2
             c2 *= (count - 1) / count if count > 1 else 1.0
-        factor = self.shrink(height, width)
+        factor = self._shrink(height, width)
         return (
-            self.name,
+            self.window,
             self.size,
             self.sigma,
             (c1, c2),
@@ -86,12 +107,12 @@ class Window:
             pair.may_exceed,
         )
 
-    def covered_pixels(self, mask: NDArray[Any], height: int, width: int) -> NDArray[np.bool_]:
+    def _covered_pixels(self, mask: NDArray[Any], height: int, width: int) -> NDArray[np.bool_]:
         """Pixels of a picture (H, W) within the windows that a mask selects, which is downsampled like the picture."""
         named: NDArray[np.bool_] = mask != 0
         if self.masking == "windows":
             return named
-        if self.name == "global":
+        if self.window == "global":
             return np.full((height, width), named.any())
         before, after = self.size // 2, self.size - 1 - self.size // 2
         counted = named
@@ -101,7 +122,7 @@ class Window:
             counted[inside] = named[inside]
         for axis in (0, 1):
             counted = _reached(counted, before, after, axis)
-        factor = self.shrink(height, width)
+        factor = self._shrink(height, width)
         if factor == 1:
             return counted
         # Boxes of the downsampling begin before the pixel that has their mean.
@@ -110,6 +131,18 @@ class Window:
             for length, small in zip((height, width), counted.shape, strict=True)
         )
         return np.asarray(counted[rows[:, None], columns])
+
+
+class SsimKeywords(TypedDict, total=False):
+    """Fields of `SsimSettings` as keywords of `ssim`, `ssim_pairs` and `ms_ssim`; a test compares both."""
+
+    window: Window
+    size: int
+    sigma: float
+    k1: float
+    k2: float
+    masking: Masking
+    convention: Convention
 
 
 def _reached(counted: NDArray[np.bool_], before: int, after: int, axis: int) -> NDArray[np.bool_]:

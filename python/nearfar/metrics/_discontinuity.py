@@ -80,7 +80,7 @@ def truth_view(own: Camera, truth: Camera | None) -> Camera:
     return truth
 
 
-def boundary(
+def boundary_mask(
     frame: Frame, *, center: ArrayLike, radius: float, width: int = 2, surfaces: bool = False
 ) -> NDArray[np.bool_]:
     """Find the pixels along the boundary of a picture's near part.

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from nearfar import _core
-from nearfar._metrics.result import Similarity
-from nearfar._metrics.similarity import ssim
 from nearfar._render.frame import Frame
 from nearfar._render.ranged import motion_of, ranged
+from nearfar.metrics._result import Similarity
+from nearfar.metrics._similarity import ssim
 
 
 def motion_ssim(earlier: Frame, later: Frame, *, full: bool = False) -> Similarity:

@@ -131,7 +131,7 @@ def channel_axis(pair: Pair, axis: int | None) -> int | None:
     if len(shape) > 3 or shape[-1] not in (1, 3):
         raise ValueError(
             f"channel_axis: expected the axis of the channels of one picture, because shape {shape} is neither (H, W) "
-            f"nor (H, W, 3), got None; nearfar.ssim_pairs compares stacks of pictures (..., H, W)"
+            f"nor (H, W, 3), got None; nearfar.metrics.ssim_pairs compares stacks of pictures (..., H, W)"
         )
     return -1
 
@@ -170,7 +170,7 @@ def mask_of(mask: ArrayLike, name: str = "mask") -> NDArray[np.uint8]:
     """Convert a mask to bytes, 1 for the pixels that count; TypeError for anything but bools or whole numbers."""
     values = check.plain(name, mask)
     if values.dtype.kind not in "biu":
-        raise TypeError(f"{name}: expected true and false, got {values.dtype}")
+        raise TypeError(f"{name}: expected bools or whole numbers, got {values.dtype}")
     return _readable((values if values.dtype.kind == "b" else values != 0).view(np.uint8), np.uint8)
 
 

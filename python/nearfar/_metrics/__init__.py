@@ -1,1 +1,0 @@
-"""Image quality: structural similarity, pixel errors, discontinuity, and a comparison by all of them."""
