@@ -77,7 +77,8 @@ class Near:
     def encode(cls, rings: nf.stream.Rings, *, compressed: bool, quality: int | None = 90) -> Near:
         start = time.perf_counter()
         files, textures = Files(), whole_textures(rings.scene, quality)
-        entries = list(Geometry(rings, files, textures, step=STEP, compressed=compressed).groups("ring"))
+        settings = nf.stream.ExportSettings(step=STEP, compression="meshopt" if compressed else None)
+        entries = list(Geometry(rings, files, textures, settings).groups("ring"))
         return cls(rings, files, entries, time.perf_counter() - start)
 
     def names(self, ring: int, *, images: bool) -> set[str]:

@@ -67,7 +67,9 @@ def test_parts_of_parts_are_parts(cell: Any) -> None:
             part = view.crop_to_box(*box)
             smaller = divided(box, np.mean(box, axis=0))
             assert [part.crop_to_box(*one).count for one in smaller] == [in_box(points, one).sum() for one in smaller]
-            assert [part.crop_to_box(*one).count for one in smaller] == [view.crop_to_box(*one).count for one in smaller]
+            assert [part.crop_to_box(*one).count for one in smaller] == [
+                view.crop_to_box(*one).count for one in smaller
+            ]
 
 
 def test_a_box_without_splats_has_nothing(cell: Any) -> None:

@@ -15,7 +15,7 @@ import pytest
 
 import nearfar as nf
 from nearfar._base import files
-from nearfar.stream import _encode, _export, _map_files, _region
+from nearfar.stream import _encode, _map_files, _stages
 from tests.support import bundle_cases, need, printed_by_threads
 from tests.support.bundle_cases import content, use
 
@@ -161,8 +161,8 @@ def test_files_that_may_not_grow_leave_what_was_there(tmp_path: Path, versions: 
 @pytest.mark.parametrize(
     ("module", "name", "call"),
     [
-        (_export, "assign", 1),
-        (_region, "bake_maps", 1),
+        (_stages, "assign", 1),
+        (_stages, "bake_maps", 1),
         (_map_files, "encode_color", 4),
         (_encode, "referenced", 2),
         (files, "write", 3),

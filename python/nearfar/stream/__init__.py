@@ -12,12 +12,14 @@ from nearfar.stream._footprints import footprints
 from nearfar.stream._growth import Growth
 from nearfar.stream._link import Link
 from nearfar.stream._maps import RingMaps, bake_maps
-from nearfar.stream._radii import rings
+from nearfar.stream._radii import ring_radii
+from nearfar.stream._settings import ExportSettings
 from nearfar.stream._simulate import radius_for, simulate
 from nearfar.stream._timeline import Timeline
 
 __all__ = [
     "Bundle",
+    "ExportSettings",
     "Growth",
     "Link",
     "RingMaps",
@@ -32,7 +34,7 @@ __all__ = [
     "footprints",
     "open",
     "radius_for",
-    "rings",
+    "ring_radii",
     "simulate",
     "snap",
 ]

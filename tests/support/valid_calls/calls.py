@@ -23,7 +23,11 @@ CALLABLES = public_callables()
 NAMES = sorted({*CALLABLES, *(name for name in OWN if not name.endswith("."))})
 """Names of all calls."""
 
-PASSED_ON = {"Walk.render": "ReducedScene.render", "lod.measure": "lod.MeasureSettings"}
+PASSED_ON = {
+    "Walk.render": "ReducedScene.render", "lod.measure": "lod.MeasureSettings",
+    "orthoview.build": "orthoview.ViewSettings", "orthoview.simulate": "orthoview.FlightSettings",
+    "stream.export": "stream.ExportSettings", "stream.simulate": "stream.ClientSettings",
+}  # fmt: skip
 """Callables to which others pass all keywords that they do not name."""
 
 NEEDS = {

@@ -89,7 +89,7 @@ STREAMS: dict[str, Make] = {
     },
     "stream.open": lambda v: {"path": _written(v)},
     "stream.radius_for": lambda v: {"link": nf.stream.Link(50.0)},
-    "stream.rings": lambda v: {"r_max": 20.0, "base_radius": 8.0},
+    "stream.ring_radii": lambda v: {"r_max": 20.0, "base_radius": 8.0},
     "stream.simulate": lambda v: {"head_path": ZONES["center"]},
     "stream.simulate @seen": lambda v: {
         "link": nf.stream.Link(50.0), "strategy": "clovrd", "scene": v.scene, "size": 16, "camera": v.camera,
