@@ -8,7 +8,7 @@ from typing import Any
 
 import nearfar as nf
 from benchmarks.harness.loads import Network
-from nearfar.stream._strategies import Plan, plan_of
+from nearfar.stream._strategies import Plan, Strategy, plan_of
 from tests.support.reader_cases import SECONDS
 
 SIZE = (320, 200)
@@ -52,13 +52,13 @@ class Loaded:
     """Seconds from navigation to the request of the manifest, spent on the page itself."""
 
 
-def stages(strategy: str, last: int) -> dict[str, int]:
+def stages(strategy: Strategy, last: int) -> dict[str, int]:
     """Numbers of the rings that complete the picture, the first near geometry and everything."""
     picture = 0 if strategy.startswith("clovr") else last
     return {"picture": picture, "first_ring": last if strategy == "vis0" else 1, "total": last}
 
 
-def plan(bundle: nf.stream.Bundle, strategy: str) -> Plan:
+def plan(bundle: nf.stream.Bundle, strategy: Strategy) -> Plan:
     return plan_of(strategy, bundle._region, bundle.number, bundle._manifest["dynamic"])
 
 
@@ -74,7 +74,7 @@ def files_until(steps: Plan, ring: int) -> set[str]:
     return names
 
 
-def show(page: Any, url: str, strategy: str, last: int) -> None:
+def show(page: Any, url: str, strategy: Strategy, last: int) -> None:
     """Open a bundle's page by a strategy, and wait until the last ring is shown."""
     page.goto(f"{url}?strategy={strategy}")
     deadline = time.monotonic() + SECONDS
@@ -84,7 +84,7 @@ def show(page: Any, url: str, strategy: str, last: int) -> None:
         time.sleep(0.25)
 
 
-def load(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, strategy: str) -> Loaded:
+def load(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, strategy: Strategy) -> Loaded:
     """Open the page by a strategy and wait until all is shown."""
     steps = plan(bundle, strategy)
     last = len(steps.radii)
@@ -95,7 +95,7 @@ def load(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, strate
     return _loaded(told, steps, strategy, last)
 
 
-def _loaded(told: dict[str, Any], steps: Plan, strategy: str, last: int) -> Loaded:
+def _loaded(told: dict[str, Any], steps: Plan, strategy: Strategy, last: int) -> Loaded:
     files = {file["url"].partition("?")[0]: file for file in told["files"]}
     manifest = next(file for url, file in files.items() if url.endswith("/manifest.json"))
     start = manifest["begin"]

@@ -9,6 +9,7 @@ import numpy as np
 import nearfar as nf
 from benchmarks.harness.loads import Network
 from benchmarks.stream._loaded import SIZE, files_until, plan, stages
+from nearfar.stream._strategies import Strategy
 
 # Six at a time, with the next step's requested ahead, as in web/src/show/loader.ts.
 REPLAY = """async (steps) => {
@@ -68,7 +69,7 @@ def round_trip(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle) 
         return float(np.median(page.evaluate(TRIPS, least)))
 
 
-def requests(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, strategy: str) -> dict[str, float]:
+def requests(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, strategy: Strategy) -> dict[str, float]:
     """Seconds from the request of the manifest until the files of each stage had arrived."""
     steps = plan(bundle, strategy)
     given = [{"asked": step.requests, "files": step.files, "isAhead": step.is_ahead} for step in steps.steps]
@@ -82,7 +83,9 @@ def requests(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, st
     }
 
 
-def simulated_requests(bundle: nf.stream.Bundle, link: nf.stream.Link, strategy: str, seed: int) -> dict[str, float]:
+def simulated_requests(
+    bundle: nf.stream.Bundle, link: nf.stream.Link, strategy: Strategy, seed: int
+) -> dict[str, float]:
     """The same for a simulated load from `nearfar serve`, without decoding."""
     line = nf.stream.simulate(bundle, link=link, strategy=strategy, gzip=True, seed=seed)
     # The first connection is already open.

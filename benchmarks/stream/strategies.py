@@ -16,11 +16,11 @@ from pathlib import Path
 import nearfar as nf
 from benchmarks.harness.timing import machine, table
 from benchmarks.stream import _comparison, _strategy_plots as plots
-from benchmarks.stream._comparison import STRATEGIES
 from benchmarks.stream._near import EYE_HEIGHT, Place, places
 from nearfar.stream._client_pictures import Pictures, SceneParts
 from nearfar.stream._head_path import HeadPath
 from nearfar.stream._radii import PUBLISHED
+from nearfar.stream._strategies import STRATEGIES, Strategy
 
 MBPS, RTT = 50.0, 20.0
 """Rate in megabits per second, as in CloVR, and round trip in milliseconds."""
@@ -82,9 +82,9 @@ def lines_of(case: Case, link: nf.stream.Link, gzip: bool) -> plots.Lines:
     }
 
 
-def by_radius(case: Case, link: nf.stream.Link, gzip: bool, quick: bool) -> dict[str, list[float]]:
+def by_radius(case: Case, link: nf.stream.Link, gzip: bool, quick: bool) -> dict[Strategy, list[float]]:
     """Seconds of vis0 and vis1 until everything is loaded, by the last radius, with a separate bundle for each."""
-    found: dict[str, list[float]] = {"vis0": [], "vis1": []}
+    found: dict[Strategy, list[float]] = {"vis0": [], "vis1": []}
     for count in range(1, len(PUBLISHED) + 1):
         with tempfile.TemporaryDirectory() as folder:
             bundle = written(case.scene, case.place, Path(folder) / "bundle", PUBLISHED[:count], quick)

@@ -152,7 +152,7 @@ RANGES: dict[str, str] = {
     "[1, inf)": "max_bytes triangles convert_envmap.size envmap_*.size",
     "[2, 15]": "boxes rectangles",
     "[3, 65536]": "keep",
-    "[4, 4096]": "orthoview.build.size",
+    "[4, 4096]": "orthoview.ViewSettings.size",
     "[4, 1048576]": "lod.*.views",
     "[8, 16]": "depth_bits",
     "[16, 24]": "normal_bits",

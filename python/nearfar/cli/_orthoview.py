@@ -81,7 +81,7 @@ def build(
             directions=read_directions(directions),
             depth_bits=depth_bits,
             normal_bits=normal_bits,
-            color=color,
+            color=color,  # type: ignore[arg-type]  # checked by `build`
             quality=quality,
             geometry=geometry,
             layers=layers,

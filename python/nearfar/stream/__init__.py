@@ -7,6 +7,7 @@ from nearfar.stream import client, collect
 from nearfar.stream._assign import Rings, assign
 from nearfar.stream._bundle import Bundle, open  # noqa: A004
 from nearfar.stream._centers import snap
+from nearfar.stream._client_settings import ClientSettings
 from nearfar.stream._export import export
 from nearfar.stream._footprints import footprints
 from nearfar.stream._growth import Growth
@@ -19,6 +20,7 @@ from nearfar.stream._timeline import Timeline
 
 __all__ = [
     "Bundle",
+    "ClientSettings",
     "ExportSettings",
     "Growth",
     "Link",

@@ -21,6 +21,7 @@ from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import NEAR_SHARE, layout_of, names_of
 from nearfar.stream._moving import moving_scene
 from nearfar.stream._regions import InRegions
+from nearfar.stream._strategies import Strategy
 
 LOSSLESS = b"VP8L"
 """First chunk of a lossless WebP file."""
@@ -234,7 +235,7 @@ class Bundle(InRegions):
         return reduced.with_growth(shown, strength)
 
     def show(
-        self, *, size: tuple[int, int] = (640, 400), camera: Camera | None = None, strategy: str = "clovr"
+        self, *, size: tuple[int, int] = (640, 400), camera: Camera | None = None, strategy: Strategy = "clovr"
     ) -> View:
         """Show the bundle in a notebook: a viewer in which the user walks and looks around.
 
