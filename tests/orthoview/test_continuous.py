@@ -26,7 +26,7 @@ def scene() -> nf.Scene:
 
 
 @pytest.fixture(scope="module")
-def tree(scene: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Tree:
+def shared_tree(scene: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Tree:
     return built_once(tmp_path_factory, "continuous.zarr", scene, cell=10, size=32, directions=9)
 
 
@@ -52,35 +52,36 @@ def changes(tree: Tree, camera: nf.Camera, errors: NDArray[np.float64], continuo
 
 
 @pytest.mark.parametrize("distance", [110.0, 170.0])
-def test_no_picture_changes_at_once_while_the_error_doubles(shown: Tree, distance: float) -> None:
+def test_no_picture_changes_at_once_while_the_error_doubles(shared_tree: Tree, distance: float) -> None:
     """A camera that does not move: where cells change as wholes, some step changes most of what changes at all."""
-    camera, errors = camera_at(shown, distance), np.geomspace(1, 2, 41)
-    jumps, smooth = (changes(shown, camera, errors, continuous) for continuous in (False, True))
+    camera, errors = camera_at(shared_tree, distance), np.geomspace(1, 2, 41)
+    jumps, smooth = (changes(shared_tree, camera, errors, continuous) for continuous in (False, True))
     assert jumps.max() > 0.01
     assert smooth.max() < 0.75 * jumps.max()
-    whole = changes(shown, camera, errors[[0, -1]], True)[0]
+    whole = changes(shared_tree, camera, errors[[0, -1]], True)[0]
     assert whole > 0.01
     # Pixels change by chance, each about once: squares add up.
     assert smooth.max() < 3 * whole / np.sqrt(len(errors) - 1)
 
 
 @pytest.mark.parametrize("distance", [90.0, 140.0])
-def test_two_levels_leave_no_more_holes_than_one(shown: Tree, scene: nf.Scene, distance: float) -> None:
+def test_two_levels_leave_no_more_holes_than_one(shared_tree: Tree, scene: nf.Scene, distance: float) -> None:
     for angle, error_px in itertools.product((0.3, 2.5), (1.0, 1.5)):
-        camera = camera_at(shown, distance, angle)
-        truth = nf.render(scene, camera, clip=nf.Clip(box=shown.bounds), channels=("range",))
+        camera = camera_at(shared_tree, distance, angle)
+        truth = nf.render(scene, camera, clip=nf.Clip(box=shared_tree.bounds), channels=("range",))
         frames = [
-            shown.render(camera, geometry=False, error_px=error_px, continuous=continuous, channels=("range",))
+            shared_tree.render(camera, geometry=False, error_px=error_px, continuous=continuous, channels=("range",))
             for continuous in (False, True)
         ]
         assert holes(frames[1], truth) <= holes(frames[0], truth) + 0.004
         assert frames[1].stats["splats"] != frames[0].stats["splats"]
 
 
-def test_half_a_pixel_of_error_moves_splats_by_less_than_one_where_levels_change(shown: Tree) -> None:
+def test_half_a_pixel_of_error_moves_splats_by_less_than_one_where_levels_change(shared_tree: Tree) -> None:
     """Middles of four pixels lie √2/4 of their parent's from its own; those of steep surfaces lie farther away."""
     found = [
-        swap_distances(shown, camera_at(shown, distance, angle), 0.5) for distance, angle in ((200, 0.3), (400, 2.1))
+        swap_distances(shared_tree, camera_at(shared_tree, distance, angle), 0.5)
+        for distance, angle in ((200, 0.3), (400, 2.1))
     ]
     pixels = np.concatenate(found)
     assert len(pixels) > 10_000
@@ -94,11 +95,11 @@ def flight(tree: Tree) -> list[nf.Camera]:
 
 @pytest.mark.parametrize("continuous", [False, True])
 @pytest.mark.parametrize("budget", [8000, 4000])
-def test_a_flight_keeps_to_a_budget(shown: Tree, budget: int, continuous: bool) -> None:
-    tree = nf.orthoview.open(shown.path)
+def test_a_flight_keeps_to_a_budget(shared_tree: Tree, budget: int, continuous: bool) -> None:
+    tree = nf.orthoview.open(shared_tree.path)
     settings: dict[str, Any] = {"geometry": False, "continuous": continuous, "channels": ("color",)}
     errors, splats = [], []
-    for camera in flight(shown):
+    for camera in flight(shared_tree):
         frame = tree.render(camera, budget=budget, **settings)
         error = frame.stats["error_px"]
         errors.append(error)
@@ -113,30 +114,30 @@ def test_a_flight_keeps_to_a_budget(shown: Tree, budget: int, continuous: bool) 
     assert not continuous or min(splats) >= 0.9 * budget
 
 
-def test_a_budget_that_is_no_bound_changes_nothing(shown: Tree) -> None:
-    camera = camera_at(shown, 100)
-    whole = shown.render(camera, geometry=False)
-    bound = shown.render(camera, geometry=False, budget=int(whole.stats["splats"]))
+def test_a_budget_that_is_no_bound_changes_nothing(shared_tree: Tree) -> None:
+    camera = camera_at(shared_tree, 100)
+    whole = shared_tree.render(camera, geometry=False)
+    bound = shared_tree.render(camera, geometry=False, budget=int(whole.stats["splats"]))
     assert bound.stats == whole.stats
     assert bound.stats["error_px"] == 1
     np.testing.assert_array_equal(bound.require("color"), whole.require("color"))
 
 
-def test_where_no_error_is_great_enough_views_are_left_out(shown: Tree) -> None:
+def test_where_no_error_is_great_enough_views_are_left_out(shared_tree: Tree) -> None:
     """An eye in the world has leaves about it."""
-    middle = shown.bounds.mean(axis=0)
+    middle = shared_tree.bounds.mean(axis=0)
     camera = nf.Camera.look_at(middle, middle + np.array([1, -0.2, 0.3]), fov=nf.Fov.symmetric(90), size=(64, 64))
-    least = shown.render(camera, geometry=False, error_px=64)
-    few = shown.render(camera, geometry=False, budget=int(least.stats["splats"]) // 4)
+    least = shared_tree.render(camera, geometry=False, error_px=64)
+    few = shared_tree.render(camera, geometry=False, budget=int(least.stats["splats"]) // 4)
     assert 0 < few.stats["splats"] <= least.stats["splats"] // 4
     assert few.stats["views"] < least.stats["views"]
-    assert shown.render(camera, geometry=False, budget=1).stats["splats"] <= 1
+    assert shared_tree.render(camera, geometry=False, budget=1).stats["splats"] <= 1
 
 
-def test_the_gaze_is_drawn_as_finely_as_ever(shown: Tree) -> None:
-    camera, middle = replace(camera_at(shown, 45), size=(384, 384)), (192.0, 192.0)
+def test_the_gaze_is_drawn_as_finely_as_ever(shared_tree: Tree) -> None:
+    camera, middle = replace(camera_at(shared_tree, 45), size=(384, 384)), (192.0, 192.0)
     settings: dict[str, Any] = {"geometry": False, "error_px": 4.0}
-    evenly, foveated = shown.render(camera, **settings), shown.render(camera, gaze=middle, **settings)
+    evenly, foveated = shared_tree.render(camera, **settings), shared_tree.render(camera, gaze=middle, **settings)
     assert foveated.stats["splats"] < 0.95 * evenly.stats["splats"]
     same = (evenly.require("color") == foveated.require("color")).all(axis=2)
     assert same[180:204, 180:204].all()

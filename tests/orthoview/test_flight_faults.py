@@ -214,10 +214,10 @@ def updated(tree: Tree) -> Tree:
 
 
 @pytest.mark.slow
-def test_a_store_is_updated_while_it_is_flown(before: Tree, tmp_path: Path, gate: Gate) -> None:
+def test_a_store_is_updated_while_it_is_flown(small_shards: Tree, tmp_path: Path, gate: Gate) -> None:
     some: dict[str, Any] = {"views": 1, "error_px": 1.5}
-    path = Path(shutil.copytree(before.path, tmp_path / "flown.zarr"))
-    camera = camera_at(before, 60)
+    path = Path(shutil.copytree(small_shards.path, tmp_path / "flown.zarr"))
+    camera = camera_at(small_shards, 60)
     with nf.orthoview.open(path).fly(**some) as flight:
         old = whole(flight, lambda: flight.render(camera, time=0.0, channels=CHANNELS))
         assert not flight.refresh()
@@ -228,9 +228,9 @@ def test_a_store_is_updated_while_it_is_flown(before: Tree, tmp_path: Path, gate
         assert not is_same(right, old)
         # It goes on with what it has, also where it reads more.
         assert is_same(flight.render(camera, time=1.0, channels=CHANNELS), old)
-        moved = camera_at(before, 80, 0.9)
+        moved = camera_at(small_shards, 80, 0.9)
         shown = whole(flight, lambda: flight.render(moved, time=100.0, channels=CHANNELS))
-        assert is_same(shown, before.render(moved, **some, channels=CHANNELS))
+        assert is_same(shown, small_shards.render(moved, **some, channels=CHANNELS))
         whole(flight, lambda: flight.render(camera, time=200.0))
         held = set(flight._viewer.views._kept)
         gate.close()
@@ -241,12 +241,14 @@ def test_a_store_is_updated_while_it_is_flown(before: Tree, tmp_path: Path, gate
         assert is_same(flight.render(camera, time=300.0, channels=CHANNELS), old)
         gate.open()
         assert is_same(whole(flight, lambda: flight.render(camera, time=400.0, channels=CHANNELS)), right)
-        changed = {key for key in held if differs(before, now, key)}
+        changed = {key for key in held if differs(small_shards, now, key)}
         assert changed & set(gate.views)
         again = held & set(gate.views)
         assert not (held - again) & changed & set(flight._pilot.plan(flight._has).order)
         # Shards are what an update writes anew.
-        anew = {key for key in held if any(file.as_posix().endswith(f"/{shard_of(before, key)}") for file in written)}
+        anew = {
+            key for key in held if any(file.as_posix().endswith(f"/{shard_of(small_shards, key)}") for file in written)
+        }
         assert changed <= anew
         assert again <= anew < held
         assert flight.errors == ()
@@ -268,12 +270,12 @@ def shard_of(tree: Tree, key: Any) -> str:
     return layout.shard_path(layout.array(level, direction, "color"), shard).as_posix()
 
 
-def test_a_damaged_part_is_read_again_after_an_update(before: Tree, tmp_path: Path) -> None:
-    path = Path(shutil.copytree(before.path, tmp_path / "flown.zarr"))
-    camera = camera_at(before, 60)
-    key = before.cut(camera).keys(in_picture=True)[0]
+def test_a_damaged_part_is_read_again_after_an_update(small_shards: Tree, tmp_path: Path) -> None:
+    path = Path(shutil.copytree(small_shards.path, tmp_path / "flown.zarr"))
+    camera = camera_at(small_shards, 60)
+    key = small_shards.cut(camera).keys(in_picture=True)[0]
     sound = {file: file.read_bytes() for file in path.rglob("*") if file.is_file()}
-    damage(path, before, key)
+    damage(path, small_shards, key)
     errors: list[Exception] = []
     with nf.orthoview.open(path).fly(on_error=errors.append) as flight:
         flight.render(camera)
@@ -284,13 +286,13 @@ def test_a_damaged_part_is_read_again_after_an_update(before: Tree, tmp_path: Pa
             file.write_bytes(content)
         assert not flight.wait(LONG)
         assert not flight.refresh()
-        assert is_same(whole(flight, lambda: flight.render(camera)), before.render(camera))
+        assert is_same(whole(flight, lambda: flight.render(camera)), small_shards.render(camera))
         assert len(errors) == 1
 
 
-def test_another_tree_in_the_same_place_is_refused(before: Tree, tmp_path: Path) -> None:
-    path = Path(shutil.copytree(before.path, tmp_path / "flown.zarr"))
-    camera = camera_at(before, 60)
+def test_another_tree_in_the_same_place_is_refused(small_shards: Tree, tmp_path: Path) -> None:
+    path = Path(shutil.copytree(small_shards.path, tmp_path / "flown.zarr"))
+    camera = camera_at(small_shards, 60)
     with nf.orthoview.open(path).fly() as flight:
         old = whole(flight, lambda: flight.render(camera))
         first = nf.orthoview.build(world_of(BOXES), tmp_path / "other.zarr", cell=2 * CELL, size=SIZE, directions=5)

@@ -33,7 +33,7 @@ def scene(thirty: nf.Scene) -> nf.Scene:
 
 
 @pytest.fixture(scope="module")
-def tree(layered: Tree) -> Tree:
+def shared_tree(layered: Tree) -> Tree:
     return layered
 
 
@@ -77,10 +77,10 @@ def psnr(frame: nf.Frame, truth: nf.Frame) -> float:
 
 @pytest.mark.parametrize("angle", [0.3, 1.9, 4.0])
 @pytest.mark.parametrize("distance", [120.0, 200.0])
-def test_views_show_the_world(shown: Tree, scene: nf.Scene, distance: float, angle: float) -> None:
-    camera = camera_at(shown, distance, angle)
-    truth = truth_of(scene, shown, camera)
-    frame = shown.render(camera, geometry=False, channels=CHANNELS)
+def test_views_show_the_world(shared_tree: Tree, scene: nf.Scene, distance: float, angle: float) -> None:
+    camera = camera_at(shared_tree, distance, angle)
+    truth = truth_of(scene, shared_tree, camera)
+    frame = shared_tree.render(camera, geometry=False, channels=CHANNELS)
     assert holes(frame, truth) <= 0.005
     assert psnr(frame, truth) > 21
     # A pixel of a view is at most a pixel of the picture wide, and ellipses reach two of them far.
@@ -92,36 +92,36 @@ def test_views_show_the_world(shown: Tree, scene: nf.Scene, distance: float, ang
     assert frame.stats["leaves"] == 0 < frame.stats["splats_seen"] <= frame.stats["splats_in_picture"]
 
 
-def test_pictures_are_drawn_from_the_views_of_their_cut(shown: Tree, scene: nf.Scene) -> None:
+def test_pictures_are_drawn_from_the_views_of_their_cut(shared_tree: Tree, scene: nf.Scene) -> None:
     """Of one view for each cell: that of its edge or, raised by 60 degrees, that from the top."""
-    camera, found = camera_at(shown, 200), []
+    camera, found = camera_at(shared_tree, 200), []
     for lift_deg in (0.0, 60.0):
-        tree = nf.orthoview.open(shown.path)
+        tree = nf.orthoview.open(shared_tree.path)
         frame = tree.render(camera, views=1, lift_deg=lift_deg, geometry=False, channels=CHANNELS)
         keys = tree.cut(camera, views=1, lift_deg=lift_deg, geometry=False).keys()
-        assert frame.stats["splats"] == sum(splats.count for splats in shown._viewer.views.get(keys))
+        assert frame.stats["splats"] == sum(splats.count for splats in shared_tree._viewer.views.get(keys))
         assert all(key in tree._viewer.views for key in keys)
         found.append((set(keys), frame, tree._viewer.views))
     (paper, one, _), (raised, other, views) = found
     assert len(paper) == len(raised)
     assert not any(key in views for key in paper)
-    assert {direction for *_, direction in raised} == {shown.directions.index((0, 1, 0))}
+    assert {direction for *_, direction in raised} == {shared_tree.directions.index((0, 1, 0))}
     assert differ(one, other)
 
 
-def test_a_near_viewer_sees_geometry(shown: Tree, scene: nf.Scene) -> None:
+def test_a_near_viewer_sees_geometry(shared_tree: Tree, scene: nf.Scene) -> None:
     """All leaves that it sees are geometry: the world, but for positions that are rounded to a millimetre."""
-    camera = camera_at(shown, 140)
-    frame = shown.render(camera, error_px=0.1, channels=CHANNELS)
-    truth = truth_of(scene, shown, camera)
+    camera = camera_at(shared_tree, 140)
+    frame = shared_tree.render(camera, error_px=0.1, channels=CHANNELS)
+    truth = truth_of(scene, shared_tree, camera)
     assert frame.stats["splats"] == 0 < frame.stats["leaves"]
     there = np.isfinite(frame.require("range"))
     assert (there != np.isfinite(truth.require("range"))).mean() < 0.001
     both = there & np.isfinite(truth.require("range"))
     assert (np.abs(frame.require("range")[both] - truth.require("range")[both]) < 0.01).mean() > 0.995
     assert (frame.to_image() == truth.to_image()).mean() > 0.99
-    places = shown.cut(camera, error_px=0.1).leaf_places()
-    leaves = shown._viewer.near.scene(shown._viewer.cutter.with_guests(places))
+    places = shared_tree.cut(camera, error_px=0.1).leaf_places()
+    leaves = shared_tree._viewer.near.scene(shared_tree._viewer.cutter.with_guests(places))
     assert leaves is not None
     right = nf.render(leaves, camera, channels=CHANNELS)
     for name, image in images_of(frame).items():
@@ -131,11 +131,13 @@ def test_a_near_viewer_sees_geometry(shown: Tree, scene: nf.Scene) -> None:
             np.testing.assert_array_equal(image, right.require(name))
 
 
-def test_geometry_and_views_meet(shown: Tree) -> None:
+def test_geometry_and_views_meet(shared_tree: Tree) -> None:
     """Each pixel shows the nearer of the leaves' geometry and the views beyond them."""
-    camera = camera_at(shown, 90)
-    frame = shown.render(camera, channels=CHANNELS)
-    leaves = shown._viewer.near.scene(shown._viewer.cutter.with_guests(shown.cut(camera).leaf_places()))
+    camera = camera_at(shared_tree, 90)
+    frame = shared_tree.render(camera, channels=CHANNELS)
+    leaves = shared_tree._viewer.near.scene(
+        shared_tree._viewer.cutter.with_guests(shared_tree.cut(camera).leaf_places())
+    )
     assert leaves is not None
     geometry = nf.render(leaves, camera, channels=CHANNELS)
     is_geometry = frame.require("object_id") >= 0
@@ -149,12 +151,12 @@ def test_geometry_and_views_meet(shown: Tree) -> None:
 
 
 @pytest.mark.parametrize("angle", [0.3, 3.5])
-def test_where_geometry_and_views_meet_is_no_hole(shown: Tree, scene: nf.Scene, angle: float) -> None:
-    camera = camera_at(shown, 90, angle)
-    truth = truth_of(scene, shown, camera)
-    frame, views = shown.render(camera), shown.render(camera, geometry=False)
-    cells = np.floor((truth_positions(truth) - shown.bounds[0]) / shown.cell)
-    near = {tuple(place) for place in shown.cut(camera).leaves.tolist()}
+def test_where_geometry_and_views_meet_is_no_hole(shared_tree: Tree, scene: nf.Scene, angle: float) -> None:
+    camera = camera_at(shared_tree, 90, angle)
+    truth = truth_of(scene, shared_tree, camera)
+    frame, views = shared_tree.render(camera), shared_tree.render(camera, geometry=False)
+    cells = np.floor((truth_positions(truth) - shared_tree.bounds[0]) / shared_tree.cell)
+    near = {tuple(place) for place in shared_tree.cut(camera).leaves.tolist()}
     is_hit = np.isfinite(truth.require("range"))
     is_near = np.array(
         [
@@ -175,7 +177,7 @@ def truth_positions(truth: nf.Frame) -> NDArray[np.float64]:
     return positions
 
 
-def test_second_layers_fill_holes(scene: nf.Scene, shown: Tree, tmp_path: Path) -> None:
+def test_second_layers_fill_holes(scene: nf.Scene, shared_tree: Tree, tmp_path: Path) -> None:
     one = nf.orthoview.build(scene, tmp_path / "one.zarr", cell=40, size=32, directions=5)
     two = nf.orthoview.build(scene, tmp_path / "two.zarr", cell=40, size=32, directions=5, layers=2)
     total = [0.0, 0.0]
@@ -188,50 +190,50 @@ def test_second_layers_fill_holes(scene: nf.Scene, shown: Tree, tmp_path: Path) 
     assert total[1] < 0.9 * total[0]
 
 
-def test_samples_are_means_of_a_finer_picture(shown: Tree) -> None:
+def test_samples_are_means_of_a_finer_picture(shared_tree: Tree) -> None:
     """With geometry and splats; a picture of twice the size may be twice as coarse for the same cut."""
-    camera = camera_at(shown, 90, size=(64, 48))
+    camera = camera_at(shared_tree, 90, size=(64, 48))
     finer = replace(camera, size=(128, 96))
     channels = ("color", "coverage", "range")
-    frame = shown.render(camera, samples=4, channels=channels)
-    fine = shown.render(finer, error_px=2.0, channels=("color", "coverage"))
+    frame = shared_tree.render(camera, samples=4, channels=channels)
+    fine = shared_tree.render(finer, error_px=2.0, channels=("color", "coverage"))
     assert frame.stats["leaves"] == fine.stats["leaves"] > 0 < frame.stats["cells"] == fine.stats["cells"]
     for name in ("color", "coverage"):
         image = fine.require(name).astype(np.float64).reshape(48, 2, 64, 2, -1).mean(axis=(1, 3))
         np.testing.assert_allclose(frame.require(name), image.reshape(frame.require(name).shape), atol=1e-6)
-    middle = shown.render(camera, channels=("range",))
+    middle = shared_tree.render(camera, channels=("range",))
     np.testing.assert_array_equal(frame.require("range"), middle.require("range"))
-    odd = shown.render(camera, samples=9, channels=channels)
+    odd = shared_tree.render(camera, samples=9, channels=channels)
     np.testing.assert_array_equal(odd.require("range"), middle.require("range"))
 
 
-def test_limits_hold_for_geometry_and_splats(shown: Tree) -> None:
-    camera = camera_at(shown, 90)
-    whole = shown.render(camera, channels=CHANNELS)
+def test_limits_hold_for_geometry_and_splats(shared_tree: Tree) -> None:
+    camera = camera_at(shared_tree, 90)
+    whole = shared_tree.render(camera, channels=CHANNELS)
     ranges = whole.require("range")
     far = float(np.median(ranges[np.isfinite(ranges)]))
-    cut = shown.render(camera, t_max=far, channels=CHANNELS)
+    cut = shared_tree.render(camera, t_max=far, channels=CHANNELS)
     is_near = ranges <= far - 3
     np.testing.assert_array_equal(cut.require("color")[is_near], whole.require("color")[is_near])
     assert cut.require("range")[np.isfinite(cut.require("range"))].max() < far + 3
-    low, high = shown.bounds
+    low, high = shared_tree.bounds
     clip = nf.Clip(box=[low, (high[0], low[1] + 40, high[2])])
-    below = shown.render(camera, clip=clip, channels=("position",))
+    below = shared_tree.render(camera, clip=clip, channels=("position",))
     heights = below.require("position")[..., 1] + below.origin[1]
     assert np.nanmax(heights) < low[1] + 43
     assert np.nanmax(heights) > low[1] + 30
 
 
-def test_masks_and_bare_pictures(shown: Tree) -> None:
-    camera = camera_at(shown, 90)
+def test_masks_and_bare_pictures(shared_tree: Tree) -> None:
+    camera = camera_at(shared_tree, 90)
     mask = np.random.default_rng(0).random((96, 96)) < 0.5
     shot = Shot(cameras=(camera,), channels=("color", "range"))
-    (whole,), (masked,) = shown.trace(shot), shown.trace(replace(shot, mask=mask))
+    (whole,), (masked,) = shared_tree.trace(shot), shared_tree.trace(replace(shot, mask=mask))
     for name in ("color", "range"):
         np.testing.assert_array_equal(masked[name][mask], whole[name][mask])
     assert (masked["color"][~mask] == 0).all()
     assert np.isinf(masked["range"][~mask]).all()
-    (bare,) = shown.trace(replace(shot, bare=True))
+    (bare,) = shared_tree.trace(replace(shot, bare=True))
     is_there = np.isfinite(whole["range"])[..., None]
     np.testing.assert_array_equal(bare["color"], np.where(is_there, whole["color"], 0))
 
@@ -252,8 +254,8 @@ def test_updated_and_compacted_trees_are_seen(tmp_path: Path) -> None:
         assert_same(opened.render(camera, channels=CHANNELS), was)
 
 
-def test_a_second_picture_reads_nothing(shown: Tree) -> None:
-    tree = nf.orthoview.open(shown.path)
+def test_a_second_picture_reads_nothing(shared_tree: Tree) -> None:
+    tree = nf.orthoview.open(shared_tree.path)
     camera = camera_at(tree, 90)
     first = tree.render(camera, channels=CHANNELS)
     views, near = tree._viewer.views, tree._viewer.near
@@ -269,8 +271,8 @@ def test_a_second_picture_reads_nothing(shown: Tree) -> None:
     assert views.reads < state[0] * 1.5
 
 
-def test_without_a_cache_the_last_views_are_kept(shown: Tree) -> None:
-    tree, cached = nf.orthoview.open(shown.path, cache_bytes=0), nf.orthoview.open(shown.path)
+def test_without_a_cache_the_last_views_are_kept(shared_tree: Tree) -> None:
+    tree, cached = nf.orthoview.open(shared_tree.path, cache_bytes=0), nf.orthoview.open(shared_tree.path)
     for distance in (200.0, 100.0, 150.0):
         camera = camera_at(tree, distance)
         assert_same(tree.render(camera), cached.render(camera))
@@ -284,36 +286,36 @@ def test_without_a_cache_the_last_views_are_kept(shown: Tree) -> None:
     assert tree._viewer.views.reads > reads
 
 
-def test_a_tree_behind_a_web_server_looks_the_same(shown: Tree, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_tree_behind_a_web_server_looks_the_same(shared_tree: Tree, monkeypatch: pytest.MonkeyPatch) -> None:
     need("fsspec")
     need("aiohttp")
     # Parts are asked for at once. A queue of five connections, the default, makes the others wait for a second.
     monkeypatch.setattr(ThreadingHTTPServer, "request_queue_size", 1024)
-    camera = camera_at(shown, 90)
-    local = shown.render(camera, channels=CHANNELS)
+    camera = camera_at(shared_tree, 90)
+    local = shared_tree.render(camera, channels=CHANNELS)
     assert local.stats["leaves"] > 0
-    with served(Path(shown.path).parent) as server:
-        remote = nf.orthoview.open(f"{server.url}{Path(shown.path).name}")
+    with served(Path(shared_tree.path).parent) as server:
+        remote = nf.orthoview.open(f"{server.url}{Path(shared_tree.path).name}")
         assert_same(remote.render(camera, channels=CHANNELS), local)
         asked = sum(server.answers.values())
         remote.render(camera, channels=CHANNELS)
         assert sum(server.answers.values()) == asked > 0
-    assert isinstance(shown._files, Local)
+    assert isinstance(shared_tree._files, Local)
 
 
-def test_bad_calls_are_named(shown: Tree) -> None:
-    camera = camera_at(shown, 200, size=(16, 16))
+def test_bad_calls_are_named(shared_tree: Tree) -> None:
+    camera = camera_at(shared_tree, 200, size=(16, 16))
     for samples in (8, 81, 2):
         with pytest.raises(ValueError, match=f"samples: expected 1, 4, 9 … 64 for orthoviews, got {samples}"):
-            shown.render(camera, samples=samples)
+            shared_tree.render(camera, samples=samples)
     with pytest.raises((ValueError, TypeError), match="at"):
-        nf.render(shown, camera, at={"car": np.eye(4)})
+        nf.render(shared_tree, camera, at={"car": np.eye(4)})
 
 
-def test_damaged_stores_are_named(shown: Tree, tmp_path: Path) -> None:
+def test_damaged_stores_are_named(shared_tree: Tree, tmp_path: Path) -> None:
     path = tmp_path / "copy.zarr"
-    shutil.copytree(shown.path, path)
-    near, far = camera_at(shown, 40), camera_at(shown, 200)
+    shutil.copytree(shared_tree.path, path)
+    near, far = camera_at(shared_tree, 40), camera_at(shared_tree, 200)
     nf.orthoview.open(path).render(near)
     for glb in (path / "geometry" / "content").rglob("*.glb"):
         glb.write_bytes(glb.read_bytes()[:-9])
@@ -330,35 +332,35 @@ def test_damaged_stores_are_named(shown: Tree, tmp_path: Path) -> None:
         tree.render(far)
 
 
-def test_all_that_renders_takes_trees(shown: Tree) -> None:
-    camera = camera_at(shown, 90, size=(48, 40))
-    frame = shown.render(camera)
-    assert frame.channels == ("color", "range") == shown.default_channels
-    assert_same(nf.render(shown, camera), frame)
-    other = camera_at(shown, 95, 0.4, size=(48, 40))
-    frames = list(nf.render_path(shown, [camera, other]))
+def test_all_that_renders_takes_trees(shared_tree: Tree) -> None:
+    camera = camera_at(shared_tree, 90, size=(48, 40))
+    frame = shared_tree.render(camera)
+    assert frame.channels == ("color", "range") == shared_tree.default_channels
+    assert_same(nf.render(shared_tree, camera), frame)
+    other = camera_at(shared_tree, 95, 0.4, size=(48, 40))
+    frames = list(nf.render_path(shared_tree, [camera, other]))
     assert_same(frames[0], frame)
-    assert_same(frames[1], shown.render(other))
+    assert_same(frames[1], shared_tree.render(other))
     hmd = nf.hmd.QUEST_2
-    eyes = nf.render_eyes(shown, hmd, camera.position, orientation=camera.orientation, size=(48, 48))
-    assert_same(eyes.left, nf.render(shown, eyes.left.camera))
+    eyes = nf.render_eyes(shared_tree, hmd, camera.position, orientation=camera.orientation, size=(48, 48))
+    assert_same(eyes.left, nf.render(shared_tree, eyes.left.camera))
 
 
-def test_hybrid_pictures_take_trees(shown: Tree) -> None:
+def test_hybrid_pictures_take_trees(shared_tree: Tree) -> None:
     """Parts before the plane are drawn for each eye, others once; with a plane beyond the world all for each eye."""
-    camera, hmd = camera_at(shown, 90), nf.hmd.QUEST_2
-    eyes = nf.render_eyes(shown, hmd, camera.position, orientation=camera.orientation, size=(48, 48))
+    camera, hmd = camera_at(shared_tree, 90), nf.hmd.QUEST_2
+    eyes = nf.render_eyes(shared_tree, hmd, camera.position, orientation=camera.orientation, size=(48, 48))
     there = np.isfinite(eyes.left.require("range"))
     for plane in (60.0, 100.0, 1000.0):
         rig = nf.stereo.HybridRig.of(hmd, mono_plane=plane, size=(48, 48))
-        hybrid = rig.render(shown, camera.position, camera.orientation)
+        hybrid = rig.render(shared_tree, camera.position, camera.orientation)
         assert (there != np.isfinite(hybrid.left.require("range"))).mean() < 0.02
         assert psnr(hybrid.left, eyes.left) > 30
 
 
-def test_nothing_moves_in_a_tree(shown: Tree) -> None:
-    camera, earlier = camera_at(shown, 90), camera_at(shown, 90, 0.32)
-    frame = nf.render(shown, camera, channels=("motion", "range", "position"), before=earlier)
+def test_nothing_moves_in_a_tree(shared_tree: Tree) -> None:
+    camera, earlier = camera_at(shared_tree, 90), camera_at(shared_tree, 90, 0.32)
+    frame = nf.render(shared_tree, camera, channels=("motion", "range", "position"), before=earlier)
     there = np.isfinite(frame.require("range"))
     places = frame.require("position")[there].astype(np.float64) + frame.origin
     rows, columns = np.nonzero(there)
@@ -367,21 +369,21 @@ def test_nothing_moves_in_a_tree(shown: Tree) -> None:
     assert np.abs(moved).max() > 1
 
 
-def test_threads_share_a_tree_and_processes_get_one(shown: Tree) -> None:
-    cameras = [camera_at(shown, 90 + 10 * n, n) for n in range(6)]
-    right = [shown.render(camera).to_image() for camera in cameras]
-    small = nf.orthoview.open(shown.path, cache_bytes=0)
+def test_threads_share_a_tree_and_processes_get_one(shared_tree: Tree) -> None:
+    cameras = [camera_at(shared_tree, 90 + 10 * n, n) for n in range(6)]
+    right = [shared_tree.render(camera).to_image() for camera in cameras]
+    small = nf.orthoview.open(shared_tree.path, cache_bytes=0)
     with ThreadPoolExecutor(4) as pool:
         found = list(pool.map(lambda camera: small.render(camera).to_image(), cameras * 2))
     for number, image in enumerate(found):
         np.testing.assert_array_equal(image, right[number % len(right)])
-    again = pickle.loads(pickle.dumps(shown))
+    again = pickle.loads(pickle.dumps(shared_tree))
     np.testing.assert_array_equal(again.render(cameras[0]).to_image(), right[0])
 
 
-def test_a_file_of_geometry_that_is_gone_is_named(shown: Tree, tmp_path: Path) -> None:
-    store = Path(shutil.copytree(shown.path, tmp_path / "copy.zarr"))
+def test_a_file_of_geometry_that_is_gone_is_named(shared_tree: Tree, tmp_path: Path) -> None:
+    store = Path(shutil.copytree(shared_tree.path, tmp_path / "copy.zarr"))
     for file in (store / "geometry" / "content").rglob("*.glb"):
         file.unlink()
     with pytest.raises(nf.FormatError, match=r"content/.*\.glb: the file is gone"):
-        nf.orthoview.open(store).render(camera_at(shown, 90))
+        nf.orthoview.open(store).render(camera_at(shared_tree, 90))

@@ -310,15 +310,15 @@ def found() -> list[Outcome]:
     return simulate(QUICK, groups=2, seed=4)
 
 
-def test_simulated_users_do_the_same_again(found: list[Outcome]) -> None:
-    assert simulate(QUICK, groups=2, seed=4) == found
-    assert simulate(QUICK, groups=1, seed=5) != found[:1]
-    assert [(outcome.group, outcome.trial) for outcome in found] == [(1, 1), (2, 1)]
-    assert found[0].spheres != found[1].spheres
+def test_simulated_users_do_the_same_again(outcomes: list[Outcome]) -> None:
+    assert simulate(QUICK, groups=2, seed=4) == outcomes
+    assert simulate(QUICK, groups=1, seed=5) != outcomes[:1]
+    assert [(outcome.group, outcome.trial) for outcome in outcomes] == [(1, 1), (2, 1)]
+    assert outcomes[0].spheres != outcomes[1].spheres
 
 
-def test_simulated_users_collect_each_level_in_turn(found: list[Outcome]) -> None:
-    for outcome in found:
+def test_simulated_users_collect_each_level_in_turn(outcomes: list[Outcome]) -> None:
+    for outcome in outcomes:
         levels = [sphere.level for sphere in outcome.spheres]
         assert levels == (["easy", "hard", "intermediate"] * 20)[: len(levels)]
         assert len(levels) > 6
