@@ -306,7 +306,7 @@ QUICK = Settings(users=3, trials=1, duration=40.0, hold=1.0, pause=0.25)
 
 
 @pytest.fixture(scope="module")
-def found() -> list[Outcome]:
+def outcomes() -> list[Outcome]:
     return simulate(QUICK, groups=2, seed=4)
 
 

@@ -14,6 +14,7 @@ from nearfar import _core
 from nearfar._base import progress
 from nearfar._camera.camera import Camera, Fov
 from nearfar._render.level_choice import Lod, choose_levels, rule_of
+from nearfar._scene.levels import Leveled
 from nearfar._scene.scene import Scene
 from nearfar.stream._assign import Rings
 from nearfar.stream._manifest import NEAR_SHARE
@@ -40,11 +41,12 @@ class Detail:
     """Greatest horizontal distance between a user and a centre, metres."""
 
     @classmethod
-    def from_options(cls, scene: Scene, lod: Lod | None, pixels_per_degree: float | None, reach: float) -> Detail:
+    def from_options(
+        cls, leveled: Leveled | None, lod: Lod | None, pixels_per_degree: float | None, reach: float
+    ) -> Detail:
         """Check the rule for levels; ValueError if one is given and the scene has no levels."""
         if lod is None:
             return cls(None, pixels_per_degree, reach)
-        leveled = scene.leveled
         if leveled is None:
             raise ValueError("lod: expected a scene whose objects have levels, got one without; see Scene.with_levels")
         return cls(rule_of(lod, leveled), pixels_per_degree, reach)

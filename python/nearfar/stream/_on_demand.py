@@ -97,7 +97,7 @@ class OnDemand:
         # Built after the settings are checked, because it takes seconds.
         self._tiles = Tiles.divide(scene)
         self.scene = self._tiles.scene
-        self._detail = Detail.from_options(self.scene, lod, fine.pixels_per_degree, reach_of(self.grid))
+        self._detail = Detail.from_options(self.scene.leveled, lod, fine.pixels_per_degree, reach_of(self.grid))
         self._textures = TextureFiles(self.scene, fine.quality)
         self._moving = Files()
         self._dynamic = self._encoded_moving()

@@ -46,7 +46,7 @@ def write_bundle(
     core_of(scene)
     centers, given = centers_of(center, grid), None if radii is None else ascending("radii", radii)
     near = neighbours(centers)
-    detail = Detail.from_options(scene, lod, settings.pixels_per_degree, reach_of(grid, halfway(centers, near)))
+    detail = Detail.from_options(scene.leveled, lod, settings.pixels_per_degree, reach_of(grid, halfway(centers, near)))
     _store.check_target(path, f"nearfar.{NAME}")
     splitting = Splitting.from_pixels(settings.split_px, detail)
     divided = rings_about(scene, centers, given, splitting)
