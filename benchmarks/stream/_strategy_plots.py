@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 import nearfar as nf
-from nearfar.stream._strategies import Strategy
 
 COLORS = {"vis0": "C3", "vis1": "C1", "clovr": "C0", "clovrd": "C2"}
 Lines = dict[str, nf.stream.Timeline]
@@ -50,7 +49,7 @@ def quality(path: Path, places: dict[str, Lines]) -> None:
     save(figure, path)
 
 
-def times(path: Path, places: dict[str, Lines], others: dict[str, dict[Strategy, list[float]]]) -> None:
+def times(path: Path, places: dict[str, Lines], others: dict[str, dict[str, list[float]]]) -> None:
     """Fig. 6: seconds until the picture is complete and until everything is loaded. Fig. 7: seconds until each radius.
 
     `others` contains those of vis0 and vis1 by place.

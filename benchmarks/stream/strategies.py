@@ -82,14 +82,15 @@ def lines_of(case: Case, link: nf.stream.Link, gzip: bool) -> plots.Lines:
     }
 
 
-def by_radius(case: Case, link: nf.stream.Link, gzip: bool, quick: bool) -> dict[Strategy, list[float]]:
+def by_radius(case: Case, link: nf.stream.Link, gzip: bool, quick: bool) -> dict[str, list[float]]:
     """Seconds of vis0 and vis1 until everything is loaded, by the last radius, with a separate bundle for each."""
-    found: dict[Strategy, list[float]] = {"vis0": [], "vis1": []}
+    strategies: tuple[Strategy, ...] = ("vis0", "vis1")
+    found: dict[str, list[float]] = {name: [] for name in strategies}
     for count in range(1, len(PUBLISHED) + 1):
         with tempfile.TemporaryDirectory() as folder:
             bundle = written(case.scene, case.place, Path(folder) / "bundle", PUBLISHED[:count], quick)
-            for name, times in found.items():
-                times.append(nf.stream.simulate(bundle, link=link, strategy=name, gzip=gzip).total)
+            for name in strategies:
+                found[name].append(nf.stream.simulate(bundle, link=link, strategy=name, gzip=gzip).total)
     return found
 
 

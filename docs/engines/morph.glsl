@@ -1,176 +1,181 @@
 #ifndef NEARFAR_MORPH
 #define NEARFAR_MORPH
-// The morph of nearfar in GLSL: where the user is shown a point of the world. Licence: MIT or Apache-2.0.
-// Written by `python -m scripts.shaders.write` from morph.wgsl and world.wgsl; docs/engines.md tells how to use it.
+// The morph of nearfar in GLSL: displayed position of a point of the world. Licence: MIT or Apache-2.0.
+// Written by `NEARFAR_WRITE=1 cargo test -p nearfar-gpu --test engines`; docs/engines.md says how to use it, and
+// docs/engines/morph.wgsl, from which naga translates it, has the comments.
 //
 // Call nearfar_morph or nearfar_morph_cylinder in the vertex stage; and, if points are morphed by the cylinder,
-// nearfar_range_cylinder where the far map's range is read. Their parameters:
-//   p              a point of the world, any unit of length; y is up
-//   user           the position U of the eye that the picture is for, same unit and axes; each eye has its own
-//   center         the centre O of the reduction, from which the far map was baked, same unit and axes
+// nearfar_range_cylinder where the far map's range is read. Their parameters, in this order:
+//   p              point of the world, any unit of length; y is up
+//   user           position U of the eye that the picture is for, same unit and axes; each eye has its own
+//   center         centre O of the reduction, from which the far map was baked, same unit and axes
 //   r1, r2         radii of the near zone and of all geometry, same unit
 //   strength       1; below it, near points move to where the centre sees them (0), so that they can appear smoothly
-//   direction      a unit vector, in which the map is looked up
-//   range          what the map holds there: the distance from the centre, same unit
+// and of nearfar_range_cylinder:
+//   direction      unit vector in which the map is looked up
+//   range          value of the map: distance from the centre, same unit
+//   user, center   as above
 
-// The morph: Popescu, Lee, Choi, Fahmy (2022), Eq. 1-3, and CloVR (2024), Alg. 1. Renderer and array kernel share these
-// functions, so that tests of the kernel cover the renderer.
-
-// A blend of unit vectors below this has no digits left.
-const float OPPOSED = 1e-6;
-
-// Weight of the user's view at full strength, at a distance from the axis: 1 within r1 and 0 beyond r2; slope is 1 / (r2 - r1).
-float user_weight(float rho, float r2, float slope) {
-    return clamp((r2 - rho) * slope, 0.0, 1.0);
-}
-
-// Eq. 1-3 as written: displayed direction, and in w the distance.
-vec4 blended(vec3 from_user, vec3 from_center, float w) {
-    float by_user = length(from_user);
-    float by_center = length(from_center);
-    vec3 user_direction = from_user / max(by_user, 1e-30);
-    vec3 mixed = w * user_direction + (1.0 - w) * from_center / max(by_center, 1e-30);
-    float size = length(mixed);
-    vec3 direction = user_direction;
-    if (size > OPPOSED) {
-        direction = mixed / size;
-    }
-    return vec4(direction, w * by_user + (1.0 - w) * by_center);
-}
-
-// User's position on the ground relative to the axis, and its distance from the axis.
 struct Place {
     vec2 at;
     float rho;
 };
+struct Zones {
+    float stays;
+    float r2_;
+    float slope;
+    float strength;
+};
+const float OPPOSED = 1e-6;
+const float FAR_SQUARED = 1e28;
 
-// Returns the ground position of a user at an offset from the centre.
+float user_weight(float rho, float r2_, float slope) {
+    return clamp(((r2_ - rho) * slope), 0.0, 1.0);
+}
+
+vec4 blended(vec3 from_user, vec3 from_center, float w) {
+    vec3 direction = vec3(0.0);
+    float by_user = length(from_user);
+    float by_center = length(from_center);
+    vec3 user_direction = (from_user / vec3(max(by_user, 1e-30)));
+    vec3 mixed = ((w * user_direction) + (((1.0 - w) * from_center) / vec3(max(by_center, 1e-30))));
+    float size = length(mixed);
+    direction = user_direction;
+    if ((size > OPPOSED)) {
+        direction = (mixed / vec3(size));
+    }
+    vec3 _e24 = direction;
+    return vec4(_e24, ((w * by_user) + ((1.0 - w) * by_center)));
+}
+
 Place ground_place(vec3 offset) {
     return Place(offset.xz, length(offset.xz));
 }
 
-// Returns the distance from the user along a unit direction to the exit from the cylinder of radius rho about the axis;
-// negative if the user stands outside or the direction never leaves. Larger root, computed without cancellation.
-float leave_cylinder(Place user, vec3 direction, float rho) {
-    float a = dot(direction.xz, direction.xz);
-    if (rho <= user.rho || a == 0.0) {
+float leave_cylinder(Place user, vec3 direction_1, float rho_1) {
+    bool local = false;
+    float a = dot(direction_1.xz, direction_1.xz);
+    if (!((rho_1 <= user.rho))) {
+        local = (a == 0.0);
+    } else {
+        local = true;
+    }
+    bool _e14 = local;
+    if (_e14) {
         return -1.0;
     }
-    float b = dot(direction.xz, user.at);
-    // Negative inside the cylinder, so that the discriminant is not.
-    float c = (user.rho - rho) * (user.rho + rho);
-    float q = sqrt(b * b - a * c);
-    if (b > 0.0) {
-        return -c / (b + q);
+    float b = dot(direction_1.xz, user.at);
+    float c = ((user.rho - rho_1) * (user.rho + rho_1));
+    float q = sqrt(((b * b) - (a * c)));
+    if ((b > 0.0)) {
+        return (-(c) / (b + q));
     }
-    return (q - b) / a;
+    return ((q - b) / a);
 }
 
-// Returns the blended direction, and in w the distance at which it leaves the point's own cylinder, if it does.
-vec4 on_cylinder(Place user, vec3 from_user, vec3 from_center, float w, float rho) {
-    vec4 to = blended(from_user, from_center, w);
-    float exit = leave_cylinder(user, to.xyz, rho);
-    return vec4(to.xyz, ((exit >= 0.0) ? exit : to.w));
+vec4 on_cylinder(Place user_1, vec3 from_user_1, vec3 from_center_1, float w_1, float rho_2) {
+    vec4 _e5 = blended(from_user_1, from_center_1, w_1);
+    float _e7 = leave_cylinder(user_1, _e5.xyz, rho_2);
+    return vec4(_e5.xyz, ((_e7 >= 0.0) ? _e7 : _e5.w));
 }
 
-// Returns the displayed distance, on cylinders, of a point that the centre sees beyond r2 in a unit direction. (Blended
-// points keep their distance.) Infinite distances stay infinite.
-float range_on_cylinder(Place user, vec3 direction, float from_center) {
-    if (from_center > 1e30) {
-        return from_center;
+float range_on_cylinder(Place user_2, vec3 direction_2, float from_center_2) {
+    if ((from_center_2 > 1e30)) {
+        return from_center_2;
     }
-    float exit = leave_cylinder(user, direction, from_center * length(direction.xz));
-    return ((exit >= 0.0) ? exit : from_center);
+    float _e8 = leave_cylinder(user_2, direction_2, (from_center_2 * length(direction_2.xz)));
+    return ((_e8 >= 0.0) ? _e8 : from_center_2);
 }
 
-// The morph of a point of the world, for the kernel of arrays and for engines. Lengths in one unit, y up, either hand.
-
-// Squares beyond this approach float32's maximum.
-const float FAR_SQUARED = 1e28;
-
-// Radius within which points do not move (negative: all move), r2, 1 / (r2 - r1), and the strength of the morph.
-struct Zones {
-    float stays;
-    float r2;
-    float slope;
-    float strength;
-};
-
-// At strengths below 1 all points move. If r2 is 0, nothing is near.
-Zones zones_of(float r1, float r2, float strength) {
-    Zones zones = Zones(-1.0, r2, 0.0, strength);
-    if (r2 > r1) {
-        zones.slope = 1.0 / (r2 - r1);
+Zones zones_of(float r1_, float r2_1, float strength) {
+    Zones zones = Zones(0.0, 0.0, 0.0, 0.0);
+    bool local_1 = false;
+    zones = Zones(-1.0, r2_1, 0.0, strength);
+    if ((r2_1 > r1_)) {
+        zones.slope = (1.0 / (r2_1 - r1_));
     }
-    if (r2 > 0.0 && strength >= 1.0) {
-        zones.stays = r1;
+    if ((r2_1 > 0.0)) {
+        local_1 = (strength >= 1.0);
+    } else {
+        local_1 = false;
     }
-    return zones;
+    bool _e19 = local_1;
+    if (_e19) {
+        zones.stays = r1_;
+    }
+    Zones _e21 = zones;
+    return _e21;
 }
 
-// Q - P of the blend. With A = |P-U|, B = |P-O|, v = U-O, e = (A-B)^2, h = w(1-w)/(AB) and n^2 = 1 - h (|v|^2 - e) (the
-// squared length of the blend of both directions), Q = P + a (P-O) + b v, where a = h (e + (|v|^2-e)/(1+n))/n and
-// b = 1 - w (w + (1-w) B/A)/n. Both are of the size of |v|, so that rounding is relative to the user's offset.
-vec3 shift_of_blend(vec3 from_center, vec3 offset, float w) {
-    float b_squared = dot(from_center, from_center);
-    // The limit for points far above: both directions are one.
-    if (w == 0.0 || b_squared > FAR_SQUARED) {
-        return (1.0 - w) * offset;
+vec3 shift_of_blend(vec3 from_center_3, vec3 offset_1, float w_2) {
+    bool local_2 = false;
+    float b_squared = dot(from_center_3, from_center_3);
+    if (!((w_2 == 0.0))) {
+        local_2 = (b_squared > FAR_SQUARED);
+    } else {
+        local_2 = true;
     }
-    vec3 from_user = from_center - offset;
-    float offset_squared = dot(offset, offset);
-    float a = length(from_user);
-    float b = sqrt(b_squared);
-    if (offset_squared > a * b) {
-        vec4 to = blended(from_user, from_center, w);
-        return offset + to.w * to.xyz - from_center;
+    bool _e12 = local_2;
+    if (_e12) {
+        return ((1.0 - w_2) * offset_1);
     }
-    float difference = (offset_squared - 2.0 * dot(from_center, offset)) / (a + b);
-    float e = difference * difference;
-    float turn = offset_squared - e;
-    float h = w * (1.0 - w) / (a * b);
-    float n = sqrt(1.0 - h * turn);
-    float along = h * (e + turn / (1.0 + n)) / n;
-    float by_offset = 1.0 - w * (w + (1.0 - w) * b / a) / n;
-    return along * from_center + by_offset * offset;
+    vec3 from_user_2 = (from_center_3 - offset_1);
+    float offset_squared = dot(offset_1, offset_1);
+    float a_1 = length(from_user_2);
+    float b_1 = sqrt(b_squared);
+    if ((offset_squared > (a_1 * b_1))) {
+        vec4 _e22 = blended(from_user_2, from_center_3, w_2);
+        return ((offset_1 + (_e22.w * _e22.xyz)) - from_center_3);
+    }
+    float difference = ((offset_squared - (2.0 * dot(from_center_3, offset_1))) / (a_1 + b_1));
+    float e = (difference * difference);
+    float turn = (offset_squared - e);
+    float h = ((w_2 * (1.0 - w_2)) / (a_1 * b_1));
+    float n = sqrt((1.0 - (h * turn)));
+    float along = ((h * (e + (turn / (1.0 + n)))) / n);
+    float by_offset = (1.0 - ((w_2 * (w_2 + (((1.0 - w_2) * b_1) / a_1))) / n));
+    return ((along * from_center_3) + (by_offset * offset_1));
 }
 
-// Q - P on the cylinder of radius rho.
-vec3 shift_on_cylinder(vec3 from_center, vec3 offset, float w, float rho) {
-    if (dot(from_center, from_center) > FAR_SQUARED) {
-        return offset;
+vec3 shift_on_cylinder(vec3 from_center_4, vec3 offset_2, float w_3, float rho_3) {
+    if ((dot(from_center_4, from_center_4) > FAR_SQUARED)) {
+        return offset_2;
     }
-    vec4 to = on_cylinder(ground_place(offset), from_center - offset, from_center, w, rho);
-    return offset + to.w * to.xyz - from_center;
+    Place _e7 = ground_place(offset_2);
+    vec4 _e9 = on_cylinder(_e7, (from_center_4 - offset_2), from_center_4, w_3, rho_3);
+    return ((offset_2 + (_e9.w * _e9.xyz)) - from_center_4);
 }
 
-// Returns the displayed position of a point p of the world: on its own cylinder, or by the blend. Pass the point and the
-// user relative to the centre, too: subtract large coordinates in more digits than float32 has.
-vec3 displayed_in_world(vec3 p, vec3 from_center, vec3 offset, Zones zones, bool keeps_rho) {
-    float rho = length(from_center.xz);
-    if (rho <= zones.stays) {
-        return p;
+vec3 displayed_in_world(vec3 p_1, vec3 from_center_5, vec3 offset_3, Zones zones_1, bool keeps_rho) {
+    float rho_4 = length(from_center_5.xz);
+    if ((rho_4 <= zones_1.stays)) {
+        return p_1;
     }
-    float w = zones.strength * user_weight(rho, zones.r2, zones.slope);
+    float _e12 = user_weight(rho_4, zones_1.r2_, zones_1.slope);
+    float w_4 = (zones_1.strength * _e12);
     if (keeps_rho) {
-        return p + shift_on_cylinder(from_center, offset, w, rho);
+        vec3 _e14 = shift_on_cylinder(from_center_5, offset_3, w_4, rho_4);
+        return (p_1 + _e14);
     }
-    return p + shift_of_blend(from_center, offset, w);
+    vec3 _e16 = shift_of_blend(from_center_5, offset_3, w_4);
+    return (p_1 + _e16);
 }
 
-// Returns the displayed position of the point p of the world, by the blend (2022).
-vec3 nearfar_morph(vec3 p, vec3 user, vec3 center, float r1, float r2, float strength) {
-    return displayed_in_world(p, p - center, user - center, zones_of(r1, r2, strength), false);
+vec3 nearfar_morph(vec3 p_2, vec3 user_3, vec3 center, float r1_1, float r2_2, float strength_1) {
+    Zones _e8 = zones_of(r1_1, r2_2, strength_1);
+    vec3 _e10 = displayed_in_world(p_2, (p_2 - center), (user_3 - center), _e8, false);
+    return _e10;
 }
 
-// Returns the same for the cylinder (CloVR, 2024), which keeps each point's distance from the centre's axis.
-vec3 nearfar_morph_cylinder(vec3 p, vec3 user, vec3 center, float r1, float r2, float strength) {
-    return displayed_in_world(p, p - center, user - center, zones_of(r1, r2, strength), true);
+vec3 nearfar_morph_cylinder(vec3 p_3, vec3 user_4, vec3 center_1, float r1_2, float r2_3, float strength_2) {
+    Zones _e8 = zones_of(r1_2, r2_3, strength_2);
+    vec3 _e10 = displayed_in_world(p_3, (p_3 - center_1), (user_4 - center_1), _e8, true);
+    return _e10;
 }
 
-// Returns the displayed distance of the far map's surface at a range in a unit direction, with the cylinder.
-float nearfar_range_cylinder(vec3 direction, float range, vec3 user, vec3 center) {
-    return range_on_cylinder(ground_place(user - center), direction, range);
+float nearfar_range_cylinder(vec3 direction_3, float range, vec3 user_5, vec3 center_2) {
+    Place _e5 = ground_place((user_5 - center_2));
+    float _e6 = range_on_cylinder(_e5, direction_3, range);
+    return _e6;
 }
-
 #endif

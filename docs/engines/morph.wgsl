@@ -1,15 +1,18 @@
-// The morph of nearfar in WGSL: where the user is shown a point of the world. Licence: MIT or Apache-2.0.
-// Written by `python -m scripts.shaders.write` from morph.wgsl and world.wgsl; docs/engines.md tells how to use it.
+// The morph of nearfar in WGSL: displayed position of a point of the world. Licence: MIT or Apache-2.0.
+// Written by `NEARFAR_WRITE=1 cargo test -p nearfar-gpu --test engines`; docs/engines.md says how to use it, and
+// rust/gpu/src/shaders has its two parts.
 //
 // Call nearfar_morph or nearfar_morph_cylinder in the vertex stage; and, if points are morphed by the cylinder,
-// nearfar_range_cylinder where the far map's range is read. Their parameters:
-//   p              a point of the world, any unit of length; y is up
-//   user           the position U of the eye that the picture is for, same unit and axes; each eye has its own
-//   center         the centre O of the reduction, from which the far map was baked, same unit and axes
+// nearfar_range_cylinder where the far map's range is read. Their parameters, in this order:
+//   p              point of the world, any unit of length; y is up
+//   user           position U of the eye that the picture is for, same unit and axes; each eye has its own
+//   center         centre O of the reduction, from which the far map was baked, same unit and axes
 //   r1, r2         radii of the near zone and of all geometry, same unit
 //   strength       1; below it, near points move to where the centre sees them (0), so that they can appear smoothly
-//   direction      a unit vector, in which the map is looked up
-//   range          what the map holds there: the distance from the centre, same unit
+// and of nearfar_range_cylinder:
+//   direction      unit vector in which the map is looked up
+//   range          value of the map: distance from the centre, same unit
+//   user, center   as above
 
 // The morph: Popescu, Lee, Choi, Fahmy (2022), Eq. 1-3, and CloVR (2024), Alg. 1. Renderer and array kernel share these
 // functions, so that tests of the kernel cover the renderer.

@@ -146,7 +146,7 @@ def test_profiles_are_files_of_our_format() -> None:
 
 
 def test_profiles_are_read_on_first_use() -> None:
-    count = "print(nf.hmd._known.cache_info().currsize)"
+    count = "print(nf.hmd._load_profile.cache_info().currsize)"
     code = f"import nearfar as nf; {count}; nf.hmd.VIVE; {count}"
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
     done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True)

@@ -196,9 +196,9 @@ def test_memory_keeps_what_is_needed_and_little_else(tree: Tree) -> None:
                 flight.render(camera, time=time + 0.3)
                 plan = flight._pilot.plan(flight._has)
                 needed = {part for part in plan.order if part[2] not in (GEOMETRY, RECORD)}
-                assert needed <= set(views._kept)
-                own = sum(layer.bytes for key in needed for layer in views._kept[key])
-                assert views.bytes == sum(layer.bytes for layers in views._kept.values() for layer in layers)
+                assert needed <= set(views._kept.values)
+                own = sum(layer.bytes for key in needed for layer in views._kept.values[key])
+                assert views.bytes == sum(layer.bytes for layers in views._kept.values.values() for layer in layers)
                 assert views.bytes <= max(cache_bytes, own)
                 assert views.reads > reads
                 reads = views.reads
@@ -214,8 +214,8 @@ def test_leaves_that_are_needed_stay(tree: Tree, gate: Gate, monkeypatch: pytest
             assert frame.stats["leaves"] > 3
             assert is_same(frame, tree.render(camera))
             near = {place for _, place, direction in flight._pilot.plan(flight._has).order if direction == GEOMETRY}
-            assert near <= set(flight._viewer.near._leaves)
-            assert len(flight._viewer.near._leaves) <= len(near) + 3
+            assert near <= set(flight._viewer.near._leaves.values)
+            assert len(flight._viewer.near._leaves.values) <= len(near) + 3
             count = len(gate.leaves)
             flight.render(camera, time=100.0 * time + 50)
             assert flight.wait(LONG)

@@ -1,4 +1,7 @@
-"""Tests of the morph for engines: what the translator writes, compiles, refuses and, in a browser, computes."""
+"""Tests of the morph for engines: its files compile and, in a browser, compute the vectors; its how-tos work.
+
+The test of rust/gpu/tests/engines.rs compares the files with the translation of the kernels.
+"""
 
 from __future__ import annotations
 
@@ -13,9 +16,6 @@ import pytest
 import trimesh
 
 import nearfar as nf
-from scripts.shaders.declarations import translate
-from scripts.shaders.tokens import RefusedError
-from scripts.shaders.write import files
 from tests.support import need
 from tests.support.reader_cases import answer_of
 from tests.support.vectors import cases, check
@@ -30,12 +30,6 @@ def code(language: str) -> list[str]:
     return re.findall(rf"```{language}\n(.*?)```", page, re.DOTALL)
 
 
-def test_files_are_those_that_the_translator_writes() -> None:
-    changed = [name for name, text in files().items() if (CHECKOUT / name).read_text(encoding="utf-8") != text]
-    assert changed == [], "run `python -m scripts.shaders.write`"
-    assert {path.name for path in ENGINES.iterdir()} == {"morph.wgsl", "morph.glsl", "morph.hlsl"}
-
-
 def test_the_how_to_splits_large_triangles(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     nf.reduce(nf.datasets.city(blocks=2, detail=0), center=(0, 1.7, 0), r1=30, r2=50, face_size=16).save(
         tmp_path / "light"
@@ -45,115 +39,6 @@ def test_the_how_to_splits_large_triangles(tmp_path: Path, monkeypatch: pytest.M
     exec(textwrap.dedent(code("python")[0]), found)
     written = trimesh.load("light/split.glb", force="mesh")
     assert len(written.faces) == len(found["split"].faces) > len(found["mesh"].faces)
-
-
-# Translation ----------------------------------------------------------------------------------------------------------
-
-SMALL = """\
-// One.
-const A: f32 = 1e-3;
-
-struct Pair {
-    // First.
-    at: vec2<f32>,
-    size: f32,
-}
-
-fn made(at: vec2<f32>, far: bool) -> Pair {
-    var pair = Pair(at, A);
-    if far && !(at.x < -A) {
-        pair.size = select(2.0, length(at) * 0.5, at.y != 0.0);
-    } else if at.x == 0.0 {
-        // Two.
-        pair.at = vec2<f32>(at.y, A);
-    } else {
-        return pair;
-    }
-    // Three.
-    return pair;
-}
-"""
-
-GLSL = """\
-// One.
-const float A = 1e-3;
-
-struct Pair {
-    // First.
-    vec2 at;
-    float size;
-};
-
-Pair made(vec2 at, bool far) {
-    Pair pair = Pair(at, A);
-    if (far && !(at.x < -A)) {
-        pair.size = ((at.y != 0.0) ? length(at) * 0.5 : 2.0);
-    } else if (at.x == 0.0) {
-        // Two.
-        pair.at = vec2(at.y, A);
-    } else {
-        return pair;
-    }
-    // Three.
-    return pair;
-}
-"""
-
-MAKE = """\
-};
-
-Pair make_Pair(float2 at, float size) {
-    Pair made;
-    made.at = at;
-    made.size = size;
-    return made;
-}
-"""
-
-
-def test_names_order_and_comments_stay() -> None:
-    assert translate(SMALL, "glsl") == GLSL
-    in_hlsl = GLSL.replace("vec2", "float2").replace("const", "static const").replace("Pair(at, A)", "make_Pair(at, A)")
-    assert translate(SMALL, "hlsl") == in_hlsl.replace("};\n", MAKE)
-
-
-def in_function(body: str) -> str:
-    return f"fn f(a: f32, b: vec3<f32>, c: u32) -> f32 {{\n{body}\n    return a;\n}}\n"
-
-
-@pytest.mark.parametrize(
-    ("wgsl", "reason"),
-    [
-        (in_function("for (var i = 0u; i < 3u; i++) {}"), "the statement 'for'"),
-        (in_function("let i = c % 2u;"), "'%'"),
-        (in_function("a += 1.0;"), "'+' where it expects '='"),
-        (in_function("let x = 1 * a;"), "the type of the number 1"),
-        (in_function("let x = a * c;"), "f32 * u32"),
-        (in_function("let x = a & c;"), "'&'"),
-        (in_function("let x = f(a, b, c);"), "the function f(f32, vec3<f32>, u32)"),
-        (in_function("let x = atan2(a, a);"), "the function atan2"),
-        (in_function("let x = max(a, b);"), "the function max"),
-        (in_function("let x = select(b, b, b < b);"), "vec3<f32> < vec3<f32>"),
-        (in_function("let x = vec3<f32>(a);"), "vec3<f32> of f32"),
-        (in_function("let x = b.rgb;"), "'rgb' of vec3<f32>"),
-        (in_function("let x = b[0];"), "'[0];'"),
-        (in_function("let x = - -a;"), "- before f32"),
-        (in_function("let x: vec2<f32> = b;"), "how to make vec2<f32> of 'b'"),
-        (in_function("let x: array<f32, 2> = b;"), "the type 'array'"),
-        (in_function("if a == 1.0 { let a = 2.0; }"), "a second 'a'"),
-        (in_function("let half = a;"), "another name for 'half'"),
-        (in_function("return b;"), "how to make f32 of 'b'"),
-        (in_function("a = 1.0; // Why."), "comments behind a statement"),
-        (in_function("a = 1.0 +\n    // Why.\n    a;"), "comments within a statement"),
-        ("@compute fn f() -> f32 { return 1.0; }", "'@compute'"),
-        ("var<private> a: f32;", "'var' outside functions"),
-        ("fn f(a: f32) { }", "'{' where it expects '->'"),
-    ],
-)
-def test_what_the_translator_does_not_know_is_refused(wgsl: str, reason: str) -> None:
-    for language in ("glsl", "hlsl"):
-        with pytest.raises(RefusedError, match=r"^line \d+: the translator does not know"):
-            translate(wgsl, language)
 
 
 # Compilation ----------------------------------------------------------------------------------------------------------

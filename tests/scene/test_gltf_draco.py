@@ -223,7 +223,7 @@ def test_damaged_streams_are_errors_or_other_triangles(tmp_path: Path, level: in
 
 
 def test_streams_that_keep_draco_busy_are_errors(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """With a limit of a microsecond, which the decoder's next tick of the processor's clock exceeds."""
+    """A limit of a microsecond of CPU time is exceeded, whether or not the clock ticks meanwhile."""
     rows = DICE.normal(size=(100_000, 3)).astype(np.float32)
     faces = np.arange(len(rows) - len(rows) % 3, dtype=np.uint32).reshape(-1, 3)
     stream, numbers = compress(rows, faces, {}, 10)

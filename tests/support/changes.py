@@ -20,7 +20,7 @@ ALL = "everything"
 FIXED: dict[str, set[str]] = {
     r"(docs|notebooks|LICENSE|CHANGELOG|README|ARCHITECTURE|references)": {"project"},
     r"scripts/(bench|first_hour|notebooks|\w+_picture|pictures|tokyo_geoparquet|view_load)\.py": {"project"},
-    r"(benchmarks|fuzz|scripts/shaders|tests/mutations)/": set(),
+    r"(benchmarks|fuzz|tests/mutations)/": set(),
     r"scripts/mutations\.py|\.ci/landed": set(),
     r"tests/exporters/": {"scene"},
     r"tests/readers/": {"lod", "orthoview", "stream"},

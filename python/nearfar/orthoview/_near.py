@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import threading
-from collections import OrderedDict
 from collections.abc import Callable, Collection, Sequence
 
 from nearfar._base import formats
@@ -19,6 +18,7 @@ from nearfar._scene.scene import Scene
 from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._geometry_store import FOLDER, IMAGES, names
 from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview._recent import Recent
 
 _TEXTURE = re.compile("[0-9a-f]+[.]webp")
 
@@ -46,11 +46,9 @@ class Near:
         self._place, self._chunks, self._grid = place, chunks, grid
         self.origin = origin_for(grid.bounds)
         """World position (3,) that the scenes' positions are relative to, metres."""
-        self._leaves: OrderedDict[Place, Scene | None] = OrderedDict()
-        self._images: OrderedDict[str, bytes] = OrderedDict()
+        self._leaves: Recent[Place, Scene | None] = Recent()
+        self._images: Recent[str, bytes] = Recent()
         self._last: tuple[tuple[Place, ...], Scene | None] = ((), None)
-        self._old: set[Place] = set()
-        """Cached leaves that an update has changed since they were read."""
         self._lock = threading.Lock()
         self.read_bytes = 0
         """Bytes read so far."""
@@ -59,16 +57,15 @@ class Near:
 
     def __contains__(self, place: Place) -> bool:
         """Whether a leaf is cached in its newest version."""
-        return place in self._leaves and place not in self._old
+        return place in self._leaves
 
     def keeps(self, place: Place) -> bool:
         """Whether a leaf is cached, in any version."""
-        return place in self._leaves
+        return self._leaves.keeps(place)
 
     def take_over(self, older: Near, changed: Callable[[Place], bool]) -> None:
         """Take the cached leaves of an older generation; changed ones serve until they are read again."""
-        self._leaves.update(older._leaves)
-        self._old = {place for place in self._leaves if place in older._old or changed(place)}
+        self._leaves.take_over(older._leaves, changed)
         self.read_bytes, self.reads = older.read_bytes, older.reads
 
     def scene(self, places: Sequence[Place]) -> Scene | None:
@@ -81,7 +78,7 @@ class Near:
     def cached_scene(self, places: Sequence[Place]) -> Scene | None:
         """Geometry of cached leaves as one scene; None if all are empty."""
         wanted = tuple(sorted(places))
-        leaves = [self._leaf(place) for place in wanted]
+        leaves = [self._leaves.get(place, None) for place in wanted]
         if wanted != self._last[0]:
             parts = [leaf for leaf in leaves if leaf is not None]
             self._last = wanted, join_scenes(parts) if parts else None
@@ -89,11 +86,7 @@ class Near:
 
     def trim(self, needed: Collection[Place]) -> None:
         """Evict the least recently used leaves, but none that are needed, down to `MAX_LEAVES` others."""
-        with self._lock:
-            surplus = max(len(self._leaves) - len(needed) - MAX_LEAVES, 0)
-            for place in [place for place in self._leaves if place not in needed][:surplus]:
-                del self._leaves[place]
-                self._old.discard(place)
+        self._leaves.trim(needed, len(needed) + MAX_LEAVES)
 
     def load(self, places: Sequence[Place]) -> None:
         """Read the leaves that are not cached."""
@@ -102,17 +95,11 @@ class Near:
                 with formats.guarded(self._place, "orthoviews"):
                     parts = [part for name in names(self._grid, place) if (part := self._file(name)) is not None]
                 leaf = join_scenes(parts) if parts else None
+                self._leaves.put(place, leaf)
                 with self._lock:
-                    self._leaves[place] = leaf
-                    self._old.discard(place)
                     self.reads += 1
                     if place in self._last[0]:
                         self._last = ((), None)
-
-    def _leaf(self, place: Place) -> Scene | None:
-        with self._lock:
-            self._leaves.move_to_end(place)
-            return self._leaves[place]
 
     def _file(self, name: str) -> Scene | None:
         data = self._chunks.geometry(name)
@@ -127,17 +114,13 @@ class Near:
 
     def image(self, name: str) -> bytes:
         """Bytes of a texture."""
-        content = self._images.get(name)
+        content = self._images.get(name, b"") or self._chunks.geometry(f"{FOLDER}/{IMAGES}/{name}")
         if content is None:
-            content = self._chunks.geometry(f"{FOLDER}/{IMAGES}/{name}")
-            if content is None:
-                raise UnusableError(f"{FOLDER}/{IMAGES}/{name}: the file is gone")
+            raise UnusableError(f"{FOLDER}/{IMAGES}/{name}: the file is gone")
+        if name not in self._images:
             self._count(content)
-        with self._lock:
-            self._images[name] = content
-            self._images.move_to_end(name)
-            while len(self._images) > MAX_TEXTURES:
-                self._images.popitem(last=False)
+            self._images.put(name, content)
+            self._images.trim((), MAX_TEXTURES)
         return content
 
     def _count(self, content: bytes) -> None:

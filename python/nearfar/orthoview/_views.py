@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import threading
-from collections import OrderedDict
 from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from functools import partial
 
@@ -14,9 +13,13 @@ from nearfar.orthoview import _codec
 from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import BEHIND, CHANNELS, Layout
+from nearfar.orthoview._recent import Recent
 
 ViewKey = tuple[int, Place, int]
 """Level, place and direction of a view."""
+
+Splats = tuple[_core.OrthoSplats, ...]
+"""Splats of a view, layer by layer."""
 
 _SHOWN = 0.125
 """Assumed share of non-empty pixels before any view has been read."""
@@ -45,15 +48,10 @@ class Views:
 
     def __init__(self, place: str, chunks: Chunks, layout: Layout, most: int) -> None:
         self._place, self._chunks, self._layout, self._most = place, chunks, layout, most
-        self._kept: OrderedDict[ViewKey, tuple[_core.OrthoSplats, ...]] = OrderedDict()
-        self._directions: dict[tuple[int, Place], frozenset[int]] = {}
-        self._old: set[ViewKey] = set()
-        """Cached views that an update has changed since they were read."""
+        self._kept: Recent[ViewKey, Splats] = Recent(lambda layers: sum(layer.bytes for layer in layers))
         self._lock = threading.Lock()
         self._counts: dict[ViewKey, int] = {}
         self._of_level: dict[int, tuple[int, int]] = {}
-        self.bytes = 0
-        """Bytes of the cached views."""
         self.read_bytes = 0
         """Bytes of chunks read so far."""
         self.reads = 0
@@ -61,14 +59,18 @@ class Views:
 
     def __contains__(self, key: ViewKey) -> bool:
         """Whether a view is cached in its newest version."""
-        with self._lock:
-            return key in self._kept and key not in self._old
+        return key in self._kept
+
+    @property
+    def bytes(self) -> int:
+        """Bytes of the cached views."""
+        return self._kept.size
 
     def get(self, keys: Sequence[ViewKey]) -> list[_core.OrthoSplats]:
         """Splats of views, of both layers; views that are not cached are read."""
         return [splats for layers in self.layers(keys) for splats in layers]
 
-    def layers(self, keys: Sequence[ViewKey]) -> list[tuple[_core.OrthoSplats, ...]]:
+    def layers(self, keys: Sequence[ViewKey]) -> list[Splats]:
         """Splats of views layer by layer; views that are not cached are read."""
         self.load(keys)
         found = [self.cached_layers(key) for key in keys]
@@ -93,58 +95,25 @@ class Views:
         for first in range(0, len(missing), _AT_ONCE):
             self._read(missing[first : first + _AT_ONCE])
 
-    def cached_layers(self, key: ViewKey) -> tuple[_core.OrthoSplats, ...]:
+    def cached_layers(self, key: ViewKey) -> Splats:
         """Layers of a view, which becomes the most recently used; empty if it is not cached."""
-        with self._lock:
-            if key not in self._kept:
-                return ()
-            self._kept.move_to_end(key)
-            return self._kept[key]
+        return self._kept.get(key, ())
 
     def of_cell(self, level: int, place: Place) -> frozenset[int]:
         """Directions of a cell's cached views, of any version."""
-        with self._lock:
-            return self._directions.get((level, place), frozenset())
+        count = len(self._layout.directions)
+        return frozenset(direction for direction in range(count) if self._kept.keeps((level, place, direction)))
 
     def take_over(self, older: Views, changed: Callable[[ViewKey], bool]) -> None:
         """Take the cached views of an older generation; changed ones serve until they are read again."""
-        for key, splats in list(older._kept.items()):
-            self._keep(key, splats, 0)
-            if key in older._old or changed(key):
-                self._old.add(key)
+        self._kept.take_over(older._kept, changed)
+        for key, splats in self._kept.values.items():
+            self._count(key, sum(layer.count for layer in splats))
         self.read_bytes, self.reads = older.read_bytes, older.reads
 
     def trim(self, needed: Container[ViewKey]) -> None:
         """Evict the least recently used views, but none that are needed, until the cache fits its size."""
-        with self._lock:
-            if self.bytes <= self._most:
-                return
-            for key in [key for key in self._kept if key not in needed]:
-                self._drop(key)
-                if self.bytes <= self._most:
-                    return
-
-    def _drop(self, key: ViewKey) -> None:
-        level, place, direction = key
-        self._old.discard(key)
-        self.bytes -= sum(layer.bytes for layer in self._kept.pop(key))
-        directions = self._directions[level, place] - {direction}
-        if directions:
-            self._directions[level, place] = directions
-        else:
-            del self._directions[level, place]
-
-    def _keep(self, key: ViewKey, splats: tuple[_core.OrthoSplats, ...], count: int) -> None:
-        level, place, direction = key
-        with self._lock:
-            self.read_bytes += count
-            self.reads += 1
-            if key in self._kept:
-                self._drop(key)
-            self._kept[key] = splats
-            self.bytes += sum(layer.bytes for layer in splats)
-            self._directions[level, place] = self._directions.get((level, place), frozenset()) | {direction}
-            self._count(key, sum(layer.count for layer in splats))
+        self._kept.trim(needed, self._most)
 
     def _read(self, keys: Sequence[ViewKey]) -> None:
         layers = ("", BEHIND)[: self._layout.layers]
@@ -159,7 +128,11 @@ class Views:
             taken = [self._take_chunks(key, contents, len(layers)) for key in keys]
             jobs = [partial(self._decoded, key, channels) for key, channels in zip(keys, taken, strict=True)]
             for key, channels, splats in zip(keys, taken, side_by_side.results(jobs), strict=True):
-                self._keep(key, splats, sum(len(chunk) for layer in channels for chunk in layer.values()))
+                self._kept.put(key, splats)
+                with self._lock:
+                    self.read_bytes += sum(len(chunk) for layer in channels for chunk in layer.values())
+                    self.reads += 1
+                    self._count(key, sum(layer.count for layer in splats))
 
     def _count(self, key: ViewKey, splats: int) -> None:
         if key not in self._counts:
@@ -176,7 +149,7 @@ class Views:
             raise UnusableError(f"{self._layout.array(level, direction, '')}: a chunk of the cell {place} is missing")
         return [layer for layer in taken if layer]
 
-    def _decoded(self, key: ViewKey, layers: Iterable[dict[str, bytes]]) -> tuple[_core.OrthoSplats, ...]:
+    def _decoded(self, key: ViewKey, layers: Iterable[dict[str, bytes]]) -> Splats:
         level, place, direction = key
         grid = self._layout.grid
         cell, splats = (grid.corner(level, place), grid.side(level)), []

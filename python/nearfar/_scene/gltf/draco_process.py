@@ -10,6 +10,7 @@ import json
 import select
 import signal
 import sys
+import time
 from typing import Any, BinaryIO
 
 IDLE = 30.0
@@ -51,21 +52,28 @@ def _is_ready(stream: BinaryIO) -> bool:
 
 
 class _Limits:
-    """Context that limits CPU time, which ends the process, and memory."""
+    """Context that limits CPU time and memory.
+
+    The timer of the CPU time ends the process, but only at a tick of the clock. Work that exceeds the limit and still
+    ends before a tick raises a TimeoutError.
+    """
 
     def __init__(self, seconds: float, memory: int) -> None:
-        self._seconds, self._memory = seconds, memory
+        self._seconds, self._memory, self._begin = seconds, memory, 0.0
 
     def __enter__(self) -> None:
         if hasattr(signal, "setitimer"):
             signal.signal(signal.SIGPROF, signal.SIG_DFL)
             signal.setitimer(signal.ITIMER_PROF, self._seconds)
         self._limit(self._memory)
+        self._begin = time.process_time()
 
-    def __exit__(self, *_: object) -> None:
+    def __exit__(self, error: object, *_: object) -> None:
         if hasattr(signal, "setitimer"):
             signal.setitimer(signal.ITIMER_PROF, 0)
         self._limit(None)
+        if error is None and time.process_time() - self._begin > self._seconds:
+            raise TimeoutError("it takes too long")
 
     @staticmethod
     def _limit(memory: int | None) -> None:

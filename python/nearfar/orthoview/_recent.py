@@ -1,0 +1,75 @@
+"""Cache of the values used last, which survive an update of the store until they are read again; thread-safe."""
+
+from __future__ import annotations
+
+import threading
+from collections import OrderedDict
+from collections.abc import Callable, Container, Hashable
+from typing import Generic, TypeVar
+
+Key = TypeVar("Key", bound=Hashable)
+Value = TypeVar("Value")
+
+
+class Recent(Generic[Key, Value]):
+    """The cache.
+
+    Parameters
+    ----------
+    size_of
+        Size of a value, in the unit of `trim`; by default each counts 1.
+    """
+
+    def __init__(self, size_of: Callable[[Value], int] = lambda value: 1) -> None:
+        self._size_of = size_of
+        self.values: OrderedDict[Key, Value] = OrderedDict()
+        """Values by key, the least recently used first."""
+        # Keys of values that an update has changed since they were read.
+        self._old: set[Key] = set()
+        self._lock = threading.Lock()
+        self.size = 0
+        """Sum of the sizes of all values."""
+
+    def __contains__(self, key: Key) -> bool:
+        """Whether a value is cached in its newest version."""
+        with self._lock:
+            return key in self.values and key not in self._old
+
+    def keeps(self, key: Key) -> bool:
+        """Whether a value is cached, in any version."""
+        return key in self.values
+
+    def get(self, key: Key, default: Value) -> Value:
+        """Return a value, which becomes the most recently used; `default` if it is not cached."""
+        with self._lock:
+            if key not in self.values:
+                return default
+            self.values.move_to_end(key)
+            return self.values[key]
+
+    def put(self, key: Key, value: Value) -> None:
+        """Cache a value as the most recently used."""
+        with self._lock:
+            self._drop(key)
+            self.values[key] = value
+            self.size += self._size_of(value)
+
+    def take_over(self, older: Recent[Key, Value], changed: Callable[[Key], bool]) -> None:
+        """Take the values of an older generation; changed ones serve until they are read again."""
+        for key, value in list(older.values.items()):
+            self.put(key, value)
+            if key in older._old or changed(key):
+                self._old.add(key)
+
+    def trim(self, needed: Container[Key], most: int) -> None:
+        """Evict the least recently used values, but none that are needed, until their sizes sum to at most `most`."""
+        with self._lock:
+            for key in [key for key in self.values if key not in needed]:
+                if self.size <= most:
+                    return
+                self._drop(key)
+
+    def _drop(self, key: Key) -> None:
+        self._old.discard(key)
+        if key in self.values:
+            self.size -= self._size_of(self.values.pop(key))

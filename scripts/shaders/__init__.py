@@ -1,1 +1,0 @@
-"""Shader snippets for engines, translated from tested WGSL: `python -m scripts.shaders.write`."""
