@@ -1,4 +1,4 @@
-"""Set-up of the tests."""
+"""Setup of the tests."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ os.environ.setdefault("NEARFAR_PROGRESS", "0")
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Refuse unknown names of required parts; a misspelt name would skip tests for ever."""
+    """Refuse unknown names of required parts; a misspelt name would always skip tests."""
     unknown = required() - PARTS.keys()
     if unknown:
         raise pytest.UsageError(f"NEARFAR_REQUIRE: expected names from {sorted(PARTS)}, got {sorted(unknown)}")
-    # Shells start jobs in the background with Ctrl-C ignored, and Python keeps it so: tests of Ctrl-C would hang.
+    # Shells start background jobs with Ctrl-C ignored, and Python inherits that: tests of Ctrl-C would hang.
     if threading.current_thread() is threading.main_thread():
         signal.signal(signal.SIGINT, signal.default_int_handler)
 
@@ -40,7 +40,7 @@ def pytest_runtest_setup(item: pytest.Item) -> None:
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    """Say in one line what was not tested."""
+    """Print in one line what was not tested."""
     reasons = [report.longrepr[2] for report in terminalreporter.stats.get("skipped", ())]
     if line := untested(reasons):
         terminalreporter.line(line)
@@ -54,7 +54,7 @@ def _own_cache(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.Mon
 
 @pytest.fixture(scope="session", autouse=True)
 def _no_flushes() -> Iterator[None]:
-    """Write files without waiting for the disk, which takes milliseconds each: no test cuts the power."""
+    """Write files without waiting for the disk, which takes milliseconds each: no test simulates a power failure."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(os, "fsync", lambda descriptor: None)
         yield
@@ -74,7 +74,7 @@ def chromium() -> Iterator[Any]:
 
 @pytest.fixture(autouse=True)
 def _own_loop(request: pytest.FixtureRequest) -> Iterator[None]:
-    """Let tests without a browser run an asyncio loop of their own; other browsers are tests' own."""
+    """Let tests without a browser run their own asyncio loop; other browsers belong to their tests."""
     if "chromium" in request.fixturenames or len(programs) > len(_shared):
         yield
     else:

@@ -1,7 +1,7 @@
 """Runs some of the slow tests: those of the stages that a change touches, or a third of the others.
 
-`python -m tests.slow changed COMMIT` runs the first for what came after a commit, `python -m tests.slow third COMMIT`
-the second. With `--list` both only say what they would run. Without the commit everything counts as changed.
+`python -m tests.slow changed COMMIT` runs the first for changes since a commit, `python -m tests.slow third COMMIT`
+the second. With `--list` both only print what they would run. Without the commit everything counts as changed.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ CHECKOUT = Path(__file__).resolve().parents[1]
 PYTEST = ("-m", "pytest", "-n", "auto", "--dist", "worksteal", "-m", "slow and not stress")
 
 Reasons = dict[str, str]
-"""Folders of tests, and why they were chosen."""
+"""Folders of tests, and why they were selected."""
 
 
 def main() -> int:
-    """Run what the command line asks for; the exit status."""
+    """Run what the command line requests; returns the exit status."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("which", choices=("changed", "third"))
     parser.add_argument("base", nargs="?", help="the commit before the change")
@@ -38,7 +38,7 @@ def main() -> int:
 
 
 def changes(base: str | None) -> tuple[list[str] | None, str]:
-    """Changed files and the commit before them; None and the reason if it is not known."""
+    """Changed files and the previous commit; None and the reason if it is unknown."""
     if base is None:
         return None, "no commit is given"
     if git("merge-base", "--is-ancestor", base, "HEAD") is None:
@@ -68,7 +68,7 @@ def files_of(reasons: Reasons) -> list[str]:
 
 
 def third(reasons: Reasons) -> list[str]:
-    """One third of the files with slow tests that were not chosen: the next one with each commit."""
+    """One third of the files with slow tests that were not selected: the next one with each commit."""
     count = git("rev-list", "--count", "HEAD") if git("rev-parse", "--is-shallow-repository") == "false\n" else None
     turn = int(count or 0) % 3
     chosen = set(files_of(reasons))
@@ -78,7 +78,7 @@ def third(reasons: Reasons) -> list[str]:
 
 
 def run(files: list[str], *, is_listed: bool) -> int:
-    """Run the slow tests of files; the exit status."""
+    """Run the slow tests of files; returns the exit status."""
     if is_listed or not files:
         print("\n".join(files) or "none")
         return 0

@@ -98,9 +98,8 @@ class Quality:
 def compared(truth: Truth, tree: nf.orthoview.OrthoTree, setting: Setting) -> Quality:
     """Draw a tree, and compare the picture with the truth."""
     viewer = tree._viewer
-    viewer.views._kept.clear()
-    viewer.views.bytes = 0
-    viewer.near._leaves.clear()
+    viewer.views._kept.trim((), 0)
+    viewer.near._leaves.trim((), 0)
     viewer.near._last = (), None
     before = viewer.views.read_bytes, viewer.near.read_bytes
     frame = setting.render(tree, truth.camera, samples=1)

@@ -1,4 +1,4 @@
-"""Runs the attack for a time, or files of findings again: `python -m tests.attack --minutes 60`."""
+"""Runs the attack for a time, or repeats files of findings: `python -m tests.attack --minutes 60`."""
 
 from __future__ import annotations
 

@@ -11,15 +11,15 @@ from pathlib import Path
 from typing import Any
 
 Plan = dict[str, Any]
-"""Choices of a case in values that JSON has."""
+"""Random choices of a case as JSON values."""
 
 MAX_LETTERS = 1000
-"""Length of a message, beyond the name of its file."""
+"""Maximum length of a message, beyond the name of its file."""
 
 
 @dataclass(frozen=True)
 class Case:
-    """All that a case needs; `files` lie in an empty folder before it runs."""
+    """A case's input; `files` lie in an empty folder before it runs."""
 
     kind: str
     plan: Plan
@@ -35,15 +35,15 @@ class Case:
 
 @dataclass(frozen=True)
 class Kind:
-    """Cases of one kind: how one is made from random numbers, and how it runs."""
+    """A kind of cases: how one is made from random numbers, and how it runs."""
 
     name: str
     make: Callable[[random.Random], tuple[Plan, dict[str, bytes]]]
     run: Callable[[Case, Path], str]
-    """Returns `ACCEPTED`, or `refused` for a refusal that is right; raises `Finding`, or whatever the package wrongly
-    raises."""
+    """Returns `ACCEPTED`, or `refused` for a correct refusal; raises `Finding`, or whatever exception the package
+    wrongly raises."""
     share: float = 1.0
-    """Cases of this kind for each of another kind with share 1."""
+    """Number of cases of this kind for each case of a kind with share 1."""
     has_limits: bool = True
     """Whether a refusal must be quick and small; not for kinds that work on purpose."""
 
@@ -52,16 +52,16 @@ ACCEPTED = "accepted"
 
 
 def refused(error: BaseException) -> str:
-    """Return the outcome of a right refusal."""
+    """Return the outcome of a correct refusal."""
     return f"refused: {type(error).__name__}"
 
 
 class Finding(Exception):  # noqa: N818  # it is no error of this program
-    """A defect that a case shows; the text says it in one line."""
+    """A defect that a case reveals; the text is one line."""
 
 
 def check_sentence(error: Exception, name: str | Path) -> None:
-    """Finding unless the message is one printable line of a usual length that has a file's name in it."""
+    """Raise `Finding` unless the message is one printable line of limited length that contains a file's name."""
     text, kind = str(error), type(error).__name__
     if any("\ud800" <= letter <= "\udfff" for letter in text):
         raise Finding(f"the message of {kind} cannot be printed: {text!a:.200}") from error
@@ -74,13 +74,13 @@ def check_sentence(error: Exception, name: str | Path) -> None:
 
 
 def make(kind: Kind, seed: int, number: int) -> Case:
-    """Make a case; equal arguments give equal cases as long as its kind and its seed files stay as they are."""
+    """Make a case; equal arguments give equal cases while its kind and its seed files stay unchanged."""
     plan, files = kind.make(random.Random(f"{kind.name} {seed} {number}"))
     return Case(kind.name, plan, files, f"seed {seed}, case {number}")
 
 
 def to_json(case: Case) -> str:
-    """Return a case as text, with its bytes, so that it stays the same when kinds change."""
+    """Return a case as text, with its bytes, so that later changes of kinds do not affect it."""
     files = {name: base64.b64encode(data).decode() for name, data in case.files.items()}
     document = {"kind": case.kind, "origin": case.origin, "plan": case.plan, "files": files}
     return json.dumps(document, indent=1, sort_keys=True) + "\n"

@@ -1,4 +1,4 @@
-"""Runs cases in worker processes, one of which is started again when a case kills it, hangs or exceeds a limit."""
+"""Runs cases in worker processes, which are restarted when a case kills them, hangs or exceeds a limit."""
 
 from __future__ import annotations
 
@@ -24,16 +24,16 @@ from tests.attack.case import Case, Kind, make, to_json
 CHECKOUT = Path(__file__).resolve().parents[2]
 
 MAX_SECONDS = 2.0
-"""Time of a refusal."""
+"""Maximum seconds of a refusal."""
 MAX_MEMORY = 1 << 30
-"""Memory of a refusal, bytes beyond the file."""
+"""Maximum memory of a refusal, bytes beyond the file."""
 HANG_SECONDS = 60.0
 """Time after which a case counts as hanging."""
 START_SECONDS = 300.0
 BATCH = 50
-"""Cases that a process runs at once."""
+"""Cases in a batch of one process."""
 FOLDER = Path("/dev/shm")
-"""Files lie in memory where that can be, because saves wait for the disk."""
+"""Files lie in memory if possible, because saves wait for the disk."""
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,7 @@ class Result:
     outcome: str
     seconds: float = 0.0
     memory: int = 0
-    """Greatest memory beyond that before the case, bytes."""
+    """Peak memory beyond that before the case, bytes."""
     finding: str = ""
     trace: str = ""
 
@@ -55,16 +55,16 @@ class Engine:
 
     kinds: Mapping[str, Kind]
     limits: bool = False
-    """Whether refusals must keep to time and memory, and Ctrl-C to its time."""
+    """Whether refusals have limits on time and memory, and Ctrl-C one on time."""
     own_only: bool = True
-    """Whether cases are made from files made here alone, which are the same on every machine."""
+    """Whether cases use only seed files generated here, which are the same on every machine."""
     patience: float = HANG_SECONDS
     """Seconds after which a case counts as hanging."""
     most_seconds: float = MAX_SECONDS
     """Seconds that a refusal may take."""
 
     def run(self, cases: Sequence[Case]) -> Iterator[Result]:
-        """Run cases one after another; those that die, exceed a limit or are late run again alone."""
+        """Run cases one after another; cases that die, exceed a limit or are late run again alone."""
         cases = list(cases)
         while cases:
             results = list(self._process(cases))
@@ -79,14 +79,14 @@ class Engine:
         return replace(result, finding=result.finding or self._excess(result))
 
     def _confirmed(self, result: Result) -> Result:
-        """Return what remains of a result when its case runs again alone."""
+        """Return the result of a second run alone if a case has a finding or exceeds a limit."""
         *_, again = self.run([result.case])
         if result.outcome == "died" and not again.finding:
             return replace(result, finding=f"{result.finding} (only after the cases before it)")
-        return again  # without a finding if another process took the cores
+        return again  # Without a finding, another process may have taken the cores.
 
     def _excess(self, result: Result) -> str:
-        """Return how a refusal exceeds the limits."""
+        """Return by how much a refusal exceeds the limits."""
         if not (self.limits and self.kinds[result.case.kind].has_limits and result.outcome.startswith("refused")):
             return ""
         if result.memory > MAX_MEMORY + result.case.size:
@@ -94,7 +94,7 @@ class Engine:
         return f"the refusal took {result.seconds:.1f} s" if result.seconds > self.most_seconds else ""
 
     def _process(self, cases: Sequence[Case]) -> Iterator[Result]:
-        """Yield results of a new process until it is done; the last one may be a death."""
+        """Yield results of a new process until it ends; the last one may be a crash."""
         with tempfile.TemporaryDirectory(
             prefix="nearfar-attack-", ignore_cleanup_errors=True, dir=FOLDER if FOLDER.is_dir() else None
         ) as folder:
@@ -114,7 +114,7 @@ class _Worker:
     Parameters
     ----------
     folder
-        The folder of all files that it makes.
+        Folder for all files that it makes.
     probe
         Whether its cases are those that test the engine.
     limits
@@ -125,7 +125,7 @@ class _Worker:
 
     def __init__(self, folder: str, *, probe: bool, limits: bool, cases: Iterable[Case]) -> None:
         self.ending = ""
-        """How the process ended, if that was wrong."""
+        """How the process ended, if abnormally."""
         self._log = Path(folder) / "log"
         listed = Path(folder) / "cases.json"
         listed.write_text(json.dumps([to_json(case) for case in cases]), encoding="utf-8")
@@ -169,7 +169,7 @@ class _Worker:
                         yield event
             self.ending = "" if ready else f"hung for {seconds:g} s"
             if not ready:
-                self._process.send_signal(signal.SIGUSR1)  # it writes where its threads are
+                self._process.send_signal(signal.SIGUSR1)  # Its standard error holds the stacks of its threads.
                 time.sleep(0.5)
         finally:
             os.close(self._events)
@@ -185,7 +185,7 @@ class _Worker:
         return self._process.poll() is not None
 
     def last_words(self) -> str:
-        """Return the last lines that it wrote, those about the package first of all."""
+        """Return the last lines of its standard error, lines about the package first."""
         lines = self._log.read_text("utf-8", "replace").splitlines()
         told = [line.strip() for line in lines if "nearfar" in line or "panicked" in line or "Fatal" in line]
         return " < ".join((told or lines)[-6:])[:1000]
@@ -198,9 +198,9 @@ def _ending(status: int) -> str:
 
 
 def attack(engine: Engine, seed: int, note: Any, *, workers: int, until: float) -> None:
-    """Run cases of all kinds, as many of each as its share, in some processes at once until a time.
+    """Run cases of all kinds in proportion to their shares, in parallel processes, until a time.
 
-    `note` takes each result; `until` is of the monotonic clock.
+    `note` receives each result; `until` is a time of the monotonic clock.
     """
     lock, numbers = threading.Lock(), Counter[str]()
     names, shares = list(engine.kinds), [kind.share for kind in engine.kinds.values()]
@@ -217,7 +217,7 @@ def attack(engine: Engine, seed: int, note: Any, *, workers: int, until: float) 
                 with lock:
                     note(result)
 
-    # A process dies with the one that started it; threads end with this one.
+    # A worker process dies with its parent; threads end with this one.
     threads = [
         threading.Thread(target=serve, args=(random.Random(f"{seed} {n}"),), daemon=True) for n in range(workers)
     ]

@@ -1,4 +1,4 @@
-"""Chunks of a GLB, which cases change one by one."""
+"""Chunks of a GLB, which cases modify separately."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from tests.attack.seeds import glb
 
 
 def split(data: bytes) -> tuple[Any, bytes]:
-    """Return a GLB's document and its arrays; None for what is no such file."""
+    """Return a GLB's document and its arrays; None for other data."""
     try:
         length = struct.unpack_from("<I", data, 12)[0]
         return json.loads(data[20 : 20 + length]), data[28 + length :]

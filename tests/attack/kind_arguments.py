@@ -45,7 +45,7 @@ def make(dice: random.Random) -> tuple[Plan, dict[str, bytes]]:
 
 
 def run(case: Case, folder: Path) -> str:
-    """Call; the folder is the current one, because some texts are valid names of files."""
+    """Call in the case's folder as working directory, because some texts are valid file names."""
     call, names = _calls()[case.plan["call"]], case.plan["changes"]
     before = Path.cwd()
     os.chdir(folder)
@@ -56,9 +56,9 @@ def run(case: Case, folder: Path) -> str:
     if error is None:
         return ACCEPTED
     if names.get("report") == "class":
-        # It is called, and its errors are the caller's own.
+        # The value is called as a callback, and its errors are the caller's own.
         return refused(error)
-    # Where arguments contradict each other, a message may name any of them.
+    # If arguments contradict each other, a message may name any of them.
     flaw = verdict(error, next(iter(names)), (*names, *call.names))
     if flaw is not None:
         shown = ", ".join(f"{parameter}={name}" for parameter, name in names.items())

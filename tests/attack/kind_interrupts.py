@@ -1,4 +1,4 @@
-"""Cases of Ctrl-C at a random time within an operation: it arrives, soon, and the process goes on as before."""
+"""Cases of Ctrl-C at a random time within an operation: it takes effect soon, and the process continues normally."""
 
 from __future__ import annotations
 

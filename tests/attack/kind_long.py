@@ -1,4 +1,4 @@
-"""Cases of Ctrl-C at a random time in operations of seconds, each in a process of its own."""
+"""Cases of Ctrl-C at a random time in operations that take seconds, each in a separate process."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def make(dice: random.Random) -> tuple[Plan, dict[str, bytes]]:
 
 
 def run(case: Case, folder: Path) -> str:
-    """Interrupt a script; one runs at a time, whichever worker asks, because some take gigabytes."""
+    """Interrupt a script; only one runs at a time over all workers, because some take gigabytes."""
     import fcntl
 
     (operation,) = (operation for operation in OPERATIONS if operation.name == case.plan["operation"])
@@ -41,7 +41,7 @@ def run(case: Case, folder: Path) -> str:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            # A case that waits would count as one that hangs.
+            # A waiting case would count as hanging.
             return "another one runs"
         return _run(operation, case.plan["delay"], folder)
     finally:
@@ -76,7 +76,7 @@ def _run(operation: LongOperation, delay: float, folder: Path) -> str:
         with suppress(ProcessLookupError):
             process.kill()
         process.wait()
-    # Python ends by the signal, too, where it met an interrupt in text that it executes, as dataclasses do.
+    # Python also dies by the signal if it was interrupted in generated code, such as that of dataclasses.
     if words != "interrupted" or process.returncode not in (0, -signal.SIGINT) or errors:
         raise Finding(f"{operation.name} ended with {words!r}, status {process.returncode}: {errors[-300:]!r}")
     if late > LATEST and os.environ.get("NEARFAR_ATTACK_LIMITS"):

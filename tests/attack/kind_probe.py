@@ -1,4 +1,4 @@
-"""Cases that do on purpose what no case should do, for the tests of the engine."""
+"""Cases that misbehave on purpose, for the tests of the engine."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ DEEDS = {
     "take memory": "the refusal took 1",
     "take time": "the refusal took ",
 }
-"""The deeds of a case, and how its finding begins."""
+"""Misbehaviours of a case, and the beginnings of their findings."""
 
 
 def make(dice: random.Random) -> tuple[Plan, dict[str, bytes]]:

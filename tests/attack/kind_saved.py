@@ -1,4 +1,4 @@
-"""Cases of damaged files of the package's own formats: what loads can be saved, and loads again as the same."""
+"""Cases of damaged files of the package's own formats: whatever loads can be saved, and loads again unchanged."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ LOADERS: dict[str, Callable[[Path], Any]] = {
 
 
 FOLDERS = ("reduced", "bundle")
-"""Kinds whose files make a folder."""
+"""Kinds stored as folders."""
 
 
 def kinds() -> list[Kind]:
@@ -59,7 +59,7 @@ def _kind(name: str) -> Kind:
 
 
 def _list_again(files: seeds.Files, name: str) -> None:
-    """List the size and hash of a bundle's damaged file in its manifest, so that more than these is looked at."""
+    """List the size and hash of a bundle's damaged file in its manifest, so that checks beyond these are reached."""
     if name != "manifest.json":
         manifest = json.loads(files["manifest.json"])
         manifest["files"][name] = {"bytes": len(files[name]), "sha256": hashlib.sha256(files[name]).hexdigest()}
@@ -78,7 +78,7 @@ def _damaged(name: str, data: bytes, dice: random.Random, others: list[bytes]) -
 
 
 def _damaged_exr(data: bytes, dice: random.Random) -> bytes:
-    """Change the document, a channel or a part of an EXR file, which stays one."""
+    """Change the header, a channel or a block of an EXR file, which stays valid."""
     parts = _core.decode_exr(data)
     _, channels, attributes = parts[dice.randrange(len(parts))]
     name = dice.choice(list(channels))
@@ -138,19 +138,19 @@ def run(case: Case, folder: Path) -> str:
         _save(name, what, path)
         saved.append(_bytes(path))
         what = load(path)
-    # The time in hmdq's files and the runtime's name in their sources differ.
+    # hmdq's files contain the time, and their sources the runtime's name.
     if saved[0] != saved[1] and name != "hmdq.json":
         raise Finding("what was loaded is saved otherwise after it was saved and loaded")
     return ACCEPTED
 
 
 def _use_bundle(bundle: nf.stream.Bundle, path: Path) -> str:
-    """Show every ring; files are read by then."""
+    """Show every ring; all files have been read by then."""
     repr(bundle)
     bundle.summary()
     try:
         for ring in range(bundle.count + 1):
-            # Moved vertices would be ever so many in objects of a thousand kilometres, which damaged files may have.
+            # Splitting moved objects of a thousand kilometres, as in damaged files, would take too long.
             frame = bundle.at(ring).render(CAMERA, method="exact", backend="cpu")
             if np.isnan(frame.require("color")).any():
                 raise Finding("a frame with NaN was rendered")
@@ -177,7 +177,7 @@ def _use(name: str, what: Any) -> None:
             model: nf.lod.LodModel = what
             nf.lod.select([model], [0], [[0, 0, -5]], [0.1], camera=CAMERA, k=0.9, d=1.0)
         case "hmd.json" | "hmdq.json":
-            # Views that the head's horizontal plane misses have no angles, which their error says.
+            # Views that do not contain the head's horizontal plane have no angles, and their error says so.
             with suppress(ValueError):
                 _ = what.total_fov
 

@@ -1,4 +1,4 @@
-"""Cases of saves that are killed, or find no space or no free descriptor: the old or the new file is there, whole."""
+"""Cases of saves that are killed or run out of space or descriptors: the old or the new file remains complete."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def run_kill(case: Case, folder: Path) -> str:
 
 
 def _writer(save: Save, path: Path) -> tuple[int, int]:
-    """Fork a child that saves both versions in turns; returns it and the pipe on which it tells of its first save."""
+    """Fork a child that saves both versions in turns; returns it and the pipe on which it reports its first save."""
     ready, tell = os.pipe()
     child = os.fork()
     if child:
@@ -79,7 +79,7 @@ def _make_limit(dice: random.Random) -> tuple[Plan, dict[str, bytes]]:
 
 
 def run_limit(case: Case, folder: Path) -> str:
-    """Save while no file may grow beyond a size, or few more files may be opened."""
+    """Save under a limit on file size or on open files."""
     import resource
 
     save, amount = save_of(case.plan["save"]), case.plan["amount"]

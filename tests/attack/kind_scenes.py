@@ -1,4 +1,4 @@
-"""Cases of damaged scene files: a scene that works in all stages, or a sentence that names the file."""
+"""Cases of damaged scene files: the scene works in all stages, or an error names the file."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from tests.attack.case import ACCEPTED, Case, Finding, Kind, Plan, check_sentenc
 from tests.attack.glb_parts import glb_of_chunks, split
 
 MAX_TRIANGLES = 10_000
-"""Triangles up to which a loaded scene goes through all stages; larger ones are only drawn."""
+"""Maximum number of triangles of scenes that go through all stages; larger ones are only drawn."""
 
 FARTHEST = 1e29
-"""Metres up to which a camera beside the scene is within what the package accepts."""
+"""Maximum size in metres for which the package accepts a camera beside the scene."""
 
 
 def kinds(*, own_only: bool) -> list[Kind]:
-    """A kind for each format; `own_only` leaves out the files of the data folder."""
+    """Return a kind for each format; `own_only` leaves out the files of the data folder."""
 
     def files(suffix: str) -> list[seeds.Files]:
         return (seeds.scene_files() if own_only else seeds.all_scene_files())[suffix]
@@ -89,7 +89,7 @@ def _damaged(name: str, data: bytes, dice: random.Random, others: list[bytes]) -
 
 
 def damaged_glb(document: Any, binary: bytes, dice: random.Random) -> bytes:
-    """Damage the document or the arrays of a GLB, whose chunks stay in order."""
+    """Damage the document or the arrays of a GLB; its chunks stay consistent."""
     if dice.random() < 0.7:
         return glb_of_chunks(mutate_json.text(mutate_json.damaged(document, dice), dice), binary)
     return glb_of_chunks(json.dumps(document).encode(), mutate.damaged(binary, dice))
@@ -108,7 +108,7 @@ def run(case: Case, folder: Path) -> str:
 
 
 def use(scene: nf.Scene, folder: Path, *, everything: bool) -> None:
-    """Draw a loaded scene, and take it through reduction and its files if asked to."""
+    """Draw a loaded scene; with `everything` also reduce it and save its files."""
     if scene.triangle_count <= 0 or not np.isfinite(scene.bounds).all() or not str(scene.report):
         raise Finding(f"a scene of {scene.triangle_count} triangles within {scene.bounds.tolist()} was loaded")
     low, high = scene.bounds

@@ -1,4 +1,4 @@
-"""Cases of many operations at once: in eight threads, in forked children and in new processes, as in one thread."""
+"""Cases of many concurrent operations: in eight threads, forked children and new processes, with the results of one."""
 
 from __future__ import annotations
 
@@ -39,13 +39,13 @@ def _make(count: int, most: int) -> Callable[[random.Random], tuple[Plan, dict[s
 
 
 def _expect(lists: list[list[str]]) -> None:
-    """Compute what is to come out, before anything runs at once."""
+    """Compute the expected results, before anything runs concurrently."""
     for name in {name for names in lists for name in names}:
         operations.expected(name)
 
 
 def run_threads(case: Case, folder: Path) -> str:
-    """Run lists of operations in threads that begin together."""
+    """Run lists of operations in threads that start together."""
     lists = case.plan["operations"]
     _expect(lists)
     start = threading.Barrier(len(lists))

@@ -7,19 +7,19 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class LongOperation:
-    """Statements that make what is needed, and statements that are repeated until a signal comes."""
+    """Setup statements, and statements that are repeated until a signal arrives."""
 
     name: str
     gigabytes: float
-    """Memory that it takes at most."""
+    """Maximum memory, bytes."""
     make: str
     work: str
     needs: str = ""
-    """Part that the system must have; see `tests.support.need`."""
+    """System feature that is required; see `tests.support.need`."""
 
     @property
     def code(self) -> str:
-        """A script that works in an empty folder: it prints "ready" before it works, and then "interrupted"."""
+        """A script for an empty folder: it prints "ready" before it works, and "interrupted" at the end."""
         make, work = self.make or "pass", self.work
         return f"""{_BEGIN}
 if __name__ == "__main__":

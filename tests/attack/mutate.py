@@ -12,7 +12,7 @@ NUMBERS = (
     "18446744073709551616", "-9223372036854775809", "1" + "0" * 400, "nan", "inf", "-inf", "1e308", "1e400", "-1e400",
     "1e-320", "1e-45", "3.5e38", "0x10", "1_0", "٣", "", "1.2.3", "--1", "+1", "1e", ".", "NaN", "Infinity", "1,5", "∞",
 )  # fmt: skip
-"""Numbers in text, and what looks like some."""
+"""Numbers in text, and texts that resemble numbers."""
 
 _WORDS = [(form, value) for form, bits in (("B", 8), ("H", 16), ("I", 32), ("Q", 64)) for value in (
     0, 1, 2 ** (bits - 1) - 1, 2 ** (bits - 1), 2**bits - 1, 2**bits - 2,
@@ -23,7 +23,7 @@ _TOKEN = re.compile(rb"[^\s]+")
 
 
 def damaged(data: bytes, dice: random.Random, others: Sequence[bytes] = ()) -> bytes:
-    """Damage a file once or a few times; `others` are files to take pieces from."""
+    """Damage a file one or more times; `others` are files to copy pieces from."""
     for _ in range(dice.choice((1, 1, 1, 2, 3, 8))):
         is_text = b"\0" not in data[:4096] and dice.random() < 0.9
         data = (_damaged_text if is_text else _damaged_bytes)(data, dice, others)
@@ -56,7 +56,7 @@ def _damaged_bytes(data: bytes, dice: random.Random, others: Sequence[bytes]) ->
             word = struct.pack(dice.choice(("<f", "<d", ">f")), dice.choice(_FLOATS))
             content[place : place + len(word)] = word
         case 7:
-            # Words of sizes and offsets lie at multiples of four; a small change passes more checks than a large one.
+            # Sizes and offsets lie at multiples of four; a small change passes more checks than a large one.
             start = place & ~3
             if len(data) >= start + 4:
                 (word32,) = struct.unpack_from("<I", data, start)

@@ -19,7 +19,7 @@ _VALUES: tuple[Any, ...] = (
 
 
 def damaged(document: Any, dice: random.Random) -> Any:
-    """Damage a document once or a few times."""
+    """Damage a document one or more times."""
     document = copy.deepcopy(document)
     for _ in range(dice.choice((1, 1, 1, 2, 3))):
         places = list(_places(document))
@@ -31,7 +31,7 @@ def damaged(document: Any, dice: random.Random) -> Any:
 
 
 def _places(node: Any) -> Iterator[tuple[Any, Any]]:
-    """Every place in a document as its container and key; of long lists some."""
+    """List places in a document as container and key; of long lists only some."""
     stack = [node]
     while stack:
         node = stack.pop()
@@ -51,7 +51,7 @@ def _change(node: Any, key: Any, places: list[tuple[Any, Any]], dice: random.Ran
             del node[key]
         case 4:
             other, place = dice.choice(places)
-            # The other one may have gone with what contained it; a copy keeps the document a tree.
+            # The other place may have been removed with its container; a copy keeps the document a tree.
             node[key] = copy.deepcopy(other[place]) if _has(other, place) else None
         case 5:
             if isinstance(node, list):
@@ -79,14 +79,14 @@ def _has(node: Any, key: Any) -> bool:
 
 
 def nested(value: Any, depth: int) -> Any:
-    """Return a value within as many lists."""
+    """Nest a value in a number of lists."""
     for _ in range(depth):
         value = [value]
     return value
 
 
 def text(document: Any, dice: random.Random) -> bytes:
-    """Encode a document, if it can be, in one of the ways that files have; sometimes with a key twice."""
+    """Encode a document, if possible, in one of the encodings of files; sometimes with a duplicate key."""
     written = json.dumps(document, ensure_ascii=dice.random() < 0.5)
     if dice.random() < 0.01:
         written = written.replace(":", ":" + "[" * 100_000, 1)

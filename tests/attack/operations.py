@@ -17,7 +17,7 @@ APART = (
     "orthoview.OrthoTree.update",
     "datasets.factory", "view.", "write_tiles", "Recentering", "stream.simulate @seen", "Walk", "Regions.",
 )  # fmt: skip
-"""Beginnings of the names of calls that change what they share, or take long."""
+"""Prefixes of calls that change shared state, or take long."""
 
 WRITERS = (
     ".save",
@@ -31,12 +31,12 @@ WRITERS = (
     "_equirectangular",
     "_splats",
 )
-"""Parts of the names of calls that write files or draw on adapters and pages."""
+"""Parts of names of calls that write files or draw on adapters and pages."""
 
 
 @functools.cache
 def operations() -> dict[str, Call]:
-    """Return calls that give the same each time, by name."""
+    """Return the deterministic calls by name."""
     valid = Valid(Path(tempfile.mkdtemp()), large=True)
     names = [name for name in NAMES if not name.startswith(APART) and not any(part in f".{name}" for part in WRITERS)]
     return {name: Call(name, valid) for name in names if not any(map(missing, needs(name)))}

@@ -12,7 +12,7 @@ from tests.attack.engine import Result
 
 
 class Report:
-    """Results so far; findings of one cause are counted together, and their first case is kept as a file."""
+    """Results so far; findings of the same cause are counted together, and the first case of each is kept as a file."""
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
@@ -41,7 +41,7 @@ class Report:
             print(f"{kind}, {result.case.origin}: {result.finding}\n  {result.trace}", flush=True)
 
     def count(self, name: str = "cases") -> int:
-        """Sum of a column."""
+        """Return the sum of a column."""
         return sum(counts[name] for counts in self._counts.values())
 
     def table(self) -> str:
@@ -58,7 +58,7 @@ class Report:
 
 
 def cause(result: Result) -> str:
-    """Return what findings of one cause have in common: the kind of defect and the innermost place of the package."""
+    """Return the key by which findings share a cause: the kind of defect and the innermost location in the package."""
     place = re.sub(r":\d+", "", result.trace.partition(" < ")[0])
     words = re.sub(r"\(.*?\) raised", " raised", result.finding)
     words = re.sub(r"'[^']*'|\"[^\"]*\"|\.[0-9a-f]{12}|\d[\d.]*|/\S+", "…", words)[:100]

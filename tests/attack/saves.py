@@ -17,19 +17,19 @@ from tests.support import bundle_cases
 from tests.support.digest import digest
 
 SAVES = (*(name for name in LOADERS if name != "hmdq.json"), "flat.png", "frame.png")
-"""Names of the files and folders; those of hmdq hold a time."""
+"""Names of the files and folders; those of hmdq contain a time."""
 
 
 @dataclass(frozen=True)
 class Save:
-    """How an object's file is written."""
+    """A way to save an object to a file."""
 
     name: str
-    """Of the file or folder."""
+    """Name of the file or folder."""
     first: Any
-    """The version that lies there before."""
+    """The older version, which is on the disk before."""
     second: Any
-    """The version that is saved over it."""
+    """The newer version, which is saved over it."""
     write: Callable[[Any, Path], None]
 
     @functools.cached_property
@@ -44,7 +44,7 @@ class Save:
 
 @functools.cache
 def save_of(name: str) -> Save:
-    """Return a save with both versions and their digests, so that a later save takes its own time alone."""
+    """Return a save with both versions and their digests computed, so that timing covers the save alone."""
     (first, write), (second, _) = _objects(other=False)[name], _objects(other=True)[name]
     save = Save(name, first, second, write)
     assert save.digests[0] != save.digests[1]
@@ -63,13 +63,13 @@ def _digest(path: Path) -> str:
 
 
 def check_saved(save: Save, folder: Path) -> str:
-    """Check that the old or the new version lies there, whole, and that a save over it leaves nothing else.
+    """Check that the old or the new version is complete, and that a save over it leaves no other files.
 
     Returns "old" or "new".
     """
     path = folder / save.name
     if save.name in LOADERS:
-        # It may put back what was set aside.
+        # The load may restore a file that was set aside.
         try:
             found = LOADERS[save.name](path)
             if isinstance(found, nf.stream.Bundle):

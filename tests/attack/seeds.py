@@ -26,7 +26,7 @@ Files = dict[str, bytes]
 """Files by name; the first one is loaded, and the others lie beside it."""
 
 MAX_BYTES = 1 << 16
-"""Files of the data folder that are larger are left out."""
+"""Maximum bytes of files of the data folder."""
 
 SUFFIXES = ("glb", "gltf", "obj", "ply", "stl", "off", "3mf", "city.json", "geojson", "parquet")
 
@@ -112,7 +112,7 @@ def _sparse() -> bytes:
 
 
 def _compressed() -> bytes:
-    """A GLB of meshoptimizer's streams: a mesh and the places of its instances."""
+    """A GLB with meshoptimizer compression: a mesh and the transforms of its instances."""
     corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], np.float32)
     quaternions = np.array([[0, 0, 0, 0x7FF], [0, 0, 2047, 0x7FF], [0, 0, 0, 0x7FC]], np.int16)
     streams = [
@@ -129,7 +129,7 @@ def _compressed() -> bytes:
 
 
 def _packed() -> bytes:
-    """A GLB with a texture in KTX 2 that is moved, another set of coordinates, blending, and Draco if it is there."""
+    """A GLB with a KTX 2 texture with a transform, a second set of coordinates, blending, and Draco if installed."""
     corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], np.float32)
     faces = np.array([[0, 1, 2], [2, 1, 3]], np.uint32)
     moved = {"KHR_texture_transform": {"offset": [0.5, 0], "rotation": 0.5, "scale": [2, 3], "texCoord": 1}}
@@ -184,7 +184,7 @@ p 1
 
 @functools.cache
 def scene_files() -> dict[str, list[Files]]:
-    """Seeds of scene files by suffix, made here."""
+    """Return generated seed scene files by suffix."""
     colored, textured = _colored(), _textured()
     archive = _scene().export(file_type="3mf")
     return {
@@ -226,7 +226,7 @@ def _parquet() -> Files:
 
 @functools.cache
 def all_scene_files() -> dict[str, list[Files]]:
-    """The same, and small files of the data folder, also malformed ones, where there is one."""
+    """Return these and small files of the data folder, including malformed ones, if it exists."""
     found = {suffix: list(files) for suffix, files in scene_files().items()}
     root = data_files.root()
     for path in sorted(root.rglob("*")) if root else []:
@@ -259,7 +259,7 @@ CHANNELS = ("color", "range", "object_id", "face_id", "position", "normal")
 
 
 def saved_objects(*, other: bool = False) -> dict[str, tuple[Any, Callable[[Any, Path], None]]]:
-    """Objects that have files, or others of the same kinds, and how each is saved at a path."""
+    """Return objects that have files, or different ones of the same kinds, and how each is saved at a path."""
     side = 16 if other else 8
     zones: dict[str, Any] = {"center": CENTER, "r1": 30, "r2": 50, "channels": CHANNELS[:3], "backend": "cpu"}
     camera = nf.Camera.look_at(CENTER, np.add(CENTER, (1.0, 0, 0)), fov=nf.Fov.symmetric(90), size=(side, side))
@@ -286,7 +286,7 @@ def saved_objects(*, other: bool = False) -> dict[str, tuple[Any, Callable[[Any,
 
 @functools.cache
 def saved_files() -> dict[str, Files]:
-    """Seeds of the package's own files; of the folder the files within."""
+    """Return seeds of the package's own files; of folders the files within."""
     found: dict[str, Files] = {}
     with tempfile.TemporaryDirectory() as folder:
         for name, (what, save) in saved_objects().items():

@@ -1,4 +1,4 @@
-"""Every public callable works with valid arguments, and refuses all others with messages that name them.
+"""Every public callable works with valid arguments, and refuses invalid ones with messages that name them.
 
 `pytest tests/attack/test_arguments.py -k STAGE-` runs the calls of a stage.
 """
@@ -27,12 +27,12 @@ _LONG = (
     "stream.simulate",
 )
 LONG = tuple(name for name in NAMES if name.startswith(_LONG))
-"""Calls that take tenths of a second with some values that are right."""
+"""Calls that take tenths of a second with some valid values."""
 
 
 @pytest.fixture(scope="module")
 def valid(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Valid]:
-    """Valid arguments; the working folder is empty, because some texts are valid names of files."""
+    """Return valid arguments; the working folder is empty, because some texts are valid file names."""
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(tmp_path_factory.mktemp("working"))
         patch.setenv("MPLBACKEND", "agg")
@@ -41,7 +41,7 @@ def valid(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Valid]:
 
 @pytest.fixture(autouse=True)
 def _nothing_left() -> Iterator[None]:
-    """Undo the choice of an adapter, and close plots."""
+    """Reset the choice of an adapter, and close plots."""
     yield
     with contextlib.suppress(nf.DeviceError):
         nf.gpu.select(None)
@@ -56,7 +56,7 @@ def call_of(name: str, valid: Valid) -> Call:
 
 
 @pytest.mark.parametrize("name", [pytest.param(name, id=f"{callable_of(name).stage}-{name}") for name in NAMES])
-def test_right_arguments_work_and_wrong_ones_are_named(name: str, valid: Valid) -> None:
+def test_valid_arguments_work_and_invalid_ones_are_named(name: str, valid: Valid) -> None:
     call = call_of(name, valid)
     assert call.attempt() is None
     assert list(call.wrong_refusals()) == []

@@ -1,4 +1,4 @@
-"""A short attack, always the same cases; `make attack` runs others for an hour."""
+"""A short attack with fixed cases; `make attack` runs others for an hour."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ from tests.support import need
 SEED = int(os.environ.get("NEARFAR_ATTACK_SEED", "19"))
 
 CASES = 40
-"""Cases of a kind with share 1."""
+"""Number of cases of a kind with share 1."""
 
 GROUPS = ("scene gl", "scene obj", "scene ", "saved ", "arguments", "interrupts", "")
-"""Beginnings of the names of kinds that run together; each kind belongs to the first that fits."""
+"""Prefixes of kinds that run together; each kind belongs to the first prefix that matches."""
 
 EARLIER = sorted((Path(__file__).parent / "cases").glob("*.json"))
-"""Every case that showed a defect once, as it was then."""
+"""Cases that once showed a defect, stored unchanged."""
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("group", GROUPS)
-def test_nothing_is_found(group: str, tmp_path: Path) -> None:
+def test_the_attack_finds_nothing(group: str, tmp_path: Path) -> None:
     need("linux")
     every = {name: kind for name, kind in all_kinds(own_only=True).items() if name != "long interrupts"}
     kinds = {name: kind for name, kind in every.items() if next(b for b in GROUPS if name.startswith(b)) == group}
@@ -41,7 +41,7 @@ def test_nothing_is_found(group: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_nothing_is_found_again() -> None:
+def test_former_findings_stay_fixed() -> None:
     need("linux")
     cases = [from_json(path.read_text(encoding="utf-8")) for path in EARLIER]
     results = list(Engine(all_kinds(own_only=True)).run(cases))

@@ -1,4 +1,4 @@
-"""Every option of every command refuses unusable values in one line that names it, never with a traceback."""
+"""Every option of every command refuses unusable values with one line that names it, never with a traceback."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from tests.support.verdict import FOREIGN, LONGEST
 
 
 def commands(group: Any, before: str = "") -> dict[str, Any]:
-    """Commands by their words, such as "orthoview build"."""
+    """Return commands by their words, such as "orthoview build"."""
     found: dict[str, Any] = {}
     for name, command in group.commands.items():
         is_group = hasattr(command, "commands")
@@ -44,7 +44,7 @@ VALID = {
             "meshopt", "--backend", "cpu"),
     "export": ("-i", "ball.glb", "-o", "bundle", "--center", "0,1.7,0", "--radii", "3,8", "--samples", "1",
                "--face-size", "64", "--split", "50", "--by-footprint"),
-    # They would serve until Ctrl-C without the second ones.
+    # Without the second options these commands would serve until Ctrl-C.
     "view": ("seen", "--write"),
     "serve": ("seen", "--check", "--port", "0", "--log", "off", "--rooms"),
     "invite": ("hall", "--rooms-key", "room.key"),
@@ -58,19 +58,19 @@ VALID = {
 """Arguments with which each command works on a small scene."""
 
 VALUES = ("", "abc", "-1", "nan", "1e400", "9" * 5000, "\udcff", "a\0b", "1,2", "2x2x2")
-"""Unusable for almost every option; the others take them."""
+"""Values that almost every option refuses; the others accept them."""
 
 FURTHER = {
     "--cell": "0", "--connections": "0", "--grid": "0", "--mono-plane": "0", "--most-rooms": "0", "--port": "70000",
     "--pixels-per-degree": "600", "--quality": "101", "--radii": "10,9", "--split": "0", "--triangles": "0",
 }  # fmt: skip
-"""Values beyond the range of single options."""
+"""Out-of-range values of single options."""
 
 TAKEN = dict.fromkeys(
     ("--d", "--k", "--max-boundary-discontinuity", "--max-discontinuity", "--max-tear", "--min-psnr", "--min-ssim"),
     ("-1",),
 ) | {"--name": ("abc", "-1", "nan", "1e400", "9" * 5000, "2x2x2")}  # fmt: skip
-"""Values that single options take."""
+"""Values that single options accept."""
 
 UNUSED = {
     "render": ("--face-size",),
@@ -78,7 +78,7 @@ UNUSED = {
               "--up"),
     "view": ("--port",),
 }  # fmt: skip
-"""Options that the valid call does not need, and so may not look at: a bundle is served, a page written."""
+"""Options that the valid call does not need and may not check: a bundle is served, a page written."""
 
 FILES = ("--input", "--output", "--truth", "--preview", "--equirectangular", "--certificate", "--key", "--rooms-key")
 """Options whose messages name the file instead."""
@@ -86,7 +86,7 @@ FILES = ("--input", "--output", "--truth", "--preview", "--equirectangular", "--
 
 @pytest.fixture(scope="module", autouse=True)
 def _folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
-    """A working folder with a scene: twenty triangles beyond the far radius, and twenty near."""
+    """Make a working folder with a scene: twenty triangles beyond the far radius, and twenty near."""
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(tmp_path_factory.mktemp("commands"))
         ball = trimesh.creation.icosphere(0)
@@ -102,7 +102,7 @@ def _folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
 
 @pytest.fixture
 def _made_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Commands made once: Typer makes all of them anew in each call, which takes forty times as long as a refusal."""
+    """Build commands once: Typer rebuilds all of them in each call, which takes forty times as long as a refusal."""
     monkeypatch.setattr(_app, "app", COMMAND)
 
 
@@ -116,13 +116,13 @@ def options() -> list[tuple[str, str]]:
 
 
 def without(arguments: tuple[str, ...], names: list[str]) -> list[str]:
-    """Arguments without some options and their values; flags have none."""
+    """Return arguments without some options and their values; flags have none."""
     dropped = {place + step for place, part in enumerate(arguments) if part in names for step in (0, 1)}
     return [part for place, part in enumerate(arguments) if place not in dropped]
 
 
 def flaw(status: int, printed: str, option: str, *, is_usable: bool) -> str | None:
-    """Why a command's end is wrong; None if it is right."""
+    """Return why a command's end is wrong; None if it is right."""
     if status in (0, 3):
         return None if is_usable else "accepted"
     if status not in (1, 2):

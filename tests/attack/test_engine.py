@@ -1,4 +1,4 @@
-"""Tests of the attack itself: it sees every kind of defect, names the case, and goes on."""
+"""Tests of the attack itself: it detects every kind of defect, names the case, and continues."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def engine(*, limits: bool = True, patience: float = 60.0) -> Engine:
 
 
 @pytest.mark.parametrize("deed", DEEDS)
-def test_every_defect_is_seen(deed: str) -> None:
+def test_every_defect_is_detected(deed: str) -> None:
     need("linux")
     case = Case("probe", {"does": deed})
     (result,) = engine(patience=0.5 if deed == "hang" else 60.0).run([case])
@@ -29,13 +29,13 @@ def test_every_defect_is_seen(deed: str) -> None:
     assert result.case == case
 
 
-def test_a_refusal_may_take_its_time_without_limits() -> None:
+def test_without_limits_a_refusal_may_take_long() -> None:
     need("linux")
     (result,) = engine(limits=False).run([Case("probe", {"does": "take time"})])
     assert result.finding == ""
 
 
-def test_others_run_after_a_case_that_dies(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_crash_does_not_stop_later_cases(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     need("linux")
     report, cases = Report(tmp_path / "findings"), [make(KIND, 3, number) for number in range(12)]
     deeds = [case.plan["does"] for case in cases]
@@ -44,13 +44,13 @@ def test_others_run_after_a_case_that_dies(tmp_path: Path, capsys: pytest.Captur
         report.add(result)
     assert [report.count(name) for name in ("cases", "accepted")] == [12, deeds.count("nothing")]
     assert report.count("findings") == 12 - deeds.count("nothing")
-    # Those of one cause are one.
+    # Findings of the same cause are reported once.
     assert len(report.causes) == len(list((tmp_path / "findings").iterdir())) == 2
     assert "| probe | 12 |" in report.table()
     assert capsys.readouterr().out.count("\n") == 4
 
 
-def test_cases_come_from_their_seed_and_survive_as_text() -> None:
+def test_cases_are_reproducible_from_seed_and_text() -> None:
     assert make(KIND, 1, 2) == make(KIND, 1, 2)
     plans = {make(KIND, 1, number).plan["does"] for number in range(50)}
     assert len(plans) == 3
@@ -58,7 +58,7 @@ def test_cases_come_from_their_seed_and_survive_as_text() -> None:
     assert from_json(to_json(case)) == case
 
 
-def test_damage_depends_on_the_dice_alone_and_hits_everything() -> None:
+def test_damage_depends_on_the_random_numbers_alone_and_reaches_all_parts() -> None:
     data = b"v 1.0 2.0 3.0\nf 1 2 3\n" * 9
     first = [mutate.damaged(data, random.Random(seed), [b"other"]) for seed in range(300)]
     assert first == [mutate.damaged(data, random.Random(seed), [b"other"]) for seed in range(300)]

@@ -1,4 +1,4 @@
-"""The table of hostile values excuses a parameter only from values that this parameter really takes."""
+"""The table of hostile values excuses a parameter only from values that it really accepts."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from tests.support.wrong_values import WRONG
 
 
 def full_names(call: str) -> list[str]:
-    """Names of a call's parameters, by the callable and by the call."""
+    """Return names of a call's parameters, by the callable and by the call."""
     return [name for key, (own, _) in parameters_of(call).items() for name in (own, f"{call}.{key}")]
 
 
@@ -28,14 +28,14 @@ def test_every_pattern_matches_a_parameter() -> None:
     assert [pattern for pattern in patterns if not any(match_length(name, pattern) for name in names)] == []
 
 
-def test_every_kind_is_that_of_a_value(tmp_path: Path) -> None:
+def test_every_kind_belongs_to_a_value(tmp_path: Path) -> None:
     valid = Valid(tmp_path)
     values = (*hostile_values(valid), *variants(valid.vertices))
     stated = {kind for text in (*TAKEN, *ANNOTATIONS.values()) for kind in text.split()}
     assert stated - {"any"} - {kind for value in values for kind in value.kinds} == set()
 
 
-def test_every_exception_is_taken_by_all_parameters_that_it_matches(
+def test_every_exception_is_accepted_by_all_matching_parameters(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
@@ -55,7 +55,7 @@ def test_every_exception_is_taken_by_all_parameters_that_it_matches(
 
 
 def is_taken(call: Call, parameter: str, kinds: frozenset[str], valid: Valid) -> bool:
-    """Whether a parameter takes a value of these kinds which its annotation does not state."""
+    """Return whether a parameter accepts a value of these kinds that its annotation does not state."""
     usual = kinds_of(parameters_of(call.name)[parameter][1])
     return any(
         call.attempt({parameter: value.make()}, begins=False) is None

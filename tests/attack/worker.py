@@ -37,12 +37,12 @@ class Worker:
         self._warnings: list[str] = []
         self._printed = os.fstat(2).st_size
         warnings.simplefilter("always")
-        # A file may state places from which a picture folds.
+        # A damaged file may contain places at which a picture folds.
         warnings.filterwarnings("ignore", "the picture folds")
         warnings.showwarning = self._note_warning  # type: ignore[assignment]
 
     def _note_warning(self, message: object, category: type[Warning], filename: str, lineno: int, *_: object) -> None:
-        # A file that an exception leaves open between two steps of Python is closed with its last reference.
+        # A file that an exception leaves open between two Python instructions is closed with its last reference.
         if issubclass(category, ResourceWarning):
             return
         place = "/".join(Path(filename).parts[-3:])
@@ -53,7 +53,7 @@ class Worker:
         os.write(self._report, json.dumps(event).encode() + b"\n")
 
     def run(self, case: Case) -> None:
-        """Run a case in a folder of its own."""
+        """Run a case in its own folder."""
         folder = Path(tempfile.mkdtemp())
         try:
             for name, data in case.files.items():
@@ -61,7 +61,7 @@ class Worker:
                 (folder / name).write_bytes(data)
             self.tell(begins=case.origin)
             self._warnings.clear()
-            Path("/proc/self/clear_refs").write_text("5", encoding="ascii")  # forgets the peak so far
+            Path("/proc/self/clear_refs").write_text("5", encoding="ascii")  # Resets the peak.
             before, start = memory("VmRSS"), time.perf_counter()
             outcome, finding, trace = self._outcome(case, folder)
             seconds, more = time.perf_counter() - start, max(0, memory("VmHWM") - before)
@@ -71,7 +71,7 @@ class Worker:
             shutil.rmtree(folder, ignore_errors=True)
 
     def _outcome(self, case: Case, folder: Path) -> tuple[str, str, str]:
-        """Outcome, finding and traceback of a case."""
+        """Return outcome, finding and traceback of a case."""
         try:
             return self._kinds[case.kind].run(case, folder), "", ""
         except Finding as error:
@@ -81,7 +81,7 @@ class Worker:
             return "finding", f"wrong exception {type(error).__name__}: {text[:300]}", _trace(error)
 
     def _aftermath(self, folder: Path) -> str:
-        """Return a finding about what a case left behind."""
+        """Return a finding about resources that a case did not release."""
         printed, self._printed = self._printed, os.fstat(2).st_size
         if self._printed > printed:
             return "text was printed"
@@ -98,14 +98,14 @@ def memory(name: str) -> int:
 
 
 def _trace(error: BaseException) -> str:
-    """Return the last calls of a traceback, those of the package first of all."""
+    """Return the last calls of a traceback, calls within the package first."""
     frames = traceback.extract_tb(error.__traceback__)
     own = [frame for frame in frames if "/nearfar/" in frame.filename] or frames
     return " < ".join(f"{'/'.join(Path(f.filename).parts[-2:])}:{f.lineno} {f.name}" for f in reversed(own[-3:]))
 
 
 def all_kinds(*, own_only: bool) -> dict[str, Kind]:
-    """Return the kinds by name; `own_only` makes cases from files made here alone."""
+    """Return the kinds by name; `own_only` restricts them to generated files."""
     from tests.attack import (
         kind_arguments,
         kind_interrupts,
@@ -128,7 +128,7 @@ def main(report: int, listed: Path, *, probe: bool) -> str:
     resource.setrlimit(resource.RLIMIT_AS, (MAX_ADDRESSES, resource.getrlimit(resource.RLIMIT_AS)[1]))
     # The system kills this process when the one that started it dies, so that no hanging case stays behind.
     ctypes.CDLL(None).prctl(_SET_DEATH_SIGNAL, signal.SIGKILL)
-    if probe:  # without the package
+    if probe:  # Imported before the package.
         from tests.attack.kind_probe import KIND
 
         worker = Worker(report, {KIND.name: KIND})

@@ -1,4 +1,4 @@
-"""Tests of code that cannot look for signals in a thread of its own: results and errors, and Ctrl-C while it works."""
+"""Tests of blocking code run in a background thread so that Ctrl-C works: results, errors and interrupts."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from tests.support import need
 
 
 class Work:
-    """Work that ends when it is told to, whatever is raised in the meantime."""
+    """Work that ends on command, whatever is raised in the meantime."""
 
     def __init__(self) -> None:
         self.began, self.may_end = threading.Event(), threading.Event()
@@ -70,17 +70,17 @@ def test_other_threads_call_directly() -> None:
     assert seen == [True]
 
 
-def test_ctrl_c_leaves_work_that_never_ends() -> None:
+def test_ctrl_c_abandons_endless_work() -> None:
     work = Work()
     interrupt_once(work.began)
     with pytest.raises(KeyboardInterrupt):
         background.run(work)
-    # It still waits, although its caller is here.
+    # The abandoned work still waits, although its caller has returned.
     work.may_end.set()
     assert background.run(lambda: 4) == 4
 
 
-def test_what_abandoned_work_returns_is_dropped() -> None:
+def test_results_of_abandoned_work_are_dropped() -> None:
     class Large:
         pass
 
@@ -103,7 +103,7 @@ def test_work_that_runs_alone_waits_for_abandoned_work_and_other_work_does_not()
     with pytest.raises(KeyboardInterrupt):
         background.run(first, alone=True)
     assert background.run(lambda: 4) == 4
-    # The next one waits for the first, and may be interrupted as well.
+    # The next call waits for the first, and can be interrupted as well.
     waits = threading.Timer(0.2, signal.raise_signal, [signal.SIGINT])
     if os.name != "nt":
         waits = threading.Timer(0.2, os.kill, [os.getpid(), signal.SIGINT])
@@ -117,10 +117,8 @@ def test_work_that_runs_alone_waits_for_abandoned_work_and_other_work_does_not()
     assert second.began.is_set()
 
 
-def test_a_module_that_was_left_half_imported_is_whole_the_next_time(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    # Like trimesh, it catches what interrupts the import of a part, and would do without that part from then on.
+def test_an_interrupted_import_is_complete_the_next_time(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    # Like trimesh, it catches exceptions in the import of a part, and would then work without that part.
     (tmp_path / "slow_part.py").write_text("import importing\nimporting.began.set()\nimporting.may_end.wait()\n")
     (tmp_path / "careless.py").write_text("try:\n    import slow_part\nexcept BaseException:\n    slow_part = None\n")
     work = Work()
@@ -163,7 +161,7 @@ ENDS: dict[str, Callable[[], str]] = {
 
 
 @pytest.mark.parametrize("name", ENDS)
-def test_a_program_ends_that_left_work_behind(name: str) -> None:
+def test_a_program_with_abandoned_work_ends(name: str) -> None:
     code = f"""
 import os, signal, threading, time
 from nearfar._base import background

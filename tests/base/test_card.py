@@ -1,4 +1,4 @@
-"""Tests of the cards that notebooks show: escaped, in the page's colours, and never in the way of the object."""
+"""Tests of notebook cards: escaped, in the page's colours, and never an obstacle to showing the object."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ EVIL = "<script>alert('\"&\"')</script>"
 
 
 class Broken:
-    """An object whose card fails, and whose `repr` may fail, too."""
+    """An object whose card fails, and optionally its `repr`."""
 
     def __init__(self, text: Callable[[], str]) -> None:
         self._text = text
@@ -56,14 +56,14 @@ def test_an_object_whose_repr_fails_shows_its_class() -> None:
 
 
 @pytest.mark.parametrize("shape", [(1, 1, 3), (3, 5000, 3), (5000, 3, 4), (100, 100, 3), (2000, 2000, 3)])
-def test_pictures_have_a_size_that_pages_show_well(shape: tuple[int, int, int]) -> None:
+def test_pictures_are_scaled_to_a_readable_size(shape: tuple[int, int, int]) -> None:
     picture = decoded(card.png(np.full(shape, 200, np.uint8)))
     assert max(picture.shape[:2]) <= card.MAX_PIXELS
     assert max(picture.shape[:2]) >= card.MIN_PIXELS // 2
     assert (picture == 200).all()
 
 
-def test_plots_leave_out_what_axes_cannot_show() -> None:
+def test_plots_omit_values_that_axes_cannot_show() -> None:
     x = np.array([0.0, 1.0, 10.0, 100.0, 1000.0, np.inf])
     y = np.array([1.0, 2.0, np.nan, 0.0, 8.0, 9.0])
     shown = Card(card.plot([card.Line(x, y, points=(x, y))], "x", "y", log_y=True))
@@ -74,7 +74,7 @@ def test_plots_leave_out_what_axes_cannot_show() -> None:
 
 @pytest.mark.parametrize("values", [[], [5.0], [5.0, 5.0], [np.nan, np.nan]])
 @pytest.mark.parametrize("log_y", [False, True])
-def test_plots_of_next_to_nothing_are_drawn(values: list[float], log_y: bool) -> None:
+def test_plots_of_few_values_are_drawn(values: list[float], log_y: bool) -> None:
     line = card.Line(np.array(values), np.array(values))
     assert Card(card.plot([line], "x", "y", log_y=log_y)).count("svg") == 1
 

@@ -1,4 +1,4 @@
-"""Tests of single checks of arguments, beside those that pass every hostile value to every public function."""
+"""Tests of argument checks, besides those that pass every hostile value to every public function."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import pytest
 from nearfar._base import check as checks
 
 check: Any = checks
-"""Without its types, because the tests pass wrong ones."""
+"""Untyped, because the tests pass wrong types."""
 
 
 @pytest.mark.parametrize(
@@ -27,7 +27,7 @@ check: Any = checks
         (lambda: check.size("size", "12"), TypeError, "size: expected .width, height. in pixels, got '12'"),
     ],
 )  # fmt: skip
-def test_messages_say_what_came(call: Callable[[], Any], kind: type[Exception], message: str) -> None:
+def test_messages_quote_the_received_value(call: Callable[[], Any], kind: type[Exception], message: str) -> None:
     with pytest.raises(kind, match=message):
         call()
 
@@ -45,7 +45,7 @@ def test_values_in_messages_are_short() -> None:
     assert check.value_or_type(np.zeros(9)) == "ndarray"
 
 
-def test_what_is_usable_passes() -> None:
+def test_usable_values_pass() -> None:
     assert check.flag("copy", np.bool_(False)) is False
     assert check.path("path", Path("a")) == Path("a")
     assert check.texts("names", iter("ab")) == ["a", "b"]

@@ -1,4 +1,4 @@
-"""Tests that `distribute` gives the same results in this process, in processes and on a cluster, and ends on errors."""
+"""Tests of `distribute`: equal results in this process, in worker processes and on a cluster, and errors."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def test_processes_share_the_threads_of_the_machine(monkeypatch: pytest.MonkeyPa
     assert distribute(environment, ["NEARFAR_NUM_THREADS"], label="looking") == [(os.getpid(), "1")]
 
 
-def test_progress_is_that_of_all_items(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_progress_covers_all_items(monkeypatch: pytest.MonkeyPatch) -> None:
     shown: list[Any] = []
 
     @contextmanager
@@ -102,7 +102,7 @@ if __name__ == "__main__":
 """
 
 
-def started(folder: Path, code: str, *arguments: str) -> subprocess.Popen[str]:
+def start_script(folder: Path, code: str, *arguments: str) -> subprocess.Popen[str]:
     script = folder / "script.py"
     script.write_text(code)
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
@@ -111,8 +111,8 @@ def started(folder: Path, code: str, *arguments: str) -> subprocess.Popen[str]:
 
 
 @pytest.mark.slow
-def test_a_script_without_a_guard_is_told_of_it(tmp_path: Path) -> None:
-    program = started(tmp_path, UNGUARDED)
+def test_a_script_without_a_main_guard_is_told_so(tmp_path: Path) -> None:
+    program = start_script(tmp_path, UNGUARDED)
     message = program.communicate(timeout=120)[1]
     assert message.splitlines()[-1].startswith("RuntimeError: workers: a process ended at once")
 
@@ -121,7 +121,7 @@ def test_a_script_without_a_guard_is_told_of_it(tmp_path: Path) -> None:
 @pytest.mark.parametrize("work", ["endless", "half_written"])
 def test_ctrl_c_ends_all_processes(tmp_path: Path, work: str) -> None:
     need("linux")
-    program = started(tmp_path, ENDLESS, work)
+    program = start_script(tmp_path, ENDLESS, work)
 
     def until(is_reached: Any) -> bool:
         deadline = time.monotonic() + 600
@@ -129,18 +129,18 @@ def test_ctrl_c_ends_all_processes(tmp_path: Path, work: str) -> None:
             time.sleep(0.05)
         return bool(is_reached())
 
-    def begun() -> list[str]:
+    def started_items() -> list[str]:
         return [text for number in range(4) if (path := tmp_path / str(number)).exists() and (text := path.read_text())]
 
     try:
-        assert until(lambda: len(begun()) == 2)
+        assert until(lambda: len(started_items()) == 2)
         program.send_signal(signal.SIGINT)
         message = program.communicate(timeout=600)[1]
         assert message.splitlines()[-1] == "KeyboardInterrupt"
-        assert until(lambda: not any(Path(f"/proc/{worker}").exists() for worker in begun()))
+        assert until(lambda: not any(Path(f"/proc/{worker}").exists() for worker in started_items()))
         assert (tmp_path / "own").read_text() == "True"  # a process that others made goes on
         # An executor starts one item more than it has workers; that one ends at its first report.
-        assert len(begun()) <= 3
+        assert len(started_items()) <= 3
     finally:
         program.kill()
         program.wait()

@@ -1,4 +1,4 @@
-"""Replacing files and folders: names of any length, links, permissions, kills, and what dead owners left."""
+"""Replacing files and folders: long names, links, permissions, kills, and leftovers of dead processes."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def content_of(target: Path) -> str:
     return (target / "manifest.json").read_text()
 
 
-def killed(code: str, *arguments: object) -> None:
+def run_killed(code: str, *arguments: object) -> None:
     """Run code whose process ends at once, as by kill −9."""
     head = "import os, sys; from nearfar import _core; from nearfar._base import aside, files\n"
     process = subprocess.run([sys.executable, "-c", head + code, *map(str, arguments)], timeout=600, check=False)
@@ -35,7 +35,7 @@ def killed(code: str, *arguments: object) -> None:
 @pytest.mark.parametrize(
     "name", ["a" * 249, "a" * 240 + ".scene", "b" * 255, "é" * 124, "名" * 83 + ".名", "." + "x" * 248]
 )
-def test_names_may_be_as_long_as_the_system_takes(name: str, tmp_path: Path) -> None:
+def test_names_may_have_the_maximum_length(name: str, tmp_path: Path) -> None:
     for content in (b"first", b"second"):
         with files.atomic_file(tmp_path / name) as temporary:
             temporary.write_bytes(content)
@@ -46,7 +46,7 @@ def test_names_may_be_as_long_as_the_system_takes(name: str, tmp_path: Path) -> 
     assert len(list(tmp_path.iterdir())) == 2
 
 
-def test_links_and_permissions_stay(tmp_path: Path) -> None:
+def test_links_and_permissions_are_kept(tmp_path: Path) -> None:
     need("linux")
     real, link = tmp_path / "real.bin", tmp_path / "link.bin"
     real.write_bytes(b"old")
@@ -79,7 +79,7 @@ def test_two_folders_are_exchanged_at_once(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("error", [OSError, KeyboardInterrupt, MemoryError])
 @pytest.mark.parametrize("call", [1, 2])
-def test_what_is_replaced_comes_back(
+def test_a_failed_replacement_restores_the_old_file(
     error: type[BaseException], call: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     target = tmp_path / "scene"
@@ -115,32 +115,32 @@ def test_a_folder_survives_a_kill_at_any_step(tmp_path: Path) -> None:
             if exchange and step == "_core.exchange_paths":
                 continue
             if not exchange and step == "os.rename":
-                continue  # it is not called
-            killed(f"{exchange}{die}{write}", target)
+                continue  # not called
+            run_killed(f"{exchange}{die}{write}", target)
             aside.restore(target)
             assert content_of(target) in ("old", "new"), (step, exchange)
             save(target, "old")
             assert list(tmp_path.iterdir()) == [target], (step, exchange)
 
 
-def test_a_scene_that_was_set_aside_is_found(tmp_path: Path) -> None:
+def test_loading_restores_a_scene_that_was_set_aside(tmp_path: Path) -> None:
     reduced = nf.reduce(nf.datasets.room(), center=(-1.9, 1.55, 2.25), r1=1.7, r2=3.4, face_size=16)
     target = tmp_path / "light"
     reduced.save(target)
-    killed("os.rename(sys.argv[1], aside.replaced(files.Path(sys.argv[1]))); os._exit(9)", target)
+    run_killed("os.rename(sys.argv[1], aside.replaced(files.Path(sys.argv[1]))); os._exit(9)", target)
     assert not target.exists()
     assert nf.ReducedScene.load(target).stats["near"] == reduced.stats["near"]
     assert list(tmp_path.iterdir()) == [target]
 
 
-def test_only_the_dead_are_cleared(tmp_path: Path) -> None:
+def test_only_leftovers_of_dead_processes_are_removed(tmp_path: Path) -> None:
     need("linux")
     target, other = tmp_path / "a.bin", tmp_path / ".a.notours.bin"
     other.write_bytes(b"")
     for _ in range(3):
-        killed("with files.atomic_file(sys.argv[1]): os._exit(9)", target)
+        run_killed("with files.atomic_file(sys.argv[1]): os._exit(9)", target)
     left = set(tmp_path.iterdir()) - {other}
-    assert len(left) == 2  # a file and its lock: each process clears what the one before left
+    assert len(left) == 2  # A file and its lock: each process removes those that the previous one left.
     with files.atomic_file(target) as living, files.atomic_file(target) as second:
         assert not left & set(tmp_path.iterdir())
         assert living.exists()
@@ -154,15 +154,13 @@ def test_pipes_and_devices_are_not_replaced(tmp_path: Path) -> None:
     need("linux")
     pipe = tmp_path / "pipe.json"
     os.mkfifo(pipe)
-    with pytest.raises(OSError, match="is a pipe, a socket or a device, expected a place") as raised:
+    with pytest.raises(OSError, match="is a pipe, a socket or a device, expected a file path") as raised:
         nf.hmd.VIVE_PRO.save(pipe)
     assert raised.value.filename == str(pipe)
     assert stat.S_ISFIFO(pipe.stat().st_mode)
 
 
-def test_nothing_stays_after_an_interrupt_between_making_and_writing(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_interrupt_before_writing_leaves_no_temporary_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     touch = Path.touch
 
     def interrupted(path: Path, **settings: bool) -> None:

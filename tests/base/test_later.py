@@ -1,4 +1,4 @@
-"""Tests of work that is done in the background while its caller does other things."""
+"""Tests of background work whose caller continues meanwhile."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def wait_until(later: background.Later[int]) -> None:
     assert later.ready
 
 
-def test_the_caller_goes_on_and_gets_the_result_as_often_as_wanted() -> None:
+def test_the_caller_continues_and_may_read_the_result_repeatedly() -> None:
     may_end, calls = threading.Event(), []
 
     def work() -> int:
@@ -40,7 +40,7 @@ def test_the_caller_goes_on_and_gets_the_result_as_often_as_wanted() -> None:
     assert calls[0] != threading.get_ident()
 
 
-def test_errors_are_raised_where_the_result_is_asked_for() -> None:
+def test_errors_are_raised_when_the_result_is_read() -> None:
     def work() -> int:
         raise LookupError("missing")
 
@@ -78,7 +78,7 @@ def test_work_sees_the_callers_context_and_shows_no_progress() -> None:
     assert not progress._hidden.get()
 
 
-def test_without_threads_the_work_is_done_when_it_is_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_without_threads_reading_the_result_does_the_work(monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(*_: object) -> int:
         raise RuntimeError("can't start new thread")
 
@@ -117,7 +117,7 @@ def test_a_forked_child_does_the_work_itself() -> None:
     assert os.waitstatus_to_exitcode(status[1]) == 7
 
 
-def test_a_program_ends_although_work_goes_on() -> None:
+def test_a_program_ends_despite_unfinished_work() -> None:
     code = "from nearfar._base import background\nbackground.Later(lambda: exec('while True: pass'))\nprint('end')"
     process = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=False)
     assert (process.returncode, process.stdout, process.stderr) == (0, "end\n", "")

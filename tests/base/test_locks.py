@@ -1,4 +1,4 @@
-"""Locks of files between processes, with the system's locks and on file systems that have none."""
+"""File locks between processes, with the system's locks and on file systems without locks."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def file_system(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch)
 
 
 def start(path: Path, file_system: str) -> subprocess.Popen[str]:
-    """Start a process that takes the lock, says so, and holds it until its input ends; it is ready to take it."""
+    """Start a process that takes the lock, reports it, and holds it until its input ends; it may still be waiting."""
     command = [sys.executable, "-W", "ignore", "-c", HOLD, str(path), file_system]
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
     process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment)
@@ -54,7 +54,7 @@ def start(path: Path, file_system: str) -> subprocess.Popen[str]:
 
 @contextmanager
 def holder(path: Path, file_system: str) -> Iterator[subprocess.Popen[str]]:
-    """Another process that holds the lock; it is killed at the end."""
+    """Yield another process that holds the lock; it is killed at the end."""
     with start(path, file_system) as process:
         assert process.stdout is not None
         assert process.stdout.readline() == "held\n"

@@ -1,4 +1,4 @@
-"""Results that do not fit into memory: errors before work begins."""
+"""Results that exceed memory: errors before work begins."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ import nearfar as nf
 from nearfar._base import memory
 
 
-def test_what_cannot_fit_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_results_that_exceed_memory_are_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     system, group = tmp_path / "meminfo", tmp_path
     monkeypatch.setattr(memory, "_SYSTEM", system)
     monkeypatch.setattr(memory, "_GROUP", group)
-    memory.check_room("size", "a result", 1 << 60)  # the system does not say
+    memory.check_room("size", "a result", 1 << 60)  # The system does not report its memory.
     system.write_text("MemTotal: 99 kB\nMemAvailable:    2000000 kB\nSwapFree: 1000000 kB\n", encoding="ascii")
     memory.check_room("size", "a result", 3_000_000_000)
     with pytest.raises(MemoryError, match=r"size: a result takes 4\.0 GB of memory, and 3\.1 GB"):
@@ -32,7 +32,7 @@ def test_what_cannot_fit_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPa
 
 
 @pytest.mark.parametrize("backend", ["cpu", None])
-def test_pictures_that_cannot_fit_are_refused(backend: str | None, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_pictures_that_exceed_memory_are_refused(backend: str | None, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(memory, "_room", lambda: 1 << 30)
     scene = nf.Scene.from_arrays(np.eye(3, dtype=np.float32), np.array([[0, 1, 2]], np.uint32))
     large = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(60), size=(20_000, 20_000))

@@ -1,4 +1,4 @@
-"""Tests of progress bars in notebooks: one output, which is empty in the end."""
+"""Tests of progress bars in notebooks: one output, which is empty at the end."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from tests.support import need
 
 
 class Cell:
-    """Stands for the handle of a displayed output."""
+    """Stand-in for the handle of a displayed output."""
 
     def __init__(self) -> None:
         self.texts: list[str] = []
@@ -49,7 +49,7 @@ def test_a_bar_is_one_output_that_ends_empty(monkeypatch: pytest.MonkeyPatch) ->
     assert not any("inner" in text for text in cell.texts)
 
 
-def test_a_process_without_a_kernel_is_no_notebook() -> None:
+def test_a_process_without_a_kernel_is_not_a_notebook() -> None:
     need("notebook")
     import ipykernel
 

@@ -24,7 +24,7 @@ WORD = st.integers(0, 2**64 - 1)
 
 
 # arguments -----------------------------------------------------------------------------------------------------------
-def test_array_keeps_float_types_and_copies_nothing_that_fits() -> None:
+def test_array_keeps_float_types_and_does_not_copy_unnecessarily() -> None:
     for dtype in (np.float32, np.float64):
         points = np.zeros((4, 3), dtype)
         assert check.array("points", points) is points
@@ -33,7 +33,7 @@ def test_array_keeps_float_types_and_copies_nothing_that_fits() -> None:
     assert check.array("points", np.zeros((2, 3), np.float16)).dtype == np.float64
 
 
-def test_array_straightens_strides_and_alignment() -> None:
+def test_array_makes_strided_and_unaligned_input_contiguous() -> None:
     columns = np.asfortranarray(np.arange(12.0).reshape(4, 3))
     straight = check.array("points", columns)
     assert straight.flags.c_contiguous
@@ -96,13 +96,13 @@ def test_masked_values_are_refused(name: str, call: Callable[[Any], Any]) -> Non
 
 
 # errors --------------------------------------------------------------------------------------------------------------
-def test_own_errors_are_one_family() -> None:
+def test_own_errors_share_a_base_class() -> None:
     for kind in (nf.SceneError, nf.FormatError, nf.DeviceError):
         assert issubclass(kind, nf.Error)
         assert not issubclass(kind, ValueError | OSError)
 
 
-def test_a_panic_is_an_ordinary_exception_and_the_pool_lives_on() -> None:
+def test_a_panic_is_an_ordinary_exception_and_the_pool_survives() -> None:
     with pytest.raises(RuntimeError, match="internal error in nearfar, please report it: asked"):
         _core.probe("panic")
     assert _core.uniform(1, 2, np.arange(3, dtype=np.uint64)).shape == (3,)
@@ -151,7 +151,7 @@ def test_ctrl_c_stops_a_long_kernel(code: str) -> None:
     with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         assert process.stdout is not None
         assert process.stdout.readline().strip() == b"ready"
-        # Usually the kernel has begun by then; the interruption must count either way.
+        # Usually the kernel has begun by then; the interrupt must take effect either way.
         time.sleep(0.2)
         process.send_signal(signal.SIGINT)
         # Left alone, the probe waits for ever, and the picture takes hours.
@@ -174,7 +174,7 @@ def test_other_threads_run_while_a_kernel_works() -> None:
     worker.join()
 
 
-def test_an_exception_from_report_stops_the_kernel_and_comes_out() -> None:
+def test_an_exception_from_report_stops_the_kernel_and_is_raised() -> None:
     def report(_done: int, _total: int) -> None:
         raise LookupError("enough")
 
@@ -251,7 +251,7 @@ def test_bars_appear_on_a_terminal_only_after_a_while(
 
 # random numbers ------------------------------------------------------------------------------------------------------
 def mix(z: int) -> int:
-    """SplitMix64's finaliser in Python's unbounded integers, the oracle."""
+    """SplitMix64's finaliser in Python integers, the oracle."""
     mask = 2**64 - 1
     z = ((z ^ (z >> 30)) * 0xBF58476D1CE4E5B9) & mask
     z = ((z ^ (z >> 27)) * 0x94D049BB133111EB) & mask
@@ -272,7 +272,7 @@ def test_uniform_equals_the_oracle_exactly(seed: int, cell: int, index: list[int
     assert drawn.tolist() == [oracle(seed, cell, i) for i in index]
 
 
-def test_draws_keep_their_values_for_ever() -> None:
+def test_random_draws_never_change() -> None:
     # Scenes and studies are identified by their seeds; another mixer would change all of them.
     assert random.integers(0, 0, np.arange(6), 0, 1000).tolist() == [int(oracle(0, 0, i) * 1000) for i in range(6)]
     assert random.uniform(0, 0, [[0, 1], [2, 3]]).shape == (2, 2)

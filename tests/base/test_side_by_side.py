@@ -1,4 +1,4 @@
-"""Jobs in threads: results in order, few at a time, and errors in their turn."""
+"""Jobs in threads: results in order, a limited number at a time, and errors in order."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def test_results_come_in_the_order_of_jobs() -> None:
     assert list(side_by_side.results([])) == []
 
 
-def test_jobs_are_taken_when_those_before_have_begun() -> None:
+def test_jobs_are_drawn_when_earlier_ones_have_begun() -> None:
     taken = 0
 
     def jobs() -> Iterator[Callable[[], int]]:
@@ -36,7 +36,7 @@ def test_jobs_are_taken_when_those_before_have_begun() -> None:
     assert taken <= _core.thread_count() + 1
 
 
-def test_an_error_is_raised_in_its_turn() -> None:
+def test_an_error_is_raised_in_order() -> None:
     def fail() -> int:
         raise RuntimeError("of the job")
 

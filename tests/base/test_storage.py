@@ -18,7 +18,7 @@ from nearfar._base import cache, data, files, formats
 
 
 # files ---------------------------------------------------------------------------------------------------------------
-def test_a_file_appears_whole(tmp_path: Path) -> None:
+def test_a_file_appears_complete(tmp_path: Path) -> None:
     target = tmp_path / "picture.png"
     for content in (b"first", b"second"):
         with files.atomic_file(target) as aside:
@@ -40,7 +40,7 @@ def test_an_interrupted_write_leaves_the_old_file_and_nothing_else(tmp_path: Pat
     assert list(tmp_path.iterdir()) == [target]
 
 
-def test_a_killed_writer_leaves_no_half_file(tmp_path: Path) -> None:
+def test_a_killed_writer_leaves_no_partial_file(tmp_path: Path) -> None:
     target = tmp_path / "data.bin"
     code = (
         "import os, sys; from nearfar._base import files\n"
@@ -59,7 +59,7 @@ def test_new_files_have_ordinary_permissions(tmp_path: Path) -> None:
     assert (tmp_path / "ours").stat().st_mode == (tmp_path / "plain").stat().st_mode
 
 
-def test_unwritable_places_are_named_before_the_work(tmp_path: Path) -> None:
+def test_unwritable_paths_are_named_before_work_begins(tmp_path: Path) -> None:
     (tmp_path / "file").write_bytes(b"")
     worked = False
     for place in (tmp_path / "missing" / "a.png", tmp_path / "file" / "a.png", tmp_path):
@@ -69,7 +69,7 @@ def test_unwritable_places_are_named_before_the_work(tmp_path: Path) -> None:
         assert not worked
 
 
-def test_a_folder_appears_whole_and_replaces_only_our_own(tmp_path: Path) -> None:
+def test_a_folder_appears_complete_and_replaces_only_its_own_kind(tmp_path: Path) -> None:
     target = tmp_path / "scene"
     for content in ("first", "second"):
         with files.atomic_folder(target) as aside:
@@ -84,7 +84,7 @@ def test_a_folder_appears_whole_and_replaces_only_our_own(tmp_path: Path) -> Non
     assert list(tmp_path.iterdir()) == [target]
 
 
-def test_a_folder_may_be_the_current_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_folder_may_be_the_working_directory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     target = tmp_path / "scene"
     target.mkdir()
     monkeypatch.chdir(target)
@@ -176,10 +176,10 @@ def test_every_schema_is_a_schema() -> None:
 
 
 # cache ---------------------------------------------------------------------------------------------------------------
-def test_keys_tell_values_apart() -> None:
+def test_different_values_have_different_keys() -> None:
     parts: list[Any] = [1, 1.0, "1", b"1", True, None, (1,), ((1,),), (1, 1), [], {}, {"a": 1}, {"a": 2}]
     parts += [np.array([1], dtype) for dtype in (np.int32, np.int64, np.float32)] + [np.array([[1]], np.int32)]
-    # Lists and tuples are the same value; everything else differs.
+    # Lists and tuples have equal keys; everything else differs.
     assert len({cache.key(part) for part in parts}) == len(parts)
     assert cache.key("ab", "c") != cache.key("a", "bc")
     assert cache.key({"a": 1, "b": 2}) == cache.key({"b": 2, "a": 1})
@@ -195,7 +195,7 @@ def write(size: int) -> Callable[[Path], None]:
     return make
 
 
-def test_a_result_is_made_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_result_is_computed_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path))
     made = []
 
@@ -209,7 +209,7 @@ def test_a_result_is_made_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
     assert len(made) == 1
 
 
-def test_the_least_recently_used_goes_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_least_recently_used_entry_is_evicted_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path))
     monkeypatch.setenv("NEARFAR_CACHE_MAX_GB", "3e-6")
     keys = [cache.key(i) for i in range(4)]

@@ -24,7 +24,7 @@ def angle(a: Array, b: Array) -> Array:
 
 
 def directions(count: int, seed: float = 0.5) -> Array:
-    """Evenly spread directions (a spherical Fibonacci set)."""
+    """Return evenly spread directions (a spherical Fibonacci set)."""
     n = np.arange(count) + seed
     y, turn = 1.0 - 2.0 * n / count, n * np.pi * (3.0 - np.sqrt(5.0))
     r = np.sqrt(1.0 - y * y)
@@ -33,7 +33,9 @@ def directions(count: int, seed: float = 0.5) -> Array:
 
 @pytest.mark.parametrize("kind", ["blend", "cylinder"])
 @pytest.mark.parametrize("offset", USERS)
-def test_bent_rays_are_where_the_morph_shows_their_points(kind: str, offset: tuple[float, float, float]) -> None:
+def test_bent_rays_pass_through_points_that_the_morph_shows_in_their_direction(
+    kind: str, offset: tuple[float, float, float]
+) -> None:
     user, rays, tolerance = CENTER + np.array(offset), directions(2000), 1e-4
     lines = nf.bend_rays(rays, user=user, tolerance=tolerance, kind=kind, **RADII)
     assert lines.dtype == np.float64
@@ -154,7 +156,7 @@ def cards(count: int = 6000) -> nf.Scene:
 
 
 @pytest.mark.parametrize(("beyond", "folds"), [(-2.0, False), (4.0, True)])
-def test_pictures_fold_where_the_margin_says_and_nowhere_else(beyond: float, folds: bool) -> None:
+def test_pictures_fold_exactly_beyond_the_margin(beyond: float, folds: bool) -> None:
     margin = nf.fold_margin(CENTER, **RADII)
     user = CENTER + np.array([margin + beyond, 0, 0])
     reduced = nf.reduce(cards(), face_size=8, samples=1, **RADII)
@@ -184,7 +186,7 @@ def reduced(scene: nf.Scene, request: pytest.FixtureRequest) -> nf.ReducedScene:
 
 
 def oracle(reduced: nf.ReducedScene, scene: nf.Scene, view: nf.Camera) -> NDArray[np.int64]:
-    """Triangles along bent rays, each traced segment by segment with a tolerance of 1e-4 pixels."""
+    """Trace triangles along bent rays, segment by segment with a tolerance of 1e-4 pixels."""
     width, height = view.size
     _, rays = view.rays()
     rays = rays.reshape(-1, 3)
@@ -201,7 +203,7 @@ def oracle(reduced: nf.ReducedScene, scene: nf.Scene, view: nf.Camera) -> NDArra
 
 
 @pytest.mark.parametrize("offset", USERS)
-def test_exact_frames_are_those_of_rays_bent_one_by_one(
+def test_exact_frames_equal_rays_bent_one_by_one(
     reduced: nf.ReducedScene, scene: nf.Scene, offset: tuple[float, float, float]
 ) -> None:
     view = camera(CENTER + np.array(offset), (1, -0.05, -0.2), (96, 54))
@@ -214,7 +216,7 @@ def test_exact_frames_are_those_of_rays_bent_one_by_one(
 
 
 @pytest.mark.parametrize("offset", USERS)
-def test_exact_pixels_show_the_points_that_the_morph_puts_there(
+def test_exact_pixels_show_points_that_the_morph_maps_there(
     reduced: nf.ReducedScene, offset: tuple[float, float, float]
 ) -> None:
     view = camera(CENTER + np.array(offset), (1, -0.05, -0.2))
@@ -231,7 +233,7 @@ def test_exact_pixels_show_the_points_that_the_morph_puts_there(
     np.testing.assert_allclose(frame.require("range")[near], distance, atol=1e-3)
 
 
-def test_vertex_and_exact_frames_agree_but_for_edges(reduced: nf.ReducedScene) -> None:
+def test_vertex_and_exact_frames_agree_except_at_edges(reduced: nf.ReducedScene) -> None:
     view = camera(CENTER + np.array([3.0, 0.2, 6.0]), (1, 0.0, 0.3), (480, 270))
     images = {
         (method, env): reduced.render(view, method=method, channels=("face_id", "color"), env=env)
@@ -241,14 +243,14 @@ def test_vertex_and_exact_frames_agree_but_for_edges(reduced: nf.ReducedScene) -
     for env in (True, False):
         a, b = images["vertex", env], images["exact", env]
         assert (a.require("face_id") != b.require("face_id")).mean() < 5e-3
-    # The map shows the hits of the ideal picture's rays, resampled.
+    # The map shows hits of the ideal picture's rays, resampled.
     far = (images["exact", True].require("face_id") < 0) & (images["exact", False].require("face_id") >= 0)
     error = np.abs(images["exact", True].require("color") - images["exact", False].require("color"))[far]
     assert far.sum() > 1000
     assert np.median(error) < 0.01
 
 
-def test_the_ideal_picture_of_the_conventional_method_has_its_break(scene: nf.Scene) -> None:
+def test_the_ideal_conventional_picture_breaks_at_r2(scene: nf.Scene) -> None:
     plain = nf.reduce(scene, face_size=64, samples=1, morph="none", **RADII)
     view = camera(CENTER + np.array([0.0, 0, 8.0]), (1, 0, -0.3))
     ideal = plain.render(view, env=False, channels=("position", "face_id"))
@@ -291,7 +293,7 @@ def test_users_anywhere_get_a_picture(
         ((-4.79, 1.22, 3.23), (-5.0, 0.61, 1.61), 110),
     ],
 )
-def test_exact_frames_miss_the_morph_by_no_more_than_their_tolerance(
+def test_exact_frames_deviate_from_the_morph_by_at_most_their_tolerance(
     user: tuple[float, float, float], aim: tuple[float, float, float], fov: float
 ) -> None:
     # A ground of one-metre cells, so that the rounding of hits is far below the tolerance.
@@ -317,7 +319,7 @@ def test_exact_frames_miss_the_morph_by_no_more_than_their_tolerance(
         assert (angle(shown, rays[bent]) / pixel[bent]).max() <= tolerance
 
 
-def test_exact_frames_refuse_what_has_no_bent_rays(reduced: nf.ReducedScene) -> None:
+def test_exact_frames_refuse_settings_without_bent_rays(reduced: nf.ReducedScene) -> None:
     flat = nf.Camera((4.0, 2.7, -1.0), fov=nf.Orthographic(-5, 5, -5, 5), size=(8, 8))
     build = SceneBuilder()
     build.instance(build.mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]), name="near")
@@ -327,7 +329,7 @@ def test_exact_frames_refuse_what_has_no_bent_rays(reduced: nf.ReducedScene) -> 
         alone.render(flat, method="exact")
 
 
-def test_bytes_do_not_depend_on_threads_or_on_the_last_frame(reduced: nf.ReducedScene, scene: nf.Scene) -> None:
+def test_bytes_do_not_depend_on_threads_or_earlier_frames(reduced: nf.ReducedScene, scene: nf.Scene) -> None:
     view = camera(CENTER + np.array([3.0, 0.2, 6.0]), (1, 0.0, 0.3))
     for method in ("vertex", "exact"):
         first = reduced.render(view, method=method, at={"car": place(20, 1, 4)}, channels=("color",))

@@ -18,7 +18,7 @@ TOLERANCE = 1e-6
 def point_on_polyline(
     line: NDArray[np.float64], user: Any, direction: NDArray[np.float64], s: float
 ) -> NDArray[np.float64]:
-    """Point of the polyline at a distance along the direction; its last segment continues without end."""
+    """Return the point of the polyline at a distance along the direction; its last segment extends to infinity."""
     along = (line - user) @ direction
     if s >= along[-1]:
         return np.asarray(line[-1] + (s - along[-1]) * direction)
@@ -40,6 +40,6 @@ def test_rays_bend_as_the_equation_says(case: dict[str, Any], kind: str) -> None
 
 
 @pytest.mark.parametrize("case", cases("bend", "cylinder_margins"))
-def test_the_cylinders_margin_is_the_way_to_its_near_radius(case: dict[str, Any]) -> None:
+def test_the_cylinders_margin_is_the_distance_to_its_near_radius(case: dict[str, Any]) -> None:
     place = {name: case[name] for name in ("center", "r1", "r2")}
     check(nf.fold_margin(case["user"], kind="cylinder", **place), case["margin"], case["tolerance"]["float64"])

@@ -21,7 +21,7 @@ VIEW = nf.Camera((1.0, 2.0, 3.0), fov=nf.Fov(-1.03553, 0.965689, -1.15, 1.0), si
 
 
 def exact_angle(center: Array, radius: float, eye: Array) -> Any:
-    """Exact solid angle 4π sin²(μ/2)."""
+    """Return the exact solid angle 4π sin²(μ/2)."""
     with mpmath.workdps(60):
         distance = mpmath.sqrt(sum((mpf(float(c)) - mpf(float(e))) ** 2 for c, e in zip(center, eye, strict=True)))
         if distance <= radius:
@@ -30,13 +30,13 @@ def exact_angle(center: Array, radius: float, eye: Array) -> Any:
 
 
 def sphere_at_angle(alpha: float, around: float, mu: float, distance: float = 10.0) -> tuple[Array, float]:
-    """A sphere of angular radius μ whose centre is at the angle α from VIEW's axis."""
+    """Return a sphere of angular radius μ whose centre is at the angle α from VIEW's axis."""
     direction = np.array([math.sin(alpha) * math.cos(around), math.sin(alpha) * math.sin(around), -math.cos(alpha)])
     return np.array(VIEW.position) + distance * direction, distance * math.sin(mu)
 
 
 def published(alpha: float, mu: float, lens: nf.RadialLens, omega: float) -> Any:
-    """Exact σ′/σ of Eq. 4.12, by 60 digits and bisection."""
+    """Return σ′/σ of Eq. 4.12, by 60 digits and bisection."""
     with mpmath.workdps(60):
 
         def displayed_tangent(angle: Any) -> Any:
@@ -52,7 +52,7 @@ def published(alpha: float, mu: float, lens: nf.RadialLens, omega: float) -> Any
 
 
 def area(alpha: float, mu: float, lens: nf.RadialLens, omega: float) -> float:
-    """Shown area of a sphere through a lens: the magnification integrated over the directions that it covers."""
+    """Return a sphere's displayed area through a lens: the magnification integrated over its directions."""
     node, weight = np.polynomial.legendre.leggauss(200)
     # u = sin²(θ/2) has equal areas for equal steps, and no cancellation.
     top = math.sin(mu / 2) ** 2
@@ -85,7 +85,7 @@ def test_solid_angles_are_right_to_a_few_ulps(x: float, y: float, z: float, shar
     assert abs(found - exact) <= 12 * 2.0**-52 * exact / max(beside, 1e-8) + 1e-320
 
 
-def test_solid_angles_of_what_is_small_far_or_around_the_eye() -> None:
+def test_solid_angles_of_small_distant_and_enclosing_spheres() -> None:
     for distance, radius in ((1.0, 1e-12), (1e12, 1.0), (1e-170, 1e-171), (1e200, 1e199), (1e-310, 1e-311)):
         found = nf.solid_angle([[0, distance, 0]], radius, eye=(0, 0, 0))[0]
         assert found == pytest.approx(float(exact_angle(np.array([0, distance, 0]), radius, np.zeros(3))), rel=1e-15)
@@ -96,7 +96,7 @@ def test_solid_angles_of_what_is_small_far_or_around_the_eye() -> None:
 
 
 @given(st.floats(0, 1.2), st.floats(0, 6.28), st.floats(-7, 0))
-def test_the_published_size(alpha: float, around: float, power: float) -> None:
+def test_the_size_equals_the_published_formula(alpha: float, around: float, power: float) -> None:
     mu = 10.0**power * 0.3
     center, radius = sphere_at_angle(alpha, around, mu)
     own = nf.solid_angle(center[None], radius, eye=VIEW.position)[0]
@@ -107,7 +107,7 @@ def test_the_published_size(alpha: float, around: float, power: float) -> None:
 
 @pytest.mark.parametrize("alpha", [0.0, 0.02, 0.4, 0.75, 1.1])
 @pytest.mark.parametrize("mu", [1e-5, 1.9e-3, 2.1e-3, 0.03, 0.3])
-def test_the_area_that_is_shown(alpha: float, mu: float) -> None:
+def test_the_size_equals_the_displayed_area(alpha: float, mu: float) -> None:
     for lens in (RIFT_S, nf.RadialLens((-0.003,)), nf.RadialLens(())):
         center, radius = sphere_at_angle(alpha, 1.0, mu)
         found = nf.corrected_solid_angle(center[None], radius, camera=VIEW, lens=lens, exact=True)[0]
@@ -134,7 +134,7 @@ def test_the_lens_radius_may_be_given() -> None:
         assert np.array_equal(found, expected)
 
 
-def test_the_rift_shrinks_in_two_directions() -> None:
+def test_the_rift_lens_shrinks_radially_and_tangentially() -> None:
     view = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(87), size=(100, 100))
     angle = math.radians(43)
     center = np.array([[math.sin(angle), 0.0, -math.cos(angle)]])
@@ -144,7 +144,7 @@ def test_the_rift_shrinks_in_two_directions() -> None:
         assert found / own == pytest.approx(expected, abs=2e-3)
 
 
-def test_sizes_that_no_lens_changes() -> None:
+def test_sizes_are_unchanged_where_no_lens_applies() -> None:
     centers = np.array([[1, 2, 13.0], [1, 2, 3.1], [4.0, 2, 3.0], [1, 2, -2.0]])
     radii = [1.0, 0.5, 1.0, 0.7]
     own = nf.solid_angle(centers, radii, eye=VIEW.position)

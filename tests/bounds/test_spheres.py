@@ -26,7 +26,7 @@ def dot(a: Point, b: Point) -> Fraction:
 
 
 def solved(matrix: list[Point], right: Point) -> Point | None:
-    """Solution of a small linear system in rational numbers; None if it is singular."""
+    """Return the solution of a small linear system in rational numbers; None if it is singular."""
     rows = [[*row, value] for row, value in zip(matrix, right, strict=True)]
     size = len(rows)
     for i in range(size):
@@ -42,7 +42,7 @@ def solved(matrix: list[Point], right: Point) -> Point | None:
 
 
 def least_radius(points: Array) -> float:
-    """Exact radius of the smallest sphere: the least of the spheres about two to four points that enclose all."""
+    """Return the exact radius of the smallest enclosing sphere, by trying all spheres through two to four points."""
     exact = [[Fraction(float(x)) for x in point] for point in points]
     least: Fraction | None = None
     for count in range(1, 5):
@@ -68,7 +68,7 @@ def least_radius(points: Array) -> float:
 
 
 def outside(points: Array, center: Array, radius: float) -> float:
-    """Distance of the farthest point outside the sphere, in units in the last place of the radius."""
+    """Return the distance of the farthest point outside the sphere, in units in the last place of the radius."""
     away = points.astype(np.longdouble) - center.astype(np.longdouble)
     farthest = float(np.sqrt((away**2).sum(axis=1)).max())
     return float((farthest - radius) / np.spacing(radius))
@@ -79,7 +79,7 @@ coordinate = st.one_of(st.integers(-3, 3).map(float), st.floats(-1e3, 1e3, allow
 
 @pytest.mark.slow
 @given(st.lists(st.tuples(coordinate, coordinate, coordinate), min_size=1, max_size=7), st.sampled_from([1e-8, 1, 1e8]))
-def test_few_points_have_the_least_sphere_in_exact_arithmetic(rows: list[tuple[float, ...]], scale: float) -> None:
+def test_few_points_have_the_exact_smallest_sphere(rows: list[tuple[float, ...]], scale: float) -> None:
     points = np.array(rows) * scale
     center, radius = nf.bounding_sphere(points)
     assert outside(points, center, radius) <= 4
@@ -113,7 +113,7 @@ def families() -> Iterator[tuple[str, Array, float]]:
 
 @pytest.mark.parametrize("case", list(families()), ids=lambda case: case[0])
 @pytest.mark.parametrize("scale", [1e-300, 1e-8, 1.0, 1e8, 1e200])
-def test_degenerate_points_have_the_least_sphere(case: tuple[str, Array, float], scale: float) -> None:
+def test_degenerate_points_have_the_smallest_sphere(case: tuple[str, Array, float], scale: float) -> None:
     _, points, radius = case
     center, found = nf.bounding_sphere(points * scale)
     # Differences between points near zero and much smaller ones have no digits below 1e-308.
@@ -126,7 +126,7 @@ def test_degenerate_points_have_the_least_sphere(case: tuple[str, Array, float],
         assert outside(points * scale, middle, other) <= 4 or scale == 1e-300
 
 
-def test_far_from_zero_digits_of_differences_are_kept() -> None:
+def test_points_far_from_zero_keep_the_digits_of_their_differences() -> None:
     _, points, _ = next(case for case in families() if case[0] == "cospherical")
     grid = np.round(points * 2**20) / 2**20
     _, radius = nf.bounding_sphere(grid)
@@ -138,7 +138,7 @@ def test_far_from_zero_digits_of_differences_are_kept() -> None:
 
 
 @given(st.integers(0, 2**32 - 1), st.integers(1, 12_000), st.sampled_from([np.float32, np.float64]))
-def test_any_cloud_is_held_and_no_smaller_sphere_holds_its_extremes(seed: int, count: int, kind: type) -> None:
+def test_clouds_are_enclosed_and_no_smaller_sphere_encloses_their_extremes(seed: int, count: int, kind: type) -> None:
     random = np.random.default_rng(seed)
     shape = random.choice(["ball", "box", "shell", "needle"])
     points = random.normal(size=(count, 3))
@@ -160,7 +160,7 @@ def test_any_cloud_is_held_and_no_smaller_sphere_holds_its_extremes(seed: int, c
 
 
 @pytest.mark.parametrize("scale", [1.0, 1e-8])
-def test_another_exact_solver_finds_the_same(scale: float) -> None:
+def test_another_exact_solver_agrees(scale: float) -> None:
     need("miniball")
     import miniball
 
@@ -176,7 +176,7 @@ def test_another_exact_solver_finds_the_same(scale: float) -> None:
         assert np.linalg.norm(center - theirs) <= 1e-6 * radius
 
 
-def test_groups_are_what_single_calls_find() -> None:
+def test_groups_equal_single_calls() -> None:
     random = np.random.default_rng(0)
     counts = [1, 2, 3, 4, 5, 100, 6000, 1]
     offsets = np.concatenate([[0], np.cumsum(counts)])
@@ -193,7 +193,7 @@ def test_groups_are_what_single_calls_find() -> None:
     assert nf.bounding_spheres(points, [3])[1].shape == (0,)
 
 
-def test_approximate_kinds_are_their_definitions() -> None:
+def test_approximate_methods_equal_their_definitions() -> None:
     points = np.random.default_rng(1).normal(size=(10_000, 3)) * [3, 2, 1] + np.array([5, 0, 0])
     mean, middle = points.mean(axis=0), (points.min(axis=0) + points.max(axis=0)) / 2
     found = {}

@@ -19,7 +19,7 @@ TURNED = (0.18257418583505536, 0.3651483716701107, -0.5477225575051661, 0.730296
 
 
 def grid(width: int, height: int) -> tuple[np.ndarray, np.ndarray]:
-    """Positions of all pixel centres as fractions of width and height, from the left and from the top."""
+    """Return positions of all pixel centres as fractions of width and height, from the left and from the top."""
     return np.meshgrid((np.arange(width) + 0.5) / width, (np.arange(height) + 0.5) / height)
 
 
@@ -91,7 +91,7 @@ def test_projection_inverts_rays(projection: Projection, position: tuple[float, 
     assert np.isnan(behind).all()
 
 
-def test_the_camera_s_own_place_has_no_image() -> None:
+def test_the_camera_position_has_no_image() -> None:
     camera = nf.Camera((1, 2, 3), fov=ASYMMETRIC, size=(4, 4))
     assert np.isnan(camera.project([[1, 2, 3]])).all()
     assert camera.project(np.empty((0, 3))).shape == (0, 3)
@@ -152,7 +152,7 @@ def test_cube_faces_are_square() -> None:
         nf.Camera((0, 0, 0), fov=nf.CubeFace(0), size=(4, 5))
 
 
-def test_what_is_no_direction_or_field_of_view_is_refused() -> None:
+def test_invalid_directions_and_fields_of_view_are_refused() -> None:
     with pytest.raises(ValueError, match="target: expected another point"):
         nf.Camera.look_at((1, 2, 3), (1, 2, 3), fov=ASYMMETRIC, size=(4, 4))
     with pytest.raises(ValueError, match="up: expected a direction away"):

@@ -33,7 +33,7 @@ fars = st.one_of(st.just(math.inf), st.floats(1.001, 1e7))
 
 
 def exact_depth(z: Any, near: float, far: float, reverse: bool) -> Any:
-    """Exact depth of a distance along the axis, by the projections of graphics textbooks."""
+    """Return the exact depth at a distance along the axis, by the projections of graphics textbooks."""
     n, z = Decimal(near), Decimal(z)
     if math.isinf(far):
         return n / z if reverse else 1 - n / z
@@ -42,7 +42,7 @@ def exact_depth(z: Any, near: float, far: float, reverse: bool) -> Any:
 
 
 def exact_distance(depth: Any, near: float, far: float, reverse: bool) -> Any:
-    """Exact distance along the axis of a depth."""
+    """Return the exact distance along the axis at a depth."""
     n, t = Decimal(near), Decimal(depth)
     if math.isinf(far):
         return n / t if reverse else n / (1 - t)
@@ -62,7 +62,7 @@ def off(found: float, true: Any) -> float:
 
 
 def matrix(fov: nf.Fov, near: float, far: float, *, reverse: bool, opengl: bool, sign: int) -> Array:
-    """A projection matrix as programs build it, in float64: z is `sign` times the distance."""
+    """Return a projection matrix as programs build it, in float64: z is `sign` times the distance."""
     sx, sy = 2 / (fov.right - fov.left), 2 / (fov.up - fov.down)
     ox = (fov.right + fov.left) / (fov.right - fov.left)
     oy = (fov.up + fov.down) / (fov.up - fov.down)
@@ -79,7 +79,7 @@ def matrix(fov: nf.Fov, near: float, far: float, *, reverse: bool, opengl: bool,
 
 # against exact arithmetic --------------------------------------------------------------------------------------------
 @given(tangents, nears, fars, st.booleans(), st.integers(1, 150), st.integers(1, 4), st.integers(0, 2**32 - 1))
-def test_ranges_are_those_of_exact_arithmetic(
+def test_ranges_equal_exact_arithmetic(
     fov: nf.Fov, near: float, far: float, reverse: bool, width: int, height: int, seed: int
 ) -> None:
     far *= near
@@ -113,7 +113,7 @@ def test_parallel_rays_have_linear_depth(near: float, far: float, reverse: bool,
 
 
 @pytest.mark.parametrize("dtype", [np.uint16, np.uint32])
-def test_whole_numbers_stand_for_shares_of_their_greatest(dtype: type) -> None:
+def test_integers_are_fractions_of_their_maximum(dtype: type) -> None:
     most = 2**16 - 1 if dtype is np.uint16 else 2**24 - 1
     stored: Array = np.array([[0, 1, most // 3, most - 1, most]], dtype)
     for reverse in (True, False):
@@ -128,7 +128,7 @@ def test_whole_numbers_stand_for_shares_of_their_greatest(dtype: type) -> None:
 
 
 @pytest.mark.parametrize("dtype", [np.uint16, np.uint32, np.float32, np.float64])
-def test_the_order_of_bytes_changes_nothing(dtype: type) -> None:
+def test_byte_order_changes_nothing(dtype: type) -> None:
     stored: Array = np.array([[0, 1, 1, 0]], dtype)
     expected = nf.range_from_depth(stored, FOV, near=0.5)
     for swapped in (stored.astype(stored.dtype.newbyteorder("<")), stored.astype(stored.dtype.newbyteorder(">"))):
@@ -137,7 +137,7 @@ def test_the_order_of_bytes_changes_nothing(dtype: type) -> None:
         np.testing.assert_array_equal(found, expected)
 
 
-def test_cube_faces_are_alike() -> None:
+def test_all_cube_faces_have_the_same_ranges() -> None:
     depth = np.random.default_rng(0).uniform(0.01, 1, (6, 9, 9)).astype(np.float32)
     found = nf.range_from_depth(depth, nf.CubeFace(0), near=0.1)
     for face in range(6):
@@ -152,7 +152,7 @@ def test_cube_faces_are_alike() -> None:
 @pytest.mark.parametrize("far", [math.inf, 300.0])
 @pytest.mark.parametrize("opengl", [True, False])
 @pytest.mark.parametrize("sign", [-1, 1])
-def test_a_matrix_says_it_all(fov: nf.Fov, reverse: bool, far: float, opengl: bool, sign: int) -> None:
+def test_a_matrix_replaces_all_other_arguments(fov: nf.Fov, reverse: bool, far: float, opengl: bool, sign: int) -> None:
     near, depths = 0.1, "-1..1" if opengl else "0..1"
     rows = matrix(fov, near, far, reverse=reverse, opengl=opengl, sign=sign)
     z = np.geomspace(0.1001, 299.0, 90).reshape(9, 10)
@@ -168,7 +168,7 @@ def test_a_matrix_says_it_all(fov: nf.Fov, reverse: bool, far: float, opengl: bo
     np.testing.assert_allclose(back, depth, rtol=0, atol=1e-14)
 
 
-def test_a_matrix_of_parallel_rays() -> None:
+def test_an_orthographic_matrix_is_accepted() -> None:
     near, far = 0.5, 20.0
     rows = np.array([[0.5, 0, 0, 0.1], [0, 0.25, 0, 0], [0, 0, -1 / (far - near), -near / (far - near)], [0, 0, 0, 1]])
     depth = np.linspace(0, 0.99, 12).reshape(3, 4)
@@ -181,8 +181,8 @@ def test_a_matrix_of_parallel_rays() -> None:
     )
 
 
-def test_a_matrix_whose_far_plane_lies_beyond_infinity() -> None:
-    """Depth moved towards the eye, so that nothing at infinity is clipped (Lengyel's 2⁻²²)."""
+def test_a_matrix_with_a_far_plane_beyond_infinity() -> None:
+    """Depth is shifted towards the eye, so that nothing at infinity is clipped (Lengyel's 2⁻²²)."""
     rows = matrix(FOV, 0.1, math.inf, reverse=False, opengl=False, sign=-1)
     rows[2, 2] += 2.0**-22
     depth = np.array([[0.5, 1 - 2.0**-22, 1 - 2.0**-23, 1.0]])
@@ -205,7 +205,7 @@ def test_depth_and_range_are_inverse(fov: nf.Fov, near: float, far: float, rever
     assert nf.depth_from_range(found.astype(np.float32), fov, **planes).dtype == np.float32
 
 
-def test_ranges_of_a_rendered_scene_come_back() -> None:
+def test_ranges_of_a_rendered_scene_are_recovered() -> None:
     scene = nf.datasets.room()
     camera = nf.Camera.look_at((0.3, 1.6, 0.2), (2, 1.2, -3), fov=FOV, size=(160, 120))
     frame = nf.render(scene, camera, channels=("range",))
@@ -237,7 +237,7 @@ def test_beyond_the_far_plane_nothing_is_drawn() -> None:
 
 # what rounding costs -------------------------------------------------------------------------------------------------
 def stored(depth: Any, depth_format: str) -> Array:
-    """An exact depth rounded once to the nearest value that a format has."""
+    """Return an exact depth rounded once to the nearest value of a format."""
     if depth_format == "float32":
         # The conversion through float64 may round twice, an error of 2⁻²⁹ of a step.
         return np.array([[float(depth)]], np.float32)
@@ -251,10 +251,8 @@ AXIS = nf.Fov(-1e-9, 1e-9, -1e-9, 1e-9)
 @pytest.mark.parametrize("depth_format", FORMATS)
 @pytest.mark.parametrize("reverse", [True, False])
 @pytest.mark.parametrize(("near", "far"), [(0.1, math.inf), (0.1, 1e4), (0.01, math.inf), (1.0, 2e4)])
-def test_the_bound_is_never_exceeded_and_never_far_off(
-    depth_format: str, reverse: bool, near: float, far: float
-) -> None:
-    """From 0.1 m to 10 km."""
+def test_the_bound_holds_and_is_tight(depth_format: str, reverse: bool, near: float, far: float) -> None:
+    """Distances from 0.1 m to 10 km."""
     random = np.random.default_rng(1)
     for middle in np.geomspace(max(near, 0.1) * 1.1, 9e3, 12):
         worst, bound = 0.0, 0.0
@@ -335,7 +333,7 @@ def test_wrong_arguments_are_named(words: str, arguments: dict[str, Any]) -> Non
 
 
 @pytest.mark.parametrize("kind", [np.float16, np.longdouble, np.uint8, np.int8, np.int32, np.int64, np.uint64, bool])
-def test_depth_of_types_that_do_not_say_what_1_is_are_refused(kind: type) -> None:
+def test_integer_types_without_a_defined_maximum_are_refused(kind: type) -> None:
     words = "depth: expected float32, float64, uint16 or uint32, got "
     if np.dtype(kind) == np.float64:
         pytest.skip("long double is float64 here")
@@ -344,7 +342,7 @@ def test_depth_of_types_that_do_not_say_what_1_is_are_refused(kind: type) -> Non
     assert nf.range_from_depth([[1.0, 0.5]], FOV, near=0.1).dtype == np.float64
 
 
-def test_distances_of_bounds_lie_between_the_planes() -> None:
+def test_bounds_are_for_distances_between_the_planes() -> None:
     with pytest.raises(ValueError, match="distance: expected 1 to 10 metres"):
         nf.range_error([0.5, 2.0], near=1.0, far=10.0)
 

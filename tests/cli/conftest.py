@@ -11,7 +11,7 @@ import typer.main
 
 @pytest.fixture(scope="session", autouse=True)
 def _save_time() -> Iterator[None]:
-    """Read the options of commands once, and draw small plots without their margins, whose sizes take most time."""
+    """Read the options of commands once, and draw small plots without margins, whose layout takes most of the time."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(typer.main, "get_command", functools.cache(typer.main.get_command))
         if importlib.util.find_spec("matplotlib"):

@@ -1,4 +1,4 @@
-"""Tests of commands on cities: the options that choose a level and heights, and what a folder keeps of them."""
+"""Tests of commands on cities: options for level and heights, and which of them a folder stores."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from nearfar.cli._app import run
-from tests.support.city_cases import collection, everything, feature, square, written
+from tests.support.city_cases import collection, everything, feature, square, write_json
 
 PLACE = ("--center", "-30,1.7,0", "--r1", "10", "--r2", "20", "--face-size", "8", "--samples", "1", "--size", "16x12")
 SMALL = (*PLACE[-4:], "--fov", "10")
@@ -21,13 +21,13 @@ def triangles(capsys: pytest.CaptureFixture[str], *arguments: str) -> int:
 
 
 def test_info_takes_a_level(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    path = str(written(tmp_path / "town.city.json", everything()))
+    path = str(write_json(tmp_path / "town.city.json", everything()))
     assert 0 < triangles(capsys, "-i", path, "--lod", "1") < triangles(capsys, "-i", path)
 
 
-def test_compare_takes_the_heights_that_reduce_took(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_compare_uses_the_heights_of_reduce(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     rows = (feature([square(10.0 * n, 0.0, 8.0)], roof=5.0 + n, height=1.0) for n in range(4))
-    path, folder = str(written(tmp_path / "town.geojson", collection(*rows))), str(tmp_path / "reduced")
+    path, folder = str(write_json(tmp_path / "town.geojson", collection(*rows))), str(tmp_path / "reduced")
     assert run(["reduce", "-i", path, "-o", folder, *PLACE, "--height", "roof"]) == 0
     report = json.loads((tmp_path / "reduced" / "report.json").read_text(encoding="utf-8"))
     assert report["parts"] == {"height": "roof"}
@@ -49,7 +49,7 @@ def test_wrong_options_are_named(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], name: str, arguments: tuple[str, ...], words: str
 ) -> None:
     document = everything() if "city" in name else collection(feature([square(0.0, 0.0, 8.0)]))
-    assert run(["info", "-i", str(written(tmp_path / name, document)), *arguments]) == 1
+    assert run(["info", "-i", str(write_json(tmp_path / name, document)), *arguments]) == 1
     assert words in capsys.readouterr().err
 
 

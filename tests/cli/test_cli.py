@@ -25,7 +25,7 @@ def pixels(path: Path) -> NDArray[np.uint8]:
         return np.asarray(picture.convert("RGB"))
 
 
-def test_info_says_what_a_scene_holds(city: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_info_describes_a_scene(city: Path, capsys: pytest.CaptureFixture[str]) -> None:
     status, out, _ = command(capsys, "info", "-i", city, "--json")
     assert status == 0
     report = document(out, "info")
@@ -129,7 +129,7 @@ def test_demo_does_the_whole_job(city: Path, tmp_path: Path, capsys: pytest.Capt
         (["demo", "-i", "CITY", "-o", "."], 1, "holds other files"),
     ],
 )
-def test_mistakes_are_one_sentence(
+def test_errors_of_the_main_commands_are_one_sentence(
     arguments: list[str],
     status: int,
     words: str,
@@ -150,13 +150,13 @@ def test_mistakes_are_one_sentence(
     assert [path.name for path in tmp_path.iterdir()] == ["somebodys.txt"]
 
 
-def test_the_program_itself_leaves_with_the_status() -> None:
-    # No program leaves with 2 by accident.
+def test_the_process_exits_with_the_status() -> None:
+    # No other program failure exits with 2.
     process = subprocess.run([sys.executable, "-m", "nearfar.cli", "info"], capture_output=True, text=True, timeout=600)
     assert process.returncode == 2, process.stderr
 
 
-def test_the_command_line_loads_late() -> None:
+def test_the_command_line_imports_lazily() -> None:
     code = "import sys, nearfar.cli; print(any(m.partition('.')[0] in ('typer', 'rich') for m in sys.modules))"
     process = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=600, check=True)
     assert process.stdout.strip() == "False"
@@ -194,7 +194,7 @@ def test_commands_read_files_of_other_units(tmp_path: Path, capsys: pytest.Captu
     assert (status, err) == (1, "nearfar: --scale: expected a number above 0, got 0.0\n")
 
 
-def test_files_that_unpack_to_much_are_read_on_request(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_files_that_expand_greatly_are_read_on_request(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "box.stl.gz"
     path.write_bytes(gzip.compress(trimesh.creation.box().export(file_type="stl")))
     status, _, err = command(capsys, "info", "-i", path, "--max-bytes", "100")
@@ -206,7 +206,7 @@ def test_files_that_unpack_to_much_are_read_on_request(tmp_path: Path, capsys: p
     assert (status, err) == (1, "nearfar: --max-bytes: expected none with room, which is no file, got 100\n")
 
 
-def test_no_folder_hides_a_procedural_scene(
+def test_a_folder_of_the_same_name_does_not_hide_a_procedural_scene(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(tmp_path)
@@ -220,9 +220,7 @@ def test_no_folder_hides_a_procedural_scene(
 
 
 @pytest.mark.parametrize("name", ["reduce", "compare"])
-def test_reports_say_that_the_unit_may_be_another(
-    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_reports_warn_of_a_doubtful_unit(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "room.stl"
     trimesh.creation.box((4000, 2500, 5000)).export(path)
     # A narrow view, because the pictures in which tears are measured have a headset's density.
@@ -270,7 +268,7 @@ def test_both_eyes_of_a_headset_are_rendered(city: Path, tmp_path: Path, capsys:
         (("--hmd", "quest_2", "-o", "view.exr"), "view.exr: expected a name ending in .png"),
     ],
 )
-def test_what_headsets_cannot_do_is_said(
+def test_unsupported_headset_options_are_errors(
     city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...], sentence: str
 ) -> None:
     status, _, err = command(capsys, "render", "-i", city, "-o", tmp_path / "view.png", *arguments)

@@ -47,7 +47,7 @@ def test_the_document_is_valid_and_its_files_are_there(compared: tuple[Path, dic
 
 
 @pytest.mark.slow
-def test_measures_are_those_of_the_functions(city: Path, compared: tuple[Path, dict[str, Any]]) -> None:
+def test_measures_equal_the_library_functions(city: Path, compared: tuple[Path, dict[str, Any]]) -> None:
     _, document = compared
     scene = nf.Scene.load(city)
     fov = nf.Fov.symmetric(45, 192 / 120)
@@ -115,7 +115,7 @@ def test_reports_show_every_picture_and_measure(compared: tuple[Path, dict[str, 
         ({"--min-psnr": "5"}, {"--min-ssim": "0.9999", "--max-discontinuity": "-1", "--max-tear": "1e-6"}),
     ],
 )
-def test_thresholds_end_the_command(
+def test_thresholds_set_the_exit_status(
     city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], kept: dict[str, str], failed: dict[str, str]
 ) -> None:
     out = tmp_path / "out"
@@ -150,7 +150,7 @@ def test_thresholds_that_cannot_be_measured_fail(
         assert "the boundary is not in view" in text
 
 
-def test_equal_pictures_keep_a_least_psnr(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_equal_pictures_pass_a_psnr_threshold(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     near = ("--center", "0,1.7,0", "--r1", "900", "--r2", "1000", "--user", "0,1.7,0", "--min-psnr", "60")
     status, printed, _ = command(capsys, "compare", "-i", city, "-o", tmp_path / "out", *FAST, *near, "--json")
     document = json.loads(printed)
@@ -161,7 +161,7 @@ def test_equal_pictures_keep_a_least_psnr(city: Path, tmp_path: Path, capsys: py
 
 @pytest.mark.stress
 @pytest.mark.slow
-def test_the_default_view_shows_what_tells_the_methods_apart(
+def test_the_default_view_shows_differences_between_the_methods(
     city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     for command_name in ("compare", "reduce"):
@@ -198,7 +198,7 @@ def test_reports_say_what_is_missing(
     assert re.search(words, (tmp_path / "out" / "report.html").read_text(encoding="utf-8"))
 
 
-def test_mistakes_are_sentences(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_compare_errors_are_sentences(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for wrong, words in [
         (("--distance", "0"), "--distance"),
         (("--user", "1,2"), "--user: expected x,y,z"),

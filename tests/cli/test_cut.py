@@ -13,9 +13,7 @@ from tests.support.cli_cases import command
 CITY = "city:blocks=2,detail=0"
 
 
-def test_a_box_becomes_a_scene_file_that_other_commands_take(
-    capsys: pytest.CaptureFixture[str], tmp_path: Path
-) -> None:
+def test_a_box_becomes_a_scene_file_for_other_commands(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     file = tmp_path / "part.glb"
     status, out, _ = command(capsys, "cut", "-i", CITY, "-o", file, "--box", "0,0,60,60")
     city, part = nf.datasets.city(blocks=2, detail=0), nf.Scene.load(file)
@@ -27,7 +25,7 @@ def test_a_box_becomes_a_scene_file_that_other_commands_take(
 
 
 @pytest.mark.slow
-def test_tiles_are_a_world_again(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_written_tiles_load_as_a_world(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     tiles, file = tmp_path / "tiles", tmp_path / "part.glb"
     assert command(capsys, "cut", "-i", CITY, "-o", tiles, "--cell", "150")[0] == 0
     city = nf.datasets.city(blocks=2, detail=0)
@@ -46,7 +44,7 @@ def test_tiles_are_a_world_again(capsys: pytest.CaptureFixture[str], tmp_path: P
         (("-o", "part.obj", "--box", "0,0,1,1"), "expected a name ending in .glb"),
     ],
 )
-def test_what_cannot_be_cut_is_refused(
+def test_invalid_cuts_are_refused(
     capsys: pytest.CaptureFixture[str],
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,

@@ -1,4 +1,4 @@
-"""Default views show something: objects of any size, from scenes and from folders of reduced scenes."""
+"""Default views are not empty: objects of any size, from scenes and from folders of reduced scenes."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ SMALL = ("--size", "64x40", "--samples", "1", "--backend", "cpu")
 
 
 def share_of_changes(path: Path) -> float:
-    """Share of a picture's pixels that differ from the left one of their row, as the sky's hardly do."""
+    """Return the share of pixels that differ from their left neighbours, of which the sky has hardly any."""
     with Image.open(path) as picture:
         codes = np.asarray(picture.convert("RGB")).astype(int)
     return float((np.abs(codes - codes[:, :1]).max(axis=-1) > 16).mean())
 
 
 @pytest.mark.parametrize("size", [0.15, 2.0, 10.0, 150.0])
-def test_an_object_of_any_size_is_seen(size: float, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_object_of_any_size_is_visible(size: float, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "ball.stl"
     ball = trimesh.creation.icosphere(3, radius=size / 2)
     ball.vertices *= 1 + 0.1 * np.sin(9 * ball.vertices / size)
@@ -36,14 +36,14 @@ def test_an_object_of_any_size_is_seen(size: float, tmp_path: Path, capsys: pyte
         assert 0.02 < share_of_changes(tmp_path / name) < 0.5, name
 
 
-def test_a_folder_is_seen_as_its_report_shows_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_folder_is_shown_from_the_view_of_its_report(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     light = tmp_path / "light"
     assert command(capsys, "reduce", "-i", "room:detail=0", "-o", light, *SMALL, "--face-size", "32")[0] == 0
     assert command(capsys, "render", "-i", light, "-o", tmp_path / "seen.png", *SMALL)[0] == 0
     with Image.open(light / "continuous.png") as one, Image.open(tmp_path / "seen.png") as other:
         difference = np.abs(np.asarray(one.convert("RGB")).astype(int) - np.asarray(other.convert("RGB")))
     assert difference.mean() < 2.0
-    # Without its report, or with a damaged one, there is a view all the same.
+    # A view also exists without its report, or with a damaged one.
     report = json.loads((light / "report.json").read_text(encoding="utf-8"))
     for change in ({"target": "up"}, {"user": report["target"]}, {"user": [1, 2]}):
         (light / "report.json").write_text(json.dumps(report | change), encoding="utf-8")
@@ -69,7 +69,7 @@ def test_a_folder_without_near_geometry_is_described(tmp_path: Path, capsys: pyt
     assert "inf" not in out
 
 
-def test_stretched_headset_pictures_are_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_stretched_headset_pictures_are_noted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for size, stretched in (("64x40", True), ("72x72", False)):
         arguments = ("--hmd", "quest 2", "-o", tmp_path / "eyes.png", "--size", size, "--samples", "1", "--json")
         status, out, _ = command(capsys, "render", "-i", "room:detail=0", *arguments)

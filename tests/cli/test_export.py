@@ -50,7 +50,7 @@ def test_large_triangles_are_split(city: Path, tmp_path: Path, capsys: pytest.Ca
     assert triangles("--split", "20") > 2 * triangles()
 
 
-def test_a_url_takes_a_bundle_too(city: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_bundle_may_be_written_to_a_url(city: Path, capsys: pytest.CaptureFixture[str]) -> None:
     need("fsspec")
     url = "memory://cli/city"
     status, printed, err = command(capsys, "export", "-i", city, "-o", url, "--radii", "10", *FAST, "--json")
@@ -62,7 +62,7 @@ def test_a_url_takes_a_bundle_too(city: Path, capsys: pytest.CaptureFixture[str]
     assert "path: expected" in err
 
 
-def test_several_centres_move_to_a_grid(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_several_centres_are_moved_to_a_grid(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out, more = tmp_path / "bundle", ("--center", "9,1.7,8.6", "--center", "-0.3,1.7,0.2", "--grid", "2")
     status, printed, err = command(capsys, "export", "-i", city, "-o", out, "--radii", "10", *FAST, *more, "--json")
     assert status == 0, err
@@ -89,7 +89,7 @@ def test_several_centres_move_to_a_grid(city: Path, tmp_path: Path, capsys: pyte
         (("--center", "0,1.7,0"), "center: expected centres at least 0.001 m apart"),
     ],
 )
-def test_mistakes_are_named(
+def test_export_errors_are_named(
     arguments: tuple[str, str],
     text: str,
     city: Path,
@@ -107,7 +107,7 @@ def test_mistakes_are_named(
     assert not (tmp_path / "out").exists()
 
 
-def test_what_was_hardly_meant_is_told(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_probable_mistakes_are_noted(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     given = ("--radii", "4,4.5,9", "--face-size", "64", "--samples", "1")
     for center, text in (("0,-40,0", "below the scene's lowest point"), ("90000,1.7,0", "all rings are empty")):
         out = tmp_path / "bundle"

@@ -1,4 +1,4 @@
-"""Tests of commands on folders that `nearfar reduce` wrote, and of the extent-dependent defaults."""
+"""Tests of commands on folders written by `nearfar reduce`, and of the extent-dependent defaults."""
 
 from __future__ import annotations
 
@@ -18,39 +18,39 @@ FAST = ("--size", "96x60", "--samples", "1", "--face-size", "32")
 
 
 @pytest.fixture(scope="module")
-def light(city: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def reduced_folder(city: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("reduced") / "light"
     arguments = ["reduce", "-i", str(city), "-o", str(folder), "--center", "0,1.7,0", *FAST]
     assert run([*arguments, "--equirectangular", "exr"]) == 0
     return folder
 
 
-def test_info_describes_a_folder(light: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_info_describes_a_folder(reduced_folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     picture = tmp_path / "small.png"
-    status, out, err = command(capsys, "info", "-i", light, "--json", "--preview", picture)
+    status, out, err = command(capsys, "info", "-i", reduced_folder, "--json", "--preview", picture)
     assert (status, err) == (0, "")
     report = document(out, "info")
-    reduced = nf.ReducedScene.load(light)
+    reduced = nf.ReducedScene.load(reduced_folder)
     assert report["reduced"]["triangles"] == reduced.stats["triangles"] == 1212
     assert report["reduced"]["triangles_left"] == report["triangles"] == reduced.triangle_count
     assert report["reduced"]["map"]["channels"] == ["color"]
     assert report["preview"]["seconds"] >= 0
     with Image.open(picture) as image:
         assert np.asarray(image).std() > 5.0
-    assert command(capsys, "info", "-i", light)[0] == 0
+    assert command(capsys, "info", "-i", reduced_folder)[0] == 0
 
 
 @pytest.mark.parametrize("method", [None, "continuous", "conventional"])
 def test_render_shows_a_folder(
-    method: str | None, light: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    method: str | None, reduced_folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "a.png"
     chosen = () if method is None else ("--method", method)
     view = ("--eye", "0,1.7,4", "--target", "90,1,0", "--size", "96x60", "--samples", "1")
-    status, out, err = command(capsys, "render", "-i", light, "-o", path, *view, *chosen, "--json")
+    status, out, err = command(capsys, "render", "-i", reduced_folder, "-o", path, *view, *chosen, "--json")
     assert status == 0, err
     assert document(out, "render")["method"] == (method or "continuous")
-    reduced = nf.ReducedScene.load(light).with_morph("none" if method == "conventional" else "blend")
+    reduced = nf.ReducedScene.load(reduced_folder).with_morph("none" if method == "conventional" else "blend")
     camera = nf.Camera.look_at((0, 1.7, 4), (90, 1, 0), fov=nf.Fov.symmetric(90, 1.6), size=(96, 60))
     expected = reduced.render(camera, channels=("color",)).to_image()
     with Image.open(path) as image:
@@ -59,12 +59,12 @@ def test_render_shows_a_folder(
 
 @pytest.mark.slow
 @pytest.mark.stress
-def test_compare_measures_a_folder_against_the_scene_that_it_was_made_from(
-    city: Path, light: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+def test_compare_measures_a_folder_against_its_source_scene(
+    city: Path, reduced_folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     view = ("--user", "0,1.7,5", "--target", "90,1,0", "--size", "192x120", "--samples", "1", "--fov", "20", "--json")
     results = []
-    sources = ((light,), (light, "--truth", city), (city, "--center", "0,1.7,0", *FAST[-2:]))
+    sources = ((reduced_folder,), (reduced_folder, "--truth", city), (city, "--center", "0,1.7,0", *FAST[-2:]))
     for out, given in zip("abc", sources, strict=True):
         status, printed, err = command(capsys, "compare", "-i", *given, "-o", tmp_path / out, *view)
         assert status == 0, err
@@ -87,31 +87,31 @@ def test_compare_measures_a_folder_against_the_scene_that_it_was_made_from(
         (("partition",), "expected a scene file, got a folder with a reduced scene"),
     ],
 )
-def test_what_a_folder_cannot_do_is_said(
-    arguments: tuple[str, ...], words: str, light: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+def test_unsupported_options_for_folders_are_errors(
+    arguments: tuple[str, ...], words: str, reduced_folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:  # fmt: skip
     monkeypatch.chdir(tmp_path)
-    status, _, err = command(capsys, *arguments, "-i", light)
+    status, _, err = command(capsys, *arguments, "-i", reduced_folder)
     assert status == 1
     assert words in err
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_folder_without_its_scene_asks_for_it(
-    light: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+def test_a_folder_without_its_scene_requires_one(
+    reduced_folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    reduced = nf.ReducedScene.load(light)
+    reduced = nf.ReducedScene.load(reduced_folder)
     reduced.save(tmp_path / "alone")
     status, _, err = command(capsys, "compare", "-i", tmp_path / "alone", "-o", tmp_path / "out")
     assert status == 1
     assert "--truth: expected the scene that" in err
 
 
-def test_the_far_map_is_written_as_one_picture(light: Path, city: Path, tmp_path: Path) -> None:
-    _, parts = exr.read(light / "far-equirectangular.exr", "equirectangular", 1)
+def test_the_far_map_is_written_as_one_picture(reduced_folder: Path, city: Path, tmp_path: Path) -> None:
+    _, parts = exr.read(reduced_folder / "far-equirectangular.exr", "equirectangular", 1)
     red = parts["color"]["R"]
-    env = nf.EnvMap.load(light / "far.exr")
+    env = nf.EnvMap.load(reduced_folder / "far.exr")
     assert red.shape == (64, 128)
     expected = nf.convert_envmap(env.color, source="cube", target="equirectangular", size=64)
     # Half floats twice.

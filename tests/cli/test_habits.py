@@ -1,4 +1,4 @@
-"""Tests of what users of a shell expect: negative points, axes with a sign, progress in logs, plain words in help."""
+"""Tests of shell conventions: negative points, axes with a sign, progress in logs, plain words in help."""
 
 from __future__ import annotations
 

@@ -70,7 +70,7 @@ def test_mistakes_are_one_sentence(
     assert not list(tmp_path.glob("*.glb"))
 
 
-def test_ctrl_c_says_what_is_kept(
+def test_ctrl_c_reports_what_is_kept(
     mesh: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     done: list[int] = []

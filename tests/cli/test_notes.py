@@ -1,4 +1,4 @@
-"""Every command says what of a scene's file is not drawn as it is there."""
+"""Every command lists parts of a scene's file that are not drawn as specified."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def source(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 @pytest.mark.parametrize("name", COMMANDS)
-def test_every_command_says_what_is_not_drawn(
+def test_every_command_lists_what_is_not_drawn(
     name: str, source: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     notes = list(nf.Scene.load(source).report.notes)

@@ -27,7 +27,7 @@ def store(city: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
-def test_a_tree_is_built_looked_at_updated_checked_and_exported(
+def test_a_tree_is_built_shown_updated_checked_and_exported(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, city: Path, store: Path
 ) -> None:
     path, picture, plain = tmp_path / "city.zarr", tmp_path / "views.png", tmp_path / "plain.zarr"
@@ -48,7 +48,7 @@ def test_a_tree_is_built_looked_at_updated_checked_and_exported(
     assert status == 0
     updated = document(out, "orthoview_info")
     assert updated["generation"] == 1
-    assert updated["held"]["bytes"] < 0.9 * built["held"]["bytes"]  # the ground alone is left there
+    assert updated["held"]["bytes"] < 0.9 * built["held"]["bytes"]  # Only the ground remains there.
     status, out, _ = command(capsys, "orthoview", "verify", path, "--json")
     assert status == 0
     assert document(out, "orthoview_info")["files"] == nf.orthoview.open(path).verify()
@@ -75,11 +75,13 @@ def test_a_tree_is_written_for_splat_viewers(capsys: pytest.CaptureFixture[str],
     assert names[0] == names[1]
 
 
-def test_a_damaged_tree_is_a_sentence(capsys: pytest.CaptureFixture[str], tmp_path: Path, store: Path) -> None:
+def test_a_damaged_tree_is_reported_in_one_sentence(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, store: Path
+) -> None:
     copy = nf.orthoview.open(store).compact(tmp_path / "copy.zarr")
     shard = next(path for path in (Path(copy.path) / "0").rglob("0") if path.is_file())
     content = shard.read_bytes()
-    shard.unlink()  # the copy shares its files
+    shard.unlink()  # The copy shares its files.
     shard.write_bytes(content[:-1])
     status, out, err = command(capsys, "orthoview", "verify", copy.path)
     assert (status, out) == (1, "")
@@ -99,7 +101,7 @@ def test_a_damaged_tree_is_a_sentence(capsys: pytest.CaptureFixture[str], tmp_pa
         (("export", "new", "-o", "other", "--splats"), "no store of orthoviews"),
     ],
 )
-def test_wrong_calls_are_sentences(
+def test_wrong_options_of_orthoview_are_reported_in_one_sentence(
     capsys: pytest.CaptureFixture[str],
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,

@@ -15,7 +15,7 @@ from tests.support.cli_cases import city as city, command, document
 FAST = ("--size", "96x80", "--eye", "0,1.7,0", "--target", "30,1.7,-40")
 
 
-def test_pictures_and_measures_are_those_of_the_functions(
+def test_pictures_and_measures_equal_the_library_functions(
     city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     need("matplotlib")
@@ -65,7 +65,7 @@ def test_lines_bend_up_to_the_end_of_a_zone(city: Path, tmp_path: Path, capsys: 
     assert "8 m, lines bend up to 12 m" in (output / "report.html").read_text(encoding="utf-8")
 
 
-def test_a_folder_says_where_sharing_gains_nothing(
+def test_a_folder_notes_where_sharing_gains_nothing(
     city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     light = tmp_path / "light"
@@ -81,7 +81,7 @@ def test_a_folder_says_where_sharing_gains_nothing(
         assert any(words in finding for finding in found["findings"]) == bool(words)
 
 
-def test_a_table_is_printed_and_nothing_beyond_the_plane_is_said(
+def test_a_table_is_printed_and_an_empty_far_part_is_noted(
     city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     status, printed, _ = command(capsys, "stereo", "-i", city, "-o", tmp_path / "out", *FAST, "--mono-plane", "5000")
@@ -102,7 +102,7 @@ def test_a_table_is_printed_and_nothing_beyond_the_plane_is_said(
         (("--mono-plane", "0.05"), "--mono-plane: expected more than 0.1 metres, got 0.05"),
     ],
 )
-def test_wrong_options_are_refused_and_nothing_is_left(
+def test_wrong_options_are_refused_and_no_files_remain(
     city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], options: tuple[str, ...], words: str
 ) -> None:
     status, _, errors = command(capsys, "stereo", "-i", city, "-o", tmp_path / "out", *FAST, *options)

@@ -1,4 +1,4 @@
-"""Tests of commands on tilesets: the options that choose detail and place, and what a folder keeps of them."""
+"""Tests of commands on tilesets: options for detail and place, and which of them a folder stores."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SMALL = (*PLACE[-4:], "--fov", "10")
 
 @pytest.fixture
 def path(tmp_path: Path) -> Path:
-    """A coarse tile that four finer ones replace, around longitude 0 and latitude 0."""
+    """Return a coarse tile that four finer ones replace, around longitude 0 and latitude 0."""
     earth = [0.0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 6378137, 0, 0, 1]
     finer = [
         tile(
@@ -45,7 +45,7 @@ def test_info_takes_detail_and_place(path: Path, capsys: pytest.CaptureFixture[s
     assert np.allclose(document["bounds"], [[-0.5, 99.5, -0.5], [0.5, 100.5, 0.5]])  # type: ignore[arg-type]
 
 
-def test_compare_takes_the_tiles_that_reduce_took(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_compare_uses_the_tiles_of_reduce(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     folder, compared = str(path.parent / "reduced"), str(path.parent / "compared")
     assert run(["reduce", "-i", str(path), "-o", folder, *PLACE, "--error", "9", "--origin", "0,0,0"]) == 0
     report = json.loads((Path(folder) / "report.json").read_text(encoding="utf-8"))

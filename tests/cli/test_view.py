@@ -60,7 +60,7 @@ def test_the_page_is_written_beside_a_reduced_scene(tmp_path: Path, capsys: pyte
     assert "with_morph" in err
 
 
-def test_what_is_no_bundle_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_folders_that_are_no_bundle_are_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for more in ([], ["--write"]):
         status, _, err = command(capsys, "view", tmp_path / "nothing", *more)
         assert status == 1

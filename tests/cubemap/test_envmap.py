@@ -1,4 +1,4 @@
-"""Tests of environment maps: files, channels, look-up."""
+"""Tests of environment maps: files, channels, lookup."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def test_maps_survive_files(tmp_path: Path, half: bool) -> None:
     assert nf.EnvMap.load(tmp_path / "env.exr").channels == ("color",)
 
 
-def test_maps_say_what_they_are(tmp_path: Path) -> None:
+def test_maps_describe_themselves(tmp_path: Path) -> None:
     example().save(tmp_path / "env.exr")
     document, parts = exr.read(tmp_path / "env.exr", "envmap", 1)
     assert tuple(parts) == envmap.FACES
@@ -89,7 +89,7 @@ def test_half_ranges_are_off_by_their_stated_error(metres: float) -> None:
     assert abs(rounded - metres) <= 2**-11 * metres
 
 
-def test_half_ranges_keep_infinity_and_refuse_what_they_cannot_hold() -> None:
+def test_half_ranges_keep_infinity_and_refuse_overflow() -> None:
     kept = envmap.to_half(np.array([np.inf, 65504, 0], np.float32))
     np.testing.assert_array_equal(kept, np.array([np.inf, 65504, 0], np.float16))
     # 65,505 would round down to a float16; the documented limit applies to all values above 65,504.
@@ -124,7 +124,7 @@ def test_openexr_reads_maps(tmp_path: Path, half: bool) -> None:
             np.testing.assert_array_equal(part.header["center"], np.array(env.center, np.float32))
 
 
-def test_loading_refuses_what_is_no_map(tmp_path: Path) -> None:
+def test_loading_refuses_files_that_are_no_map(tmp_path: Path) -> None:
     path = tmp_path / "env.exr"
     path.write_bytes(b"garbage")
     with pytest.raises(nf.FormatError, match=r"env\.exr"):

@@ -25,7 +25,7 @@ def smooth(d: Array) -> Array:
 
 
 def everywhere(size: int, count: int = 40_000) -> Array:
-    """Directions over the whole sphere, a quarter of them near edges, a quarter near corners."""
+    """Return directions over the whole sphere, a quarter of them near edges, a quarter near corners."""
     d = np.random.default_rng(size).uniform(-1, 1, (count, 3))
     near = np.sign(d) + 4 * d / size
     d[::4] = near[::4]
@@ -34,20 +34,20 @@ def everywhere(size: int, count: int = 40_000) -> Array:
 
 
 def from_edge(d: Array, size: int) -> Array:
-    """Distance in texels from the nearest edge of the face that a direction hits."""
+    """Return the distance in texels from the nearest edge of the face that a direction hits."""
     ordered = np.sort(np.abs(d), axis=1)
     return np.asarray((1 - ordered[:, 1] / ordered[:, 2]) * size / 2)
 
 
 def keys(s: float) -> Array:
-    """Keys' kernel for a = −1/2 at the distances of four texels, from its definition by intervals."""
+    """Evaluate Keys' kernel for a = −1/2 at the distances of four texels, from its definition by intervals."""
     x = np.abs(np.array([s + 1, s, 1 - s, 2 - s]))
     inner = 1.5 * x**3 - 2.5 * x**2 + 1
     outer = -0.5 * x**3 + 2.5 * x**2 - 4 * x + 2
     return np.asarray(np.where(x <= 1, inner, outer))
 
 
-def test_cubic_is_keys_within_faces() -> None:
+def test_cubic_is_keys_interpolation_within_faces() -> None:
     size = 9
     rng = np.random.default_rng(0)
     faces = rng.uniform(-1, 1, (6, size, size, 2))
@@ -129,7 +129,7 @@ def test_cubic_joins_faces_smoothly() -> None:
 
 
 def angles_to_texels(d: Array, size: int) -> Array:
-    """Angle between a direction and each texel (6, S, S): 0 inside it, else the angle to its nearest border point."""
+    """Return the angle between a direction and each texel (6, S, S): 0 inside it, else to its nearest border point."""
     edges = np.arange(size + 1) * 2 / size - 1
     v, u = np.meshgrid(edges, edges, indexing="ij")
     one = np.ones_like(u)
@@ -160,7 +160,7 @@ def angles_to_texels(d: Array, size: int) -> Array:
 
 
 @given(st.integers(1, 20), st.integers(0, 2**32 - 1), st.floats(0, 1.5), st.integers(0, 3))
-def test_cones_hold_all_texels_that_they_touch(size: int, seed: int, radius: float, scale: int) -> None:
+def test_cones_contain_all_texels_that_they_touch(size: int, seed: int, radius: float, scale: int) -> None:
     check_cone(everywhere(size, 4)[seed % 4], size, radius * 0.1**scale, seed)
 
 
@@ -175,7 +175,7 @@ def check_cone(d: Array, size: int, radius: float, seed: int = 0) -> None:
 
 
 def check_every_texel(d: Array, size: int, radius: float) -> None:
-    """Use one channel for each texel, so that no texel hides behind another."""
+    """Use one channel for each texel, so that no texel hides another."""
     angles = angles_to_texels(d, size).ravel()
     faces = np.eye(angles.size, dtype=np.float32).reshape(6, size, size, -1)
     taken = nf.cube_lookup(faces, d, filter="max", radius=radius) == 1
@@ -218,7 +218,7 @@ def test_cones_refuse() -> None:
 
 
 def solid_angle(low: tuple[float, float], high: tuple[float, float]) -> float:
-    """Solid angle of a rectangle on a face by Gauss and Legendre: 40 points leave an error of 1e-30 on a whole face."""
+    """Return the solid angle of a rectangle on a face by Gauss–Legendre; 40 points leave an error of 1e-30."""
     x, w = np.polynomial.legendre.leggauss(40)
     u, v = ((b - a) / 2 * x + (a + b) / 2 for a, b in zip(low, high, strict=True))
     density = (1 + u[:, None] ** 2 + v**2) ** -1.5
@@ -241,7 +241,7 @@ def test_solid_angles(size: int) -> None:
 
 
 def shares(size: int) -> Array:
-    """Coverage of each row of a level by each row of the next: (S', S, 2) positions −1..1, empty ones 0."""
+    """Return coverage of each row of a level by each row of the next: (S', S, 2) positions −1..1, empty ones 0."""
     after = max(1, size // 2)
     low = np.maximum(np.arange(after)[:, None] * 2 / after, np.arange(size) * 2 / size)
     high = np.minimum((np.arange(after)[:, None] + 1) * 2 / after, (np.arange(size) + 1) * 2 / size)
@@ -325,7 +325,7 @@ def with_nan(size: int, channels: int, share: float, seed: int) -> Array:
 
 
 def extremum(values: Array, name: str) -> Array:
-    """Least or greatest of rows (N, C), NaN if all are NaN, without NumPy's warning."""
+    """Return the minimum or maximum of rows (N, C), NaN if all are NaN, without NumPy's warning."""
     choose, nothing = (np.min, np.inf) if name == "min" else (np.max, -np.inf)
     found = choose(np.where(np.isnan(values), nothing, values), axis=0, initial=nothing)
     return np.asarray(np.where(np.isnan(values).all(axis=0), np.nan, found))
@@ -369,7 +369,7 @@ def test_extremes_skip_nan(size: int, channels: int, share: float, seed: int, na
 
 
 @pytest.mark.parametrize("name", ["min", "max"])
-def test_nan_do_not_depend_on_places(name: str) -> None:
+def test_nan_handling_does_not_depend_on_position(name: str) -> None:
     """A mirrored map, whose first texels are the last ones, gives the results of the mirrored cone."""
     for size, radius in itertools.product((4, 5, 16, 33), (None, 0.1, 0.9)):
         faces = with_nan(size, 1, 0.7, size)[..., 0]

@@ -47,7 +47,7 @@ def octahedral(d: Array, size: int) -> tuple[float, float]:
 
 
 @given(st.integers(1, 40), st.integers(0, 2**32 - 1))
-def test_texels_are_where_the_formulas_say(size: int, seed: int) -> None:
+def test_texel_directions_equal_the_formulas(size: int, seed: int) -> None:
     for d in np.random.default_rng(seed).normal(size=(20, 3)):
         for layout in ("equirectangular", "octahedral"):
             number = int(nf.envmap_texels(d, size=size, layout=layout))
@@ -153,7 +153,7 @@ def test_infinite_ranges_do_not_become_nan(source: str) -> None:
 
 
 @pytest.mark.parametrize("target", LAYOUTS)
-def test_samples_are_means_of_finer_pictures(target: str) -> None:
+def test_samples_equal_means_of_finer_pictures(target: str) -> None:
     """The 3 × 3 samples lie at the texel centres of a map three times as fine."""
     values = np.random.default_rng(0).uniform(-1, 1, (32, 64))
     for name, choose in (("linear", np.mean), ("cubic", np.mean), ("min", np.min), ("max", np.max)):
@@ -179,7 +179,7 @@ def test_samples_are_means_of_finer_pictures(target: str) -> None:
         ("cube", (6, 49, 49)),
     ],
 )
-def test_picked_texels_stay_in_their_own_layout(layout: str, shape: tuple[int, ...], name: str) -> None:
+def test_picked_texels_survive_conversion_to_the_same_layout(layout: str, shape: tuple[int, ...], name: str) -> None:
     """At a texel's centre its neighbours have no weight, up to rounding."""
     values = np.random.default_rng(0).uniform(size=shape)
     values[..., ::5] = np.nan
@@ -206,8 +206,8 @@ def test_extremes_skip_nan(source: str) -> None:
         np.testing.assert_array_equal(nf.convert_envmap(values, **settings, filter=name), expected)
 
 
-def test_folds_of_octahedra_are_of_the_first_order() -> None:
-    """Errors at and away from folds are those that the documentation states."""
+def test_errors_at_octahedral_folds_are_of_first_order() -> None:
+    """Errors at folds and elsewhere equal those that the documentation states."""
     found = []
     for size in (64, 128, 256):
         values = smooth(nf.envmap_directions(size, layout="octahedral"))
@@ -248,7 +248,7 @@ def test_refuses(change: dict[str, Any], words: str) -> None:
         nf.convert_envmap(given.pop("values"), **given)
 
 
-def test_refuses_what_has_no_direction_and_other_types() -> None:
+def test_refuses_zero_directions_and_other_types() -> None:
     with pytest.raises(ValueError, match=r"directions.*index 1"):
         nf.envmap_texels([(1, 0, 0), (0, 0, 0)], size=4, layout="octahedral")
     for layout, size in (("cube", (4, 8)), ("cube", np.array([4, 8])), ("equirectangular", np.array([4.0, 8.0]))):

@@ -1,4 +1,4 @@
-"""Tests of cube map look-ups against independent slow definitions."""
+"""Tests of cube map lookups against independent slow definitions."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ AXES = {
 
 
 def texel_points(size: int) -> dict[tuple[int, int, int], tuple[int, int, int]]:
-    """Centres of all texels on the cube of half edge `size`, which makes them whole numbers."""
+    """Return centres of all texels on the cube of half edge `size`, which makes them integers."""
     points = {}
     for face, (normal, right, down) in AXES.items():
         for row, column in itertools.product(range(size), repeat=2):
@@ -39,7 +39,7 @@ def texel_points(size: int) -> dict[tuple[int, int, int], tuple[int, int, int]]:
 
 
 def patches(size: int) -> list[list[tuple[int, int, int]]]:
-    """Quads and triangles between neighbouring texel centres: inside faces, across edges, at corners."""
+    """Return quads and triangles between neighbouring texel centres: inside faces, across edges, at corners."""
     centers = range(1 - size, size, 2)
     signs = (-size, size)
     found: list[list[NDArray[np.int64]]] = []

@@ -1,4 +1,4 @@
-"""Tests of the pictures that notebooks show of environment maps."""
+"""Tests of notebook previews of environment maps."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def test_minus_z_is_in_the_middle_and_plus_x_to_the_right() -> None:
     np.testing.assert_array_equal(decoded(png), picture)
 
 
-def test_bright_maps_are_dimmed_and_say_so() -> None:
+def test_bright_maps_are_dimmed_with_a_note() -> None:
     shown = Card(faces(brightness=100.0)._repr_html_())
     assert "colours × 0.01" in shown.text
     np.testing.assert_array_equal(shown.pictures()[0], Card(faces()._repr_html_()).pictures()[0])

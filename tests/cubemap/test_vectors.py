@@ -1,4 +1,4 @@
-"""Tests of cube map orientation and look-up with the vectors that all languages read."""
+"""Tests of cube map orientation and lookup with the vectors that all languages read."""
 
 from __future__ import annotations
 

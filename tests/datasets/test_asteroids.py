@@ -1,4 +1,4 @@
-"""Tests of the procedural asteroids: numbers, apart from each other, levels within their error, equal parts."""
+"""Tests of the procedural asteroids: counts, separation, levels within their error, consistent queries."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from tests.support.solids import digest, lone_edges, volume
 FEW = datasets.asteroids(200, 1200, seed=2)
 
 
-def test_the_default_is_that_of_the_paper() -> None:
+def test_the_default_equals_the_paper() -> None:
     belt = datasets.asteroids()
     assert len(belt.centers) == len(belt) == 29_264
     assert abs(belt.triangle_count / len(belt) - 97_000) < 0.01 * 97_000
     assert 2.8e9 < belt.triangle_count < 2.9e9
     assert np.bincount(belt.shapes, minlength=16).min() > 1500
-    # No two touch: each lies inside a cube of its own.
+    # No two touch: each lies inside its own cube of the grid.
     _, *cell = belt._places
     cubes = np.stack(cell, -1)
     assert len(np.unique(cubes, axis=0)) == 29_264
@@ -56,7 +56,7 @@ def test_shapes_are_closed_balls_with_faces_outwards(level: int) -> None:
         assert np.linalg.norm(rock.positions.astype(float), axis=1).max() <= 1.0
         middle = soup.corners.mean(1)
         normal = np.cross(soup.corners[:, 1] - soup.corners[:, 0], soup.corners[:, 2] - soup.corners[:, 0])
-        # Seen whole from the centre, which the bound on the error needs.
+        # The whole surface is visible from the centre, which the bound on the error needs.
         assert ((middle * normal).sum(1) > 0).all()
         assert (np.einsum("ij,ij->i", rock.normals, rock.positions) > 0).mean() > 0.99
 
@@ -69,7 +69,7 @@ def dense(rock: rocks.Rock, count: int) -> np.ndarray:
 
 
 @pytest.mark.parametrize("number", [0, 5])
-def test_levels_are_as_near_as_stated(number: int) -> None:
+def test_asteroid_levels_are_within_their_stated_error(number: int) -> None:
     fine = rocks.rock(1, number, 32, 0)
     whole = nf.Scene.from_arrays(fine.positions, fine.faces, copy=True)
     assert rocks.error(1, number, 32, 0) == 0.0
@@ -86,7 +86,7 @@ def test_levels_are_as_near_as_stated(number: int) -> None:
     assert errors == sorted(errors)
 
 
-def test_detail_takes_the_coarsest_level_that_is_near_enough() -> None:
+def test_detail_selects_the_coarsest_sufficient_level() -> None:
     for detail in (0.0, 5.0, 30.0, 1000.0):
         levels = FEW.levels(detail)
         n = rocks.squares(1200)
@@ -99,7 +99,7 @@ def test_detail_takes_the_coarsest_level_that_is_near_enough() -> None:
     assert FEW.scene(1.0e6).triangle_count == 200 * 48
 
 
-def test_a_query_has_the_bodies_that_reach_its_box() -> None:
+def test_a_query_returns_bodies_that_reach_its_box() -> None:
     low, high = FEW.centers[3] - 1500.0, FEW.centers[3] + [900.0, 2000.0, 3000.0]
     found = FEW.query([low, high])
     away = np.linalg.norm(np.clip(FEW.centers, low, high) - FEW.centers, axis=1)

@@ -1,4 +1,4 @@
-"""Tests of the task of counting: the conventional method alone shows spheres twice."""
+"""Tests of the counting task: only the conventional method shows spheres twice."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ import pytest
 
 import nearfar as nf
 from nearfar.datasets import count_task
-from tests.support.study_cases import ASIDE, HOW, USERS, Ids, light, pieces
+from tests.support.study_cases import ASIDE, HOW, USERS, Ids, pieces, reduce_task
 
 # A texel of the map is 0.11°, a sphere 2°.
 FOV, SIZE = nf.Fov.symmetric(100, 4.0), (1200, 300)
 
 
 def pieces_of_spheres(reduced: nf.ReducedScene, user: tuple[float, float, float], **how: object) -> list[int]:
-    """Number of pieces in which a user who looks ahead sees each sphere, in order."""
+    """Return the number of pieces in which a user who looks ahead sees each sphere, in order."""
     eye = np.add(reduced.center, user)
     view = nf.Camera.look_at(eye, np.add(eye, (0.0, 3.0, -50.0)), fov=FOV, size=SIZE)
     ids: Ids = reduced.render(view, channels=("object_id",), **how).require("object_id")  # type: ignore[arg-type]
@@ -27,7 +27,7 @@ def pieces_of_spheres(reduced: nf.ReducedScene, user: tuple[float, float, float]
 @pytest.mark.slow
 def test_only_the_conventional_method_adds_spheres() -> None:
     scene, task = count_task(5)
-    reduced = light(scene, task, 1024)
+    reduced = reduce_task(scene, task, 1024)
     conventional = reduced.with_morph("none")
     for user in USERS:
         for how in HOW:

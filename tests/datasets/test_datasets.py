@@ -26,7 +26,7 @@ from nearfar.datasets._buildings import Kind, building
 from nearfar.datasets._draw import Draw, turn
 from nearfar.datasets._layout import Grid, plots
 from nearfar.datasets._shapes import Soup, weld
-from tests.support.solids import areas, covered, digest, lone_edges, volume
+from tests.support.solids import areas, count_covered, digest, lone_edges, volume
 
 
 def test_turn_matches_the_library_within_rounding() -> None:
@@ -116,7 +116,7 @@ def test_prototypes_are_well_formed(name: str) -> None:
 
 @pytest.mark.parametrize("name", [name for name in PROTOTYPES if "building 3" not in name])
 def test_no_surface_lies_in_another(name: str) -> None:
-    assert covered(PROTOTYPES[name].corners) == 0
+    assert count_covered(PROTOTYPES[name].corners) == 0
 
 
 def test_facade_rows_meet_at_corners() -> None:
@@ -212,7 +212,7 @@ def test_geometry_has_the_same_bytes_everywhere() -> None:
 def test_street_view_is_free(blocks: int) -> None:
     (x, y, z), target = datasets.street_view()
     corners = datasets.city(blocks=blocks).triangles()
-    # Above the street's surface and its markings, nothing is near the eye.
+    # Nothing but the street's surface and its markings is near the eye.
     low, high = corners.min(axis=1), corners.max(axis=1)
     nearest = np.clip((x, z), low[:, [0, 2]], high[:, [0, 2]]) - np.array((x, z))
     near = np.hypot(nearest[:, 0], nearest[:, 1]) < 2.0
@@ -253,7 +253,7 @@ def test_furnishings_are_closed(name: str, detail: int) -> None:
     assert len(lone_edges(soup)) == 0
     assert volume(soup) > 0
     assert areas(soup.corners).min() > 0
-    assert detail > 2 or covered(soup.corners) == 0
+    assert detail > 2 or count_covered(soup.corners) == 0
 
 
 # Triangles by detail, as the documentation says.
@@ -294,7 +294,7 @@ def test_forest_grows_with_detail(detail: int) -> None:
 
 
 @pytest.mark.parametrize("trees", [1, 7, 500])
-def test_forest_has_the_trees_asked_for(trees: int) -> None:
+def test_forest_has_the_requested_number_of_trees(trees: int) -> None:
     names = datasets.forest(trees, detail=0).object_names
     assert sum(name.startswith(("spruce_", "oak_", "birch_")) for name in names) == trees
 

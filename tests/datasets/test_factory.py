@@ -28,7 +28,7 @@ from nearfar.datasets._factory import (
 from nearfar.datasets._palette import material
 from nearfar.datasets._shapes import Soup, weld
 from nearfar.datasets._stage import Stage
-from tests.support.solids import areas, covered, digest, lone_edges, volume
+from tests.support.solids import areas, count_covered, digest, lone_edges, volume
 
 STEEL = material("metal")
 
@@ -39,7 +39,7 @@ def hall() -> nf.Scene:
 
 
 def sphere(count: int) -> NDArray[np.float64]:
-    """Evenly spread unit directions (count, 3): a Fibonacci lattice."""
+    """Return evenly spread unit directions (count, 3): a Fibonacci lattice."""
     index = np.arange(count)
     y, turn = 1.0 - 2.0 * (index + 0.5) / count, index * 2.399963
     radius = np.sqrt(1.0 - y * y)
@@ -101,7 +101,7 @@ def test_prototypes_are_closed_and_face_outwards(name: str, detail: int) -> None
 @pytest.mark.parametrize("detail", [1, 2])
 @pytest.mark.parametrize("name", PROTOTYPES)
 def test_no_surface_of_a_prototype_lies_in_another(name: str, detail: int) -> None:
-    assert covered(PROTOTYPES[name](detail).corners) == 0
+    assert count_covered(PROTOTYPES[name](detail).corners) == 0
 
 
 def test_a_bent_pipe_keeps_its_radius() -> None:
@@ -185,7 +185,7 @@ def test_the_viewer_stands_free_inside(hall: nf.Scene, place: int) -> None:
 
 
 def test_no_two_machines_overlap() -> None:
-    """Boxes around what stands in the slots, as wide as the slots' pitch allows."""
+    """Checks boxes around the objects in the slots, as wide as the slots' pitch allows."""
     slots = plan.slots()
     assert len(slots) == 200
     for name in ("lathe", "mill", "press", "bench", "compressor", "tank"):
@@ -230,14 +230,14 @@ def test_copies_that_share_no_mesh_look_alike(name: str) -> None:
     assert np.isclose(first, second, rtol=1e-4, atol=0.0).mean() > 0.999
 
 
-def test_what_is_near_amounts_to_the_published_scene() -> None:
+def test_the_near_zone_has_the_size_of_the_published_scene() -> None:
     scene = datasets.factory(detail=3)
     eye, _ = datasets.factory_view()
     near = nf.stream.assign(scene, center=eye, radii=[63.0]).summary()[0]
     assert 2_200_000 < near["triangles"] < 2_500_000
 
 
-def test_loads_of_pallets_lie_on_them() -> None:
+def test_loads_rest_on_their_pallets() -> None:
     for seed in range(8):
         corners = storage.pallet(Draw(seed, 1), 2).corners
         assert np.abs(corners[..., 0]).max() < 0.62

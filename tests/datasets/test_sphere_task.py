@@ -1,4 +1,4 @@
-"""Tests of the task of the ball: the methods show where it flies, and what hides it."""
+"""Tests of the ball task: where the methods show its flight, and what occludes it."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from scipy import ndimage
 
 import nearfar as nf
 from nearfar.datasets import SphereTask, sphere_task
-from tests.support.study_cases import ASIDE, HOW, USERS, Array, Ids, light
+from tests.support.study_cases import ASIDE, HOW, USERS, Array, Ids, reduce_task
 
 BALL_FOV, BALL_SIZE = nf.Fov.symmetric(45, 16 / 9), (640, 360)
 BALL_FOCAL = 320 / np.tan(np.radians(22.5))
@@ -21,7 +21,7 @@ RATE = 30.0
 @pytest.fixture(scope="module")
 def ball() -> tuple[nf.ReducedScene, SphereTask]:
     scene, task = sphere_task(0, straight=False)
-    return light(scene, task, 2048), task
+    return reduce_task(scene, task, 2048), task
 
 
 def ball_view(task: SphereTask, user: tuple[float, float, float]) -> nf.Camera:
@@ -34,7 +34,7 @@ def ball_ids(reduced: nf.ReducedScene, task: SphereTask, view: nf.Camera, t: flo
 
 
 def ball_path(reduced: nf.ReducedScene, task: SphereTask, view: nf.Camera, times: Array, **how: Any) -> Array:
-    """Middle of the ball's pixels at each time."""
+    """Return the centroid of the ball's pixels at each time."""
     number = reduced.scene.object_names.index("ball")
     path = []
     for t in times:
@@ -44,7 +44,7 @@ def ball_path(reduced: nf.ReducedScene, task: SphereTask, view: nf.Camera, times
 
 
 def jump(path: Array) -> float:
-    """Greatest change of the step between pictures, pixels."""
+    """Return the greatest change of the step between pictures, pixels."""
     return float(np.linalg.norm(np.diff(path, n=2, axis=0), axis=1).max())
 
 
@@ -58,7 +58,7 @@ def test_the_ball_jumps_with_the_conventional_method_only(
     times = np.arange(0.0, task.duration, 1.0 / RATE)
     places = np.array([task.position(t) for t in times])
     away = np.hypot(places[:, 0], places[:, 2])
-    # From before r₁ to where the crossbar hides some of it.
+    # From before r₁ to where the crossbar partly hides it.
     times, places = times[(away > 27.0) & (away < 60.0)], places[(away > 27.0) & (away < 60.0)]
     shown = nf.morph(places, user=view.position, center=task.center, r1=task.r1, r2=task.r2)
     expected = view.project(shown)[:, :2]
@@ -79,7 +79,7 @@ def test_the_ball_jumps_with_the_conventional_method_only(
 @pytest.mark.parametrize(("seed", "straight"), [(0, False), (1, True)])
 def test_the_ball_lands_on_the_right_box(seed: int, straight: bool) -> None:
     scene, task = sphere_task(seed, straight=straight)
-    reduced = light(scene, task, 1024)
+    reduced = reduce_task(scene, task, 1024)
     names = scene.object_names
     for user in USERS[::3]:
         view = ball_view(task, user)
@@ -94,7 +94,7 @@ def test_the_ball_lands_on_the_right_box(seed: int, straight: bool) -> None:
 @pytest.mark.slow
 def test_the_published_conventional_ball_flies_evenly_onto_a_wrong_box() -> None:
     scene, task = sphere_task(1)
-    conventional, names = light(scene, task, 1024).with_morph("none"), scene.object_names
+    conventional, names = reduce_task(scene, task, 1024).with_morph("none"), scene.object_names
     for user in ASIDE:
         view, how = ball_view(task, user), {"conventional_dynamic": "user"}
         times = np.linspace(0.35, 1.0, 12) * task.duration

@@ -30,7 +30,7 @@ def test_the_same_seed_gives_the_same_bytes() -> None:
 
 @pytest.mark.parametrize("ends", ["near", "far"])
 @pytest.mark.parametrize("count", [2, 7, 15])
-def test_every_rectangle_is_an_answer_and_the_tape_leads_to_it(count: int, ends: str) -> None:
+def test_every_rectangle_can_be_the_answer_and_the_tape_leads_to_it(count: int, ends: str) -> None:
     asked = set()
     for seed in range(5 * count):
         scene, task = tape_task(seed, count, ends=ends)
@@ -52,7 +52,7 @@ def test_every_rectangle_is_an_answer_and_the_tape_leads_to_it(count: int, ends:
 
 @pytest.mark.parametrize("straight", [False, True])
 @pytest.mark.parametrize("count", [2, 7, 15])
-def test_every_box_is_an_answer_and_the_ball_lands_on_it(count: int, straight: bool) -> None:
+def test_every_box_can_be_the_answer_and_the_ball_lands_on_it(count: int, straight: bool) -> None:
     asked = set()
     for seed in range(5 * count):
         task = sphere_task(seed, count, straight=straight)[1]
@@ -62,7 +62,7 @@ def test_every_box_is_an_answer_and_the_ball_lands_on_it(count: int, straight: b
         # Rounding of a flight of 70 m.
         assert landed[1] - task.radius == pytest.approx(2.0, abs=1e-12)
         asked.add(task.answer)
-        # Above the box the ball does not touch it before.
+        # On its way down to the box the ball does not touch it.
         times = np.linspace(0.0, task.duration, 200)
         places = np.array([task.position(t) for t in times])
         above = np.abs(places[:, 2] + 80.0) < 1.25

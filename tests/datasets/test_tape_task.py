@@ -1,4 +1,4 @@
-"""Tests of the task of the tape: only with the continuous method does it lead to the right rectangle."""
+"""Tests of the tape task: only with the continuous method does the tape lead to the right rectangle."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import pytest
 
 import nearfar as nf
 from nearfar.datasets import TapeTask, tape_task
-from tests.support.study_cases import ASIDE, HOW, USERS, Array, Ids, light, pieces
+from tests.support.study_cases import ASIDE, HOW, USERS, Array, Ids, pieces, reduce_task
 
 # 40° across 960 pixels are 24 a degree, between a headset's 15 and the eye's 60.
 FOV, SIZE = nf.Fov.symmetric(40, 16 / 9), (960, 540)
@@ -20,18 +20,18 @@ Reduced = tuple[nf.ReducedScene, TapeTask]
 def tape() -> Reduced:
     """The published task: a tape that ends inside r₂."""
     scene, task = tape_task(3)
-    return light(scene, task, 1024), task
+    return reduce_task(scene, task, 1024), task
 
 
 @pytest.fixture(scope="module")
 def torn_tape() -> Reduced:
     """A seed whose correct answer has neighbours on both sides, so that a wrong answer is possible."""
     scene, task = tape_task(1, 7, ends="far")
-    return light(scene, task, 1024), task
+    return reduce_task(scene, task, 1024), task
 
 
 def middles_of(ids: Ids, number: int) -> list[tuple[Array, Array]]:
-    """Rows and the tape's middle in each, of every connected piece of tape, the uppermost first."""
+    """Return rows and the tape's centre in each, of every connected piece of tape, the uppermost first."""
     found: list[tuple[Array, Array]] = []
     for mask in pieces(ids, number):
         rows = np.flatnonzero(mask.any(axis=1))
@@ -41,7 +41,7 @@ def middles_of(ids: Ids, number: int) -> list[tuple[Array, Array]]:
 
 
 def leads_to(ids: Ids, names: tuple[str, ...], rows: Array, middles: Array) -> str | None:
-    """The rectangle at whose foot a piece's last stretch, eight rows, arrives when it is extended; None beside them."""
+    """Return the rectangle at whose foot a piece's last eight rows arrive when extended; None beside all of them."""
     fit = np.polyfit(rows[:8], middles[:8], 1)
     rectangles = [number for number, name in enumerate(names) if name.startswith("rectangle")]
     foot = int(np.flatnonzero(np.isin(ids, rectangles).any(axis=1)).max())
@@ -66,7 +66,7 @@ def render_row(
 
 
 def middle_picture(view: nf.Camera, task: TapeTask, morphed: bool) -> Array:
-    """The pixels (N, 2) at which the tape's middle is shown, far end first, from the formula."""
+    """Return the pixels (N, 2) at which the tape's centre line is shown, far end first, from the formula."""
     along = np.linspace(1.0, 0.0, 400)[:, None]
     points = np.add(task.start, along * np.subtract(task.end, task.start))
     if morphed:
@@ -97,7 +97,7 @@ def test_the_published_tape_stays_whole_and_misleads_conventionally(tape: Reduce
         for method in ("vertex", "exact"):
             view, ids = render_row(conventional, task, user, method=method)
             ((rows, middles),) = middles_of(ids, names.index("tape"))
-            # It is where the user sees it, up to its end.
+            # The tape is displayed where the user sees it, as far as its end.
             shown = middle_picture(view, task, morphed=False)
             assert abs(rows[0] - shown[0, 1]) < 1.5
             expected = np.interp(rows[2:-2], shown[:, 1], shown[:, 0])

@@ -1,4 +1,4 @@
-"""Tests of the procedural world: equal parts from all queries, no cracks, errors within detail."""
+"""Tests of the procedural world: queries agree where they overlap, no cracks, errors within detail."""
 
 from __future__ import annotations
 
@@ -19,22 +19,22 @@ HIGH = (-1.0e4, 1.0e4)
 
 
 def column(x0: float, x1: float, z0: float, z1: float) -> NDArray[np.float64]:
-    """A box of all heights."""
+    """Return a box of all heights."""
     return np.array([[x0, HIGH[0], z0], [x1, HIGH[1], z1]])
 
 
 def corners(scene: nf.Scene) -> NDArray[np.float64]:
-    """World corners (T, 3, 3) of all triangles."""
+    """Return world corners (T, 3, 3) of all triangles."""
     return np.asarray(scene.triangles().astype(np.float64) + scene.origin)
 
 
 def rows(triangles: NDArray[np.float64]) -> set[bytes]:
-    """Triangles as a set of their bytes."""
+    """Return triangles as a set of their bytes."""
     return {row.tobytes() for row in np.ascontiguousarray(triangles).reshape(-1, 9)}
 
 
 def land(scene: nf.Scene, prefix: str = "land_") -> NDArray[np.float64]:
-    """World corners of the triangles of objects whose names begin so."""
+    """Return world corners of the triangles of objects whose names begin so."""
     found = [name for name in scene.object_names if name.startswith(prefix)]
     return corners(scene.subset(objects=found))
 
@@ -44,7 +44,7 @@ FARMLAND, TOWN = column(700, 830, -900, -790), column(-60, 90, -70, 60)
 
 
 @pytest.mark.parametrize("box", [FARMLAND, TOWN], ids=["fields", "town"])
-def test_parts_of_a_query_are_those_of_the_whole(box: NDArray[np.float64]) -> None:
+def test_parts_of_a_query_equal_those_of_the_whole(box: NDArray[np.float64]) -> None:
     whole = rows(corners(WORLD.query(box)))
     (x0, _, z0), (x1, _, z1) = box.tolist()
     x, z = 0.4 * x0 + 0.6 * x1, 0.7 * z0 + 0.3 * z1
@@ -54,7 +54,7 @@ def test_parts_of_a_query_are_those_of_the_whole(box: NDArray[np.float64]) -> No
     assert all(len(part) < len(whole) for part in parts)
 
 
-def test_whole_triangles_that_touch_come_bit_equal_from_overlapping_queries() -> None:
+def test_overlapping_queries_return_equal_triangles() -> None:
     first, second = column(600, 760, -1000, -850), column(700, 900, -900, -780)
     a, b = (corners(WORLD.query(box)) for box in (first, second))
     for mine, box, other in ((a, second, b), (b, first, a)):
@@ -86,7 +86,7 @@ def test_equal_in_other_processes_and_orders() -> None:
 
 
 OUTER = ((0, -2000, -1500), (2, 500, 1000))
-"""Axes, and least and greatest coordinates, of two neighbouring queries together."""
+"""Axes, and minimum and maximum coordinates, of two neighbouring queries together."""
 
 
 @pytest.mark.parametrize("detail", [0.0, 2.5, 20.0])
@@ -101,7 +101,7 @@ def test_the_ground_of_neighbouring_queries_has_no_cracks(detail: float) -> None
     key, opposite = edges[:, 0] * len(points) + edges[:, 1], edges[:, 1] * len(points) + edges[:, 0]
     assert len(np.unique(key)) == len(key)
     lone = points[edges[~np.isin(key, opposite)]]
-    # No lone edge lies inside both boxes together, seen from above.
+    # No boundary edge lies inside both boxes together, seen from above.
     beyond = [(lone[..., k] <= low).all(1) | (lone[..., k] >= high).all(1) for k, low, high in OUTER]
     assert len(lone)
     assert np.any(beyond, axis=0).all()
@@ -148,7 +148,7 @@ def test_levels_share_vertices() -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("detail", [1.0, 4.0, 30.0])
-def test_nothing_is_farther_from_the_fine_part_than_detail(detail: float) -> None:
+def test_coarse_parts_deviate_from_fine_ones_by_at_most_detail(detail: float) -> None:
     half = 25.0
     for x, z in ((0.0, 0.0), (800.0, -900.0)):
         box, wide = (column(x - side, x + side, z - side, z + side) for side in (half, half + 2 * detail + 10))
@@ -162,7 +162,7 @@ def test_nothing_is_farther_from_the_fine_part_than_detail(detail: float) -> Non
 
 
 @pytest.mark.slow
-def test_detail_leaves_out_and_simplifies() -> None:
+def test_detail_omits_and_simplifies_objects() -> None:
     counts = [WORLD.query(TOWN, detail).triangle_count for detail in (0.0, 12.0, 200.0)]
     assert all(a > 1.2 * b for a, b in itertools.pairwise(counts))
     names = WORLD.query(TOWN, 24.0).object_names
@@ -229,7 +229,7 @@ def test_a_point_touches_its_triangle() -> None:
     assert (flat.max((0, 1)) >= [801, -901]).all()
 
 
-def test_a_box_of_too_much_is_refused_at_once() -> None:
+def test_a_box_with_too_many_triangles_is_refused_at_once() -> None:
     with pytest.raises(ValueError, match=r"aabb: expected at most 8,192 tiles .* at detail 0, got 1,600,000,000"):
         datasets.world(10_000).query([[-np.inf] * 3, [np.inf] * 3])
     assert 100 < datasets.world(16).query([[-np.inf] * 3, [np.inf] * 3], 1000.0).triangle_count < 10_000

@@ -1,4 +1,4 @@
-"""Tests of what stands in the procedural world: on the ground, out of the water, apart from each other."""
+"""Tests of placement in the procedural world: on the ground, out of the water, apart from each other."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ TOWNS = [town for i, j in CELLS if (town := sites.town(0, i, j)) is not None]
 
 
 def ground(x: np.ndarray, z: np.ndarray, seed: int = 0) -> np.ndarray:
-    """Heights of the finest ground at positions (N,)."""
+    """Return heights of the finest ground at positions (N,)."""
     side, found = tiles.COUNT * SPACING, np.zeros(len(x))
     i, j = np.floor(x / side).astype(int), np.floor(z / side).astype(int)
     for a, b in sorted(set(zip(i.tolist(), j.tolist(), strict=True))):
@@ -27,7 +27,7 @@ def ground(x: np.ndarray, z: np.ndarray, seed: int = 0) -> np.ndarray:
     return found
 
 
-def test_noise_has_the_slope_that_it_says() -> None:
+def test_noise_returns_its_slope() -> None:
     x, z = (np.linspace(low, low + 900.0, 4000) for low in (-500.0, 12_345.0))
     value, across, along = noise.sloped(3, 7, x, z, 130.0)
     np.testing.assert_array_equal(value, noise.noise(3, 7, x, z, 130.0))
@@ -73,7 +73,7 @@ def test_houses_stand_on_level_dry_ground_apart_from_each_other_and_from_streets
     x, z = town.world(
         *(np.concatenate([c + s[k] * h for s in around]) for k, (c, h) in enumerate(((u, wide), (v, deep))))
     )
-    # Walls reach 0.5 m into the ground.
+    # Walls extend 0.5 m into the ground.
     assert np.abs(ground(x, z) - town.height).max() < 0.4
     assert natural(0, x, z).min() > 0.0
     for road in roads.near(0, (town.x - 600, town.x + 600, town.z - 600, town.z + 600), 0.0):
@@ -131,7 +131,7 @@ def test_plants_stand_on_land_away_from_roads_and_houses() -> None:
     assert seen > 800
 
 
-def test_things_in_streets_are_on_the_street_and_off_the_houses() -> None:
+def test_street_furniture_stands_on_streets_and_outside_houses() -> None:
     town = TOWNS[0]
     plan = streets.layout(0, town)
     for thing in street_things.things(0, town):
@@ -142,7 +142,7 @@ def test_things_in_streets_are_on_the_street_and_off_the_houses() -> None:
 
 
 def dense(shape: Indexed) -> np.ndarray:
-    """Points on a shape, at most about 0.25 m apart."""
+    """Return points on a shape, at most about 0.25 m apart."""
     corners = shape.positions[shape.faces].astype(float)
     length = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(1)
     found = [corners.reshape(-1, 3)]
@@ -154,7 +154,7 @@ def dense(shape: Indexed) -> np.ndarray:
 
 
 def apart(first: Indexed, second: Indexed) -> float:
-    """Hausdorff distance of two shapes, metres."""
+    """Return the Hausdorff distance of two shapes, metres."""
     scenes = [nf.Scene.from_arrays(shape.positions, shape.faces, copy=True) for shape in (first, second)]
     return max(
         float(nf.nearest_points(scene, dense(shape)).distance.max())
@@ -163,7 +163,7 @@ def apart(first: Indexed, second: Indexed) -> float:
 
 
 @pytest.mark.parametrize("seed", [0, 1])
-def test_simpler_plants_are_as_near_as_stated(seed: int) -> None:
+def test_simpler_plants_are_within_their_stated_error(seed: int) -> None:
     for kind in (forest.SPRUCE, forest.OAK, forest.BUSH, forest.ROCK):
         for variant in range(2):
             full = forest.shape(seed, kind, variant, 2)
@@ -174,7 +174,7 @@ def test_simpler_plants_are_as_near_as_stated(seed: int) -> None:
 
 
 @pytest.mark.slow
-def test_simpler_houses_and_cars_are_as_near_as_stated() -> None:
+def test_simpler_houses_and_cars_are_within_their_stated_error() -> None:
     kinds = [Kind(w, d, houses.COTTAGE, 3, v) for v in (0, 1) for w, d in ((90, 80), (105, 115), (120, 80), (170, 140))]
     for kind in (*kinds, Kind(110, 280, houses.CHURCH, 3, 0)):
         full = houses.shape(0, kind, 2)

@@ -23,7 +23,7 @@ NO_DRIVERS = dict.fromkeys(("VK_ICD_FILENAMES", "VK_DRIVER_FILES", "__EGL_VENDOR
 
 
 # choosing ------------------------------------------------------------------------------------------------------------
-def test_adapters_say_what_they_are() -> None:
+def test_adapters_describe_themselves() -> None:
     need("vulkan")
     found = nf.gpu.adapters()
     assert [one for one in found if one.backend == "vulkan" and one.usable]
@@ -57,7 +57,7 @@ def test_the_environment_selects_too(monkeypatch: pytest.MonkeyPatch) -> None:
     assert backends.selected() is None
 
 
-def test_only_measuring_lets_auto_take_the_processor_as_an_adapter() -> None:
+def test_auto_selects_a_software_adapter_only_after_measurement() -> None:
     need("vulkan")
     if backends.is_hardware(None):
         pytest.skip("there is an adapter that auto takes")
@@ -73,12 +73,12 @@ def test_only_measuring_lets_auto_take_the_processor_as_an_adapter() -> None:
         for faster in (True, False):
             backends.remember(scene, work, nf.gpu.selected().label, faster)
             assert (backends.device_for("auto", scene, work) is not None) == faster
-            # Other work and other scenes have no measurements.
+            # Other tasks and other scenes have no measurements.
             assert backends.device_for("auto", scene, (("range",), 1)) is None
             assert backends.device_for("auto", crowd(), work) is None
 
 
-def test_measurements_live_as_long_as_their_scene() -> None:
+def test_measurements_are_freed_with_their_scene() -> None:
     before = len(backends._faster)
     scene = crowd()
     backends.remember(scene, (("color",), 1), "one", True)
@@ -88,7 +88,7 @@ def test_measurements_live_as_long_as_their_scene() -> None:
 
 
 # saying --------------------------------------------------------------------------------------------------------------
-def test_auto_says_once_on_a_machine_that_there_is_only_the_processor(tmp_path: Path) -> None:
+def test_auto_notes_the_fallback_to_the_cpu_once(tmp_path: Path) -> None:
     need("vulkan")
     if backends.is_hardware(None):
         pytest.skip("there is an adapter that auto takes")
@@ -107,19 +107,19 @@ def test_auto_says_once_on_a_machine_that_there_is_only_the_processor(tmp_path: 
     assert (silent.returncode, silent.stderr) == (0, "")
 
 
-def test_the_variable_that_silences_mesa_is_not_left_behind() -> None:
+def test_the_variable_that_silences_mesa_is_unset_afterwards() -> None:
     need("vulkan")
     process = program("import os; nf.gpu.adapters(); print('NODEVICE_SELECT' in os.environ)")
     assert process.stdout == "False\n"
 
 
-def test_importing_looks_for_nothing() -> None:
+def test_importing_does_not_search_for_adapters() -> None:
     code = "import sys; import nearfar.gpu; print('logging' in sys.modules, nf._render.backend._searched)"
     process = program(code, **NO_DRIVERS)
     assert process.stdout == "False set()\n", process.stderr
 
 
-def test_without_drivers_auto_renders_and_gpu_says_what_to_install(tmp_path: Path) -> None:
+def test_without_drivers_auto_renders_and_gpu_names_packages_to_install(tmp_path: Path) -> None:
     need("linux")
     code = """
 frames = [nf.render(scene, camera, backend="auto") for _ in range(2)]
@@ -141,7 +141,7 @@ for call in (lambda: nf.render(scene, camera, backend="gpu"), nf.gpu.stats, lamb
     assert process.stderr.count("\n") == 1
 
 
-def test_a_name_that_nothing_has_is_said_by_auto_too() -> None:
+def test_auto_also_reports_an_unknown_adapter_name() -> None:
     need("vulkan")
     process = program("nf.render(scene, camera)", NEARFAR_ADAPTER="abacus")
     assert process.returncode == 0
@@ -165,7 +165,7 @@ def test_info_lists_adapters(capsys: pytest.CaptureFixture[str]) -> None:
     assert nf.gpu.selected().name[:8] in capsys.readouterr().out
 
 
-def test_info_says_why_there_is_none() -> None:
+def test_info_explains_why_there_is_no_adapter() -> None:
     need("linux")
     code = "from nearfar.cli._app import run; raise SystemExit(run(['info', '--gpu', '--json']))"
     process = program(code, **NO_DRIVERS)
@@ -198,7 +198,7 @@ def test_commands_take_a_back_end(backend: str, tmp_path: object, capsys: pytest
 # memory and bytes ----------------------------------------------------------------------------------------------------
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ADAPTERS)
-def test_a_thousand_frames_make_nothing_anew(name: str) -> None:
+def test_a_thousand_frames_allocate_nothing(name: str) -> None:
     need("linux")
     scene = crowd(("one_7",))
     pose = np.eye(4)
@@ -225,7 +225,7 @@ def test_a_thousand_frames_make_nothing_anew(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", ADAPTERS)
-def test_what_stays_is_not_sent_again(name: str) -> None:
+def test_unchanged_data_is_not_uploaded_again(name: str) -> None:
     scene, camera = crowd(("one_7",)), view((0, 1.3, 1.0), (0, 0, -6), size=(64, 48))
     pose = np.eye(4)
     with adapter(name):
@@ -257,8 +257,8 @@ def test_passes_are_timed_where_the_adapter_has_a_clock(name: str) -> None:
 
 
 @pytest.mark.slow
-def test_images_larger_than_a_window_are_whole() -> None:
-    """All channels of 3,000 × 2,400 pixels are 346 MB, and one binding has 128 MiB on adapters in software."""
+def test_images_larger_than_a_window_are_complete() -> None:
+    """All channels of 3,000 × 2,400 pixels take 346 MB; software adapters allow 128 MiB per binding."""
     need("vulkan")
     need("linux")
     scene, camera = crowd(), view((0, 1.3, 1.0), (0, 0, -6), size=(3000, 2400))

@@ -1,4 +1,4 @@
-"""The end of processes in which an adapter works: in order, whatever was left under way."""
+"""Tests of processes that end while an adapter works: they end cleanly, whatever work is pending."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ ENDS = {
     ("name", "end"),
     [(name, end) for name in ADAPTERS for end in ENDS if name == ADAPTERS[0] or not end.startswith("an ")],
 )
-def test_processes_end_in_order(name: str, end: str) -> None:
+def test_processes_end_cleanly(name: str, end: str) -> None:
     need(name)
     process = program(BEGIN.format(name=name, count=4 if not ENDS[end] else 1) + ENDS[end] + "\n")
     expected = {"an exception": (7,), "an interrupt": (1, -2, 130)}.get(end, (0,))
@@ -43,7 +43,7 @@ def test_processes_end_in_order(name: str, end: str) -> None:
 
 
 @pytest.mark.parametrize("name", ADAPTERS)
-def test_closed_devices_have_done_their_work(name: str) -> None:
+def test_a_closed_device_is_replaced(name: str) -> None:
     """The next call opens another one."""
     from nearfar import _core
 

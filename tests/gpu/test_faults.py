@@ -1,4 +1,4 @@
-"""Tests of adapter failures: each raises an error with a sentence, and the next picture is right."""
+"""Tests of adapter failures: each raises an error with a message, and the next picture is right."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ def test_a_device_lost_between_frames_is_opened_again(name: str) -> None:
         device.lose()
         after = nf.render(scene, CAMERA, backend="gpu")
         np.testing.assert_array_equal(after.require("color"), before.require("color"))
-        # A new device has no data, so the scene was sent again.
+        # A new device has no data, so the scene was uploaded again.
         assert nf.gpu.stats()["uploaded_bytes"] > 1000
         with pytest.raises(nf.DeviceError, match="the device was lost"):
             device.truth(scene._core, [CAMERA._core], nf.Shot(cameras=(CAMERA,), channels=("range",)).settings)
 
 
 @pytest.mark.parametrize("name", ADAPTERS)
-def test_a_device_lost_during_a_frame_says_what_to_try(name: str) -> None:
+def test_a_device_lost_during_a_frame_suggests_a_remedy(name: str) -> None:
     scene = crowd()
     with adapter(name):
         label = nf.gpu.selected().label
@@ -52,7 +52,7 @@ def test_a_device_lost_during_a_frame_says_what_to_try(name: str) -> None:
 
 @pytest.mark.parametrize("name", ADAPTERS)
 def test_a_device_lost_in_another_thread_while_frames_are_drawn(name: str) -> None:
-    """Whenever the device is lost, each frame is right or raises a DeviceError."""
+    """Frames are right or raise a DeviceError, at whatever moment the device is lost."""
     scene, stop = crowd(), threading.Event()
     with adapter(name):
         right = nf.render(scene, CAMERA, backend="gpu").require("color")
@@ -81,7 +81,7 @@ def test_a_device_lost_in_another_thread_while_frames_are_drawn(name: str) -> No
 
 @pytest.mark.parametrize("name", ADAPTERS)
 def test_two_threads_draw_one_scene_at_once(name: str) -> None:
-    """The first upload, too, must not wait for a lock that its own thread holds."""
+    """The first upload must not wait for a lock that its own thread holds."""
     with adapter(name):
         for _ in range(5):
             scene = crowd()
@@ -110,7 +110,7 @@ count = 2_000_000
 points = np.random.default_rng(0).random((count, 3), dtype=np.float32)
 faces = (np.arange(3 * count, dtype=np.uint32) % count).reshape(-1, 3)
 heavy = nf.Scene.from_arrays(points, faces)
-# Drivers in software compile for each kind of picture and end the process where they cannot, so they do so now.
+# Software drivers compile for each kind of picture and end the process if they fail, so compile now.
 nf.render(scene, camera, channels=("range",), samples=4, backend="gpu")
 used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
 caught = 0
@@ -156,7 +156,7 @@ if child == 0:
         except nf.DeviceError as error:
             print(error, flush=True)
     nf.render(scene, camera, backend="auto")
-    # Through the exit handlers of everything that the parent had loaded.
+    # Runs the exit handlers of everything that the parent had loaded.
     sys.exit(7)
 for _ in range(600):
     ended, status = os.waitpid(child, os.WNOHANG)
@@ -167,7 +167,7 @@ else:
     os.kill(child, 9)
     raise SystemExit("the child hangs")
 assert os.waitstatus_to_exitcode(status) == 7, status
-# The parent goes on.
+# The parent continues.
 assert len(list(frames)) == 2
 np.testing.assert_array_equal(nf.render(scene, camera, backend="gpu").color, before.color)
 """

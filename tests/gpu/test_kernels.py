@@ -20,7 +20,7 @@ from tests.support.reduce_cases import CENTER, camera, street
 
 CHANNELS = ("color", "range", "object_id", "face_id", "position", "normal")
 EPSILON = 2.0**-24
-"""Greatest relative error of a float32 rounding."""
+"""Greatest relative error of rounding to float32."""
 
 # Sharing a module's fixture between examples is safe.
 SHARED = settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
@@ -37,7 +37,7 @@ def view(aside: float = 0.0, size: tuple[int, int] = (96, 60)) -> nf.Camera:
 
 
 # frames ---------------------------------------------------------------------------------------------------------------
-def test_a_kept_frame_is_the_one_that_is_read_back(device: _core.GpuDevice) -> None:
+def test_a_frame_kept_on_the_device_equals_its_copy(device: _core.GpuDevice) -> None:
     scene, shot = street(), view()
     core = core_of(scene)
     settings = nf.Shot(cameras=(shot,), channels=CHANNELS, samples=4).settings
@@ -53,7 +53,7 @@ def test_a_kept_frame_is_the_one_that_is_read_back(device: _core.GpuDevice) -> N
     assert repr(device_frame).startswith("DeviceFrame(96 × 60, color, range, object_id, face_id, position, normal, on ")
 
 
-def test_dropped_frames_lend_their_memory(device: _core.GpuDevice) -> None:
+def test_memory_of_dropped_frames_is_reused(device: _core.GpuDevice) -> None:
     scene = street()
     size = (61, 47)
 
@@ -80,10 +80,10 @@ def test_frames_of_several_windows_are_refused(device: _core.GpuDevice) -> None:
     wide, before = camera(CENTER, (1, 0, 0), (across + 8, 2)), gpu.stats()
     with pytest.raises(ValueError, match=f"camera: expected .*{across} each way.*got {across + 8} × 2"):
         gpu.render(street(), wide)
-    assert gpu.stats() == before  # nothing was sent
+    assert gpu.stats() == before  # Nothing was uploaded.
 
 
-def test_frames_say_what_they_lack(device: _core.GpuDevice) -> None:
+def test_missing_channels_are_named(device: _core.GpuDevice) -> None:
     scene = street()
     frame, other = gpu.render(scene, view(), channels=("color",)), gpu.render(scene, view(), channels=("range",))
     with pytest.raises(ValueError, match=r"no color: .*'color', 'range'"):
@@ -94,7 +94,7 @@ def test_frames_say_what_they_lack(device: _core.GpuDevice) -> None:
         gpu.ssim(frame, gpu.render(scene, view(size=(32, 60)), channels=("color",)))
 
 
-def test_reading_and_comparing_take_turns(device: _core.GpuDevice) -> None:
+def test_reading_and_comparing_run_one_after_the_other(device: _core.GpuDevice) -> None:
     scene = street()
     one, other = (gpu.render(scene, view(aside), channels=("color",)) for aside in (0.0, 0.4))
     expected, picture = gpu.ssim(one, other), one.read().require("color")
@@ -125,7 +125,7 @@ WINDOWS: tuple[dict[str, Any], ...] = (
 
 @pytest.mark.parametrize("window", WINDOWS)
 @pytest.mark.parametrize("size", [(96, 60), (33, 17), (16, 16), (9, 40), (3, 2), (1, 1)])
-def test_similarity_is_that_of_the_cpu(device: _core.GpuDevice, window: dict[str, Any], size: tuple[int, int]) -> None:
+def test_similarity_equals_the_cpu(device: _core.GpuDevice, window: dict[str, Any], size: tuple[int, int]) -> None:
     one, other = (gpu.render(street(), view(aside, size), channels=("color",)) for aside in (0.0, 0.4))
     mean, found = gpu.ssim(one, other, full=True, **window)
     expected, similarities = nf.ssim(one.read(), other.read(), full=True, **window)
@@ -137,7 +137,7 @@ def test_similarity_is_that_of_the_cpu(device: _core.GpuDevice, window: dict[str
     assert gpu.ssim(one, other, **window) == mean == gpu.ssim(other, one, **window)
 
 
-def test_equal_pictures_are_exactly_alike(device: _core.GpuDevice) -> None:
+def test_equal_pictures_have_similarity_one(device: _core.GpuDevice) -> None:
     one, same = (gpu.render(street(), view(), channels=("color",)) for _ in range(2))
     for window in WINDOWS:
         for other in (one, same):
@@ -164,13 +164,13 @@ NEIGHBOURS = [(17.03, 1.0), (5.01, 0.25), (200.3, 5.0), (1e4, 1.0)]
 @pytest.mark.parametrize(
     ("name", "epsilon", "least"), [(name, *NEIGHBOURS[(i + j) % 4]) for i, name in enumerate(TRUTHS) for j in (0, 1)]
 )
-def test_discontinuity_is_that_of_the_cpu(device: _core.GpuDevice, name: str, epsilon: float, least: float) -> None:
+def test_discontinuity_equals_the_cpu(device: _core.GpuDevice, name: str, epsilon: float, least: float) -> None:
     truth = TRUTHS[name]
     frame = gpu.render(street(), view(size=truth.size if truth else (96, 60)), channels=("position",))
     found = gpu.discontinuity(frame, truth, epsilon=epsilon, min_distance=least)
     expected = nf.discontinuity(frame.read(), truth, epsilon=epsilon, min_distance=least)
     np.testing.assert_array_equal(np.isnan(found), np.isnan(expected))
-    # Places are rounded to some 1e-5 pixels, and a pair whose distance is ε to that may count or not: one of dozens.
+    # Positions are rounded to some 1e-5 pixels; a pair at a distance that close to ε may count or not: one of dozens.
     np.testing.assert_allclose(found, expected, rtol=2e-3, atol=2e-3)
     differs = np.abs(found - expected) > 1e-4 * (1 + np.abs(expected))
     assert differs.mean() < 0.02
@@ -180,14 +180,14 @@ def test_discontinuity_is_that_of_the_cpu(device: _core.GpuDevice, name: str, ep
 
 @pytest.mark.stress
 @pytest.mark.parametrize("name", ADAPTERS)
-def test_heaps_of_many_points_are_added_up_whole(name: str) -> None:
+def test_dense_clusters_of_points_are_summed_completely(name: str) -> None:
     with adapter(name):
         check_heaps()
 
 
 def check_heaps() -> None:
-    # Four squares and a point amidst them lie in nine cells of 4 pixels of the truth. The point looks at more points
-    # than the turns after which software drivers end loops, and each square has more of them than a call takes.
+    # Four squares and a point amidst them lie in nine cells of 4 pixels of the truth. The point visits more points
+    # than the iterations after which software drivers end loops, and each square has more of them than a call takes.
     side, size = np.array([2 / 3, 1.0]), (780, 780)
     squares = [(a * side, b * side) for a in (-1, 1) for b in (-1, 1)] + [(side * 0.03 - 0.025,) * 2]
     corners = np.array([(x, y, -1) for xs, ys in squares for y in ys for x in xs], np.float32)
@@ -202,7 +202,7 @@ def check_heaps() -> None:
     assert counts.sum() > 1 << 16
     assert np.sort(counts)[1] > 1 << 12
     found = gpu.discontinuity(frame, heap, epsilon=1.0137)
-    # Places are rounded to some 1e-5 pixels, and of thousands of neighbours some at the distance ε may count or not.
+    # Positions are rounded to some 1e-5 pixels; of thousands of neighbours some at the distance ε may count or not.
     np.testing.assert_allclose(found + 1, nf.discontinuity(read, heap, epsilon=1.0137) + 1, rtol=5e-3)
 
 
@@ -244,19 +244,19 @@ def test_morphed_points_are_within_their_bound(
     found = gpu.morph(points, **place)
     expected = nf.morph(points.astype(np.float64), **place)
     apart = np.abs(found - expected).max(axis=1)
-    # A step of the result; beyond it roundings of the formula, which are relative to the user's offset, raised where
-    # the zone between the radii is narrow. The centre itself is rounded to 2⁻⁴⁸ of its size.
+    # One step of the result; beyond r₁ roundings of the formula, relative to the user's offset and greater
+    # for narrow intermediate zones. The centre itself is rounded to 2⁻⁴⁸ of its size.
     bound = np.spacing(np.abs(found).max(axis=1)) + EPSILON * (16 + 8 * ratio / (ratio - 1)) * share * r1
     bound += 2.0**-46 * np.abs(center).max()
     if kind == "cylinder":
-        # Where the direction leaves the cylinder: some roundings of the distance, raised near the user's own radius.
+        # Where the direction leaves the cylinder: some roundings of the distance, greater near the user's own radius.
         rho = np.hypot(*(points[:, [0, 2]] - center[[0, 2]]).T)
         distance = np.linalg.norm(points - center, axis=1) + share * r1
         bound += np.where(rho > r1, EPSILON * 32 * distance * rho / np.maximum(rho - share * r1, 1e-30), 0.0)
     assert (apart <= bound).all(), (apart / bound).max()
 
 
-def test_points_inside_keep_their_bits_and_unknown_ones_stay_unknown(device: _core.GpuDevice) -> None:
+def test_points_inside_keep_their_bits_and_nan_stays_nan(device: _core.GpuDevice) -> None:
     points = scattered(1, np.zeros(3), 5.0, 1000)
     place: dict[str, Any] = {"user": (3, 0.5, 1), "center": (0, 0, 0)}
     np.testing.assert_array_equal(gpu.morph(points, r1=1e5, r2=2e5, **place), points)
@@ -273,7 +273,7 @@ def test_points_inside_keep_their_bits_and_unknown_ones_stay_unknown(device: _co
 def test_long_arrays_are_morphed_in_pieces(device: _core.GpuDevice) -> None:
     points = scattered(2, np.zeros(3), 20.0, 3_000_001)
     place: dict[str, Any] = {"user": (3, 0.5, 1), "center": (0, 0, 0), "r1": 10, "r2": 30}
-    # Both are within a step of the truth and what the offset of 3.2 m adds.
+    # Both are within a step of the exact value plus an error due to the offset of 3.2 m.
     apart = np.abs(gpu.morph(points, **place) - nf.morph(points, **place)).max(axis=1)
     assert (apart <= 2 * np.spacing(np.abs(points).max(axis=1) + 4) + EPSILON * 28 * 3.3).all()
 
@@ -296,19 +296,19 @@ def ranges(seed: int, shape: tuple[int, ...]) -> NDArray[np.float32]:
 
 @SHARED
 @given(st.integers(0, 2**32 - 1), st.integers(1, 40), st.sampled_from(gpu._kernels.FILTERS))
-def test_lookups_are_those_of_the_cpu(device: _core.GpuDevice, seed: int, size: int, chosen: str) -> None:
+def test_lookups_equal_the_cpu(device: _core.GpuDevice, seed: int, size: int, chosen: str) -> None:
     random = np.random.default_rng(seed)
     faces = ranges(seed, (6, size, size))
     directions = (random.normal(size=(600, 3)) * 10.0 ** random.integers(-3, 4, (600, 1))).astype(np.float32)
     found = gpu.cube_lookup(faces, directions, filter=chosen)
     expected = nf.cube_lookup(faces, directions, filter=chosen)
     same = (found == expected) | (np.isnan(found) & np.isnan(expected))
-    # Within some roundings of a border between texels, or between their centres, the neighbouring ones may be used.
+    # Within some roundings of a border between texels or their centres, the neighbouring texels may be used.
     assert (~same).mean() < 0.01
     for n in np.flatnonzero(~same):
         beside = directions[n] * (1 + 1e-6 * random.normal(size=(200, 3)))
         others = nf.cube_lookup(faces, beside, filter=chosen)
-        # Where a direction rounds to the line through centres, the texels on one side of it do not count at all.
+        # If a direction rounds to the line through centres, the texels on one side of it do not count at all.
         around = directions[n] * (1 + random.uniform(-2.0 / size, 2.0 / size, (200, 3)))
         texels = nf.cube_lookup(faces, around, filter="nearest")
         assert np.isnan(found[n]) or (others == found[n]).any() or np.isnan(others).any() or (texels == found[n]).any()
@@ -340,7 +340,7 @@ def test_lookups_check_their_arguments(device: _core.GpuDevice) -> None:
 
 # loss -----------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("name", ["vulkan", "gl"])
-def test_a_lost_device_is_an_error_and_the_next_one_works(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_lost_device_raises_and_the_next_one_works(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     need(name)
     monkeypatch.setenv("NEARFAR_ADAPTER", name)
     points = scattered(1, np.zeros(3), 5.0, 10)

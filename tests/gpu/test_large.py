@@ -1,4 +1,4 @@
-"""Tests of scenes and images that an adapter draws in parts, because they exceed its limits."""
+"""Tests of scenes and images that exceed an adapter's limits and are drawn in parts."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def backend(request: pytest.FixtureRequest) -> Iterator[str]:
 
 
 def grid(cells: int) -> nf.Scene:
-    """A square of 1 m cells in the ground plane, two triangles each, row by row along +z."""
+    """Return a square of 1 m cells in the ground plane, two triangles each, row by row along +z."""
     x, z = np.meshgrid(np.arange(cells + 1, dtype=np.float32), np.arange(cells + 1, dtype=np.float32))
     vertices = np.stack([x, np.zeros_like(x), z], axis=-1).reshape(-1, 3)
     corner = (np.arange(cells)[:, None] * (cells + 1) + np.arange(cells)).reshape(-1).astype(np.uint32)

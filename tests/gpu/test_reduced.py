@@ -42,7 +42,7 @@ def reduced(city: nf.Scene, request: pytest.FixtureRequest) -> nf.ReducedScene:
 
 @pytest.fixture(scope="module")
 def poses() -> dict[str, NDArray[np.float64]]:
-    """Cars within r1, across both radii, between them and beyond, some behind houses."""
+    """Return poses of cars within r1, across both radii, between them and beyond, some behind houses."""
     places = [(-3, -8, 0.3), (2, -29, 1.0), (-4, -49.5, 0.2), (3, -70, 2.0), (-40, -60, 0.1)]
     return {f"car_{i}": pose_at(x, 0.15, z, turn) for i, (x, z, turn) in enumerate(places)}
 
@@ -64,9 +64,7 @@ def both(reduced: nf.ReducedScene, camera: nf.Camera, **settings: object) -> tup
 
 
 @pytest.mark.parametrize("user", USERS)
-def test_frames_are_those_of_the_tracer(
-    reduced: nf.ReducedScene, poses: dict[str, NDArray[np.float64]], user: str
-) -> None:
+def test_frames_equal_the_tracer(reduced: nf.ReducedScene, poses: dict[str, NDArray[np.float64]], user: str) -> None:
     for env in (True, False):
         # Both morph the same vertices and differ by rounding only. Without a map all pixels have faces.
         cpu, gpu = both(reduced, view(USERS[user]), at=poses, channels=ALL, tolerance_px=np.inf, env=env)
@@ -89,7 +87,7 @@ def test_normals_of_vertices_are_the_same(tolerance_px: float) -> None:
 
 
 @pytest.mark.parametrize("morph", ["blend", "cylinder"])
-def test_split_frames_show_the_same_within_the_tolerance(
+def test_split_frames_agree_within_the_tolerance(
     city: nf.Scene, poses: dict[str, NDArray[np.float64]], morph: str
 ) -> None:
     reduced = nf.reduce(city, center=CENTER, r1=30, r2=50, face_size=128, morph=morph, channels=CHANNELS, samples=1)
@@ -101,8 +99,8 @@ def test_split_frames_show_the_same_within_the_tolerance(
     assert cpu.stats["tolerance_held"]
 
 
-def test_a_large_mover_is_split_where_it_stands() -> None:
-    """Morphing only its corners would bend a train of 60 m wrongly by many pixels."""
+def test_a_large_moving_object_is_split_at_its_pose() -> None:
+    """Morphing only its corners would displace parts of a train of 60 m by many pixels."""
     ground = trimesh.creation.box((400, 0.2, 400))
     train = trimesh.creation.box((60, 3, 2))
     train.visual.face_colors = np.tile([[200, 60, 40, 255], [40, 90, 200, 255]], (6, 1))
@@ -118,7 +116,7 @@ def test_a_large_mover_is_split_where_it_stands() -> None:
     assert (bent.require("object_id") != cpu.require("object_id")).mean() > 0.003
 
 
-def test_maps_are_equal_face_by_face(city: nf.Scene) -> None:
+def test_maps_equal_the_tracer_face_by_face(city: nf.Scene) -> None:
     for r2 in (1.0, 50.0):
         cpu, gpu = (
             nf.reduce(city, center=CENTER, r1=0.5, r2=r2, face_size=256, channels=CHANNELS, samples=1, backend=backend)
@@ -140,8 +138,8 @@ def test_maps_are_equal_face_by_face(city: nf.Scene) -> None:
         assert gpu.stats["rays"] == 0 < cpu.stats["rays"]
 
 
-def test_each_face_looks_its_own_way() -> None:
-    """Six walls of different colours, each with a dark corner that shows how the face is turned."""
+def test_each_face_looks_in_its_direction() -> None:
+    """Six walls of different colours, each with a dark corner that reveals rotations of the face."""
     walls, marks = [], []
     for axis in range(3):
         for sign in (1, -1):
@@ -169,14 +167,14 @@ def test_each_face_looks_its_own_way() -> None:
     for one in range(6):
         for other in range(6):
             apart = np.abs(colors[0][one] - colors[1][other]).mean()
-            # The same face up to edges; any other one, or a turned one, differs by a wall's colour or by its mark.
+            # The face is equal up to edges; another or a rotated face would differ by a wall's colour or by its mark.
             assert apart < 2e-4 if one == other else apart > 1e-3
         for turned in (np.rot90(colors[1][one]), colors[1][one][:, ::-1], colors[1][one][::-1]):
             assert np.abs(colors[0][one] - turned).mean() > 1e-3
 
 
 @pytest.mark.parametrize("boundary", ["r1", "r2"])
-def test_the_conventional_method_breaks_where_it_does_on_the_cpu(city: nf.Scene, boundary: str) -> None:
+def test_the_conventional_method_breaks_as_on_the_cpu(city: nf.Scene, boundary: str) -> None:
     settings = {"morph": "none", "boundary": boundary, "channels": CHANNELS}
     reduced = nf.reduce(city, center=CENTER, r1=20, r2=40, face_size=128, **settings)  # type: ignore[arg-type]
     cpu, gpu = both(reduced, view(USERS["near"]), channels=ALL)
@@ -184,7 +182,7 @@ def test_the_conventional_method_breaks_where_it_does_on_the_cpu(city: nf.Scene,
     check_color(cpu, gpu)
 
 
-def test_where_nothing_is_far_the_sky_is_seen() -> None:
+def test_without_far_geometry_the_sky_is_visible() -> None:
     scene = nf.Scene.from_trimesh(trimesh.creation.box((2, 2, 2)))
     reduced = nf.reduce(scene, center=(0, 0, 5), r1=30, r2=50)
     assert reduced.env is None
@@ -194,7 +192,7 @@ def test_where_nothing_is_far_the_sky_is_seen() -> None:
     check_color(cpu, gpu)
 
 
-def test_a_saved_scene_is_drawn_as_before(city: nf.Scene, tmp_path: Path) -> None:
+def test_a_loaded_scene_is_drawn_as_before_saving(city: nf.Scene, tmp_path: Path) -> None:
     reduced = nf.reduce(city, center=CENTER, r1=15, r2=30, face_size=64, channels=CHANNELS)
     reduced.save(tmp_path / "light")
     loaded = nf.ReducedScene.load(tmp_path / "light")
@@ -204,7 +202,7 @@ def test_a_saved_scene_is_drawn_as_before(city: nf.Scene, tmp_path: Path) -> Non
     check_color(before, after)
 
 
-def test_only_near_geometry_is_touched_and_little_is_sent(
+def test_only_near_geometry_is_drawn_and_little_is_uploaded(
     city: nf.Scene, poses: dict[str, NDArray[np.float64]]
 ) -> None:
     reduced = nf.reduce(city, center=CENTER, r1=15, r2=30, face_size=64, channels=CHANNELS)
@@ -237,7 +235,7 @@ def test_adapters_refuse_positions_of_maps_without_range() -> None:
             call()
 
 
-def test_every_frame_of_an_adapter_has_its_own_counts(city: nf.Scene, poses: dict[str, NDArray[np.float64]]) -> None:
+def test_each_frame_reports_its_own_counts(city: nf.Scene, poses: dict[str, NDArray[np.float64]]) -> None:
     reduced = nf.reduce(city, center=CENTER, r1=15, r2=30, face_size=32)
     cameras = [view(user, 32) for user in (USERS["near"], (16.0, 1.7, 0.0))]
     frames = list(nf.render_path(reduced, cameras, at=poses, backend="gpu"))
@@ -248,7 +246,7 @@ def test_every_frame_of_an_adapter_has_its_own_counts(city: nf.Scene, poses: dic
     assert nf.gpu.render(city, cameras[0]).read().stats == {}
 
 
-def test_bent_rays_are_for_the_cpu(city: nf.Scene) -> None:
+def test_bent_rays_require_the_cpu(city: nf.Scene) -> None:
     reduced = nf.reduce(city, center=CENTER, r1=15, r2=30, face_size=32)
     camera = view(USERS["near"], 32)
     with pytest.raises(ValueError, match=r"method: expected 'vertex' with backend='gpu', got 'exact'"):
@@ -270,7 +268,7 @@ def test_tokyo_looks_the_same_on_both(tmp_path: Path) -> None:
 
 
 def street_with_a_drone() -> tuple[nf.Scene, dict[str, NDArray[np.float64]]]:
-    """A ground across both radii, a façade within r2, and behind it an object that moves beyond r2."""
+    """Return a ground across both radii, a façade within r2, and behind it an object that moves beyond r2."""
     ground = trimesh.creation.box((600, 0.2, 600))
     facade = trimesh.creation.box((0.5, 60, 80))
     facade.apply_translation((40, 30, 0))
@@ -286,8 +284,8 @@ def street_with_a_drone() -> tuple[nf.Scene, dict[str, NDArray[np.float64]]]:
     ("morph", "user"),
     [*zip(["blend", "cylinder", "none", "blend"], [(-16.0, 1.7, 0.0), (-25.0, 1.7, 3.0)] * 2, strict=True)],
 )
-def test_what_moves_beyond_is_hidden_by_all_that_is_near(morph: str, user: tuple[float, float, float]) -> None:
-    """Includes a user nearer to the wall than the centre is, and scenes without triangles wholly within r1."""
+def test_moving_objects_beyond_are_hidden_by_near_geometry(morph: str, user: tuple[float, float, float]) -> None:
+    """Covers a user nearer to the wall than the centre, and scenes without triangles wholly within r1."""
     scene, pose = street_with_a_drone()
     reduced = nf.reduce(scene, center=CENTER, r1=30, r2=50, face_size=32, morph=morph, channels=CHANNELS, samples=1)
     drone = scene.object_names.index("drone")
@@ -302,8 +300,8 @@ def test_what_moves_beyond_is_hidden_by_all_that_is_near(morph: str, user: tuple
 
 
 @pytest.mark.parametrize("morph", ["blend", "cylinder"])
-def test_a_mover_across_both_radii_has_no_hole(morph: str) -> None:
-    """Its vertices are morphed on both sides of r2, so that the parts, which are drawn separately, meet."""
+def test_a_moving_object_across_both_radii_has_no_hole(morph: str) -> None:
+    """Its vertices are morphed on both sides of r2, so that the separately drawn parts meet."""
     scene, _ = street_with_a_drone()
     reduced = nf.reduce(scene, center=CENTER, r1=10, r2=25, face_size=64, morph=morph, channels=CHANNELS, samples=1)
     wall = np.diag([8.0, 3.0, 1.0, 1.0]) @ np.eye(4)

@@ -1,4 +1,4 @@
-"""Trees and flights drawn by adapters: splats, geometry, objects that move, and views that come in the background."""
+"""Trees and flights drawn by adapters: splats, geometry, moving objects, and views loaded in the background."""
 
 from __future__ import annotations
 
@@ -56,13 +56,13 @@ def test_adapters_draw_trees(tree: Tree, distance: float, leaves: bool) -> None:
         assert again.require(name).tobytes() == got.require(name).tobytes()
 
 
-def test_samples_and_limits(tree: Tree) -> None:
+def test_trees_are_drawn_with_samples_and_limits(tree: Tree) -> None:
     camera = camera_at(tree, 60)
     settings: dict[str, Any] = {"samples": 9, "t_min": 20.0, "channels": ("color", "range", "coverage")}
     check(tree.render(camera, **settings, backend="gpu"), tree.render(camera, **settings, backend="cpu"), 0.97)
 
 
-def test_objects_that_move(tree: Tree) -> None:
+def test_moving_objects_are_drawn_with_trees(tree: Tree) -> None:
     middle = tree.bounds.mean(axis=0)
     corners = middle + np.array([[-9.0, 40, -9], [9, 40, -9], [0, 40, 9]])
     own, camera = tree.with_dynamic(nf.Scene.from_arrays(corners, [[0, 1, 2]])), camera_at(tree, 120)
@@ -71,16 +71,14 @@ def test_objects_that_move(tree: Tree) -> None:
     check(own.render(camera, channels=CHANNELS, backend="gpu"), right)
 
 
-def test_auto_is_the_processor_where_adapters_are_software(tree: Tree) -> None:
+def test_auto_selects_the_cpu_if_adapters_are_software(tree: Tree) -> None:
     camera = camera_at(tree, 90)
     chosen, right = tree.render(camera), tree.render(camera, backend="cpu")
     assert backends.open_device().kind == "software"
     assert chosen.require("color").tobytes() == right.require("color").tobytes()
 
 
-def test_flights_bring_views_to_the_adapter_before_a_picture_shows_them(
-    tree: Tree, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_flights_upload_views_before_pictures_show_them(tree: Tree, monkeypatch: pytest.MonkeyPatch) -> None:
     brought: list[_core.OrthoSplats] = []
     drawn: list[_core.OrthoSplats] = []
     keep, draw = _core.gpu_keep_orthoviews, _core.splat_orthoviews
@@ -116,7 +114,7 @@ def test_flights_bring_views_to_the_adapter_before_a_picture_shows_them(
         assert len(brought) == count
 
 
-def test_two_eyes(tree: Tree) -> None:
+def test_both_eyes_of_a_tree_are_drawn(tree: Tree) -> None:
     camera, eyes = camera_at(tree, 90), {}
     for backend in ("cpu", "gpu"):
         settings: dict[str, Any] = {"size": (48, 48), "orientation": camera.orientation, "backend": backend}

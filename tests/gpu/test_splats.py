@@ -1,4 +1,4 @@
-"""Orthoviews drawn by adapters against the processor's pictures, which other tests hold against obvious ones."""
+"""Orthoviews drawn by adapters compared with the CPU, which other tests compare with simple references."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from tests.support.splat_cases import (
 )
 
 WAYS = ("vulkan", "vulkan, 32 bits", "gl")
-"""Adapters, and whether they must do without atomic integers of 64 bits."""
+"""Adapters, and whether they are used without 64-bit atomic integers."""
 
 ALL = ("color", "coverage", *CHANNELS, "position", "shading_normal")
 
@@ -48,19 +48,19 @@ def device(request: pytest.FixtureRequest) -> Iterator[_core.GpuDevice]:
 
 
 def check(got: dict[str, Any], right: dict[str, Any], least: float = 0.997) -> None:
-    """Compare pictures: but for few pixels, where a splat's edge or two splats' order is a matter of rounding."""
+    """Compare pictures, except for a few pixels in which rounding decides a splat's edge or the order of two splats."""
     for name in set(right) - {"stats"}:
         close = np.isclose(got[name], right[name], rtol=1e-4, atol=2e-5, equal_nan=True)
         assert got[name].dtype == right[name].dtype
         assert close.mean() >= least, (name, close.mean())
     counts, expected = got["stats"], right["stats"]
     assert all(counts[name] == expected[name] for name in ("splats", "splats_in_picture"))
-    # Pieces that lie behind others are left out between batches, but later than on the processor.
+    # Blocks behind others are culled between batches, but later than on the CPU.
     assert 0.5 * expected["splats_seen"] <= counts["splats_seen"] <= counts["splats_in_picture"]
 
 
 @pytest.mark.parametrize("name", CAMERAS)
-def test_pictures_are_those_of_the_processor(device: _core.GpuDevice, name: str) -> None:
+def test_pictures_equal_the_cpu(device: _core.GpuDevice, name: str) -> None:
     splats = splats_of([(1, 0, 0), (0, 1, 0), (0, 0, 1), (0, 1, 1), (-1, -1, 1)])
     right = draw_splats(splats, CAMERAS[name], ALL)
     assert np.isfinite(right["range"]).mean() > 0.02
@@ -68,24 +68,24 @@ def test_pictures_are_those_of_the_processor(device: _core.GpuDevice, name: str)
 
 
 @pytest.mark.parametrize("grid", [2, 3, 4, 8])
-def test_colour_is_the_mean_of_samples(device: _core.GpuDevice, grid: int) -> None:
+def test_colour_is_the_mean_over_samples(device: _core.GpuDevice, grid: int) -> None:
     splats = splats_of(THREE, size=32)
     for name in ("perspective", "parallel"):
         right = draw_splats(splats, CAMERAS[name], ("color", "coverage"), grid)
         got = draw_splats(splats, CAMERAS[name], ("color", "coverage"), grid, device=device)
-        # A sample more or less moves a pixel by its share.
+        # One sample more or less changes a pixel by its share.
         assert (np.abs(got["color"] - right["color"]) <= 1e-4).mean() >= 0.99
         assert np.abs(got["color"] - right["color"]).max() <= 4 / grid**2
         check(got, right, least=0.99)
 
 
-def test_large_pictures_and_large_views(device: _core.GpuDevice) -> None:
+def test_large_pictures_and_large_views_are_drawn(device: _core.GpuDevice) -> None:
     splats = splats_of(THREE, size=128)
     check(draw_splats(splats, LARGE, ALL, device=device), draw_splats(splats, LARGE, ALL))
 
 
 @pytest.mark.parametrize(("depth_bits", "normal_bits"), [(8, 16), (12, 24), (16, 24)])
-def test_formats(device: _core.GpuDevice, depth_bits: int, normal_bits: int) -> None:
+def test_all_splat_formats_are_drawn(device: _core.GpuDevice, depth_bits: int, normal_bits: int) -> None:
     splats = splats_of(THREE, depth_bits, normal_bits, size=20)
     camera = CAMERAS["perspective"]
     check(draw_splats(splats, camera, ALL, device=device), draw_splats(splats, camera, ALL))
@@ -93,7 +93,7 @@ def test_formats(device: _core.GpuDevice, depth_bits: int, normal_bits: int) -> 
 
 @pytest.mark.parametrize("camera", ["perspective", "parallel"])
 @pytest.mark.parametrize("name", ["t_min", "t_max", "both", "box", "planes"])
-def test_limits(device: _core.GpuDevice, name: str, camera: str) -> None:
+def test_limits_on_range_and_space_are_applied(device: _core.GpuDevice, name: str, camera: str) -> None:
     splats, limits = splats_of(THREE), limits_of(name)
     right = draw_splats(splats, CAMERAS[camera], ALL, **limits)
     assert not np.array_equal(right["range"], draw_splats(splats, CAMERAS[camera], ALL)["range"])
@@ -101,7 +101,7 @@ def test_limits(device: _core.GpuDevice, name: str, camera: str) -> None:
 
 
 @pytest.mark.parametrize("grid", [1, 3])
-def test_what_was_there_before(device: _core.GpuDevice, grid: int) -> None:
+def test_splats_are_combined_with_earlier_geometry(device: _core.GpuDevice, grid: int) -> None:
     camera, splats = CAMERAS["perspective"], splats_of(THREE)
     width, height = camera.size
     ranges = draw_splats(splats, camera)["range"]
@@ -114,7 +114,7 @@ def test_what_was_there_before(device: _core.GpuDevice, grid: int) -> None:
     check(draw_splats(splats, camera, channels, grid, before=before, device=device), right)
 
 
-def test_walls_hide_whole_pieces(device: _core.GpuDevice) -> None:
+def test_walls_cull_whole_blocks(device: _core.GpuDevice) -> None:
     camera, splats = CAMERAS["perspective"], splats_of(THREE)
     images = draw_splats(splats, camera, ("color", "range"), before=wall(camera, 1.0), device=device)
     assert (images["color"] == [1, 0, 0]).all()
@@ -122,7 +122,7 @@ def test_walls_hide_whole_pieces(device: _core.GpuDevice) -> None:
     assert images["stats"]["splats_seen"] == 0 < images["stats"]["splats_in_picture"]
 
 
-def test_masks_and_bare_pictures(device: _core.GpuDevice) -> None:
+def test_masked_and_bare_pictures_are_drawn(device: _core.GpuDevice) -> None:
     camera, splats = CAMERAS["perspective"], splats_of(THREE)
     mask = np.random.default_rng(0).random(camera.size[::-1]) < 0.6
     for limits in ({"mask": mask}, {"bare": True}):
@@ -131,7 +131,7 @@ def test_masks_and_bare_pictures(device: _core.GpuDevice) -> None:
         assert (right["color"] == 0).all(axis=-1).any()
 
 
-def test_nothing_is_sky(device: _core.GpuDevice) -> None:
+def test_a_picture_without_splats_is_sky(device: _core.GpuDevice) -> None:
     camera, splats = CAMERAS["perspective"], splats_of(THREE)
     eye = MIDDLE + np.array([0, 0, 60])
     away = nf.Camera.look_at(eye, eye + np.array([0, 0, 30]), fov=camera.fov, size=camera.size)
@@ -142,7 +142,7 @@ def test_nothing_is_sky(device: _core.GpuDevice) -> None:
         assert got["stats"] == right["stats"]
 
 
-def test_of_one_depth_the_first_splat_counts(device: _core.GpuDevice) -> None:
+def test_at_equal_depth_the_first_splat_wins(device: _core.GpuDevice) -> None:
     dark, light = flat(50), flat(200)
     for order in ([dark, light], [light, dark]):
         both = draw_splats(order, STRAIGHT, device=device)
@@ -152,7 +152,7 @@ def test_of_one_depth_the_first_splat_counts(device: _core.GpuDevice) -> None:
     np.testing.assert_array_equal(got["albedo"], draw_splats([nearer], STRAIGHT)["albedo"])
 
 
-def test_both_kinds_of_atomic_integers_make_the_same_picture() -> None:
+def test_both_atomic_widths_give_the_same_picture() -> None:
     splats = splats_of(THREE, size=64)
     with adapter("vulkan"):
         device = backends.open_device()
@@ -169,7 +169,7 @@ def test_both_kinds_of_atomic_integers_make_the_same_picture() -> None:
             assert pictures[0][name].tobytes() == pictures[1][name].tobytes()
 
 
-def test_views_are_sent_once_and_leave_with_their_last_reference(device: _core.GpuDevice) -> None:
+def test_views_are_uploaded_once_and_freed_with_their_last_reference(device: _core.GpuDevice) -> None:
     splats = splats_of(THREE, size=64)
     own = sum(view.compressed_bytes for view in splats)
     assert 0 < own < sum(view.bytes for view in splats)
@@ -179,7 +179,7 @@ def test_views_are_sent_once_and_leave_with_their_last_reference(device: _core.G
     _core.gpu_keep_orthoviews(device, splats)
     assert device.counters()[2] == sent
     draw_splats(splats, CAMERAS["perspective"], device=device)
-    # Views before the camera and pieces, but no splats.
+    # Views in front of the camera with blocks, but without splats.
     assert 0 < device.counters()[2] - sent < own
     del splats
     _core.gpu_keep_orthoviews(device, [])
@@ -187,20 +187,20 @@ def test_views_are_sent_once_and_leave_with_their_last_reference(device: _core.G
 
 
 @pytest.mark.stress
-def test_pictures_in_several_bands(device: _core.GpuDevice) -> None:
-    """The keys of 4 × 4 samples of so many pixels are more than are used at once."""
+def test_pictures_are_drawn_in_several_bands(device: _core.GpuDevice) -> None:
+    """The keys of 4 × 4 samples of so many pixels exceed the limit for one pass."""
     splats = splats_of(THREE, size=64)
     camera = replace(CAMERAS["perspective"], size=(1500, 1150))
     got = draw_splats(splats, camera, ("color", "coverage"), 4, device=device)
     right = draw_splats(splats, camera, ("color", "coverage"), 4)
-    # A sample that shows another splat moves a pixel by a sixteenth.
+    # A sample that shows another splat changes a pixel by a sixteenth.
     assert (np.abs(got["color"] - right["color"]) < 0.1).mean() > 0.9995
     assert (got["coverage"] == right["coverage"]).mean() > 0.9995
     seen = right["stats"]["splats_seen"]
     assert 0.9 * seen < got["stats"]["splats_seen"] <= seen
 
 
-def test_a_lost_device_is_told(device: _core.GpuDevice) -> None:
+def test_a_lost_device_is_reported(device: _core.GpuDevice) -> None:
     splats = splats_of(THREE)
     device.lose()
     with pytest.raises(nf.DeviceError, match="lost"):
@@ -223,8 +223,8 @@ def test_threads_share_a_device(device: _core.GpuDevice) -> None:
                 assert job.result()[name].tobytes() == alone[n % 3][name].tobytes()
 
 
-def test_what_lies_behind_is_left_out(device: _core.GpuDevice) -> None:
-    """Along the axis a wall hides a hundred others behind it, but for those of the first batch."""
+def test_occluded_views_are_culled(device: _core.GpuDevice) -> None:
+    """Along the axis a wall hides a hundred views behind it, except those of the first batch."""
     views = [flat(n, z=-20.0 * n) for n in range(1, 101)]
     got = draw_splats(views[::-1], STRAIGHT, device=device)
     np.testing.assert_array_equal(got["albedo"], draw_splats(views[:1], STRAIGHT)["albedo"])
@@ -232,8 +232,8 @@ def test_what_lies_behind_is_left_out(device: _core.GpuDevice) -> None:
     assert 0 < counts["splats_seen"] < 0.1 * counts["splats_in_picture"]
 
 
-def test_an_eye_among_large_splats(device: _core.GpuDevice) -> None:
-    """Blocks reach behind the eye, and splats across the picture: they are drawn tile by tile."""
+def test_large_splats_around_the_eye_are_drawn(device: _core.GpuDevice) -> None:
+    """Blocks extend behind the eye, and splats across the picture: they are drawn tile by tile."""
     splats = splats_of(THREE, size=64)
     camera = replace(CAMERAS["inside"], size=(250, 200))
     check(draw_splats(splats, camera, ALL, device=device), draw_splats(splats, camera, ALL), least=0.995)
@@ -241,7 +241,7 @@ def test_an_eye_among_large_splats(device: _core.GpuDevice) -> None:
     assert (np.abs(got - right) < 0.1).mean() > 0.999
 
 
-def test_pictures_pass_while_others_bring_views(device: _core.GpuDevice) -> None:
+def test_pictures_are_drawn_while_other_threads_upload_views(device: _core.GpuDevice) -> None:
     camera, splats = replace(CAMERAS["perspective"], size=(320, 240)), splats_of(THREE, size=32)
     before = wall(replace(camera, size=(960, 720)), 47.0)
     right = draw_splats(splats, camera, ("color",), 3, before=before)["color"]

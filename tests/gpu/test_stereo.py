@@ -1,4 +1,4 @@
-"""Tests of hybrid stereo on graphics adapters: against the tracer, and what culling leaves out."""
+"""Tests of hybrid stereo on graphics adapters: against the tracer, and how much culling omits."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def rig(size: tuple[int, int] = (120, 100)) -> nf.stereo.HybridRig:
 
 @pytest.mark.parametrize("name", ADAPTERS)
 @pytest.mark.parametrize("samples", [1, 4])
-def test_adapters_draw_what_the_tracer_does(name: str, samples: int) -> None:
+def test_adapters_agree_with_the_tracer(name: str, samples: int) -> None:
     scene = crowd(("one_7",))
     expected = rig().render(scene, HEAD, channels=CHANNELS, samples=samples, backend="cpu")
     with adapter(name):
@@ -96,7 +96,7 @@ def test_geometry_behind_hidden_pixels_is_not_drawn(name: str) -> None:
 
 @pytest.mark.parametrize("name", ADAPTERS)
 @pytest.mark.parametrize("samples", [1, 4])
-def test_pictures_of_adapters_are_resolved_as_those_of_the_tracer(name: str, samples: int) -> None:
+def test_adapter_samples_are_resolved_like_the_tracers(name: str, samples: int) -> None:
     scene = crowd(("one_7",))
     settings: dict[str, Any] = {"samples": samples, "assembly": "resolved"}
     expected = rig().render(scene, HEAD, backend="cpu", **settings)
@@ -110,7 +110,7 @@ def test_pictures_of_adapters_are_resolved_as_those_of_the_tracer(name: str, sam
 
 
 @pytest.mark.parametrize("name", ADAPTERS)
-def test_instances_that_are_known_to_be_unseen_are_left_out(name: str) -> None:
+def test_instances_known_to_be_invisible_are_not_drawn(name: str) -> None:
     scene, camera = crowd(("one_7", "one_11")), view((0, 0.5, 1), (0, 0, -6), size=(64, 48))
     with adapter(name):
         device = _core.GpuDevice(name)
@@ -134,7 +134,7 @@ def test_instances_that_are_known_to_be_unseen_are_left_out(name: str) -> None:
 
 @contextmanager
 def two_views(device: _core.GpuDevice) -> Iterator[None]:
-    """Let one pass draw both eyes, in software too, where triangles cross no edge of a picture."""
+    """Let one pass draw both eyes, even on software adapters, for triangles that cross no edge of a picture."""
     before = device.allow_two_views(True)
     try:
         yield
@@ -143,7 +143,7 @@ def two_views(device: _core.GpuDevice) -> Iterator[None]:
 
 
 def cluster() -> nf.Scene:
-    """Bent quads in front of both eyes, none of which crosses an edge of their pictures; one can move."""
+    """Return bent quads in front of both eyes, none of which crosses an edge of their pictures; one can move."""
     dice = np.random.default_rng(5)
     builder = SceneBuilder()
     for number, color in enumerate([(1.0, 0.8, 0.6, 1.0), (0.3, 0.5, 0.9, 1.0), (0.6, 0.9, 0.4, 1.0)]):
@@ -154,8 +154,8 @@ def cluster() -> nf.Scene:
 
 
 @pytest.mark.parametrize("samples", [1, 2, 4])
-def test_two_views_at_once_are_two_pictures(samples: int) -> None:
-    """Where the adapter draws both eyes in one pass, each triangle is sent once."""
+def test_two_views_in_one_pass_equal_two_pictures(samples: int) -> None:
+    """An adapter that draws both eyes in one pass receives each triangle once."""
     scene, pair = cluster(), rig().cameras(HEAD)[:2]
     settings: dict[str, Any] = {"channels": RENDERED, "samples": samples}
     with adapter("vulkan"):
@@ -163,7 +163,7 @@ def test_two_views_at_once_are_two_pictures(samples: int) -> None:
         before = device.counters()[3]
         with two_views(device):
             jobs = scene.begin(device, nf.Shot(cameras=pair, **settings))
-        # The second one first: the frames wait for one another.
+        # The second one first: the frames are computed asynchronously.
         both = [job.finish() for job in reversed(jobs)][::-1]
         at_once = device.counters()[3] - before
         alone = [nf.render(scene, camera, backend="gpu", **settings) for camera in pair]
@@ -177,13 +177,13 @@ def test_two_views_at_once_are_two_pictures(samples: int) -> None:
         same = frame.require("face_id") == images["face_id"]
         for channel in RENDERED:
             close = np.isclose(images[channel], frame.require(channel), rtol=1e-5, atol=1e-5, equal_nan=True)
-            # Samples beside the centre may see another face.
+            # Samples away from the pixel's centre may see another face.
             assert close[same].mean() > (0.9999 if samples == 1 else 0.99)
-    # Its own multisampling takes a pass for each eye.
+    # Hardware multisampling takes a pass for each eye.
     assert at_once == (separate if samples == 4 else separate / 2)
 
 
-def test_adapters_in_software_draw_each_eye_by_itself() -> None:
+def test_software_adapters_draw_each_eye_separately() -> None:
     """Lavapipe draws triangles that cross an edge of the picture into the first view only."""
     with adapter("vulkan"):
         assert not _core.GpuDevice("vulkan").allow_two_views(False)

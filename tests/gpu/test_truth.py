@@ -31,7 +31,7 @@ def city() -> nf.Scene:
 
 
 @pytest.mark.parametrize("eye", [(0.0, 1.7, 0.0), (50.0, 80.0, 60.0)])
-def test_the_procedural_city_is_the_same(city: nf.Scene, eye: tuple[float, float, float]) -> None:
+def test_the_procedural_city_agrees_with_the_tracer(city: nf.Scene, eye: tuple[float, float, float]) -> None:
     agree(*both(city, view(eye, (20, 5, -40))))
 
 
@@ -49,15 +49,15 @@ load = functools.cache(lambda name: nf.Scene.load(data(name)))
         ("objects/gltf/FlightHelmet/FlightHelmet.gltf", (0, 0.36, 0.75), (0, 0.36, 0)),
     ],
 )
-def test_scenes_from_files_are_the_same(
+def test_scenes_from_files_agree_with_the_tracer(
     name: str, eye: tuple[float, float, float], target: tuple[float, float, float]
 ) -> None:
     # From outside the garage is mostly edges and coincident surfaces.
     agree(*both(load(name), view(eye, target)), same=0.998 if eye[2] == 7.8 else 0.999)
 
 
-def test_ranges_are_as_exact_as_the_tracers(city: nf.Scene) -> None:
-    """Planes along rays in float64: adapters' errors are at most 1.5 times the tracer's, also at slanted surfaces."""
+def test_ranges_are_as_accurate_as_the_tracers(city: nf.Scene) -> None:
+    """Compares planes along rays in float64: errors are at most 1.5 times the tracer's, also at slanted surfaces."""
     camera = view((0, 1.7, 0), (20, 5, -40), size=(480, 320))
     cpu, gpu = both(city, camera)
     equal = agree(cpu, gpu)
@@ -74,7 +74,7 @@ def test_ranges_are_as_exact_as_the_tracers(city: nf.Scene) -> None:
 
 
 @pytest.mark.parametrize("fov", PROJECTIONS, ids=lambda fov: f"{type(fov).__name__}{getattr(fov, 'face', '')}")
-def test_every_projection_and_kind_of_surface(fov: Projection) -> None:
+def test_every_projection_and_surface_type_agrees_with_brute_force(fov: Projection) -> None:
     """A room with a repeated texture, vertex colours and a cut-out leaf, compared with brute force in float64."""
     surfaces = room()
     turn = (0.0, 0.0, 0.0, 1.0) if isinstance(fov, nf.CubeFace) else (0.1, 0.2, -0.1, 0.9695359714832659)
@@ -87,11 +87,11 @@ def test_every_projection_and_kind_of_surface(fov: Projection) -> None:
     exact = oracle.cast(surfaces, oracle.view(camera))
     same = exact.face_id.reshape(48, -1) == gpu.require("face_id")
     assert same.mean() >= 0.995
-    # As far as the tracer's own test: levels of textures and corners' colours are rounded to float32.
+    # The tolerance of the tracer's own test: texture levels and corner colours are rounded to float32.
     np.testing.assert_allclose(gpu.require("color")[same], exact.color.reshape(48, -1, 3)[same], atol=2e-3)
 
 
-def test_cube_faces_look_where_they_should() -> None:
+def test_cube_faces_look_in_their_directions() -> None:
     """Six walls of six colours about the eye."""
     colors = [(1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 0), (0, 1, 1), (1, 0, 1)]
     walls = []
@@ -108,8 +108,8 @@ def test_cube_faces_look_where_they_should() -> None:
         np.testing.assert_array_equal(lit, np.array(colors[face]) > 0)
 
 
-def test_images_on_a_wall_keep_their_sides() -> None:
-    """One texel of each colour in each quarter of the picture: nothing is mirrored or turned."""
+def test_textures_are_neither_mirrored_nor_rotated() -> None:
+    """Each quarter of the picture shows one texel, in a distinct colour."""
     texture = np.zeros((2, 2, 4), np.uint8)
     texture[..., 3] = 255
     texture[0, 0, 0] = texture[0, 1, 1] = texture[1, 0, 2] = 255
@@ -124,7 +124,7 @@ def test_images_on_a_wall_keep_their_sides() -> None:
     assert np.argmax(color[48, 16]) == 2
 
 
-def test_instances_mirrored_ones_and_moving_ones() -> None:
+def test_mirrored_and_moving_instances_agree_with_the_tracer() -> None:
     camera = view((0.2, 1.3, 1.0), (0, 0, -6))
     standing = crowd()
     agree(*both(standing, camera))
@@ -140,7 +140,7 @@ def test_instances_mirrored_ones_and_moving_ones() -> None:
 
 
 def test_normals_of_vertices_are_the_same() -> None:
-    """Instances stretched and mirrored, one that moves, vertices without a normal, a flat mesh among them."""
+    """Covers stretched and mirrored instances, a moving one, vertices without a normal, and a flat mesh."""
     vertices, faces = ball(2)
     some = vertices.copy()
     some[::7] = 0.0
@@ -156,13 +156,13 @@ def test_normals_of_vertices_are_the_same() -> None:
         cpu, gpu = both(shown, camera)
         same = agree(cpu, gpu)
         same &= np.isfinite(cpu.require("range"))
-        # Nothing but directions of normals differs, which follow from weights of corners that are rounded otherwise.
+        # Only directions of normals differ, which follow from barycentric weights that are rounded differently.
         np.testing.assert_allclose(gpu.require("color")[same], cpu.require("color")[same], atol=1e-4)
     many = [frame.require("color") for frame in both(scene, camera, samples=4, channels=("color",))]
     assert np.abs(many[0] - many[1]).mean() < 2e-3
 
 
-def test_far_from_zero_nothing_is_lost() -> None:
+def test_far_from_the_origin_precision_is_kept() -> None:
     surfaces = room()
     shift = np.array([1e6, 2e6, -3e6])
     for surface in surfaces:
@@ -175,7 +175,7 @@ def test_far_from_zero_nothing_is_lost() -> None:
     agree(*both(scene, nf.Camera(tuple(shift + 0.3), fov=nf.Fov(-1, 1, -1, 1), size=(96, 96))), same=0.995)
 
 
-def test_cameras_inside_of_things_and_views_of_nothing() -> None:
+def test_cameras_inside_objects_and_empty_views_are_drawn() -> None:
     inside = SceneBuilder()
     for size in (0.02, 1.0, 400.0):
         box = room()[0]
@@ -198,7 +198,7 @@ def test_an_empty_scene_is_all_sky() -> None:
 
 
 @pytest.mark.parametrize("samples", [2, 4, 16])
-def test_antialiasing_tends_to_the_same_picture(city: nf.Scene, samples: int) -> None:
+def test_antialiasing_converges_to_the_same_picture(city: nf.Scene, samples: int) -> None:
     """The tracer's sample positions are the same except for the hardware's four, whose edges differ slightly."""
     cpu, gpu = both(city, view((0, 1.7, 0), (20, 5, -40), (240, 160)), samples=samples)
     difference = np.abs(cpu.to_image().astype(int) - gpu.to_image()).max(-1)
@@ -208,7 +208,7 @@ def test_antialiasing_tends_to_the_same_picture(city: nf.Scene, samples: int) ->
     assert difference.mean() <= limit * aliased.mean(), (difference.mean(), aliased.mean())
 
 
-def test_channels_are_the_same_alone(city: nf.Scene) -> None:
+def test_single_channels_equal_those_rendered_together(city: nf.Scene) -> None:
     camera = view((50, 80, 60), (0, 0, 0), size=(97, 61))
     whole = nf.render(
         city, camera, channels=("color", "range", "object_id", "face_id", "position", "normal"), backend="gpu"

@@ -26,7 +26,7 @@ def check_morph(case: dict[str, Any], kind: str) -> None:
 
 
 def exact_cases(file: str, section: str = "cases") -> list[Any]:
-    """Cases whose inputs are exact in float32."""
+    """Return cases whose inputs are exact in float32."""
     return [parameters for parameters in cases(file, section) if "wgsl" in parameters.values[0]["tolerance"]]
 
 

@@ -38,7 +38,7 @@ hmds = st.builds(
 
 
 @given(hmd=hmds)
-def test_files_come_back_bit_for_bit(tmp_path_factory: pytest.TempPathFactory, hmd: nf.Hmd) -> None:
+def test_files_load_bit_for_bit(tmp_path_factory: pytest.TempPathFactory, hmd: nf.Hmd) -> None:
     path = tmp_path_factory.getbasetemp() / "one.json"
     hmd.save(path)
     assert nf.Hmd.load(path) == hmd
@@ -46,7 +46,7 @@ def test_files_come_back_bit_for_bit(tmp_path_factory: pytest.TempPathFactory, h
 
 
 @given(hmd=hmds)
-def test_what_hmdq_has_a_place_for_comes_back(tmp_path_factory: pytest.TempPathFactory, hmd: nf.Hmd) -> None:
+def test_fields_that_hmdq_stores_are_restored(tmp_path_factory: pytest.TempPathFactory, hmd: nf.Hmd) -> None:
     path = tmp_path_factory.getbasetemp() / "one.hmdq.json"
     try:
         hmd.save(path, format="hmdq")
@@ -62,7 +62,7 @@ def test_what_hmdq_has_a_place_for_comes_back(tmp_path_factory: pytest.TempPathF
     assert again.lens is None
 
 
-def test_a_place_that_cannot_be_written_keeps_what_was_there(tmp_path: Path) -> None:
+def test_a_failed_save_keeps_the_old_file(tmp_path: Path) -> None:
     path = tmp_path / "one.json"
     nf.hmd.VIVE.save(path)
     with pytest.raises(ValueError, match="format: expected one of 'nearfar', 'hmdq', got 'xml'"):
@@ -73,16 +73,16 @@ def test_a_place_that_cannot_be_written_keeps_what_was_there(tmp_path: Path) -> 
         nf.Hmd.load(tmp_path / "none.json")
 
 
-def without(document: dict[str, Any], *keys: str) -> dict[str, Any]:
-    changed = copy.deepcopy(document)
-    node = changed
+def remove_key(document: dict[str, Any], *keys: str) -> dict[str, Any]:
+    result = copy.deepcopy(document)
+    node = result
     for key in keys[:-1]:
         node = node[key]
     del node[keys[-1]]
-    return changed
+    return result
 
 
-def changed(document: dict[str, Any], value: Any, *keys: str) -> dict[str, Any]:
+def replace_value(document: dict[str, Any], value: Any, *keys: str) -> dict[str, Any]:
     result = copy.deepcopy(document)
     node = result
     for key in keys[:-1]:
@@ -91,55 +91,73 @@ def changed(document: dict[str, Any], value: Any, *keys: str) -> dict[str, Any]:
     return result
 
 
-def refused(tmp_path: Path, document: Any, words: str) -> None:
+def check_refused(tmp_path: Path, document: Any, words: str) -> None:
     path = tmp_path / "bad.json"
     path.write_text(json.dumps(document), encoding="utf-8")
     with pytest.raises(nf.FormatError, match=rf"bad\.json: .*{words}"):
         nf.Hmd.load(path)
 
 
-def test_numbers_without_a_point_are_numbers(tmp_path: Path) -> None:
+def test_integers_are_accepted_as_numbers(tmp_path: Path) -> None:
     path = tmp_path / "one.json"
     nf.hmd.INDEX.save(path)
     good = json.loads(path.read_text(encoding="utf-8"))
-    path.write_text(json.dumps(changed(changed(good, [0, 10**25], "lens"), 144, "refresh_hz")), encoding="utf-8")
+    path.write_text(
+        json.dumps(replace_value(replace_value(good, [0, 10**25], "lens"), 144, "refresh_hz")), encoding="utf-8"
+    )
     hmd = nf.Hmd.load(path)
     assert hmd.lens == nf.RadialLens((0.0, 1e25))
     assert isinstance(hmd.refresh_hz, float)
 
 
-def test_a_runtime_is_for_files_of_hmdq(tmp_path: Path) -> None:
+def test_a_runtime_is_only_for_files_of_hmdq(tmp_path: Path) -> None:
     path = tmp_path / "one.json"
     nf.hmd.INDEX.save(path)
     with pytest.raises(ValueError, match=r"runtime: expected None for .*one\.json"):
         nf.Hmd.load(path, runtime="oculus")
 
 
-def test_damaged_files_say_where(tmp_path: Path) -> None:
+def test_damaged_headset_files_name_the_key(tmp_path: Path) -> None:
     path = tmp_path / "one.json"
     nf.hmd.INDEX.save(path)
     good = json.loads(path.read_text(encoding="utf-8"))
     for keys in (("name",), ("eyes",), ("eyes", "left"), ("eyes", "right", "fov"), ("eyes", "left", "fov", "up")):
-        refused(tmp_path, without(good, *keys), rf"{'.'.join(keys)}: expected a value, found none".replace(".", r"\."))
-    refused(
-        tmp_path, changed(good, "wide", "eyes", "left", "fov", "up"), 'eyes.left.fov.up: expected a number, got "wide"'
+        check_refused(
+            tmp_path, remove_key(good, *keys), rf"{'.'.join(keys)}: expected a value, found none".replace(".", r"\.")
+        )
+    check_refused(
+        tmp_path,
+        replace_value(good, "wide", "eyes", "left", "fov", "up"),
+        'eyes.left.fov.up: expected a number, got "wide"',
     )
     for value in (10**400, float("nan"), float("inf"), True):
-        refused(tmp_path, changed(good, value, "eyes", "left", "fov", "up"), "eyes.left.fov.up: expected a number, got")
-        refused(tmp_path, changed(good, [0.1, value], "lens"), "lens: expected numbers, got")
-        refused(
-            tmp_path, changed(good, [0, 0, value], "eyes", "left", "position"), "eyes.left.position: expected 3 num"
+        check_refused(
+            tmp_path,
+            replace_value(good, value, "eyes", "left", "fov", "up"),
+            "eyes.left.fov.up: expected a number, got",
         )
-        refused(tmp_path, changed(good, value, "refresh_hz"), "refresh_hz: expected a number, got")
-        refused(tmp_path, changed(good, [value, 5], "render_size"), "render_size: expected 2 numbers, got")
-    refused(tmp_path, changed(good, "\ud800", "name"), "name: .*lone surrogate")
-    refused(tmp_path, changed(good, [0, 0, 0], "eyes", "right", "orientation"), "eyes.right.orientation: expected 4")
-    refused(tmp_path, changed(good, [0, 0, 0, 2], "eyes", "right", "orientation"), "eyes.right: .*unit quaternion")
-    refused(tmp_path, changed(good, 9.0, "eyes", "right", "fov", "left"), "eyes.right.fov: .*expected left < right")
-    refused(tmp_path, changed(good, [1, 2.5], "render_size"), "render_size.1.: expected a whole number")
-    refused(tmp_path, changed(good, 2, "version"), "reads up to version 1")
-    refused(tmp_path, changed(good, "nearfar.envmap", "format"), "expected format 'nearfar.hmd'")
-    refused(tmp_path, [1, 2], "expected a JSON object, got list")
+        check_refused(tmp_path, replace_value(good, [0.1, value], "lens"), "lens: expected numbers, got")
+        check_refused(
+            tmp_path,
+            replace_value(good, [0, 0, value], "eyes", "left", "position"),
+            "eyes.left.position: expected 3 num",
+        )
+        check_refused(tmp_path, replace_value(good, value, "refresh_hz"), "refresh_hz: expected a number, got")
+        check_refused(tmp_path, replace_value(good, [value, 5], "render_size"), "render_size: expected 2 numbers, got")
+    check_refused(tmp_path, replace_value(good, "\ud800", "name"), "name: .*lone surrogate")
+    check_refused(
+        tmp_path, replace_value(good, [0, 0, 0], "eyes", "right", "orientation"), "eyes.right.orientation: expected 4"
+    )
+    check_refused(
+        tmp_path, replace_value(good, [0, 0, 0, 2], "eyes", "right", "orientation"), "eyes.right: .*unit quaternion"
+    )
+    check_refused(
+        tmp_path, replace_value(good, 9.0, "eyes", "right", "fov", "left"), "eyes.right.fov: .*expected left < right"
+    )
+    check_refused(tmp_path, replace_value(good, [1, 2.5], "render_size"), "render_size.1.: expected a whole number")
+    check_refused(tmp_path, replace_value(good, 2, "version"), "reads up to version 1")
+    check_refused(tmp_path, replace_value(good, "nearfar.envmap", "format"), "expected format 'nearfar.hmd'")
+    check_refused(tmp_path, [1, 2], "expected a JSON object, got list")
     path.write_bytes(b"\xff\xfe{")
     with pytest.raises(nf.FormatError, match=r"one\.json: expected JSON"):
         nf.Hmd.load(path)

@@ -10,20 +10,20 @@ import pytest
 import nearfar as nf
 
 
-def test_every_profile_has_a_distance_that_eyes_have() -> None:
+def test_every_profile_has_a_realistic_eye_distance() -> None:
     for name in nf.hmd.names():
         hmd = nf.hmd.get(name)
         assert math.isclose(hmd.with_ipd(hmd.ipd).ipd, hmd.ipd, rel_tol=1e-12)
 
 
-def test_the_vive_pros_lens_is_that_of_the_thesis() -> None:
+def test_the_vive_pros_lens_equals_the_thesis() -> None:
     hmd = nf.hmd.VIVE_PRO
     assert hmd.lens == nf.RadialLens((0.2063, 0.0576))
     assert hmd.lens_radius == math.tan(math.radians(47.5))
     assert hmd.lens_source.startswith("Liebisch (2021)")
 
 
-def test_a_headset_takes_another_lens(tmp_path: Path) -> None:
+def test_a_headset_accepts_another_lens(tmp_path: Path) -> None:
     assert nf.hmd.QUEST_2.lens_source == ""
     generic = nf.hmd.QUEST_2.with_lens()
     assert (generic.lens, generic.lens_radius) == (nf.hmd.GENERIC_LENS, 1.0)

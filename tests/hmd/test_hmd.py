@@ -35,7 +35,7 @@ CONFIGURATIONS = {
     "PimaxCrystal_Native_R120": "PIMAX_CRYSTAL",
     "ViveFocus3_Native_R90": "VIVE_FOCUS_3",
 }
-# hmdv 2.1.7 counted what hidden areas have outside of the view; hmdv 2.2.1, which the profile cites, does not.
+# hmdv 2.1.7 counted hidden areas outside of the view, too; hmdv 2.2.1, which the profile cites, does not.
 RECOUNTED = {"RIFT_CV1": 10.03}
 # Tolerances of printed digits: half a unit in the last one, doubled for tangents of six digits.
 PRINTED_DEG, PRINTED_MM = 0.0051, 0.051
@@ -48,7 +48,7 @@ def devices() -> dict[str, Any]:
 
 
 # profiles ------------------------------------------------------------------------------------------------------------
-def test_every_number_is_that_of_the_data(devices: dict[str, Any]) -> None:
+def test_every_number_equals_the_data(devices: dict[str, Any]) -> None:
     assert set(CONFIGURATIONS) <= set(devices)
     for configuration, name in CONFIGURATIONS.items():
         device = devices[configuration]
@@ -72,7 +72,7 @@ def test_every_number_is_that_of_the_data(devices: dict[str, Any]) -> None:
         assert path in hmd.sources[0]
 
 
-# The data do not include how far a hidden-area mesh cuts the lines through the middle and the corners, so these printed
+# The data omit how far a hidden-area mesh cuts the lines through the middle and the corners, so these printed
 # values are smaller than the views. All others agree to the last digit.
 LESS = {
     "VIVE": {"diagonal", "overlap"},
@@ -89,7 +89,7 @@ LESS = {
 }
 
 
-def test_total_fields_of_view_are_those_that_hmdv_prints(devices: dict[str, Any]) -> None:
+def test_total_fields_of_view_equal_those_of_hmdv(devices: dict[str, Any]) -> None:
     for configuration, name in CONFIGURATIONS.items():
         hmd = nf.hmd.get(name)
         for quantity, printed in devices[configuration]["total_fov_deg"].items():
@@ -103,7 +103,7 @@ def test_total_fields_of_view_are_those_that_hmdv_prints(devices: dict[str, Any]
                 assert abs(ours - printed) <= PRINTED_DEG, (name, quantity, ours, printed)
 
 
-def test_a_view_canted_by_ten_degrees_is_that_of_its_print_out() -> None:
+def test_a_view_canted_by_ten_degrees_equals_its_printout() -> None:
     """The Pimax 5K Plus is not in the data; these numbers are from the cited source."""
     hmd = nf.hmd.PIMAX_5K_PLUS
     np.testing.assert_allclose(hmd.left.angles_deg, (-80.14, 43.39, -51.35, 51.35), rtol=0, atol=PRINTED_DEG)
@@ -114,7 +114,7 @@ def test_a_view_canted_by_ten_degrees_is_that_of_its_print_out() -> None:
     assert abs(hmd.ipd - 0.07) < 1e-12
 
 
-def test_lenses_and_panels_are_those_of_the_data() -> None:
+def test_lenses_and_panels_equal_the_data() -> None:
     read = json.loads(data("optics/lens_distortion.json").read_text(encoding="utf-8"))
     panels = {entry["name"]: entry.get("resolution") for entry in read["openhmd"]}
     for hmd in (nf.hmd.VIVE, nf.hmd.VIVE_PRO):
@@ -124,7 +124,7 @@ def test_lenses_and_panels_are_those_of_the_data() -> None:
     assert viewers == nf.hmd.CARDBOARD_LENSES
 
 
-def test_profiles_say_what_is_published() -> None:
+def test_profiles_equal_published_values() -> None:
     assert nf.hmd.QUEST_2.triangle_budget == (750_000, 1_000_000)
     assert nf.hmd.QUEST_3.triangle_budget == (1_000_000, 2_000_000)
     assert nf.hmd.RIFT_S.lens == nf.RadialLens((0.22, 0.24))
@@ -153,7 +153,7 @@ def test_profiles_are_read_on_first_use() -> None:
     assert done.stdout.split() == ["0", "1"]
 
 
-def test_names_that_are_not_there_are_said() -> None:
+def test_unknown_headset_names_are_errors() -> None:
     with pytest.raises(ValueError, match=r"got 'qest 2' \(did you mean QUEST_2\?\)"):
         nf.hmd.get("qest 2")
     for name in ("quest_2", "Quest 2", "quest-2"):
@@ -165,8 +165,8 @@ def test_names_that_are_not_there_are_said() -> None:
 
 # eyes ----------------------------------------------------------------------------------------------------------------
 @given(eyes)
-def test_angles_are_those_of_a_search(eye: nf.hmd.Eye) -> None:
-    """The outermost direction of the head's horizontal and vertical plane that the eye sees, by bisection."""
+def test_angles_equal_a_bisection(eye: nf.hmd.Eye) -> None:
+    """Bisects for the outermost direction of the head's horizontal and vertical plane that the eye sees."""
     back = rotation(eye.orientation).T
 
     def sees(direction: Any) -> bool:
@@ -190,7 +190,7 @@ def test_angles_are_those_of_a_search(eye: nf.hmd.Eye) -> None:
 
 
 @given(eyes)
-def test_matrices_are_taken_back(eye: nf.hmd.Eye) -> None:
+def test_eyes_are_restored_from_matrices(eye: nf.hmd.Eye) -> None:
     again = nf.hmd.Eye.from_matrix(eye.fov, eye.matrix)
     assert again.fov == eye.fov
     assert again.position == eye.position
@@ -201,7 +201,7 @@ def test_matrices_are_taken_back(eye: nf.hmd.Eye) -> None:
     np.testing.assert_allclose(axes @ axes.T, np.eye(3), rtol=0, atol=1e-15)
 
 
-def test_what_is_no_rotation_is_refused() -> None:
+def test_matrices_that_are_no_rotation_are_refused() -> None:
     fov = nf.Fov(-1, 1, -1, 1)
     for matrix in (np.diag([1.0, 1, -1]), np.diag([1.01, 1, 1]), np.zeros((3, 3))):
         with pytest.raises(ValueError, match="eye_to_head: expected a rotation"):
@@ -216,7 +216,7 @@ def test_an_eye_that_looks_past_the_horizon_has_no_angles() -> None:
 
 # cameras -------------------------------------------------------------------------------------------------------------
 @given(eyes, eyes, turns, st.tuples(*[st.floats(-100, 100)] * 3))
-def test_cameras_stand_where_the_head_and_the_eye_say(
+def test_cameras_are_posed_by_head_and_eye(
     left: nf.hmd.Eye, right: nf.hmd.Eye, head: tuple[float, float, float, float], place: tuple[float, float, float]
 ) -> None:
     hmd = nf.Hmd(name="one", left=left, right=right, render_size=(200, 100))
@@ -236,7 +236,7 @@ def test_cameras_stand_where_the_head_and_the_eye_say(
 
 
 @given(eyes, eyes, st.floats(0.04, 0.09))
-def test_eyes_move_apart_about_their_middle(left: nf.hmd.Eye, right: nf.hmd.Eye, ipd: float) -> None:
+def test_a_changed_eye_distance_keeps_the_middle(left: nf.hmd.Eye, right: nf.hmd.Eye, ipd: float) -> None:
     hmd = nf.Hmd(name="one", left=left, right=right, render_size=(2, 2))
     if hmd.ipd < 1e-6:
         return
@@ -250,7 +250,7 @@ def test_eyes_move_apart_about_their_middle(left: nf.hmd.Eye, right: nf.hmd.Eye,
     assert math.isclose(cosine, 1.0, rel_tol=1e-12)
 
 
-def test_a_picture_of_an_eye() -> None:
+def test_the_camera_of_an_eye_renders_pictures() -> None:
     frame = nf.render(nf.datasets.room(), nf.hmd.INDEX.camera("left", (0, 1.6, 0), size=(40, 30)))
     assert frame.color is not None
     assert frame.color.shape == (30, 40, 3)

@@ -14,7 +14,7 @@ import nearfar as nf
 
 
 def single(value: float) -> float:
-    """Round as hmdq does: the numbers of OpenVR and LibOVR are float32."""
+    """Round to float32, like the numbers of OpenVR and LibOVR in hmdq."""
     return float(np.float32(value))
 
 
@@ -25,13 +25,13 @@ def raw(left: float, right: float, bottom: float, top: float) -> dict[str, float
 
 
 def turn(degrees: float, x: float) -> list[list[float]]:
-    """An eye turned about the vertical, to the left by positive angles."""
+    """Return the matrix of an eye rotated about the vertical, to the left by positive angles."""
     c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
     return [[single(v) for v in row] for row in ([c, 0, s, x], [0, 1, 0, 0], [-s, 0, c, 0])]
 
 
 def openvr_geometry() -> dict[str, Any]:
-    """A made-up headset, canted by eight degrees."""
+    """Return a made-up headset, canted by eight degrees."""
     mesh = {"ham_area": 0.125, "verts_raw": [[0, 0], [0.5, 0], [0, 0.5]], "verts_opt": [[0, 0], [0.5, 0], [0, 0.5]]}
     return {
         "rec_rts": [1600, 1500],
@@ -130,7 +130,7 @@ def test_old_versions_are_read(tmp_path: Path) -> None:
     assert (one.name, one.left, one.right, one.refresh_hz) == (other.name, other.left, other.right, other.refresh_hz)
 
 
-def test_a_dump_without_properties_is_called_as_its_file(tmp_path: Path) -> None:
+def test_a_dump_without_properties_is_named_after_its_file(tmp_path: Path) -> None:
     content = document()
     del content["openvr"]["properties"]
     hmd = load(tmp_path, content)
@@ -138,20 +138,20 @@ def test_a_dump_without_properties_is_called_as_its_file(tmp_path: Path) -> None
 
 
 @pytest.mark.parametrize("rate", [0, 0.0, -1, math.nan, math.inf, True, "fast", None, 10**400])
-def test_a_rate_that_is_none_is_unknown(tmp_path: Path, rate: Any) -> None:
+def test_an_invalid_refresh_rate_is_unknown(tmp_path: Path, rate: Any) -> None:
     content = document()
     content["openvr"]["properties"]["1"]["Prop_DisplayFrequency_Float"] = rate
     assert load(tmp_path, content).refresh_hz is None
 
 
 @pytest.mark.parametrize("area", [True, None, math.nan, "0.1"])
-def test_areas_that_are_no_numbers_are_unknown(tmp_path: Path, area: Any) -> None:
+def test_areas_that_are_not_numbers_are_unknown(tmp_path: Path, area: Any) -> None:
     content = document()
     content["openvr"]["geometry"]["ham_mesh"]["Left"]["ham_area"] = area
     assert load(tmp_path, content).hidden_area_percent == 13.5
 
 
-def test_names_of_files_that_are_no_text_are_read() -> None:
+def test_file_names_that_are_not_unicode_are_read() -> None:
     content = document()
     del content["openvr"]["properties"]
     hmd = nf.Hmd._from_json(json.dumps(content).encode(), "one\udcff.json")
@@ -159,7 +159,7 @@ def test_names_of_files_that_are_no_text_are_read() -> None:
     assert hmd.sources[0].startswith("one?.json: openvr")
 
 
-def test_what_is_written_is_what_hmdv_shows(tmp_path: Path) -> None:
+def test_written_files_contain_the_values_of_hmdv(tmp_path: Path) -> None:
     """The values listed for the Valve Index in the geometry database that its mesh does not affect."""
     path = tmp_path / "index.json"
     nf.hmd.INDEX.save(path, format="hmdq")
@@ -198,7 +198,7 @@ def test_what_is_written_is_what_hmdv_shows(tmp_path: Path) -> None:
         (("rec_rts",), [0, 5], r"render_size\[0\]: expected"),
     ],
 )
-def test_damaged_dumps_say_where(tmp_path: Path, keys: tuple[str, ...], value: Any, words: str) -> None:
+def test_damaged_dumps_name_the_key(tmp_path: Path, keys: tuple[str, ...], value: Any, words: str) -> None:
     content = document()
     node = content["openvr"]["geometry"]
     for key in keys[:-1]:
@@ -208,15 +208,15 @@ def test_damaged_dumps_say_where(tmp_path: Path, keys: tuple[str, ...], value: A
         load(tmp_path, content)
 
 
-def test_runtimes_that_failed_or_are_not_there(tmp_path: Path) -> None:
+def test_failed_and_missing_runtimes_are_reported(tmp_path: Path) -> None:
     content = document()
     content["openvr"] = {"error@": "no headset"}
     assert load(tmp_path, content).name == "Nobody Flat"
     with pytest.raises(nf.FormatError, match="expected geometry from openvr, found oculus, oculus_max"):
         load(tmp_path, content, runtime="openvr")
-    # As hmdq marks tangents that LibOVR reported as zero.
+    # hmdq's mark for tangents that LibOVR reported as zero.
     content["oculus"]["geometry"]["default_fov"]["error@"] = "Geometry data are invalid"
     assert load(tmp_path, content).render_size == (1100, 1234)
     del content["oculus"]
-    with pytest.raises(nf.FormatError, match=r"geometry: expected it in openvr or oculus"):
+    with pytest.raises(nf.FormatError, match=r"geometry: expected valid geometry in openvr or oculus"):
         load(tmp_path, content)

@@ -1,4 +1,4 @@
-"""Tests of the card that notebooks show of headsets."""
+"""Tests of notebook cards of headsets."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def test_outlines_are_the_angles_of_the_edges() -> None:
     assert math.isclose(outline[:, 1].max(), 45.0, abs_tol=0.5)
 
 
-def test_unknown_figures_are_left_out_and_names_are_escaped() -> None:
+def test_unknown_figures_are_omitted_and_names_are_escaped() -> None:
     known = nf.hmd.QUEST_2
     eye = known.left
     bare = nf.Hmd(name="<b>A & B</b>", left=eye, right=dataclasses.replace(eye, position=(1, 0, 0)), render_size=(8, 9))

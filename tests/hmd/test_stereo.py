@@ -1,4 +1,4 @@
-"""Tests of the pictures of both eyes: against single renders, the geometry of disparity, and the axes of the lenses."""
+"""Tests of the pictures of both eyes: against single renders, the geometry of disparity, and the lenses' axes."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ def reduced() -> nf.ReducedScene:
     return nf.reduce(street(), center=CENTER, r1=R1, r2=R2, face_size=128, channels=("color", "range", "object_id"))
 
 
-def alone(source: Any, hmd: nf.Hmd = QUEST, **arguments: Any) -> list[nf.Frame]:
-    """Frames of both eyes by two calls of `render`."""
+def render_separately(source: Any, hmd: nf.Hmd = QUEST, **arguments: Any) -> list[nf.Frame]:
+    """Return frames of both eyes by two calls of `render`."""
     return [
         nf.render(source, hmd.camera(eye, HEAD, TURNED, size=SIZE), backend="cpu", **arguments)
         for eye in ("left", "right")
@@ -54,22 +54,22 @@ def test_both_eyes_are_two_renders_of_a_scene(name: str) -> None:
     hmd, scene = nf.hmd.get(name), street()
     settings: dict[str, Any] = {"samples": 2, "channels": ("color", "range", "object_id", "normal"), "t_max": 60.0}
     stereo = nf.render_eyes(scene, hmd, HEAD, orientation=TURNED, size=SIZE, backend="cpu", **settings)
-    same(stereo, alone(scene, hmd, **settings))
+    same(stereo, render_separately(scene, hmd, **settings))
     assert stereo.hmd is hmd
 
 
 def test_each_eye_is_the_user_of_a_reduced_scene(reduced: nf.ReducedScene) -> None:
     common: dict[str, Any] = {"orientation": TURNED, "size": SIZE, "backend": "cpu"}
-    same(nf.render_eyes(reduced, QUEST, HEAD, **common), alone(reduced))
+    same(nf.render_eyes(reduced, QUEST, HEAD, **common), render_separately(reduced))
     one = middle_of(QUEST)
     at_middle = nf.render_eyes(reduced, QUEST, HEAD, user="middle", **common)
-    same(at_middle, alone(reduced, user=one))
-    same(nf.render_eyes(reduced, QUEST, HEAD, user=one, **common), alone(reduced, user=one))
-    assert at_middle.left.require("range").tobytes() != alone(reduced)[0].require("range").tobytes()
+    same(at_middle, render_separately(reduced, user=one))
+    same(nf.render_eyes(reduced, QUEST, HEAD, user=one, **common), render_separately(reduced, user=one))
+    assert at_middle.left.require("range").tobytes() != render_separately(reduced)[0].require("range").tobytes()
 
 
-def test_one_users_pictures_break_at_r2_and_each_eyes_own_do_not(reduced: nf.ReducedScene) -> None:
-    """Directions to points just before r2 as the eyes' pictures and the map show them, in radians."""
+def test_pictures_morphed_for_the_head_break_at_r2_and_per_eye_do_not(reduced: nf.ReducedScene) -> None:
+    """Compares directions to points just before r2 in the eyes' pictures and in the map, in radians."""
     angles = np.linspace(0.0, 2 * np.pi, 64, endpoint=False)
     points = np.column_stack([np.cos(angles), 0 * angles, np.sin(angles)]) * (R2 - 1e-6) + CENTER
     eye = np.array(QUEST.camera("left", HEAD, TURNED).position)
@@ -87,7 +87,7 @@ def test_one_users_pictures_break_at_r2_and_each_eyes_own_do_not(reduced: nf.Red
 @pytest.mark.parametrize("depth", [0.5, 1.0, 2.0, 5.0, 20.0])
 @pytest.mark.parametrize("ipd", [0.058, 0.07])
 def test_disparity_is_focal_length_times_eye_distance_over_depth(depth: float, ipd: float) -> None:
-    """The middle of a square before the head, measured from the lens's axis of each eye, in pixels."""
+    """Measures the middle of a square in front of the head from the lens's axis of each eye, in pixels."""
     hmd, size = QUEST.with_ipd(ipd), (900, 906)
     side = 0.2 * depth
     square = trimesh.creation.box((side, side, 1e-4), trimesh.transformations.translation_matrix((0, 0, -depth)))
@@ -103,7 +103,7 @@ def test_disparity_is_focal_length_times_eye_distance_over_depth(depth: float, i
     assert places[0] == pytest.approx(focal * ipd / 2 / depth, abs=0.5)
 
 
-def test_size_is_that_of_the_headset_a_share_or_the_callers() -> None:
+def test_size_is_the_headsets_a_share_of_it_or_explicit() -> None:
     scene, small = street(), nf.Hmd(name="small", left=QUEST.left, right=QUEST.right, render_size=(31, 20))
     assert nf.render_eyes(scene, small, HEAD).left.camera.size == (31, 20)
     assert nf.render_eyes(scene, small, HEAD, scale=0.5).right.camera.size == (16, 10)
@@ -158,7 +158,7 @@ def test_each_eye_is_warped_about_its_own_axis(hmd: nf.Hmd) -> None:
         linear = hmd.lens.warp(frame.require("color"), True, fov=eye.fov, lens_radius=radius, filter="cubic")
         again = nf.Frame(frame.camera, color=np.clip(linear, 0.0, 1.0)).to_image()
         assert np.array_equal(ours, again)
-        # The pixel on the axis keeps what it shows.
+        # The pixel on the axis is unchanged.
         column = int(-eye.fov.left / (eye.fov.right - eye.fov.left) * SIZE[0])
         row = int(eye.fov.up / (eye.fov.up - eye.fov.down) * SIZE[1])
         assert np.abs(ours[row, column].astype(int) - frame.to_image()[row, column]).max() <= 40
@@ -166,7 +166,7 @@ def test_each_eye_is_warped_about_its_own_axis(hmd: nf.Hmd) -> None:
 
 
 def test_mirrored_eyes_have_mirrored_pictures() -> None:
-    """A scene that is its own mirror image: the right eye's warped picture is the left one's, mirrored."""
+    """Renders a scene that is its own mirror image: the right eye's warped picture is the left one's, mirrored."""
     row = [
         trimesh.creation.box((0.4, 0.4 + abs(x), 1e-3), trimesh.transformations.translation_matrix((x, 0, -3)))
         for x in (-2.0, -0.9, 0.0, 0.9, 2.0)
@@ -185,7 +185,7 @@ def test_mirrored_eyes_have_mirrored_pictures() -> None:
     assert (np.abs(left.astype(int) - right[:, ::-1]).max(axis=2) > 1).mean() < 0.02
 
 
-def test_a_headset_without_a_lens_says_how_to_get_one() -> None:
+def test_a_headset_without_a_lens_explains_how_to_set_one() -> None:
     stereo = nf.render_eyes(street(), QUEST, HEAD, size=(8, 8), channels=["color"])
     with pytest.raises(ValueError, match="hmd: expected one with a lens, Oculus Quest 2"):
         stereo.warped()
@@ -206,7 +206,7 @@ def test_bad_arguments(arguments: dict[str, Any], error: type[Exception], messag
         nf.render_eyes(given.pop("source"), given.pop("hmd"), given.pop("position"), **given)
 
 
-def test_frames_of_two_sizes_make_no_pair() -> None:
+def test_frames_of_two_sizes_are_refused_as_a_pair() -> None:
     frames = [nf.Frame(QUEST.camera(eye, HEAD, size=(4, n))) for eye, n in (("left", 4), ("right", 5))]
     with pytest.raises(ValueError, match="right: expected a frame of the left one's size"):
         nf.StereoFrame(QUEST, frames[0], frames[1])
@@ -215,7 +215,7 @@ def test_frames_of_two_sizes_make_no_pair() -> None:
         _ = pair.side_by_side
 
 
-def test_notebooks_show_both_eyes_or_at_least_the_repr(reduced: nf.ReducedScene) -> None:
+def test_notebooks_show_both_eyes_or_fall_back_to_the_repr(reduced: nf.ReducedScene) -> None:
     stereo = nf.render_eyes(reduced, QUEST, HEAD, size=SIZE)
     shown = Card(stereo._repr_html_())
     assert shown.count("img") == 1

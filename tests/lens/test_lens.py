@@ -31,40 +31,40 @@ coefficients = st.lists(st.just(0.0) | st.floats(1e-30, 2) | st.floats(-2, -1e-3
 
 
 def exactly(k: tuple[float, ...], r: Any) -> Any:
-    """Exact f(r)."""
+    """Return the exact f(r)."""
     r = mpf(r)
     return r + sum((mpf(c) * r ** (2 * n + 3) for n, c in enumerate(k)), mpf(0))
 
 
 def slope(k: tuple[float, ...], r: Any) -> Any:
-    """Exact f′(r)."""
+    """Return the exact f′(r)."""
     r = mpf(r)
     return 1 + sum(((2 * n + 3) * mpf(c) * r ** (2 * n + 2) for n, c in enumerate(k)), mpf(0))
 
 
 def fold(k: tuple[float, ...]) -> float:
-    """Least positive root of f′, from the eigenvalues of its companion matrix."""
+    """Return the least positive root of f′, from the eigenvalues of its companion matrix."""
     squares = np.roots([*reversed([(2 * n + 3) * c for n, c in enumerate(k)]), 1.0]) if k else np.empty(0)
     real = squares[(np.abs(squares.imag) < 1e-9 * np.abs(squares)) & (squares.real > 0)].real
     return math.sqrt(real.min()) if len(real) else math.inf
 
 
 def is_root(k: tuple[float, ...], r: float, x: float) -> bool:
-    """Whether f(r) is within 2 ulps of x, or the true root lies between the neighbours of r."""
+    """Return whether f(r) is within 2 ulps of x, or the true root lies between the neighbours of r."""
     if abs(exactly(k, r) - mpf(x)) <= 2 * mpf(math.ulp(x)):
         return True
     return bool(exactly(k, math.nextafter(r, 0)) <= x <= exactly(k, math.nextafter(r, math.inf)))
 
 
-def covered(lens: nf.RadialLens, count: int) -> Array:
-    """Distorted radii over the whole domain, dense at both ends of it."""
+def domain_radii(lens: nf.RadialLens, count: int) -> Array:
+    """Return distorted radii over the whole domain, dense at both ends of it."""
     end = min(1e3, float(lens.distort(lens.r_max))) if math.isfinite(lens.r_max) else 1e3
     share = np.linspace(0, 1, count)
     return np.unique(np.concatenate([end * share, end * share**8, end * (1 - share**8), [1e-300, 5e-324, 1e-9]]))
 
 
 def in_data() -> list[tuple[float, ...]]:
-    """Sets of coefficients with even powers in the data."""
+    """Return sets of coefficients with even powers in the data."""
     viewers = json.loads(data("optics/lens_distortion.json").read_text())["cardboard"]["viewers"]
     return [tuple(viewer[name]) for viewer in viewers for name in ("k1k2", "inverse")]
 
@@ -83,7 +83,7 @@ def test_forward_is_within_an_ulp(k: tuple[float, ...]) -> None:
 @pytest.mark.parametrize("k", LENSES)
 def test_newton_finds_the_root(k: tuple[float, ...]) -> None:
     lens = nf.RadialLens(k)
-    x = covered(lens, 500)
+    x = domain_radii(lens, 500)
     for shown, root in zip(x, lens.undistort(x), strict=True):
         assert is_root(k, root, shown), (shown, root)
         assert root <= lens.r_max
@@ -94,7 +94,7 @@ def test_newton_finds_the_root_for_every_lens_in_the_data() -> None:
     assert len(found) == 4
     for k in found:
         lens = nf.RadialLens(k)
-        x = covered(lens, 300)
+        x = domain_radii(lens, 300)
         assert all(is_root(k, root, shown) for shown, root in zip(x, lens.undistort(x), strict=True))
 
 
@@ -118,7 +118,7 @@ def test_newton_finds_the_root_for_any_lens(k: tuple[float, ...], power: int, sh
         (1.19, -3.65e10, 5.04e20, -5.8e13, 1.667e39, -2.7e-25), (1.0, -1e-300), (-1e-29, 1e-300),
     ],
 )  # fmt: skip
-def test_lenses_at_the_ends_of_what_floats_can_say(k: tuple[float, ...]) -> None:
+def test_lenses_at_the_limits_of_floats(k: tuple[float, ...]) -> None:
     lens = nf.RadialLens(k)
     x = lens.distorted_max * np.array([1.0, 0.999, 0.5, 1e-3, 1e-30, 1e-200])
     with mpmath.workdps(400):
@@ -129,13 +129,15 @@ def test_lenses_at_the_ends_of_what_floats_can_say(k: tuple[float, ...]) -> None
                     assert is_root(k, root, shown), (shown, root)
     for call in (lens.distort, lens.undistort):
         assert np.isnan(call([math.inf, math.nan], outside="nan")).all()
-    # By hand: the lens folds at the first negative term that is not outweighed.
+    # Worked out by hand: the lens folds at the first negative term that is not outweighed.
     assert math.isinf(lens.r_max) == (min(k[:1] + k[-1:]) >= 0 or k[1:] == (-1e-300,)), lens.r_max
 
 
 @given(st.integers(1, 64), st.floats(-29, 29), st.floats(-10, 10), st.booleans(), st.floats(0, 1))
-def test_any_scale(power: int, exponent: float, other: float, negative: bool, share: float) -> None:
-    # A term that reaches r at 10^exponent, and a first one that may be negligible.
+def test_lenses_of_any_scale_are_inverted(
+    power: int, exponent: float, other: float, negative: bool, share: float
+) -> None:
+    # One term reaches r at 10^exponent, and the first one may be negligible.
     size = -2 * power * exponent
     assume(-288 < size < 288 and -288 < -2 * exponent + other < 288)
     k = [0.0] * power
@@ -150,7 +152,7 @@ def test_any_scale(power: int, exponent: float, other: float, negative: bool, sh
         assert abs(float(lens.undistort(x, method="lut")) - exact) <= lens.lut_bound * exact + 1e-280
 
 
-def test_rounded_images_of_the_edge_come_back() -> None:
+def test_rounded_images_of_the_edge_are_inverted() -> None:
     lens = nf.RadialLens((-0.2, 0.01))
     angle = np.linspace(0, 6.28, 500)
     circle = np.column_stack([np.cos(angle), np.sin(angle)])
@@ -185,7 +187,7 @@ def test_published_folds(k: tuple[float, ...], place: float) -> None:
     assert nf.RadialLens(k).r_max == pytest.approx(place, abs=5e-4)
 
 
-def test_beyond_the_fold_nothing_is_made_up() -> None:
+def test_radii_beyond_the_fold_are_refused_or_nan() -> None:
     lens = nf.RadialLens((-0.2, 0.0))
     end = float(lens.distort(lens.r_max))
     for call in (lens.distort, lens.derivative):
@@ -200,7 +202,7 @@ def test_beyond_the_fold_nothing_is_made_up() -> None:
     assert lens.undistort(end) == pytest.approx(lens.r_max, rel=1e-7)
 
 
-def test_lenses_without_a_fold_refuse_what_is_no_number() -> None:
+def test_lenses_without_a_fold_refuse_overflow() -> None:
     with pytest.raises(ValueError, match="r: expected numbers that stay below 1e290"):
         nf.RadialLens(RIFT_S).distort(1e160)
     assert nf.RadialLens(()).derivative(1e200) == 1.0
@@ -208,9 +210,9 @@ def test_lenses_without_a_fold_refuse_what_is_no_number() -> None:
 
 
 @pytest.mark.parametrize("k", LENSES)
-def test_tables_hold_their_bound(k: tuple[float, ...]) -> None:
+def test_tables_keep_their_error_bound(k: tuple[float, ...]) -> None:
     lens = nf.RadialLens(k)
-    x = covered(lens, 60_000)
+    x = domain_radii(lens, 60_000)
     exact = lens.undistort(x)
     off = np.abs(lens.undistort(x, method="lut") - exact)
     assert lens.lut_bound <= 5e-10
@@ -222,7 +224,7 @@ def test_tables_hold_their_bound(k: tuple[float, ...]) -> None:
         assert (off / np.maximum(exact, 1e-300)).max() >= 0.02 * lens.lut_bound
 
 
-def test_the_published_iteration_fails_where_they_say() -> None:
+def test_the_published_iteration_fails_where_documented() -> None:
     lens = nf.RadialLens(RIFT_S)
 
     # r ← x / (1 + k₁r² + k₂r⁴) contracts by r g′/g at r.
@@ -254,7 +256,7 @@ def test_opencv_leaves_a_residual() -> None:
     assert np.abs(lens.distort_points(ours) - x[:, 0]).max() < 1e-15
 
 
-def test_kinds_of_arrays() -> None:
+def test_all_array_types_and_shapes_are_accepted() -> None:
     lens = nf.RadialLens(RIFT_S)
     r = np.linspace(-1.5, 1.5, 3001)
     assert np.array_equal(lens.undistort(-r), -lens.undistort(r))
@@ -291,7 +293,7 @@ def test_lenses_are_values() -> None:
         (([0.1], [math.inf, 0.0]), ValueError, "tangential: expected finite numbers"),
     ],
 )
-def test_bad_lenses(arguments: tuple[Any, ...], error: type[Exception], message: str) -> None:
+def test_invalid_lenses_are_refused(arguments: tuple[Any, ...], error: type[Exception], message: str) -> None:
     with pytest.raises(error, match=message):
         nf.RadialLens(*arguments)
 
@@ -300,7 +302,7 @@ tangentials = st.tuples(st.floats(-0.05, 0.05), st.floats(-0.05, 0.05))
 
 
 def brown(k: tuple[float, ...], p: tuple[float, float], x: Any, y: Any) -> tuple[Any, Any]:
-    """Brown's model in 60 digits, as OpenCV prints it."""
+    """Evaluate Brown's model with 60 digits, as OpenCV documents it."""
     x, y, p1, p2 = mpf(x), mpf(y), mpf(p[0]), mpf(p[1])
     square = x * x + y * y
     factor = 1 + sum((mpf(c) * square ** (n + 1) for n, c in enumerate(k)), mpf(0))
@@ -311,7 +313,7 @@ def brown(k: tuple[float, ...], p: tuple[float, float], x: Any, y: Any) -> tuple
 
 
 @given(coefficients, tangentials, st.integers(0, 1000))
-def test_points_come_back(k: tuple[float, ...], p: tuple[float, float], seed: int) -> None:
+def test_points_are_undistorted(k: tuple[float, ...], p: tuple[float, float], seed: int) -> None:
     lens = nf.RadialLens(k, p)
     reach = min(lens.point_r_max, 3.0)
     random = np.random.default_rng(seed)

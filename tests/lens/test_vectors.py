@@ -12,14 +12,14 @@ from tests.support.vectors import cases, check
 
 
 @pytest.mark.parametrize("case", cases("lens", "radial"))
-def test_radii_are_shown_where_the_polynomial_says(case: dict[str, Any]) -> None:
+def test_distorted_radii_equal_the_polynomial(case: dict[str, Any]) -> None:
     lens, tolerance = nf.RadialLens(case["k"]), case["tolerance"]
     check(lens.distort(case["r"]), case["distorted"], 0.0, share=tolerance["distort"])
     check(lens.derivative(case["r"]), case["derivative"], tolerance["derivative"])
 
 
 @pytest.mark.parametrize("case", cases("lens", "radial"))
-def test_radii_come_back_by_every_method(case: dict[str, Any]) -> None:
+def test_every_method_undistorts_radii(case: dict[str, Any]) -> None:
     lens, tolerance, shown = nf.RadialLens(case["k"]), case["tolerance"], case["distorted"]
     exact = tolerance["undistort"]
     check(lens.undistort(shown), case["undistorted"], 0.0, share=exact)
@@ -29,7 +29,7 @@ def test_radii_come_back_by_every_method(case: dict[str, Any]) -> None:
 
 
 @pytest.mark.parametrize("case", cases("lens", "radial"))
-def test_lenses_fold_where_the_derivative_says(case: dict[str, Any]) -> None:
+def test_lenses_fold_at_the_root_of_the_derivative(case: dict[str, Any]) -> None:
     lens = nf.RadialLens(case["k"])
     if case["r_max"] is None:
         assert lens.r_max == math.inf
@@ -39,7 +39,7 @@ def test_lenses_fold_where_the_derivative_says(case: dict[str, Any]) -> None:
 
 
 @pytest.mark.parametrize("case", cases("lens", "points"))
-def test_points_are_shown_and_come_back(case: dict[str, Any]) -> None:
+def test_points_are_distorted_and_undistorted(case: dict[str, Any]) -> None:
     lens, tolerance = nf.RadialLens(case["k"], case["tangential"]), case["tolerance"]
     check(lens.distort_points(case["points"]), case["distorted"], tolerance["distort"])
     check(lens.undistort_points(case["distorted"]), case["undistorted"], tolerance["undistort"])

@@ -28,7 +28,7 @@ def smooth(width: int, height: int) -> Array:
 
 
 def sources(lens: nf.RadialLens, inverse: bool, fov: nf.Fov, output: nf.Fov, size: tuple[int, int]) -> Array:
-    """Source position of each pixel, as shares of the picture from its top left corner."""
+    """Return the source position of each pixel, as shares of the picture from its top left corner."""
     width, height = size
     omega = max(abs(fov.left), abs(fov.right))
     x = output.left + (np.arange(width) + 0.5) / width * (output.right - output.left)
@@ -42,7 +42,7 @@ def sources(lens: nf.RadialLens, inverse: bool, fov: nf.Fov, output: nf.Fov, siz
 
 
 def keys(t: float) -> float:
-    """Keys' kernel with a = −1/2."""
+    """Evaluate Keys' kernel with a = −1/2."""
     t = abs(t)
     if t < 1:
         return 1.5 * t**3 - 2.5 * t**2 + 1
@@ -50,7 +50,7 @@ def keys(t: float) -> float:
 
 
 def looked_up(image: Array, across: float, down: float, reach: int, kernel: Any) -> float:
-    """One interpolated value by the definition."""
+    """Interpolate one value by the definition."""
     height, width = image.shape
     x, y = across * width - 0.5, down * height - 0.5
     total = 0.0
@@ -64,7 +64,7 @@ def looked_up(image: Array, across: float, down: float, reach: int, kernel: Any)
 @pytest.mark.parametrize("inverse", [False, True])
 @pytest.mark.parametrize(("name", "reach", "kernel"), [("linear", 1, lambda t: max(0, 1 - abs(t))), ("cubic", 2, keys)])
 @pytest.mark.parametrize("lens", [RIFT_S, nf.RadialLens((-0.2,)), nf.RadialLens((0.1,), (0.02, -0.01))])
-def test_pixels_by_definition(lens: nf.RadialLens, name: str, reach: int, kernel: Any, inverse: bool) -> None:
+def test_pixels_equal_the_definition(lens: nf.RadialLens, name: str, reach: int, kernel: Any, inverse: bool) -> None:
     image = np.random.default_rng(0).random((23, 31))
     output, size = nf.Fov(-1.0, 1.2, -0.8, 0.9), (19, 17)
     shown = lens.warp(image, inverse, fov=EYE, output_fov=output, size=size, filter=name, fill=-7.0)
@@ -80,11 +80,11 @@ def test_pixels_by_definition(lens: nf.RadialLens, name: str, reach: int, kernel
             beside += 1
             assert value == -7.0
     assert beside < shown.size
-    # Barrel distortion shows nothing outside the picture; the others do.
+    # Barrel distortion shows nothing from outside the picture; the other lenses do.
     assert beside > 0 or not (inverse and lens.k[0] > 0)
 
 
-def test_a_lens_that_changes_nothing_changes_nothing() -> None:
+def test_the_identity_lens_changes_nothing() -> None:
     for dtype in (np.uint8, np.uint16, np.float32, np.float64):
         image = (np.random.default_rng(1).random((40, 30, 4)) * 200).astype(dtype)
         for name in ("linear", "cubic"):
@@ -95,7 +95,7 @@ def test_a_lens_that_changes_nothing_changes_nothing() -> None:
 
 
 @pytest.mark.parametrize(("name", "order", "theirs"), [("linear", 1, cv2.INTER_LINEAR), ("cubic", 3, None)])
-def test_warps_agree_with_others(name: str, order: int, theirs: int | None) -> None:
+def test_warps_agree_with_other_libraries(name: str, order: int, theirs: int | None) -> None:
     image = smooth(160, 120)
     fov = nf.Fov(-1.0, 1.0, -0.75, 0.75)
     places = sources(RIFT_S, True, fov, fov, (160, 120)) * (160, 120) - 0.5
@@ -104,7 +104,7 @@ def test_warps_agree_with_others(name: str, order: int, theirs: int | None) -> N
     inside &= ((places > 3) & (places < np.array([156, 116]))).all(axis=-1)
     assert inside.mean() > 0.2
     scipys = map_coordinates(image, [places[..., 1], places[..., 0]], order=order)
-    # Splines and Catmull and Rom's cubics are both of the third order on what is smooth; pixels are 4 levels apart.
+    # Splines and Catmull–Rom cubics are both of the third order on smooth pictures; pixels are 4 levels apart.
     assert np.abs(shown - scipys)[inside].max() < (1e-6 if order == 1 else 0.02)
     if theirs is not None:
         maps = places.astype(np.float32)
@@ -113,7 +113,7 @@ def test_warps_agree_with_others(name: str, order: int, theirs: int | None) -> N
         assert np.abs(shown - opencvs)[inside].max() < 4 / 32
 
 
-def test_the_lens_puts_right_what_was_warped_for_it() -> None:
+def test_the_lens_undoes_the_warp() -> None:
     image = smooth(400, 400)
     warped = RIFT_S.warp(image, True, fov="symmetric", filter="cubic")
     back = RIFT_S.warp(warped, fov="symmetric", filter="cubic", fill=np.nan)
@@ -123,7 +123,7 @@ def test_the_lens_puts_right_what_was_warped_for_it() -> None:
     assert np.abs(back - image)[near].max() < 0.05
 
 
-def test_the_picture_swells_as_the_lens_says() -> None:
+def test_the_picture_is_magnified_by_the_lens() -> None:
     image = np.zeros((201, 201))
     # A pixel at r = 0.5 to the right is shown at f(0.5) = 0.535.
     image[100, 150] = 1.0
@@ -133,7 +133,7 @@ def test_the_picture_swells_as_the_lens_says() -> None:
     assert (column + 0.5) / 201 * 2 - 1 == pytest.approx(float(RIFT_S.distort((150.5) / 201 * 2 - 1)), abs=0.01)
 
 
-def test_colours_have_lenses_of_their_own() -> None:
+def test_each_colour_channel_may_have_its_lens() -> None:
     image = np.random.default_rng(2).random((60, 50, 3))
     lenses = [nf.RadialLens((c,)) for c in (0.1, 0.2, 0.3)]
     both = nf.ChromaticLens(*lenses)
@@ -165,14 +165,14 @@ def test_bad_arguments(arguments: dict[str, Any], error: type[Exception], messag
 
 
 def through(mesh: nf.WarpMesh, lens: int, random: np.random.Generator, count: int) -> tuple[Array, Array]:
-    """Random positions within faces, in clip coordinates, and the texture coordinates shown there."""
+    """Return random positions within faces, in clip coordinates, and the texture coordinates shown there."""
     faces = mesh.faces[random.integers(0, len(mesh.faces), count)]
     weights = random.dirichlet([1.0, 1.0, 1.0], count)[..., None]
     return (mesh.positions[faces] * weights).sum(axis=1), (mesh.texcoords[lens][faces] * weights).sum(axis=1)
 
 
 def off_by(mesh: nf.WarpMesh, lens: nf.RadialLens, inverse: bool, fov: nf.Fov, output: nf.Fov, size: Array) -> float:
-    """Greatest distance in pixels between shown and exact positions, at many places."""
+    """Return the greatest distance in pixels between shown and exact positions, at many places."""
     places, shown = through(mesh, 0, np.random.default_rng(3), 40_000)
     omega = max(abs(fov.left), abs(fov.right))
     x = output.left + (places[:, 0] + 1) / 2 * (output.right - output.left)
@@ -187,7 +187,7 @@ def off_by(mesh: nf.WarpMesh, lens: nf.RadialLens, inverse: bool, fov: nf.Fov, o
 
 @pytest.mark.parametrize("inverse", [True, False])
 @pytest.mark.parametrize("k", [(0.22, 0.24), (-0.1, 0.01), (0.05, -0.02, 0.04)])
-def test_meshes_hold_their_bound(k: tuple[float, ...], inverse: bool) -> None:
+def test_meshes_keep_their_error_bound(k: tuple[float, ...], inverse: bool) -> None:
     lens, size = nf.RadialLens(k), (1832, 1920)
     for cells in ((12, 12), (40, 30)):
         mesh = lens.warp_mesh(size, inverse, fov=EYE, cells=cells)
@@ -198,7 +198,9 @@ def test_meshes_hold_their_bound(k: tuple[float, ...], inverse: bool) -> None:
 
 
 @given(st.floats(1e-9, 0.5), st.floats(1e-9, 0.3), st.floats(-0.02, 0.02), st.floats(-0.02, 0.02), st.booleans())
-def test_meshes_hold_their_bound_with_tangential_terms(k1: float, k2: float, p1: float, p2: float, back: bool) -> None:
+def test_meshes_keep_their_error_bound_with_tangential_terms(
+    k1: float, k2: float, p1: float, p2: float, back: bool
+) -> None:
     lens = nf.RadialLens((k1, k2), (p1, p2))
     fov = nf.Fov(-1.0, 1.0, -1.0, 1.0)
     mesh = lens.warp_mesh((1000, 1000), not back, fov=fov, cells=(10, 10))
@@ -217,15 +219,13 @@ def test_meshes_hold_their_bound_with_tangential_terms(k1: float, k2: float, p1:
         ),
     ],
 )
-def test_bounds_look_where_tangential_terms_come_from(
-    k: tuple[float, ...], p: tuple[float, float], fov: nf.Fov
-) -> None:
+def test_bounds_cover_the_source_of_tangential_terms(k: tuple[float, ...], p: tuple[float, float], fov: nf.Fov) -> None:
     lens = nf.RadialLens(k, p)
     mesh = lens.warp_mesh((1000, 1000), False, fov=fov, cells=(50, 50))
     assert off_by(mesh, lens, False, fov, fov, np.array([1000, 1000])) <= mesh.error_px
 
 
-def test_the_lens_is_the_same_whatever_the_picture_shows() -> None:
+def test_the_lens_does_not_depend_on_the_field_of_view() -> None:
     # A guard band around the picture changes the source picture, not the lens's distortion.
     screen, wide = nf.Fov(-1, 1, -1, 1), nf.Fov(-1.3, 1.3, -1.3, 1.3)
     image = np.zeros((260, 260))
@@ -241,11 +241,11 @@ def test_the_lens_is_the_same_whatever_the_picture_shows() -> None:
     assert not np.array_equal(meshes[0].texcoords, meshes[1].texcoords)
 
 
-def test_long_pictures_are_refused_before_they_cost_much() -> None:
+def test_very_long_pictures_are_refused_at_once() -> None:
     tall = RIFT_S.warp_mesh((100, 200), fov="symmetric")
     assert tall.error_px <= 0.25
     for size, tolerance in (((20, 2000), 0.001), ((2, 6000), 1e-4)):
-        with pytest.raises(ValueError, match="tolerance_px: expected one that 262,144 cells hold"):
+        with pytest.raises(ValueError, match=r"tolerance_px: expected at least .* px, the error of 262,144 cells"):
             RIFT_S.warp_mesh(size, fov="symmetric", tolerance_px=tolerance)
 
 
@@ -268,23 +268,23 @@ def test_meshes_are_drawn_counter_clockwise_over_the_whole_view() -> None:
     area = ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]) / 2
     assert (area > 0).all()
     assert area.sum() == pytest.approx(4.0, abs=1e-5)
-    # The corner at the top left shows what lies far beyond the picture's own.
+    # The top left corner shows a point far outside the picture's own.
     corner = np.flatnonzero((mesh.positions == [-1, 1]).all(axis=1))
     assert (mesh.texcoords[0, corner] < -0.1).all()
     middle = np.flatnonzero((np.abs(mesh.positions) < 1e-6).all(axis=1))
     assert np.allclose(mesh.texcoords[0, middle], 0.5, atol=1e-6)
 
 
-def test_meshes_leave_out_what_the_lens_cannot_show() -> None:
+def test_meshes_omit_areas_that_the_lens_cannot_show() -> None:
     lens = nf.RadialLens((-0.2,))
     wide = nf.Fov(-1.0, 1.0, -1.0, 1.0)
     mesh = lens.warp_mesh((800, 800), fov=wide, output_fov=nf.Fov(-2, 2, -2, 2), cells=(40, 40))
     assert 0 < len(mesh.faces) < 2 * 40 * 40
     assert np.isfinite(mesh.texcoords).all()
     assert mesh.faces.max() == len(mesh.positions) - 1
-    with pytest.raises(ValueError, match="tolerance_px: expected one that 262,144 cells hold"):
+    with pytest.raises(ValueError, match=r"tolerance_px: expected at least .* px, the error of 262,144 cells"):
         lens.warp_mesh((800, 800), False, fov=wide, tolerance_px=1e-4)
-    with pytest.raises(ValueError, match="fov: expected a field of view that the lens serves"):
+    with pytest.raises(ValueError, match="fov: expected a field of view within the fold of the lens"):
         lens.warp_mesh((800, 800), fov=wide, output_fov=nf.Fov(2, 3, 2, 3), cells=(4, 4))
     with pytest.raises(ValueError, match=r"cells\[1\]: expected a whole number"):
         lens.warp_mesh((800, 800), fov="symmetric", cells=(4, 0))

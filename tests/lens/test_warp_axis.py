@@ -1,4 +1,4 @@
-"""Tests that pictures are warped about the lens's axis, which is not in the middle of an asymmetric eye's picture."""
+"""Tests that pictures are warped about the lens's axis, which is off-centre in an asymmetric eye's picture."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ SIZE = (120, 100)
 
 @pytest.fixture(scope="module")
 def frame() -> nf.Frame:
-    """The left eye's picture of a room in a headset."""
+    """Return the left eye's picture of a room in a headset."""
     return nf.render(nf.datasets.room(), nf.hmd.QUEST_2.camera("left", (0, 1.6, 0), size=SIZE), channels=["color"])
 
 
 def test_an_asymmetric_eyes_picture_is_warped_about_its_optical_axis(frame: nf.Frame) -> None:
-    """The axis is where the tangents are 0: at 56 % of the width and 48 % of the height, and there nothing moves."""
+    """The axis is at tangents of 0, 56 % of the width and 48 % of the height; there nothing moves."""
     fov = EYE.fov
     across, down = -fov.left / (fov.right - fov.left), fov.up / (fov.up - fov.down)
     assert across > 0.56
@@ -30,16 +30,16 @@ def test_an_asymmetric_eyes_picture_is_warped_about_its_optical_axis(frame: nf.F
     distance = np.hypot(x - across, y - down).astype(np.float32)
     cone = nf.Frame(frame.camera, color=np.repeat(distance[..., None], 3, axis=2))
     warped = RIFT_S.warp(cone, True, fill=np.inf)[..., 0]
-    # The least of the cone stays within the pixel of the axis.
+    # The minimum of the cone stays within the pixel of the axis.
     row, column = np.unravel_index(warped.argmin(), warped.shape)
     assert (int(column), int(row)) == (int(across * SIZE[0]), int(down * SIZE[1]))
-    # The lens shows all others farther out, alike on both sides of the axis.
+    # The lens shows all others farther out, symmetrically about the axis.
     assert (warped >= distance - 1e-4).all()
     assert (warped - distance)[row, column + 30] == pytest.approx((warped - distance)[row, column - 30], rel=0.1)
 
 
 @pytest.mark.parametrize("lens", [RIFT_S, COLOURED])
-def test_a_frame_brings_its_field_of_view(frame: nf.Frame, lens: Any) -> None:
+def test_a_frame_supplies_its_field_of_view(frame: nf.Frame, lens: Any) -> None:
     assert frame.color is not None
     by_frame = lens.warp(frame, True, lens_radius=nf.hmd.QUEST_2.tan_half_angle)
     by_hand = lens.warp(frame.color, True, fov=EYE.fov, lens_radius=nf.hmd.QUEST_2.tan_half_angle)
@@ -50,7 +50,7 @@ def test_a_frame_brings_its_field_of_view(frame: nf.Frame, lens: Any) -> None:
         assert mesh.texcoords.tobytes() == lens.warp_mesh(SIZE, fov=EYE.fov, cells=(6, 6)).texcoords.tobytes()
 
 
-def test_symmetric_pictures_are_asked_for() -> None:
+def test_symmetric_pictures_must_be_requested() -> None:
     image = np.random.default_rng(0).random((30, 40))
     ours = RIFT_S.warp(image, fov="symmetric")
     np.testing.assert_allclose(ours, RIFT_S.warp(image, fov=nf.Fov.symmetric(90.0, 40 / 30)), atol=1e-9)

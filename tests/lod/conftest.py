@@ -1,4 +1,4 @@
-"""Fixtures of several tests of levels of detail."""
+"""Fixtures shared by tests of levels of detail."""
 
 from __future__ import annotations
 

@@ -36,10 +36,10 @@ def ball(detail: int) -> Shape:
 
 # shading --------------------------------------------------------------------------------------------------------------
 def by_pyrender(shape: Shape, view: nf.Camera, materials: list[Material]) -> list[Array]:
-    """Linear colour (H, W) of each material."""
+    """Return linear colour (H, W) of each material."""
     with warnings.catch_warnings(), pytest.MonkeyPatch.context() as patch:
         warnings.simplefilter("ignore")
-        patch.setattr(np, "infty", np.inf, raising=False)  # pyrender 0.1.45 was written for NumPy 1
+        patch.setattr(np, "infty", np.inf, raising=False)  # pyrender 0.1.45 was written for NumPy 1.
         import pyrender
 
         turned = rotate(view.orientation, np.eye(3)).T
@@ -71,12 +71,12 @@ def by_pyrender(shape: Shape, view: nf.Camera, materials: list[Material]) -> lis
 
 
 @pytest.mark.slow
-def test_finishes_are_those_of_pyrender() -> None:
+def test_shading_equals_pyrender() -> None:
     need("pyrender")
     shape, view = _appearance.knot(), camera()
     surface = _material.look(shape, view)
     light = _material._light(surface, {one.roughness for one in FINISHES})
-    # Multisampling shades pixels at the edge elsewhere.
+    # Multisampling shades edge pixels at other positions.
     inside = surface.hit.copy()
     for shift in ((0, 1), (0, -1), (1, 0), (-1, 0)):
         inside &= np.roll(surface.hit, shift, (0, 1))
@@ -87,12 +87,12 @@ def test_finishes_are_those_of_pyrender() -> None:
         codes = 255 * np.abs(ours[inside] ** (1 / 2.2) - theirs[inside] ** (1 / 2.2))
         assert inside.sum() > 5_000
         assert np.ptp(theirs[inside]) > 0.05, material
-        # They round to a code. Where a highlight or another part of the knot begins, the place in the pixel matters.
+        # Values round to a code. At the border of a highlight or of a part of the knot, sample positions matter.
         assert np.median(codes) < 0.51, material
         assert np.percentile(codes, 97) < 1.5, material
 
 
-def test_normals_and_places_of_a_ball_are_its_points() -> None:
+def test_normals_and_positions_of_a_ball_are_its_points() -> None:
     surface = _material.look(ball(5), camera())
     outward = surface.position / np.linalg.norm(surface.position, axis=1, keepdims=True)
     # A triangle is 0.03 wide: between its vertices normals bend by a tenth of that at most.
@@ -102,8 +102,8 @@ def test_normals_and_places_of_a_ball_are_its_points() -> None:
     np.testing.assert_allclose(surface.view, towards / np.linalg.norm(towards, axis=1, keepdims=True), atol=1e-5)
 
 
-def test_patterns_are_what_their_formula_says() -> None:
-    """A pattern multiplies reflectance, and what mirrors nothing shows it by as much."""
+def test_patterns_equal_their_formula() -> None:
+    """A pattern multiplies reflectance, and shows equally on materials without mirror reflection."""
     surface = _material.look(ball(3), camera())
     (light,) = _material._light(surface, [1.0]).values()
     waves = _material._pattern(surface.position, 4.0)
@@ -129,12 +129,12 @@ def test_only_mapped_patterns_slide_over_coarse_triangles() -> None:
         assert np.abs(solid.astype(int) - mapped).max() > 100
     assert off[5] < 0.01
     assert off[1] > 0.1
-    # Of the unit ball both are the same, whatever its triangles.
+    # On the unit ball both patterns are equal, regardless of its triangles.
     solid, mapped = _material.shade(_material.look(ball(1), camera()), materials)
     assert np.abs(solid.astype(int) - mapped).max() <= 1
 
 
-def test_codes_are_those_of_srgb() -> None:
+def test_codes_equal_srgb() -> None:
     linear = np.linspace(0, 1, 1001)
     exact = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
     codes = _material._CODES[np.round(linear * 65535).astype(int)]
@@ -151,7 +151,7 @@ def test_objects_are_closed_face_outwards_and_fill_the_unit_sphere(name: str) ->
     assert np.linalg.norm(shape.vertices, axis=1).max() == pytest.approx(1, abs=1e-5)
 
 
-def test_views_are_turns_about_four_axes_from_where_the_ball_is_as_large_as_asked() -> None:
+def test_views_are_rotations_about_four_axes_at_the_requested_size() -> None:
     every = list(_appearance.cameras(0.25, 6))
     assert len(every) == 24
     places = np.array([view.position for view in every])
@@ -163,7 +163,7 @@ def test_views_are_turns_about_four_axes_from_where_the_ball_is_as_large_as_aske
     surface = _material.look(ball(4), every[5])
     edge = np.concatenate([surface.hit[0], surface.hit[-1], surface.hit[:, 0], surface.hit[:, -1]])
     assert not edge.any()
-    # One headset's pixels: the silhouette is as wide as there.
+    # At one headset's pixel density: the silhouette has its width there.
     headset = nf.hmd.RIFT_S
     focal = headset.render_size[0] / (headset.left.fov.right - headset.left.fov.left)
     sine = 1 / np.linalg.norm(places[5])
@@ -175,7 +175,7 @@ def quick() -> dict[str, Array]:
     return appearance.run(QUICK, appearance.objects(quick=True))
 
 
-def test_scores_fall_with_fewer_triangles_and_do_not_without_any_loss(quick: dict[str, Array]) -> None:
+def test_scores_fall_only_with_fewer_triangles(quick: dict[str, Array]) -> None:
     for found in quick.values():
         assert found.shape == (len(QUICK.ratios), len(QUICK.sizes), len(QUICK.materials))
         assert (found[0] > found[1]).all()
@@ -184,23 +184,23 @@ def test_scores_fall_with_fewer_triangles_and_do_not_without_any_loss(quick: dic
     assert (same == 1).all()
 
 
-def test_gloss_lowers_scores_and_a_pattern_by_whether_it_slides(quick: dict[str, Array]) -> None:
+def test_gloss_and_sliding_patterns_lower_scores(quick: dict[str, Array]) -> None:
     far = 1 - np.array(list(quick.values()))
     column = {material: far[..., n] for n, material in enumerate(QUICK.materials)}
     assert column[Material(0.0, 0.25)].mean() > column[NEUTRAL].mean()
     assert column[Material(1.0, 0.5)].mean() > column[Material(0.5, 0.5)].mean() > column[Material(0.0, 0.5)].mean()
     solid, mapped = (Material(frequency=8.0, contrast=1.0, mapped=mapped) for mapped in (False, True))
     assert (column[solid].mean(axis=(1, 2)) < column[NEUTRAL].mean(axis=(1, 2))).all()
-    # From the middle of the others their surfaces are nearly balls, of which both patterns are the same.
+    # Seen from the middle, the surfaces of the other objects are nearly balls, on which both patterns are equal.
     knot = [*quick].index("knot")
-    # 1.3 at the least, where a level of a fifth of the triangles is nearly the knot, and twice as much loss in all.
+    # Losses grow by 1.3 at least, where a level of a fifth of the triangles is nearly the knot, and by 2 in sum.
     assert (column[mapped][knot] > 1.2 * column[NEUTRAL][knot]).all()
     assert column[mapped][knot].sum() > 1.8 * column[NEUTRAL][knot].sum()
 
 
 # the factor -----------------------------------------------------------------------------------------------------------
 def planted(coefficients: Array, own: float = 0.0, objects: int = 6) -> dict[str, Array]:
-    """Scores whose factors are known, times e to `own` × something else for each object and material."""
+    """Return scores with known factors, times exp(`own` × pseudo-random numbers) for each object and material."""
     materials = _appearance.Plan().materials
     logs = _correction.features(materials) @ coefficients
     far = np.array([0.02, 0.05, 0.1, 0.15])[:, None, None] * np.array([1.0, 0.7])[:, None]
@@ -215,7 +215,7 @@ def planted(coefficients: Array, own: float = 0.0, objects: int = 6) -> dict[str
 KNOWN = np.array([0.2, 0.6, 0.3, -0.2, -0.4, -0.1, 0.5, 0.15])
 
 
-def test_a_planted_factor_comes_back() -> None:
+def test_a_planted_factor_is_recovered() -> None:
     samples = _correction.collect(planted(KNOWN), _appearance.Plan().materials)
     np.testing.assert_allclose(_correction.fit(samples), KNOWN, atol=1e-9)
     _, low, high = _correction.intervals(samples)
@@ -230,7 +230,7 @@ def test_a_planted_factor_comes_back() -> None:
     assert appearance.verdict(samples).count(": a factor") == len(_correction.KINDS)
 
 
-def test_intervals_cover_a_planted_factor_of_objects_that_differ() -> None:
+def test_intervals_cover_a_planted_factor_of_varied_objects() -> None:
     samples = _correction.collect(planted(KNOWN, own=0.2, objects=9), _appearance.Plan().materials)
     value, low, high = _correction.intervals(samples)
     assert ((low < KNOWN) & (high > KNOWN)).sum() >= len(KNOWN) - 1
@@ -239,7 +239,7 @@ def test_intervals_cover_a_planted_factor_of_objects_that_differ() -> None:
     assert 0.1 < found.log < 0.25
 
 
-def test_objects_that_have_nothing_in_common_are_said_to() -> None:
+def test_unrelated_objects_are_reported_as_such() -> None:
     samples = _correction.collect(planted(np.zeros(len(KNOWN)), own=0.5), _appearance.Plan().materials)
     found = _correction.validity(samples, _correction.cross_validated(samples, "coefficients"))
     assert found.explained < 0.1

@@ -21,13 +21,13 @@ LENS = nf.RadialLens((0.22, 0.24))
 
 
 def scores_of(one: nf.lod.LodModel, size: float) -> Array:
-    """Score of each level at a size (K,); NaN for levels without a curve."""
+    """Return the score of each level at a size (K,); NaN for levels without a curve."""
     least, most = one.sigma
     return np.array([1.0, *(one.curves(np.array([np.clip(size, least, most)]))[:, 0] if len(one) > 1 else ())])
 
 
 def best(models: list[nf.lod.LodModel], index: Any, sizes: Array, weights: Array, budget: int) -> float:
-    """Greatest Σ w·M of all choices within a budget, by trying all sums."""
+    """Return the greatest Σ w·M of all choices within a budget, by trying all sums."""
     reached = np.full(budget + 1, -np.inf)
     reached[0] = 0.0
     for number, size, weight in zip(index, sizes, weights, strict=True):
@@ -41,7 +41,7 @@ def best(models: list[nf.lod.LodModel], index: Any, sizes: Array, weights: Array
 
 
 def edges(one: nf.lod.LodModel, scores: Array) -> list[tuple[float, int]]:
-    """Edges of the upper hull of (triangles, score), from coarse to fine: what each gains, and its triangles."""
+    """Return edges of the upper hull of (triangles, score), from coarse to fine: gain of each, and its triangles."""
     known = np.flatnonzero(~np.isnan(scores))
     found: list[tuple[float, int]] = []
     place = known[-1]
@@ -57,7 +57,7 @@ def edges(one: nf.lod.LodModel, scores: Array) -> list[tuple[float, int]]:
 
 
 def first_that_fails(parts: list[tuple[float, int]], left: int) -> float:
-    """Gain of the first step that does not fit, in the order of gains for each triangle."""
+    """Return the gain of the first step that does not fit, in the order of gain per triangle."""
     with np.errstate(divide="ignore"):
         ordered = sorted(parts, key=lambda part: -np.float64(part[0]) / part[1])
     for gain, triangles in ordered:
@@ -69,7 +69,7 @@ def first_that_fails(parts: list[tuple[float, int]], left: int) -> float:
 
 @given(st.integers(0, 2**32 - 1), st.integers(1, 8), st.sampled_from(["object", "pixels", "each"]))
 @settings(max_examples=60, deadline=None)
-def test_sums_are_within_a_step_of_the_best(seed: int, count: int, kind: str) -> None:
+def test_sums_are_within_a_step_of_the_optimum(seed: int, count: int, kind: str) -> None:
     random = np.random.default_rng(seed)
     models = small_models(random)
     index = random.integers(0, len(models), count)
@@ -110,7 +110,7 @@ def triangles_of(models: list[nf.lod.LodModel], index: Any, levels: Any) -> int:
     return sum(int(models[n].triangles[level]) for n, level in zip(index, levels, strict=True) if level >= 0)
 
 
-def test_a_greater_budget_is_never_worse_and_is_spent() -> None:
+def test_a_larger_budget_is_never_worse_and_is_used() -> None:
     scene = crowd(5000)
     before = -1.0
     for budget in (2_000_000, 4_000_000, 10_000_000, 50_000_000):
@@ -124,7 +124,7 @@ def test_a_greater_budget_is_never_worse_and_is_spent() -> None:
     assert found.counts["culled"] == (found.level == -1).sum() > 0
 
 
-def test_levels_at_the_price_are_those_of_each_hull() -> None:
+def test_levels_at_a_price_lie_on_each_hull() -> None:
     models, index, centers, radii = crowd(4000, 3)
     found = nf.lod.select(models, index, centers, radii, camera=VIEW, budget=3_000_000, full=True)
     assert found.spent is not None
@@ -133,12 +133,12 @@ def test_levels_at_the_price_are_those_of_each_hull() -> None:
     for n in np.flatnonzero(found.level >= 0):
         one = models[index[n]]
         value = scores_of(one, found.sigma_seen[n]) - price * one.triangles
-        # Those that were tried in turn beside the price may have less.
+        # Levels tried one by one after the price may have less.
         others += value[found.level[n]] < value.max() - 1e-9
     assert others < 0.02 * (found.level >= 0).sum()
 
 
-def test_weights_of_pixels_favour_what_is_large() -> None:
+def test_pixel_weights_favour_large_objects() -> None:
     scene = crowd(3000, 1)
     plain, pixels = (
         nf.lod.select(*scene, camera=VIEW, budget=1_500_000, weight=weight, full=True)
@@ -153,7 +153,7 @@ def test_weights_of_pixels_favour_what_is_large() -> None:
     assert np.nanmean(plain.score) > np.nanmean(pixels.score)
 
 
-def test_floors_hold_where_the_budget_allows_them() -> None:
+def test_minimum_levels_hold_if_the_budget_allows() -> None:
     models, index, centers, radii = crowd(2000, 2)
     options: dict[str, Any] = {"camera": VIEW, "full": True}
     options |= {"threshold": "literal", "k": 0.0, "reference": 4.0}
@@ -168,7 +168,7 @@ def test_floors_hold_where_the_budget_allows_them() -> None:
     assert held.spent is not None
     assert plain.spent is not None
     assert held.spent.score <= plain.spent.score
-    # Too little for all: none has more than its floor.
+    # The budget is too small for all: no object gets more than its minimum level.
     floors = np.full(len(seen), -1)
     for n in np.flatnonzero(seen):
         floors[n] = np.flatnonzero(scores_of(models[index[n]], held.sigma_seen[n]) >= 0.8)[-1]
@@ -181,7 +181,7 @@ def test_floors_hold_where_the_budget_allows_them() -> None:
     assert np.array_equal(just.level[seen], floors[seen])
 
 
-def test_two_eyes_count_once() -> None:
+def test_objects_seen_by_both_eyes_count_once() -> None:
     models, index, centers, radii = crowd(3000, 4)
     other = replace(VIEW, position=(0.7, 1.5, -2.1))
     both = nf.lod.select(models, index, centers, radii, camera=[VIEW, other], budget=2_000_000, full=True)
@@ -211,7 +211,7 @@ def test_more_triangles_than_sums_can_hold_are_refused() -> None:
         nf.lod.select([huge], np.zeros(5, int), place, 0.5, camera=VIEW, budget=2**62)
 
 
-def test_nothing_is_spent_where_the_panel_shows_nothing() -> None:
+def test_no_triangles_are_spent_outside_the_panel() -> None:
     lens, models = nf.RadialLens((-0.2,)), [replace(usual(1), triangles=np.array([9000, 800]))]
     own = np.array([[0.85, -1.05, -1.0], [0.84, -1.04, -1.0], [0.0, 0.0, -1.0], [0.1, 0.0, -1.0]]) * 9
     options: dict[str, Any] = {"camera": VIEW, "lens": lens, "mode": "panel", "weight": "pixels"}
@@ -222,7 +222,7 @@ def test_nothing_is_spent_where_the_panel_shows_nothing() -> None:
 
 
 # cases of nothing to choose -------------------------------------------------------------------------------------------
-def test_budgets_below_the_coarsest_levels_name_the_least() -> None:
+def test_budgets_below_the_coarsest_levels_name_the_minimum() -> None:
     models, index, centers, radii = crowd(500)
     seen = nf.lod.select(models, index, centers, radii, camera=VIEW).level >= 0
     least = sum(int(models[n].triangles[-1]) for n in index[seen])
@@ -260,7 +260,7 @@ def test_one_object_stops_between_equal_slopes() -> None:
     assert held.level.tolist() == [3]
 
 
-def test_after_a_great_step_come_as_many_small_ones_as_fit() -> None:
+def test_after_a_large_step_small_steps_fill_the_budget() -> None:
     great, small = (
         replace(model([(low, 1, 1, low)]), triangles=np.array([top, 10])) for top, low in ((10**7, 0.0), (60, 0.5))
     )
@@ -271,7 +271,7 @@ def test_after_a_great_step_come_as_many_small_ones_as_fit() -> None:
         assert found.level.tolist() == [1] + [0] * count
 
 
-def test_nothing_is_spent_on_what_has_no_weight_or_is_out_of_view() -> None:
+def test_no_triangles_are_spent_on_weightless_or_invisible_objects() -> None:
     models, index, centers, radii = crowd(1000)
     weight = np.ones(1000)
     weight[::2] = 0
@@ -336,5 +336,5 @@ print(hashlib.sha256(found.level.tobytes() + found.score.tobytes()).hexdigest(),
 """
 
 
-def test_threads_change_no_bit() -> None:
+def test_budget_results_do_not_depend_on_threads() -> None:
     assert len(set(printed_by_threads(BITS))) == 1

@@ -1,4 +1,4 @@
-"""Budgets frame after frame: the price of the frame before, and levels that stay."""
+"""Budgets over many frames: the price of the previous frame, and stable levels."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from tests.support.lod_oracle import model, rotation
 
 
 def turns(hysteresis: float, *, keeps: bool) -> tuple[int, list[int]]:
-    """Changes of levels while sizes tremble, and the triangles of each frame."""
+    """Return changes of levels while sizes fluctuate, and the triangles of each frame."""
     models, index, centers, radii = crowd(3000, 5)
     random = np.random.default_rng(6)
     level, price, changes, drawn = None, None, 0, []
@@ -31,14 +31,14 @@ def turns(hysteresis: float, *, keeps: bool) -> tuple[int, list[int]]:
     return changes, drawn
 
 
-def test_levels_stay_while_sizes_tremble() -> None:
+def test_levels_are_stable_while_sizes_fluctuate() -> None:
     free, _ = turns(0.0, keeps=False)
     held, drawn = turns(0.2, keeps=True)
     assert held < 0.2 * free
     assert all(1_600_000 <= triangles <= 2_000_000 for triangles in drawn)
 
 
-def test_a_price_is_kept_where_it_spends_most_of_the_budget() -> None:
+def test_a_price_is_kept_if_it_uses_most_of_the_budget() -> None:
     scene = crowd(3000, 7)
     first = nf.lod.select(*scene, camera=VIEW, budget=2_000_000)
     assert first.spent is not None
@@ -52,7 +52,7 @@ def test_a_price_is_kept_where_it_spends_most_of_the_budget() -> None:
 
 @given(st.integers(0, 2**32 - 1), st.integers(2, 40), st.sampled_from(["object", "pixels"]), st.floats(0, 1))
 @settings(max_examples=80, deadline=None)
-def test_scenes_that_stand_still_keep_all_levels(seed: int, count: int, weight: str, hysteresis: float) -> None:
+def test_static_scenes_keep_all_levels(seed: int, count: int, weight: str, hysteresis: float) -> None:
     random = np.random.default_rng(seed)
     models = small_models(random)
     index = random.integers(0, len(models), count)
@@ -71,7 +71,7 @@ def test_scenes_that_stand_still_keep_all_levels(seed: int, count: int, weight: 
         assert again.spent.triangles == first.spent.triangles
 
 
-def test_large_scenes_that_stand_still_keep_all_levels() -> None:
+def test_large_static_scenes_keep_all_levels() -> None:
     scene = crowd(60_000, 8)
     first = nf.lod.select(*scene, camera=VIEW, budget=30_000_000)
     assert first.spent is not None
@@ -82,7 +82,7 @@ def test_large_scenes_that_stand_still_keep_all_levels() -> None:
         assert np.array_equal(again.level, first.level)
 
 
-def test_what_a_kept_price_leaves_goes_to_the_levels_before() -> None:
+def test_budget_left_by_a_kept_price_goes_to_previous_levels() -> None:
     triangles = ([9000, 10], [2010, 10], [510, 10])
     scores = (0.0, 0.8, 0.96)
     models = [
@@ -101,7 +101,7 @@ def test_what_a_kept_price_leaves_goes_to_the_levels_before() -> None:
         assert found.spent.price == first.spent.price
 
 
-def test_a_great_price_leaves_the_floor() -> None:
+def test_a_high_price_leaves_minimum_levels() -> None:
     one = replace(model([(0.2, 1, 1, 0.2)]), triangles=np.array([100, 10]))
     place = np.tile(VIEW.position + 5 * -rotation(VIEW)[:, 2], (3, 1))
     found = nf.lod.select(
@@ -111,7 +111,7 @@ def test_a_great_price_leaves_the_floor() -> None:
     assert found.level.tolist() == [0, 0, 0]
 
 
-def test_levels_below_the_hull_are_not_held() -> None:
+def test_levels_below_the_hull_are_not_kept() -> None:
     # The middle level costs more than the coarsest and looks worse.
     crossed = replace(model([(0.2, 1, 1, 0.2), (0.3, 1, 1, 0.3)]), triangles=np.array([1000, 300, 10]))
     place = np.tile(VIEW.position + 5 * -rotation(VIEW)[:, 2], (2, 1))

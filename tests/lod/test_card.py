@@ -1,4 +1,4 @@
-"""Tests of the card that notebooks show of models of levels."""
+"""Tests of notebook cards of models of levels."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from tests.support.card_cases import Card
 from tests.support.leveled_cases import model_of
 
 
-def test_the_table_has_what_the_text_has() -> None:
+def test_the_table_contains_the_values_of_the_text() -> None:
     model = model_of((3, 2, 1), name="<ball>")
     shown = Card(model._repr_html_())
     assert shown.text.startswith("LodModel <ball>, radius")

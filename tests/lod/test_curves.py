@@ -1,4 +1,4 @@
-"""Logistic curves as objects: evaluated, many at once, chosen among, and what fits refuse."""
+"""Logistic curves as objects: evaluation, many at once, indexing, and refused data."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ anything = st.floats(width=64) | st.sampled_from([0.0, -0.0, 1.0, 2.0, 1e-320, 1
 
 
 @given(npst.arrays(np.float64, (2, 9), elements=anything))
-def test_no_data_raises_and_every_answer_can_be_evaluated(rows: Array) -> None:
+def test_fits_of_any_data_can_be_evaluated(rows: Array) -> None:
     for x, y in (rows, (np.abs(rows[0]), rows[1]), (np.arange(9.0), rows[1])):
         curve = nf.lod.fit_4pl(x, y)
         counts = np.isfinite(x) & np.isfinite(y)
@@ -28,13 +28,13 @@ def test_no_data_raises_and_every_answer_can_be_evaluated(rows: Array) -> None:
         assert curve.c > 0
         values = curve(x[counts])
         assert np.isfinite(values).all()
-        # No residual is above the root of all squares, which are no more than those of the mean: N (spread/2)².
+        # No residual exceeds the root of the sum of squares, which is at most that of the mean: N (spread/2)².
         # Eighths, because spreads overflow.
         values, given = values / 8, y[counts] / 8
         assert (np.abs(values - given) <= 1.5 * (1 + 1e-6) * np.ptp(given) + 1e-15 * np.abs(given)).all()
 
 
-def test_many_curves_are_what_single_calls_find() -> None:
+def test_many_curves_equal_single_fits() -> None:
     rows = list(noisy(8, 40, 25, 0.1))
     x, y = rows[0][0], np.array([y for _, y in rows])
     y[3, 4:9] = np.nan
@@ -61,7 +61,7 @@ def test_many_curves_are_what_single_calls_find() -> None:
 
 
 @given(st.floats(-5, 5), st.floats(0.01, 50), st.floats(1e-6, 1e6), st.floats(-5, 5), st.floats(0, 1e7))
-def test_evaluation_is_the_formula(a: float, b: float, c: float, d: float, x: float) -> None:
+def test_evaluation_equals_the_formula(a: float, b: float, c: float, d: float, x: float) -> None:
     curve = nf.lod.Curve4PL(a, b, c, d, 0.0, "fitted", "")
     with np.errstate(over="ignore", under="ignore"):
         expected = float(formula(np.longdouble(x), *map(np.longdouble, (a, b, c, d))))
@@ -83,7 +83,7 @@ def test_refuses_wrong_shapes_and_types(call: Any, error: type[Exception], messa
         call()
 
 
-def test_some_of_many_curves_are_curves() -> None:
+def test_indexing_many_curves_gives_curves() -> None:
     x, y = next(noisy(8, 1, 25, 0.1))
     curves = nf.lod.fit_4pl(x, y * np.arange(1.0, 6.0)[:, None])
     assert len(curves) == 5

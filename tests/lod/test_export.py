@@ -1,4 +1,4 @@
-"""Files of levels: engines find `MSFT_lod` and where to switch, and everything comes back."""
+"""Files of levels: engines find `MSFT_lod` and the switching distances, and everything is restored."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 FOV = nf.Fov(-1.2, 0.9, -1.1, 1.0)
 AREA = 2.1 * 2.1
 
-# Of KhronosGroup/glTF, extensions/2.0/Vendor/MSFT_lod/schema/glTF.MSFT_lod.schema.json.
+# Schema from KhronosGroup/glTF, extensions/2.0/Vendor/MSFT_lod/schema/glTF.MSFT_lod.schema.json.
 MSFT_LOD = {
     "type": "object",
     "properties": {"ids": {"type": "array", "items": {"type": "integer"}, "minItems": 1}},
@@ -85,7 +85,7 @@ def test_other_programs_show_level_0(model: nf.lod.LodModel, glb: Path) -> None:
     assert np.abs(here.to_image().astype(int) - there.to_image()).max() <= 2
 
 
-def test_everything_comes_back_bit_for_bit(model: nf.lod.LodModel, glb: Path, tmp_path: Path) -> None:
+def test_loaded_models_equal_saved_ones_bit_for_bit(model: nf.lod.LodModel, glb: Path, tmp_path: Path) -> None:
     back = nf.lod.LodModel.load(glb)
     assert back.name == model.name
     assert back.measured == model.measured
@@ -138,7 +138,7 @@ def test_unfittable_and_lone_levels_are_written(tmp_path: Path) -> None:
     assert len(nf.lod.LodModel.load(tmp_path / "lone.glb")) == 1
 
 
-def test_json_says_the_same_in_every_engines_words(model: nf.lod.LodModel, tmp_path: Path) -> None:
+def test_json_gives_the_switches_in_each_engines_terms(model: nf.lod.LodModel, tmp_path: Path) -> None:
     model.export(tmp_path / "ball.json", view=FOV)
     document = json.loads((tmp_path / "ball.json").read_text(encoding="utf-8"))
     assert valid(document, "lod")
@@ -152,12 +152,12 @@ def test_json_says_the_same_in_every_engines_words(model: nf.lod.LodModel, tmp_p
 
 
 def switched(model: nf.lod.LodModel, away: Array, found: nf.lod.Switches) -> list[int]:
-    """Level that engines show of a sphere at distances in radii: the coarsest whose range has begun."""
+    """Return the level that engines show of a sphere at distances in radii: the coarsest whose range has begun."""
     return [max((i for i in range(1, len(model)) if z >= found.distance[i]), default=0) for z in away]
 
 
 def distances(found: nf.lod.Switches) -> Array:
-    """Distances in radii, some of them just before and after those where levels switch."""
+    """Return distances in radii, some of them just before and after switching distances."""
     ends = found.distance[1:][np.isfinite(found.distance[1:])]
     return np.unique(np.concatenate([np.geomspace(1.01, 500, 300), ends * 0.999999, ends * 1.000001]))
 
@@ -168,7 +168,7 @@ NUMBERS = pytest.mark.parametrize(("k", "d"), [(0.27, 0.9), (0.24, 0.8), (0.0, 0
 
 @THRESHOLDS
 @NUMBERS
-def test_switches_are_where_the_formulas_switch(model: nf.lod.LodModel, threshold: str, k: float, d: float) -> None:
+def test_switches_equal_the_formulas(model: nf.lod.LodModel, threshold: str, k: float, d: float) -> None:
     fov = nf.Fov.symmetric(87, 87 / 90)
     found = nf.lod.switches(model, view=fov, k=k, d=d, threshold=threshold)
     reference = 2 * math.pi * (1 - math.cos(math.asin(math.tan(math.radians(87 / 2)) / 4)))
@@ -186,8 +186,8 @@ def test_switches_are_where_the_formulas_switch(model: nf.lod.LodModel, threshol
 
 @THRESHOLDS
 @NUMBERS
-def test_switches_are_where_select_switches(model: nf.lod.LodModel, threshold: str, k: float, d: float) -> None:
-    # Straight ahead in a symmetric view engines and `select` mean the same size.
+def test_switches_equal_select(model: nf.lod.LodModel, threshold: str, k: float, d: float) -> None:
+    # Straight ahead in a symmetric view the sizes of engines and `select` are equal.
     fov = nf.Fov.symmetric(87, 87 / 90)
     found = nf.lod.switches(model, view=fov, k=k, d=d, threshold=threshold)
     away = distances(found)
@@ -200,8 +200,8 @@ def test_switches_are_where_select_switches(model: nf.lod.LodModel, threshold: s
     assert levels.tolist() == switched(model, away, found)
 
 
-def test_coverage_says_how_much_of_a_picture_a_sphere_covers() -> None:
-    """Small spheres on the axis: the share of pixels is what the formula says, up to the pixels at the rim."""
+def test_coverage_equals_a_spheres_share_of_the_picture() -> None:
+    """For small spheres on the axis the share of pixels equals the formula, up to the pixels at the rim."""
     model = model_of((5, 0))
     fov = nf.Fov.symmetric(60, 1.0)
     sigma = nf.lod.switches(model, view=fov, k=0.0, d=0.9).solid_angle[1]
@@ -211,7 +211,7 @@ def test_coverage_says_how_much_of_a_picture_a_sphere_covers() -> None:
     frame = nf.render(geometry(model)[0].scene, camera, channels=("range",), backend="cpu")
     share = np.isfinite(frame.require("range")).mean()
     assert nf.solid_angle(np.zeros((1, 3)), np.array([model.radius]), eye=eye)[0] == pytest.approx(sigma, rel=1e-9)
-    # The disc at the sphere's middle, as engines have it, is smaller than the outline by cos²μ, and facets lose 0.3 %.
+    # Engines use the disc at the sphere's centre, smaller than the outline by cos²μ; facets lose 0.3 %.
     cosine = 1 - 1 / found.distance[1] ** 2
     assert share == pytest.approx(found.screen_coverage[1] / cosine, rel=0.01)
 
@@ -242,7 +242,7 @@ def test_scenes_are_written_with_every_objects_levels(model: nf.lod.LodModel, tm
     assert (here.require("object_id") == there.require("object_id")).mean() > 0.999
 
 
-def test_scenes_without_levels_and_what_has_none_are_written_too(model: nf.lod.LodModel, tmp_path: Path) -> None:
+def test_scenes_and_objects_without_levels_are_written(model: nf.lod.LodModel, tmp_path: Path) -> None:
     box = nf.Scene.from_trimesh(trimesh.Scene({"a": trimesh.creation.box(), "b": trimesh.creation.icosphere(2)}))
     nf.lod.export(box, tmp_path / "plain.glb", view=FOV)
     assert same_triangles(nf.Scene.load(tmp_path / "plain.glb"), box)
@@ -254,7 +254,7 @@ def test_scenes_without_levels_and_what_has_none_are_written_too(model: nf.lod.L
 @pytest.mark.parametrize(
     ("name", "error"), [("ball.gltf", ValueError), ("ball", ValueError), ("no/ball.glb", FileNotFoundError)]
 )
-def test_files_that_cannot_be_written(model: nf.lod.LodModel, tmp_path: Path, name: str, error: Any) -> None:
+def test_unwritable_file_names_are_refused(model: nf.lod.LodModel, tmp_path: Path, name: str, error: Any) -> None:
     with pytest.raises(error):
         model.export(tmp_path / name, view=FOV)
     assert list(tmp_path.iterdir()) == []

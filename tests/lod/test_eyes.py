@@ -1,4 +1,4 @@
-"""Levels for eyes: two that see differently, and what they look at."""
+"""Levels for two eyes with different views, and for the direction of gaze."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ FOV = nf.Fov(-1.0, 0.9, -1.1, 1.05)
 
 # eyes ----------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("name", ["PIMAX_5K_PLUS", "VIVE_PRO", "INDEX"])
-def test_the_finer_of_two_eyes_answers_counts(name: str) -> None:
+def test_the_finer_level_of_both_eyes_is_used(name: str) -> None:
     hmd = nf.hmd.get(name)
     head = (0.3, 1.6, 0.2)
     pose = nf.Camera.look_at(head, (1, 1, -5), fov=FOV, size=(9, 9)).orientation
@@ -34,7 +34,7 @@ def test_the_finer_of_two_eyes_answers_counts(name: str) -> None:
     assert np.array_equal(both.level, np.where(seen.any(axis=0), np.where(seen, levels, 99).min(axis=0), -1))
     assert (seen[0] != seen[1]).any()
     assert (levels[0] != levels[1])[seen.all(axis=0)].any()
-    # The numbers are those of the eye that asked for it.
+    # The columns are those of the eye that required the level.
     first = np.where(levels[0] == both.level, 0, 1)
     seen_size = np.where(first == 0, apart[0].sigma_seen, apart[1].sigma_seen)
     chosen = both.level > 0
@@ -44,7 +44,7 @@ def test_the_finer_of_two_eyes_answers_counts(name: str) -> None:
 
 
 # the eye -------------------------------------------------------------------------------------------------------------
-def test_things_away_from_the_gaze_get_coarser_levels() -> None:
+def test_objects_away_from_the_gaze_get_coarser_levels() -> None:
     camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(100), size=(2000, 2000))
     angles = np.radians(np.linspace(0, 45, 40))
     centers = 8 * np.stack([np.sin(angles), 0 * angles, -np.cos(angles)], axis=1)
@@ -59,7 +59,7 @@ def test_things_away_from_the_gaze_get_coarser_levels() -> None:
     pixel = math.degrees(math.atan(2 * math.tan(math.radians(50)) / 2000))
     scale = nf.lod.acuity(away, pixel_deg=pixel)
     np.testing.assert_allclose(ahead.sigma_seen, ahead.sigma * scale**2, rtol=1e-9)
-    # The other way round where the eye looks the other way, and a gaze has no length.
+    # With the gaze at the last object the sizes are reversed, and the length of the gaze vector does not matter.
     aside = nf.lod.select(
         [usual(12)], index, centers, 0.4, camera=camera, mode="fovea", gaze=1e-200 * centers[-1], full=True
     )

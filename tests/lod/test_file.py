@@ -1,4 +1,4 @@
-"""Models of levels as files: back bit for bit, as the schema says, and nothing that is damaged."""
+"""Models of levels as files: restored bit for bit, valid by the schema, and damaged files refused."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def model(tmp_path_factory: pytest.TempPathFactory) -> nf.lod.LodModel:
 
 
 def of_kind(model: nf.lod.LodModel, kind: str) -> nf.lod.LodModel:
-    """The model, or one that is harder to write down."""
+    """Return the model, or a variant that is harder to store."""
     assert model.samples is not None
     if kind == "whole":
         return model
@@ -47,7 +47,7 @@ KINDS = ("whole", "without samples", "without views", "unfittable", "base alone"
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_models_come_back_bit_for_bit(model: nf.lod.LodModel, kind: str, tmp_path: Path) -> None:
+def test_model_files_load_bit_for_bit(model: nf.lod.LodModel, kind: str, tmp_path: Path) -> None:
     given = of_kind(model, kind)
     given.save(tmp_path / "a.json")
     assert valid(json.loads((tmp_path / "a.json").read_text(encoding="utf-8")), "lod")
@@ -122,7 +122,7 @@ def test_damaged_levels_are_named(model: nf.lod.LodModel, level: int, change: di
         nf.lod.LodModel.load(path)
 
 
-def test_files_of_others_and_of_the_future_are_refused(model: nf.lod.LodModel, tmp_path: Path) -> None:
+def test_foreign_and_newer_model_files_are_refused(model: nf.lod.LodModel, tmp_path: Path) -> None:
     path = tmp_path / "a.json"
     model.save(path)
     document = json.loads(path.read_text(encoding="utf-8"))
@@ -146,7 +146,7 @@ WRONG: tuple[Any, ...] = (float("inf"), float("nan"), -1, 2**70, 1.5, None, "x",
 
 
 def places(value: Any, *path: Any) -> Iterator[tuple[Any, ...]]:
-    """Ways to the numbers and texts of a document; of lists, to the first two entries."""
+    """List paths to the numbers and texts of a document; of lists, to the first two entries."""
     if isinstance(value, dict | list) and value:
         entries = value.items() if isinstance(value, dict) else enumerate(value[:2])
         for key, entry in entries:
@@ -155,7 +155,7 @@ def places(value: Any, *path: Any) -> Iterator[tuple[Any, ...]]:
         yield path
 
 
-def test_whatever_loads_can_be_saved_again(model: nf.lod.LodModel, tmp_path: Path) -> None:
+def test_loadable_models_can_be_saved_again(model: nf.lod.LodModel, tmp_path: Path) -> None:
     model.save(tmp_path / "a.json")
     document = json.loads((tmp_path / "a.json").read_text(encoding="utf-8"))
     loaded = 0

@@ -1,4 +1,4 @@
-"""Logistic curves against known parameters, and what becomes of data that has none."""
+"""Logistic curves against known parameters, and fits to degenerate data."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from tests.support.fit_cases import SIZES, formula, noisy
     st.floats(np.log(2e-3), np.log(0.15)),
     st.integers(20, 60),
 )
-def test_clean_curves_come_back(a: float, height: float, falls: bool, b: float, log_c: float, count: int) -> None:
+def test_clean_curves_are_recovered(a: float, height: float, falls: bool, b: float, log_c: float, count: int) -> None:
     # At b = 0.7 the samples still reach to an eighth of the height from both plateaus.
     d, c = (a - height if falls else a + height), float(np.exp(log_c))
     x = np.geomspace(1e-4, 3, count)
@@ -31,7 +31,7 @@ def test_clean_curves_come_back(a: float, height: float, falls: bool, b: float, 
     assert curve.status == "fitted"
     assert curve.ok is True
     assert curve.reason == ""
-    # Rounding of y, 2⁻⁵³, is magnified by how badly the samples tell parameters apart: some hundreds here.
+    # Rounding of y, 2⁻⁵³, is amplified by the condition of the parameters: some hundreds here.
     np.testing.assert_allclose(list(curve), [a, b, c, d], rtol=1e-9, atol=1e-11)
     assert curve.rms < 1e-15
     a2, b2, c2, d2 = curve
@@ -40,25 +40,25 @@ def test_clean_curves_come_back(a: float, height: float, falls: bool, b: float, 
 
 @pytest.mark.parametrize("scale", [1e-300, 1e-8, 1.0, 1e8, 1e300])
 @pytest.mark.parametrize("unit", [1e-200, 1e-6, 1e9])
-def test_units_do_not_matter(scale: float, unit: float) -> None:
+def test_fits_do_not_depend_on_units(scale: float, unit: float) -> None:
     for x, y in noisy(3, 5, 30, 0.05):
         one, other = nf.lod.fit_4pl(x, y), nf.lod.fit_4pl(x * unit, y * scale)
         assert other.status == one.status
         if one.status == "fitted":
-            # Parameters of noisy data are known to the root of a residual's rounding only.
+            # Parameters of noisy data are only known to the square root of a residual's rounding.
             np.testing.assert_allclose(
                 [other.a / scale, other.b, other.c / unit, other.d / scale], list(one), rtol=1e-5, atol=1e-6
             )
         assert other.rms / scale == pytest.approx(one.rms, rel=1e-9)
 
 
-def test_offsets_cost_only_their_own_rounding() -> None:
+def test_offsets_add_only_their_own_rounding() -> None:
     y = formula(SIZES, 0.9, 1.3, 0.05, 0.4)
     curve = nf.lod.fit_4pl(SIZES, 1e8 + y)
     assert curve.status == "fitted"
     # y is rounded to 1.5e-8 of a height of 0.5.
     np.testing.assert_allclose([curve.a - 1e8, curve.b, curve.c, curve.d - 1e8], [0.9, 1.3, 0.05, 0.4], rtol=1e-5)
-    # Neighbouring x far from zero keep their differences.
+    # Differences between neighbouring x far from zero are exact.
     x = 1e8 + np.arange(20.0)
     y = 1 / (1 + np.exp(np.arange(20) - 9.5))
     np.testing.assert_allclose(nf.lod.fit_4pl(x, y)(x), y, atol=1e-7)
@@ -71,10 +71,10 @@ VALLEYS = (
     (np.linspace(0.01, 1, 5), (0.9, 3.6, 0.023, 0.2)),
     (np.linspace(0.01, 1, 12), (0.9, 7, 0.02, 0.2)),
 )
-"""Clean curves whose residual hardly rises along a line over b and c that leads far away."""
+"""Clean curves whose residual hardly rises along a curve in (b, c) that leads far away."""
 
 
-def test_clean_curves_pass_samples_that_show_one_plateau() -> None:
+def test_clean_curves_fit_samples_of_one_plateau() -> None:
     for x, truth in VALLEYS:
         y = formula(x, *truth)
         curve = nf.lod.fit_4pl(x, y)
@@ -83,7 +83,7 @@ def test_clean_curves_pass_samples_that_show_one_plateau() -> None:
         np.testing.assert_allclose(curve(x), y, atol=5e-5)
 
 
-def test_curves_whose_best_parameters_are_infinite_are_fitted_in_the_limit() -> None:
+def test_curves_with_infinite_parameters_are_fitted_in_the_limit() -> None:
     for name, y in (("log", np.log(SIZES)), ("power", SIZES**-0.3), ("root", SIZES**0.3), ("line", 2 * SIZES)):
         curve = nf.lod.fit_4pl(SIZES, y)
         assert (curve.status, curve.ok) == ("open", True), name
@@ -99,20 +99,20 @@ def test_curves_whose_best_parameters_are_infinite_are_fitted_in_the_limit() -> 
     np.testing.assert_allclose(met(SIZES), one_between, atol=1e-8)
 
 
-def test_zero_is_where_the_first_plateau_is_seen() -> None:
+def test_a_sample_at_zero_shows_the_first_plateau() -> None:
     x = np.linspace(0, 3, 25)
     y = formula(x, 0.95, 2.5, 0.7, 0.2)
     curve = nf.lod.fit_4pl(x, y)
     np.testing.assert_allclose(list(curve), [0.95, 2.5, 0.7, 0.2], rtol=1e-9)
     assert curve(0.0) == curve.a
     assert curve(np.inf) == curve.d
-    # Alone against a plateau it is a step.
+    # A single sample besides a plateau is a step.
     alone = nf.lod.fit_4pl(x, np.where(x == 0, 1.0, 0.5))
     assert alone.status == "step"
     np.testing.assert_allclose(alone(x), np.where(x == 0, 1.0, 0.5), atol=1e-9)
 
 
-def test_order_and_repeats_do_not_matter() -> None:
+def test_order_and_repetitions_do_not_matter() -> None:
     random = np.random.default_rng(2)
     for x, y in noisy(5, 10, 20, 0.1):
         curve = nf.lod.fit_4pl(x, y)
@@ -123,7 +123,7 @@ def test_order_and_repeats_do_not_matter() -> None:
             assert twice.rms == pytest.approx(curve.rms, rel=1e-9)
 
 
-def test_few_samples_are_passed_through_or_refused() -> None:
+def test_few_samples_are_interpolated_or_refused() -> None:
     curve = nf.lod.fit_4pl([0.1, 0.2, 0.5, 1.0], [0.9, 0.85, 0.5, 0.4])
     assert curve.status == "fitted"
     np.testing.assert_allclose(curve(np.array([0.1, 0.2, 0.5, 1.0])), [0.9, 0.85, 0.5, 0.4], atol=1e-12)
@@ -142,12 +142,12 @@ def test_few_samples_are_passed_through_or_refused() -> None:
         assert np.isnan([*refused, refused.rms, refused(1.0)]).all()
 
 
-def test_curves_of_nothing_but_noise_are_flat() -> None:
+def test_curves_of_pure_noise_are_flat() -> None:
     random = np.random.default_rng(4)
     for samples in (6, 12, 30, 60):
         y = 0.5 + random.normal(size=(1000, samples))
         curves = nf.lod.fit_4pl(np.geomspace(1e-4, 3, samples), y)
-        # 95 in 100, four standard deviations of 1000 draws and what depends on the number of samples.
+        # 95 of 100, four standard deviations of 1000 draws, and the dependence on the number of samples.
         assert 0.92 <= np.mean(curves.status == "flat") <= 0.995
         flat = curves.status == "flat"
         np.testing.assert_allclose(curves.a[flat], y[flat].mean(axis=1), rtol=1e-12, atol=1e-15)

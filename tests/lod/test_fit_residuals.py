@@ -13,7 +13,7 @@ from tests.support.fit_cases import Array, formula, noisy
 
 
 def best_for(x: Array, y: Array, log_b: Array, log_c: Array) -> Array:
-    """Squared residuals of the best a and d for each b and c: a regression of y over 1/(1 + (x/c)^b)."""
+    """Return squared residuals of the best a and d for each b and c: a regression of y over 1/(1 + (x/c)^b)."""
     steps = np.exp(log_b)[:, None] * (np.log(x) - log_c[:, None])
     p = 1 / (1 + np.exp(np.clip(steps, -700, 700)))
     p = p - p.mean(axis=1, keepdims=True)
@@ -25,7 +25,7 @@ def best_for(x: Array, y: Array, log_b: Array, log_c: Array) -> Array:
 
 
 def searched(x: Array, y: Array) -> float:
-    """The least residual by a fine grid over b and c, whose best places are polished without derivatives."""
+    """Return the least residual by a fine grid over b and c, whose best points are refined without derivatives."""
     log_b, log_c = (
         grid.ravel()
         for grid in np.meshgrid(np.log(np.geomspace(0.01, 300, 120)), np.linspace(np.log(1e-6), np.log(300), 400))
@@ -41,7 +41,7 @@ def searched(x: Array, y: Array) -> float:
 
 
 def by_scipy(x: Array, y: Array) -> float:
-    """The least residual that curve_fit finds from sensible starts, unbounded and bounded."""
+    """Return the least residual that curve_fit finds from sensible starts, unbounded and bounded."""
     middle = float(np.exp(np.log(x).mean()))
     first, last = y[0], y[-1]
     starts = [(first, 1, middle, last), (first, 3, middle, last), (y.max(), 0.5, np.median(x), y.min())]
@@ -60,7 +60,7 @@ def by_scipy(x: Array, y: Array) -> float:
 
 
 def guessed(x: Array, y: Array) -> list[Array]:
-    """Results of curve_fit from three common first guesses."""
+    """Return results of curve_fit from three common initial guesses."""
     found = []
     for b, c in ((2, np.median(x)), (1, np.exp(np.log(x).mean())), (4, x.mean())):
         with warnings.catch_warnings(), np.errstate(all="ignore"):
@@ -77,7 +77,7 @@ def squared(curve: nf.lod.Curve4PL, x: Array, y: Array) -> float:
 
 
 @pytest.mark.parametrize(("samples", "noise"), [(8, 0.01), (20, 0.05), (40, 0.1), (20, 0.2), (8, 0.1), (40, 0.01)])
-def test_residuals_are_never_above_scipys(samples: int, noise: float) -> None:
+def test_residuals_are_at_most_scipys(samples: int, noise: float) -> None:
     compared = 0
     for x, y in noisy(7, 20, samples, noise):
         curve = nf.lod.fit_4pl(x, y)
@@ -89,19 +89,19 @@ def test_residuals_are_never_above_scipys(samples: int, noise: float) -> None:
 
 
 @pytest.mark.parametrize("samples", [5, 6, 9, 14, 20])
-def test_nothing_is_better_on_clean_data(samples: int) -> None:
+def test_clean_data_is_fitted_exactly(samples: int) -> None:
     random = np.random.default_rng(samples)
     recovered = 0
     for k in range(60):
         x = (np.linspace(0.1, 1, samples), np.linspace(0.01, 1, samples), np.geomspace(0.01, 1, samples))[k % 3]
-        # Middles up to a factor of 4 before the samples and 2 beyond.
+        # Middles from a quarter of the first sample to twice the last one.
         truth = np.array([0.9, random.uniform(0.5, 8), np.exp(random.uniform(np.log(x[0] / 4), np.log(2))), 0.2])
         y = formula(x, *truth)
         curve = nf.lod.fit_4pl(x, y)
         assert curve.ok
         for found in guessed(x, y):
             rms = np.sqrt(((formula(x, *found) - y) ** 2).mean())
-            # Descents stop where less is left than any measurement tells.
+            # The descent stops when the residual is below any measurable difference.
             assert curve.rms <= rms + 1e-9 * np.ptp(y), truth
             if curve.status != "step" and np.allclose(found, truth, rtol=1e-6, atol=0):
                 recovered += 1
@@ -121,7 +121,7 @@ def test_nearly_clean_data_is_fitted_to_its_noise() -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("noise", [0.05, 0.2, 0.5])
-def test_no_fine_search_finds_less(noise: float) -> None:
+def test_a_fine_grid_search_finds_no_lower_residual(noise: float) -> None:
     for x, y in noisy(11, 8, 16, noise):
         curve = nf.lod.fit_4pl(x, y)
         if curve.ok:

@@ -1,4 +1,4 @@
-"""The levels that a measurement keeps, how far it measures them, and what is no work at all."""
+"""Levels kept by a measurement, how far it measures them, and measurements without rendering."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def test_each_step_keeps_its_coarsest_level() -> None:
         2,
         3,
     ]  # at a step is above it
-    assert coarsest_of_steps(np.array([1.0, 0.7, 0.9, 0.5]), 0.05) == [0, 2, 3]  # coarser and better
+    assert coarsest_of_steps(np.array([1.0, 0.7, 0.9, 0.5]), 0.05) == [0, 2, 3]  # Coarser and better.
     assert coarsest_of_steps(np.array([1.0, 0.7, 0.9, 0.5]), None) == [0, 1, 2, 3]
     assert coarsest_of_steps(np.array([1.0, 1.0, 1.0]), 0.05) == [0, 2]
     assert coarsest_of_steps(np.array([1.0, -0.2]), 0.05) == [0, 1]
@@ -42,7 +42,7 @@ def test_each_step_keeps_its_coarsest_level() -> None:
         assert coarsest_of_steps(found, 0.05) == sorted(kept)
 
 
-def test_levels_left_out_are_measured_no_further() -> None:
+def test_dropped_levels_are_not_measured_further() -> None:
     own, how = levels(40, 38, 36, 10), SMALL | {"distances": 7, "saturated": None}
     model = nf.lod.measure(own, **how, step=0.3)
     whole = nf.lod.measure(own, **how, step=None, cache=False)
@@ -58,7 +58,7 @@ def test_levels_left_out_are_measured_no_further() -> None:
     np.testing.assert_array_equal(model.samples.score[known], whole.samples.score[kept][known])
     left = model.measured["left_out"]
     assert [one["triangles"] for one in left] == [n for n in whole.triangles if n not in model.triangles]
-    # Of levels that cannot be kept one view is seen at the first four distances.
+    # Levels that cannot be kept are rendered in one view at the first four distances.
     assert whole.measured["scores"] == 8 * 7 * 3
     assert whole.measured["renders"] == 8 * 7 * 4
     assert model.measured["scores"] == 8 * 7 * (len(kept) - 1) + 4 * (4 - len(kept))
@@ -69,14 +69,12 @@ def test_levels_left_out_are_measured_no_further() -> None:
 
 
 @pytest.mark.parametrize("saturated", [None, 0.9])
-def test_levels_are_those_of_all_scores_though_some_are_not_asked_for(
-    saturated: float | None, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_kept_levels_equal_those_from_all_scores(saturated: float | None, monkeypatch: pytest.MonkeyPatch) -> None:
     random = np.random.default_rng(0)
     own, skipped = levels(8, 7, 6, 5, 4), 0
     how: dict[str, Any] = SMALL | {"views": 96, "distances": 6, "saturated": saturated, "cache": False}
     for _ in range(30):
-        # Levels fall, but now and then a coarser one scores more, and SSIM dips where they are smaller.
+        # Scores fall with levels, but now and then a coarser one scores more, and SSIM dips at smaller sizes.
         fall = np.cumsum(random.uniform(-0.02, 0.04, (5, 6)), axis=0)
         true = np.clip(1 - fall[:, :, None] - random.uniform(0, 0.05, (5, 6, 96)), 0, 1)
         true[0] = 1.0
@@ -93,7 +91,7 @@ def test_levels_are_those_of_all_scores_though_some_are_not_asked_for(
         whole = nf.lod.measure(own, **how, step=None)
         assert model.samples is not None
         assert whole.samples is not None
-        # Where a level looks like the base twice, it counts as the base at smaller sizes.
+        # After a level equals the base twice, it counts as the base at smaller sizes.
         scores = np.where(np.isnan(whole.samples.score), 1.0, whole.samples.score)
         kept = sorted({0}.union(*(coarsest_of_steps(scores[:, size], 0.05) for size in range(4))))
         assert list(model.triangles) == list(whole.triangles[kept])
@@ -102,7 +100,7 @@ def test_levels_are_those_of_all_scores_though_some_are_not_asked_for(
     assert skipped > 30 * 96
 
 
-def test_what_looks_like_the_base_is_measured_no_further() -> None:
+def test_levels_equal_to_the_base_are_not_measured_further() -> None:
     vertices, faces = ball(12)
     moved = nf.Scene.from_arrays(vertices + 5e-5 * np.sin(7 * vertices), faces)
     own = nf.lod.Levels([nf.lod.Level(scene=scene(12)), nf.lod.Level(scene=moved), nf.lod.Level(scene=scene(6))])
@@ -116,13 +114,13 @@ def test_what_looks_like_the_base_is_measured_no_further() -> None:
     assert missing[1, 2:].all()
     assert not missing[2].any()
     assert model.measured["scores"] < whole.measured["scores"]
-    # It stays where it was when it was measured last: at 0.999 or more, and so within 0.001 of what is left out.
+    # The score stays at its last measured value: at least 0.999, and so within 0.001 of the omitted ones.
     sigma = np.geomspace(*model.sigma, 50)
     np.testing.assert_allclose(model.curves(sigma), whole.curves(sigma), rtol=0, atol=1e-3)
     np.testing.assert_array_equal(model.samples.filled[1, 2:], model.samples.score[1, 1])
 
 
-def test_one_level_is_no_work(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_one_level_needs_no_rendering(monkeypatch: pytest.MonkeyPatch) -> None:
     counted = count_renders(monkeypatch)
     model = nf.lod.measure(levels(12), hmd=nf.hmd.VIVE_PRO)
     assert counted == []
@@ -133,7 +131,7 @@ def test_one_level_is_no_work(monkeypatch: pytest.MonkeyPatch) -> None:
     np.testing.assert_array_equal(model.samples.score, np.ones((1, 16)))
 
 
-def test_the_same_again_is_no_work_either(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_repeated_measurements_need_no_rendering(monkeypatch: pytest.MonkeyPatch) -> None:
     counted = count_renders(monkeypatch)
     own = nf.lod.Levels([nf.lod.Level(scene=scene(12)), nf.lod.Level(scene=scene(12))])
     model = nf.lod.measure(own, **SMALL)

@@ -1,4 +1,4 @@
-"""Levels measured by boxes and blocks against whole pictures one by one, on each back end, and of a real object."""
+"""Levels measured in boxes and blocks against whole pictures one by one, on each back end, and of a real object."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def own_ssim(base: Array, test: Array, mask: NDArray[np.bool_]) -> float:
 
 
 def far_speck() -> nf.Scene:
-    """A level of which nothing is seen from anywhere."""
+    """Return a level that is invisible from everywhere."""
     return nf.Scene.from_arrays(np.array([3, -2, 1]) + 1e-6 * np.eye(3), [[0, 1, 2]])
 
 
@@ -62,7 +62,7 @@ def cut(rows: int, name: str) -> nf.lod.Levels:
         ("growing", "even", nf.Fov.symmetric(110), (96, 64), 1),
     ],
 )
-def test_boxes_score_as_whole_pictures_do(
+def test_boxes_score_like_whole_pictures(
     name: str, directions: str, fov: nf.Fov, size: tuple[int, int], samples: int
 ) -> None:
     own = cut(12, name)
@@ -82,15 +82,15 @@ def test_boxes_score_as_whole_pictures_do(
     truth = straightforward(own, 8, (1, 2), fov, size, samples, own_ssim, directions)
     assert model.samples is not None
     assert model.samples.views is not None
-    # Pictures are the same to the byte but where a ray passes an edge by its rounding, of which none does here; scores
-    # are kept in float32.
+    # Pictures have the same bytes except where rounding decides an edge, which does not occur here; scores
+    # are stored in float32.
     np.testing.assert_allclose(model.samples.views, truth, rtol=0, atol=1e-7)
     expected = np.percentile(truth, 25, axis=2, method="averaged_inverted_cdf")
     np.testing.assert_allclose(model.samples.score, expected, rtol=0, atol=1e-7)
     assert truth[1:].min() < 0.99
 
 
-def test_scores_are_those_of_scikit_image() -> None:
+def test_scores_equal_scikit_image() -> None:
     need("skimage")
     from skimage.metrics import structural_similarity
 
@@ -104,7 +104,7 @@ def test_scores_are_those_of_scikit_image() -> None:
     assert model.samples is not None
     truth = straightforward(own, 8, (1, 2), FOV, (128, 128), 1, theirs)
     expected = np.percentile(truth, 25, axis=2, method="averaged_inverted_cdf")
-    # Half a unit in the last place of float32, in which scores are kept.
+    # Half a unit in the last place of float32, in which scores are stored.
     np.testing.assert_allclose(model.samples.score, expected, rtol=0, atol=2**-24)
 
 
@@ -124,7 +124,7 @@ def test_sizes_grow_from_a_sixteenth_of_the_screen() -> None:
     assert model.sigma == (model.samples.sigma[-1], model.samples.sigma[0])
 
 
-def test_pixels_are_those_of_the_headset() -> None:
+def test_pixel_density_is_the_headsets() -> None:
     measured = nf.lod.measure(levels(6), hmd=nf.hmd.RIFT_S).measured
     fov = nf.hmd.RIFT_S.left.fov
     assert measured["pixel"] == (fov.right - fov.left) / nf.hmd.RIFT_S.render_size[0]
@@ -152,8 +152,8 @@ def test_a_gpu_measures_the_same_curves() -> None:
         "step": None,
         "cache": False,
     }
-    # With one sample pictures differ in pixels whose centre an edge passes by 1/256; with four also in how edges are
-    # blended, in both pictures alike.
+    # With one sample, pictures differ in pixels whose centre lies within 1/256 of an edge; with four also in how
+    # edges are blended, equally in both pictures.
     for samples, bound in ((1, 5e-3), (4, 2e-2)):
         here = nf.lod.measure(levels(24, 12, 6), **options, samples=samples, backend="cpu")
         there = nf.lod.measure(levels(24, 12, 6), **options, samples=samples, backend="gpu")
@@ -165,7 +165,7 @@ def test_a_gpu_measures_the_same_curves() -> None:
         np.testing.assert_allclose(there.curves(sigma), here.curves(sigma), rtol=0, atol=bound)
 
 
-def test_a_real_object_falls_from_level_to_level() -> None:
+def test_scores_of_a_real_object_fall_from_level_to_level() -> None:
     path = data("objects/bun_zipper.ply")
     need("fast_simplification")
     import fast_simplification

@@ -1,4 +1,4 @@
-"""Many objects measured at once: the same bytes over processes and clusters; Ctrl-C keeps the scores that are done."""
+"""Many objects measured at once: the same bytes over processes and clusters; Ctrl-C keeps finished scores."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def objects() -> dict[str, nf.lod.Levels]:
     return {"ball": levels(12, 8, 4), "board": textured, "alone": levels(5, name="alone")}
 
 
-def test_many_objects_come_back_as_they_were_given(objects: dict[str, nf.lod.Levels]) -> None:
+def test_many_objects_are_returned_in_their_container(objects: dict[str, nf.lod.Levels]) -> None:
     by_name = nf.lod.measure(objects, **SMALL)
     in_a_row = nf.lod.measure(list(objects.values()), **SMALL)
     assert list(by_name) == list(objects)
@@ -69,7 +69,7 @@ def test_a_cluster_gives_the_same_bytes(objects: dict[str, nf.lod.Levels]) -> No
             nf.lod.measure([objects["ball"], nothing], **SMALL, client=client)
 
 
-def test_an_object_that_fails_in_a_process_is_told(objects: dict[str, nf.lod.Levels]) -> None:
+def test_an_object_that_fails_in_a_process_is_named(objects: dict[str, nf.lod.Levels]) -> None:
     nothing = nf.lod.Levels([nf.lod.Level(scene=nf.Scene.from_arrays(np.zeros((3, 3)), [[0, 1, 2]]))])
     with pytest.raises(ValueError, match="more than a point"):
         nf.lod.measure([nothing, objects["ball"]], **SMALL, workers=1)
@@ -95,7 +95,7 @@ def children(process: int) -> list[int]:
 
 
 @pytest.mark.slow
-def test_ctrl_c_ends_processes_and_keeps_what_they_did(tmp_path: Path) -> None:
+def test_ctrl_c_ends_processes_and_keeps_their_scores(tmp_path: Path) -> None:
     need("linux")
     script = tmp_path / "many.py"
     script.write_text(STOPPED)

@@ -1,4 +1,4 @@
-"""Models by name, as `measure` returns those of a mapping, where they are placed."""
+"""Placement of models by name, as `measure` returns them for a mapping."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def by_name(models: list[nf.lod.LodModel]) -> dict[str, nf.lod.LodModel]:
 @pytest.mark.parametrize(
     "index", [NAMES, np.array(NAMES), np.array(NAMES, object), [1, 0, 1], np.array([1, 0, 1], np.uint8)]
 )
-def test_models_by_name_are_placed_as_those_in_a_row(
+def test_models_by_name_are_placed_like_a_list(
     models: list[nf.lod.LodModel], by_name: dict[str, nf.lod.LodModel], index: Any
 ) -> None:
     places = frames(3, seed=2)
@@ -35,7 +35,7 @@ def test_models_by_name_are_placed_as_those_in_a_row(
     np.testing.assert_array_equal(shown, truth.at_levels([1, 2, 0]).triangles())
 
 
-def test_measured_objects_are_placed_as_they_come(tmp_path: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_measured_objects_can_be_placed_directly(tmp_path: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path / "cache"))
     measured = nf.lod.measure({"a": levels(8, 4), "b": levels(6)}, **SMALL)
     scene = nf.lod.place(measured, ["b", "a"], frames(2, seed=1))
@@ -43,7 +43,7 @@ def test_measured_objects_are_placed_as_they_come(tmp_path: Any, monkeypatch: py
 
 
 @pytest.mark.parametrize("index", [[], np.array([], str), np.array([], object)])
-def test_none_may_be_placed(by_name: dict[str, nf.lod.LodModel], index: Any) -> None:
+def test_placing_no_objects_is_allowed(by_name: dict[str, nf.lod.LodModel], index: Any) -> None:
     assert nf.lod.place(by_name, index, np.zeros((0, 4, 4))).triangle_count == 0
     assert nf.lod.place({}, index, np.zeros((0, 4, 4))).triangle_count == 0
 
@@ -73,7 +73,7 @@ def test_names_belong_to_a_mapping(models: list[nf.lod.LodModel]) -> None:
         nf.lod.place(models, ["ball"], frames(1, seed=0))
 
 
-def test_models_in_a_row_and_their_numbers_come_back_untouched(models: list[nf.lod.LodModel]) -> None:
+def test_lists_of_models_and_indices_pass_unchanged(models: list[nf.lod.LodModel]) -> None:
     index = np.zeros(5, np.int64)
     assert models_of(models, index) == (models, index)
     row, same = models_of({"ball": models[0]}, index)

@@ -1,4 +1,4 @@
-"""Scenes of many placed models: where levels stand, what they look like, and what they share."""
+"""Scenes of many placed models: positions, appearance and shared meshes of levels."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ Array = NDArray[np.float64]
 
 
 def by_hand(models: list[nf.lod.LodModel], index: Sequence[int], transforms: Array, levels: Sequence[int]) -> nf.Scene:
-    """The chosen levels' own triangles as instances of grey meshes, in the order of the objects."""
+    """Return the chosen levels' own triangles as instances of grey meshes, in the order of the objects."""
     builder = SceneBuilder()
     material = builder.material(GREY)
     handles: dict[tuple[int, int], int] = {}
@@ -41,7 +41,7 @@ def by_hand(models: list[nf.lod.LodModel], index: Sequence[int], transforms: Arr
         if (which, level) not in handles:
             handles[which, level] = mesh_of(builder, geometry(models[which])[level].scene, material)
         builder.instance(handles[which, level], matrix, name=f"object_{number}")
-    # Moving objects are instances of meshes of their own, as objects with levels are.
+    # Moving objects are instances of separate meshes, like objects with levels.
     return builder.build(dynamic=[f"object_{number}" for number, level in enumerate(levels) if level >= 0])
 
 
@@ -57,7 +57,7 @@ INDEX = [0, 1] * 6
 
 
 @pytest.mark.parametrize("mirrored", [False, True])
-def test_a_picture_of_levels_is_that_of_a_scene_built_from_them(models: list[nf.lod.LodModel], mirrored: bool) -> None:
+def test_a_picture_of_levels_equals_a_scene_built_from_them(models: list[nf.lod.LodModel], mirrored: bool) -> None:
     transforms = frames(12, seed=1, mirrored=mirrored)
     scene = nf.lod.place(models, INDEX, transforms)
     frame = nf.render(scene, view(), lod=LEVELS, backend="cpu")
@@ -78,7 +78,7 @@ def test_surfaces_of_levels_come_with_them() -> None:
     transforms = np.tile(np.eye(4), (2, 1, 1))
     transforms[:, :3, 3] = (-1.5, 0, -5), (1.5, 0, -5)
     scene = nf.lod.place([plain, painted], [0, 1], transforms)
-    # One texture for both levels, and of materials each once: red, textured grey, and the unused green.
+    # One texture for both levels, and each material once: red, textured grey, and the unused green.
     assert (scene.report.textures, scene.report.materials) == (1, 3)
     builder = SceneBuilder()
     for number, (model, material) in enumerate(
@@ -105,12 +105,12 @@ def test_dynamic_objects_carry_their_levels_and_spheres(models: list[nf.lod.LodM
     np.testing.assert_allclose(leveled(posed).radii, leveled(still).radii, rtol=1e-12)
     levels = [1, 1, 2, -1]
     here, there = (nf.render(s, view(), lod=levels, backend="cpu") for s in (posed, still))
-    # Poses go through the inverse of where the object was loaded, so that digits differ by rounding.
+    # Poses are multiplied by the inverse of the loaded transform, so digits differ by rounding.
     np.testing.assert_allclose(here.require("color"), there.require("color"), atol=1e-4)
     assert np.array_equal(here.require("object_id"), there.require("object_id"))
-    # Objects left out of a picture stay out of the poses of the others.
+    # Objects omitted from a picture are not in the poses of the others.
     assert posed.at_levels([0, -1, 0, 0]).at({"object_2": before[2]}).triangle_count > 0
-    # Levels that are given later stand where the object is now, and go where it goes.
+    # Levels added later stand at the object's current pose, and move with it.
     late = scene.at({"object_1": after[1]}).with_levels({"object_1": models[0]})
     np.testing.assert_allclose(leveled(late).centers[1], after[1, :3, 3], atol=1e-12)
     back = late.at({"object_1": late.transform("object_1")})
@@ -119,7 +119,7 @@ def test_dynamic_objects_carry_their_levels_and_spheres(models: list[nf.lod.LodM
     np.testing.assert_allclose(leveled(later).centers[3], after[3, :3, 3], atol=1e-12)
 
 
-def test_spheres_hold_what_stands_in_them_and_no_more(models: list[nf.lod.LodModel]) -> None:
+def test_bounding_spheres_are_tight(models: list[nf.lod.LodModel]) -> None:
     transforms = frames(8, seed=5, mirrored=True)
     scene = nf.lod.place([models[0]], [0] * 8, transforms)
     objects = leveled(scene)
@@ -146,7 +146,7 @@ def test_a_thousand_objects_share_the_meshes_of_their_levels() -> None:
     assert np.array_equal(same._core.mesh_ids(), scene._core.mesh_ids())
 
 
-def test_scenes_far_from_the_middle_keep_their_digits(models: list[nf.lod.LodModel]) -> None:
+def test_scenes_far_from_the_origin_keep_their_digits(models: list[nf.lod.LodModel]) -> None:
     transforms, away = frames(4, seed=7), np.array([3e6, -200.0, 1e6])
     moved = transforms.copy()
     moved[:, :3, 3] += away
@@ -157,7 +157,7 @@ def test_scenes_far_from_the_middle_keep_their_digits(models: list[nf.lod.LodMod
     assert (here.require("object_id") == there.require("object_id")).mean() > 0.999
 
 
-def test_parts_of_scenes_keep_whole_objects_levels_and_no_others(models: list[nf.lod.LodModel]) -> None:
+def test_subsets_keep_levels_of_complete_objects_only(models: list[nf.lod.LodModel]) -> None:
     scene = nf.lod.place(models, [0, 1, 0], frames(3, seed=9))
     two = scene.subset(objects=["object_0", "object_2"])
     assert leveled(two).names == ("object_0", "object_2")
@@ -181,12 +181,12 @@ def test_adapters_get_each_mesh_once(models: list[nf.lod.LodModel], name: str) -
             truth = nf.render(scene, view(), lod=levels, backend="cpu")
             assert (frame.require("object_id") == truth.require("object_id")).mean() > 0.995
         sent = nf.gpu.stats()["uploaded_bytes"] - before
-        # Level 0 of the ball alone has 5,120 faces of 12 bytes; an instance's record and its part have some 100 bytes.
+        # Level 0 of the ball has 5,120 faces of 12 bytes; the records of an instance and its part take some 100 bytes.
         assert sent < 3 * 40 * 400
         assert sent < int(models[0].triangles[0]) * 12
 
 
-def test_levels_of_several_pieces_are_one() -> None:
+def test_levels_of_several_pieces_are_merged() -> None:
     def pair(detail: int) -> nf.Scene:
         builder = SceneBuilder()
         piece = mesh_of(builder, ball(detail), builder.material(RED))
@@ -207,7 +207,7 @@ def test_levels_of_several_pieces_are_one() -> None:
 
 @pytest.mark.parametrize("name", ADAPTERS)
 def test_meshes_that_come_later_share_a_page(name: str) -> None:
-    """Levels are sent one frame after the other, and cost no more buffers than levels that are there already."""
+    """Levels are uploaded one frame after the other, and need no more buffers than levels that exist already."""
     levels = nf.lod.simplify(ball(4), [0.8**n for n in range(1, 13)], method="meshopt")
     model = model_from([level.scene for level in levels])
     count = len(model)

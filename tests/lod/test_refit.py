@@ -1,4 +1,4 @@
-"""Curves through another statistic of the same views: what it gives, what it says, and that nothing is rendered."""
+"""Curves refitted to another statistic of the same views: result, record, and that nothing is rendered."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def _fresh_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.parametrize("percentile", [0, 5, 37.5, 100, "mean"])
-def test_another_statistic_is_that_of_a_new_measurement_without_pictures(
+def test_refitting_equals_a_new_measurement_without_rendering(
     percentile: float | str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     own = levels(20, 12, 8, 5)
@@ -56,7 +56,7 @@ def test_percentiles_and_means_are_those_of_the_views() -> None:
     np.testing.assert_array_equal(mean.views, views)
 
 
-def test_levels_and_sizes_stay_those_of_the_measurement() -> None:
+def test_refitting_keeps_levels_and_sizes() -> None:
     own = levels(40, 38, 36, 10)
     model = nf.lod.measure(own, **SMALL | {"distances": 8}, step=0.3, saturated=0.95)
     other = model.refit("mean")
@@ -66,13 +66,13 @@ def test_levels_and_sizes_stay_those_of_the_measurement() -> None:
     np.testing.assert_array_equal(np.isnan(other.samples.score), np.isnan(model.samples.score))
     np.testing.assert_array_equal(other.triangles, model.triangles)
     assert len(other) < 4
-    # Where a level was not measured, its curve stays at the last score, of the new statistic.
+    # Beyond the measured sizes of a level, its curve stays at the last score of the new statistic.
     refitted = nf.lod.fit_4pl(other.samples.sigma, other.samples.filled[1:])
     fitted = refitted.status != "flat"
     np.testing.assert_array_equal(other.curves.a[fitted], refitted.a[fitted])
 
 
-def test_the_record_says_by_which_statistic_levels_were_chosen(tmp_path: Path) -> None:
+def test_the_record_names_the_statistic_that_chose_levels(tmp_path: Path) -> None:
     model = nf.lod.measure(levels(12, 6), **SMALL)
     other = model.refit(5).refit("mean")
     assert (other.measured["percentile"], other.measured["chosen_by"]) == ("mean", 25.0)
@@ -99,7 +99,7 @@ def test_one_level_has_no_curve_to_refit() -> None:
     assert_same(model.refit("mean"), model)
 
 
-def test_flat_curves_promise_no_more_than_was_seen() -> None:
+def test_flat_curves_do_not_exceed_measured_scores() -> None:
     rows = np.array([[0.87, 0.93, 0.95, 0.94], [0.6, 0.8, 0.93, 0.98]])
     fitted = nf.lod.fit_4pl(np.array([0.18, 0.06, 0.03, 0.02]), rows)
     assert fitted.status[0] == "flat"

@@ -25,7 +25,7 @@ def test_without_lod_everything_is_at_level_0(models: list[nf.lod.LodModel]) -> 
 
 
 class Remembering:
-    """A selector that says what it was asked."""
+    """A selector that records its arguments."""
 
     fade = 0.5
 
@@ -37,7 +37,7 @@ class Remembering:
         return np.array(self.answers[len(self.asked) - 1])
 
 
-def test_paths_remember_what_was_shown(models: list[nf.lod.LodModel]) -> None:
+def test_paths_pass_the_previous_levels(models: list[nf.lod.LodModel]) -> None:
     scene = nf.lod.place(models, [0, 1], frames(2, seed=10), dynamic=["object_0"])
     selector = Remembering([[2, 1], [1, -1], [0, 0]])
     cameras = [view((0.1 * number, 0.0, 0.0)) for number in range(3)]
@@ -61,7 +61,7 @@ def test_paths_remember_what_was_shown(models: list[nf.lod.LodModel]) -> None:
     assert seen[1].lod.triangles == alone.lod.triangles == models[0].triangles[1]
 
 
-def test_any_function_may_choose(models: list[nf.lod.LodModel]) -> None:
+def test_any_function_may_select_levels(models: list[nf.lod.LodModel]) -> None:
     scene = nf.lod.place(models, [0, 1], frames(2, seed=12))
 
     def nearest_only(models: Any, index: Any, centers: Array, radii: Array, *, camera: nf.Camera) -> NDArray[np.int64]:
@@ -73,7 +73,7 @@ def test_any_function_may_choose(models: list[nf.lod.LodModel]) -> None:
 
 
 def crowd(models: list[nf.lod.LodModel]) -> nf.Scene:
-    """Objects all around the eye, most of them out of view."""
+    """Return objects all around the eye, most of them out of view."""
     rng = np.random.default_rng(15)
     transforms = frames(60, seed=15)
     transforms[:, :3, 3] = rng.normal(size=(60, 3)) * 12
@@ -81,7 +81,7 @@ def crowd(models: list[nf.lod.LodModel]) -> nf.Scene:
 
 
 @pytest.mark.parametrize("mode", ["off", "depth", "depth+eccentricity", "fovea"])
-def test_modes_are_those_of_select(models: list[nf.lod.LodModel], mode: str) -> None:
+def test_modes_equal_select(models: list[nf.lod.LodModel], mode: str) -> None:
     scene = crowd(models)
     objects = leveled(scene)
     expected = nf.lod.select(
@@ -101,7 +101,7 @@ def test_modes_are_those_of_select(models: list[nf.lod.LodModel], mode: str) -> 
         assert frame.lod.triangles < frame.lod.full_triangles / 2
 
 
-def test_selectors_fade_beside_the_picture(models: list[nf.lod.LodModel]) -> None:
+def test_selectors_report_fades_with_the_picture(models: list[nf.lod.LodModel]) -> None:
     scene = crowd(models)
     selector = nf.lod.Selector(mode="depth", fade=0.5, hysteresis=0.02)
     frame = nf.render(scene, view(), lod=selector, backend="cpu")
@@ -118,7 +118,7 @@ def test_selectors_fade_beside_the_picture(models: list[nf.lod.LodModel]) -> Non
         assert picture.lod.levels.tolist() == before.tolist()
 
 
-def test_scenes_travel_with_their_levels(models: list[nf.lod.LodModel]) -> None:
+def test_scenes_are_pickled_with_their_levels(models: list[nf.lod.LodModel]) -> None:
     scene = crowd(models)
     back = pickle.loads(pickle.dumps(scene))
     levels = np.arange(60) % 2
@@ -127,7 +127,7 @@ def test_scenes_travel_with_their_levels(models: list[nf.lod.LodModel]) -> None:
     assert leveled(back).radii.tolist() == leveled(scene).radii.tolist()
 
 
-def test_budgets_hold_in_each_picture_and_keep_their_price(models: list[nf.lod.LodModel]) -> None:
+def test_budgets_hold_in_each_picture_and_keep_the_price(models: list[nf.lod.LodModel]) -> None:
     scene = nf.lod.place(models, np.arange(12) % 2, frames(12, seed=4))
     cameras = [view(), view(), view()]
     coarsest = nf.render(scene, view(), lod=nf.lod.Selector(budget=10**9, weight=np.zeros(12)), backend="cpu").lod

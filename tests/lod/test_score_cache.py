@@ -1,4 +1,4 @@
-"""Scores that are known are not rendered again: by content, by settings, after damage and after Ctrl-C."""
+"""Cached scores are not rendered again: by content, by settings, after damage and after Ctrl-C."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def _fresh_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path / "cache"))
 
 
-def test_what_is_known_is_not_rendered_again(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_cached_scores_are_not_rendered_again(monkeypatch: pytest.MonkeyPatch) -> None:
     counted = count_renders(monkeypatch)
     first = nf.lod.measure(levels(16, 8, 4), **SMALL, step=None)
     assert sum(counted) == first.measured["renders"] > 0
@@ -30,7 +30,7 @@ def test_what_is_known_is_not_rendered_again(monkeypatch: pytest.MonkeyPatch) ->
     assert counted == []
     assert_same(first, again)
     assert (again.measured["renders"], again.measured["cached"]) == (0, first.measured["scores"])
-    # A new level is measured alone, beside the base.
+    # A new level is measured alone, besides the base.
     more = nf.lod.measure(levels(16, 8, 6, 4), **SMALL, step=None)
     assert sum(counted) == more.measured["renders"] == first.measured["renders"] * 2 // 3
     counted.clear()
@@ -47,7 +47,7 @@ def test_what_is_known_is_not_rendered_again(monkeypatch: pytest.MonkeyPatch) ->
         assert counted
 
 
-def test_without_a_cache_nothing_is_kept(tmp_path: Path) -> None:
+def test_without_a_cache_nothing_is_stored(tmp_path: Path) -> None:
     nf.lod.measure(levels(12, 6), **SMALL, cache=False)
     assert not (tmp_path / "cache").exists()
 
@@ -62,7 +62,7 @@ def test_damaged_scores_are_measured_again(tmp_path: Path) -> None:
         assert again.measured["cached"] == 0
 
 
-def test_what_was_done_before_ctrl_c_is_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_scores_finished_before_ctrl_c_are_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     own = levels(16, 8, 4)
     whole = nf.lod.measure(own, **SMALL, step=None, cache=False)
     monkeypatch.setattr(score_table, "MAX_BLOCK_PIXELS", 4000)

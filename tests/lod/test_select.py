@@ -1,4 +1,4 @@
-"""Levels against the formulas in 40 digits and by NumPy, views against projections, and cases of nothing to choose."""
+"""Levels against the formulas in 40 digits and NumPy, views against projections, and trivial cases."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ TURNED = nf.Camera.look_at((0.5, 1.5, -2.0), (4.0, 0.5, -9.0), fov=FOV, size=(14
     st.sampled_from(["lut", "newton"]),
 )
 @settings(max_examples=40)
-def test_levels_are_those_of_the_formulas(
+def test_levels_equal_the_formulas(
     seed: int, threshold: str, mode: str, k: tuple[float, ...], slope: float, start: float, inverse: str
 ) -> None:
     models = [usual(), usual(5, seed), usual(1), model([])]
@@ -70,14 +70,14 @@ def test_levels_are_those_of_the_formulas(
             fovea=(0.0275, 1 / 48) if mode == "fovea" else None,
             gaze=gaze,
         )
-        # 10⁻⁸ of σ′ moves scores by as much at most.
+        # An error of 10⁻⁸ in σ′ changes scores by as much at most.
         assert found[n] == level or near < 1e-8
 
 
 def by_numpy(
     models: list[nf.lod.LodModel], index: Any, sigma: Array, seen: Array, reference: float, k: float = 0.27
 ) -> tuple[Any, Any]:
-    """Levels of sizes, and how near each decision was."""
+    """Return levels of sizes, and the margin of each decision."""
     level, near = np.zeros(len(index), np.int32), np.full(len(index), np.inf)
     wanted = 0.9 + k * (sigma - reference)
     for number, one in enumerate(models):
@@ -92,7 +92,7 @@ def by_numpy(
 
 
 def odd_models() -> list[nf.lod.LodModel]:
-    """Crossing, flat, missing, rising and steep curves, and ones of a narrow range."""
+    """Return crossing, flat, missing, rising and steep curves, and ones of a narrow range."""
     nothing = (math.nan,) * 4
     return [
         *(usual(6, seed) for seed in range(4)),
@@ -108,7 +108,7 @@ def odd_models() -> list[nf.lod.LodModel]:
     ]
 
 
-def test_tables_decide_like_curves_for_a_million_objects() -> None:
+def test_tables_select_like_curves_for_a_million_objects() -> None:
     models = odd_models()
     count = 1_000_000
     random = np.random.default_rng(0)
@@ -132,7 +132,7 @@ def test_tables_decide_like_curves_for_a_million_objects() -> None:
     exact = nf.lod.select(models, index, centers, radii, camera=VIEW, lens=LENS, inverse="newton", full=True)
     assert np.array_equal(exact.sigma_seen[asked], seen[asked])
     assert (exact.level != expected).sum() <= 1
-    # Some of them, by curves alone.
+    # Some of them are decided by curves alone.
     few = slice(0, 2000)
     again = nf.lod.select(models, index[few], centers[few], radii[few], camera=VIEW, lens=LENS, full=True)
     assert again.counts["table"] == 0
@@ -142,11 +142,11 @@ def test_tables_decide_like_curves_for_a_million_objects() -> None:
 
 
 @pytest.mark.parametrize("k", [0.27, 0.0, -3.0, 40.0])
-def test_tables_decide_what_is_smaller_than_it_was_measured(k: float) -> None:
+def test_tables_decide_below_the_measured_sizes(k: float) -> None:
     least = 0.03
     range_ = (least, 0.18)
     nothing = (math.nan,) * 4
-    # At the least, scores that f crosses at smaller sizes, and ones that it crosses nowhere.
+    # At the least size, scores that f crosses at smaller sizes, and scores that it never crosses.
     models = [
         model([(1.0, 1.0, least, 0.704), (1.0, 1.3, least, 0.698), (1.0, 1.6, least, 0.694)], range_),
         model([(0.96, 1.0, 0.3, 0.5), nothing, (0.85, 1.0, 0.01, 0.85)], range_),
@@ -181,7 +181,7 @@ def test_tables_decide_what_is_smaller_than_it_was_measured(k: float) -> None:
         assert all(len(np.unique(found.level[small & (index == number)])) > 1 for number in range(2))
 
 
-def test_scores_are_those_of_the_level() -> None:
+def test_scores_belong_to_the_selected_level() -> None:
     models = odd_models()
     centers, radii = random_spheres(3000, 2, VIEW)
     index = np.arange(3000) % len(models)
@@ -199,7 +199,7 @@ def test_scores_are_those_of_the_level() -> None:
 
 
 # no work -------------------------------------------------------------------------------------------------------------
-def test_no_work_is_done_for_what_has_one_level() -> None:
+def test_objects_with_one_level_need_no_work() -> None:
     centers, radii = random_spheres(3000, 6, VIEW)
     nothing = {"settled": 0, "large": 0, "asked": 0, "lens": 0, "table": 0, "formula": 0}
     found = nf.lod.select([model([])], np.zeros(3000, int), centers, radii, camera=VIEW, lens=LENS, full=True)
@@ -222,14 +222,14 @@ def test_no_work_is_done_for_what_has_one_level() -> None:
     assert depth.counts["lens"] == 0
 
 
-def test_nothing_is_chosen_of_nothing() -> None:
+def test_empty_selections_are_empty() -> None:
     empty = nf.lod.select([], [], np.empty((0, 3)), [], camera=VIEW, full=True)
     assert empty.level.shape == (0,)
     assert empty.level.dtype == np.int32
     assert nf.lod.select([usual()], [], np.empty((0, 3)), 1.0, camera=VIEW).shape == (0,)
 
 
-def test_curves_that_no_level_reaches() -> None:
+def test_thresholds_that_no_level_reaches_select_level_0() -> None:
     centers, radii = random_spheres(2000, 7, VIEW, 0.8)
     for k, d in ((0.27, 1.5), (1e6, 0.9), (0.0, 1.0 + 1e-9)):
         strict = nf.lod.select(
@@ -244,7 +244,7 @@ def test_curves_that_no_level_reaches() -> None:
 @pytest.mark.parametrize(
     ("changed", "error", "message"),
     [
-        ({"models": []}, ValueError, "model_index: expected no objects where there are no models, got 0 at index 0"),
+        ({"models": []}, ValueError, "model_index: expected no objects without models, got 0 at index 0"),
         ({"model_index": [1]}, ValueError, "model_index: expected whole numbers from 0 to 0, got 1 at index 0"),
         ({"model_index": [-1]}, ValueError, "model_index: expected whole numbers from 0 to 0, got -1 at index 0"),
         ({"model_index": [0, 0]}, ValueError, r"model_index: expected shape \(1,\), got \(2,\)"),
@@ -268,7 +268,7 @@ def test_bad_arguments(changed: dict[str, Any], error: type[Exception], message:
         nf.lod.select(*positional, **arguments)
 
 
-def test_models_of_curves_alone() -> None:
+def test_models_may_have_curves_only() -> None:
     with pytest.raises(ValueError, match="curves: expected 7, one for each level but level 0, got 1"):
         replace(usual(), curves=curves([(1, 1, 1, 0)]))
     one = nf.lod.LodModel(triangles=np.array([100, 10]), curves=nf.lod.Curve4PL(1.0, 1.0, 1.0, 0.99))

@@ -1,4 +1,4 @@
-"""Selection from models by name, as `measure` returns those of a mapping."""
+"""Selection from models by name, as `measure` returns them for a mapping."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ NUMBERS = [1, 0, 1, 0]
 
 
 @pytest.mark.parametrize("index", [NAMES, np.array(NAMES), np.array(NAMES, object), NUMBERS])
-def test_models_by_name_are_chosen_from_as_those_in_a_row(models: list[nf.lod.LodModel], index: Any) -> None:
+def test_models_by_name_are_selected_like_a_list(models: list[nf.lod.LodModel], index: Any) -> None:
     by_name = {"ball": models[0], "egg": models[1]}
     truth = nf.lod.select(models, NUMBERS, CENTERS, 1.0, camera=view(), full=True)
     found = nf.lod.select(by_name, index, CENTERS, 1.0, camera=view(), full=True)

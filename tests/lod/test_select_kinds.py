@@ -1,4 +1,4 @@
-"""Sizes that are seen through both axes of a lens and on its panel, limits on them, and pixels of models."""
+"""Size measures with both lens axes and on the panel, limits on sizes, and pixel densities of models."""
 
 from __future__ import annotations
 
@@ -26,13 +26,15 @@ KINDS: dict[str, dict[str, Any]] = {
     "panel": {"mode": "panel"},
 }
 CLOSE = 1e-7
-"""Share of a size or a score within which the table of the inverse may decide otherwise than 40 digits."""
+"""Share of a size or a score within which the inverse table may decide differently from 40 digits."""
 
 
 @pytest.mark.parametrize(("pixel", "limit"), [(None, "seen"), (0.8e-3, "own"), (2.6e-3, "seen")])
 @pytest.mark.parametrize("lens", [None, *LENSES])
 @pytest.mark.parametrize("kind", KINDS)
-def test_levels_are_those_of_the_formulas(kind: str, lens: str | None, pixel: float | None, limit: str) -> None:
+def test_levels_of_all_size_measures_equal_the_formulas(
+    kind: str, lens: str | None, pixel: float | None, limit: str
+) -> None:
     glass = None if lens is None else LENSES[lens]
     own = replace(usual(5, seed=3), pixel=pixel)
     centers, radii = random_spheres(30, 17, VIEW)
@@ -49,13 +51,13 @@ def test_levels_are_those_of_the_formulas(kind: str, lens: str | None, pixel: fl
 
 @pytest.mark.parametrize("lens", [None, *LENSES])
 @pytest.mark.parametrize("kind", ["area", "panel"])
-def test_sizes_are_those_of_the_formulas(kind: str, lens: str | None) -> None:
+def test_sizes_equal_the_formulas(kind: str, lens: str | None) -> None:
     glass = None if lens is None else LENSES[lens]
     centers, radii = random_spheres(60, 5, VIEW)
     with mpmath.workdps(40):
         spheres = zip(centers, radii, strict=True)
         exact = [float(size(center, radius, VIEW, glass, 1.0, kind)[1]) for center, radius in spheres]
-    # A threshold below all scores: every object is asked for.
+    # The threshold is below all scores: every object is requested.
     options: dict[str, Any] = KINDS[kind] | {"camera": VIEW, "lens": glass, "d": -9.0, "cull": False, "full": True}
     for inverse, off in (("lut", 1e-7), ("newton", 1e-12)):
         found = nf.lod.select([usual()], np.zeros(60, int), centers, radii, inverse=inverse, **options)
@@ -65,7 +67,7 @@ def test_sizes_are_those_of_the_formulas(kind: str, lens: str | None) -> None:
         np.testing.assert_allclose(seen, exact, rtol=off)
 
 
-def test_both_axes_are_the_area_of_small_things() -> None:
+def test_both_axes_give_the_area_of_small_objects() -> None:
     random = np.random.default_rng(0)
     ahead = random.uniform(2, 30, 400)
     own = np.stack([random.uniform(-0.8, 0.8, 400) * ahead, random.uniform(-0.8, 0.8, 400) * ahead, -ahead], axis=1)
@@ -80,8 +82,8 @@ def test_both_axes_are_the_area_of_small_things() -> None:
         assert np.abs(found.sigma_seen / exact - 1).max() < off
 
 
-def test_near_objects_lose_detail_where_they_look_small_alone() -> None:
-    # At the edge of the Rift's view, larger than σ₁/₁₆ and smaller behind the lens; its curve is good at all sizes.
+def test_near_objects_lose_detail_only_if_they_look_small() -> None:
+    # At the edge of the Rift's view, larger than σ₁/₁₆ and smaller behind the lens; its curve passes at all sizes.
     good = model([[1, 1, 1, 0.99]], sigma=(1e-4, 1.0))
     edge = np.array([0.85, 0.0, -1.0])
     place = rotation(VIEW) @ (3 * edge / np.linalg.norm(edge)) + np.array(VIEW.position)
@@ -95,7 +97,7 @@ def test_near_objects_lose_detail_where_they_look_small_alone() -> None:
     assert found["own"].counts["large"] == 1
 
 
-def test_finer_pixels_show_more() -> None:
+def test_finer_pixels_require_more_detail() -> None:
     centers, radii = random_spheres(500, 2, VIEW)
     own = replace(usual(), pixel=2 / 1440)
     levels = []
@@ -107,7 +109,7 @@ def test_finer_pixels_show_more() -> None:
     assert levels[-1][seen].mean() < levels[0][seen].mean() - 0.5
 
 
-def test_curves_of_pixels_that_are_not_known_hold_for_all() -> None:
+def test_curves_of_unknown_pixel_density_hold_for_all() -> None:
     centers, radii = random_spheres(500, 2, VIEW)
     small, large = (
         nf.lod.select([usual()], np.zeros(500, int), centers, radii, camera=replace(VIEW, size=size)).level
@@ -123,7 +125,7 @@ def test_panel_magnification(lens: str | None) -> None:
     found = nf.lod.panel_magnification(angles, lens=glass, view=FOV)
     assert found[0] == 1.0
     for angle, value in zip(angles[1:], found[1:], strict=True):
-        # Pixels by counting: how a small square around the direction maps to the panel.
+        # Counts pixels: the area that a small square around the direction covers on the panel.
         step, direction = 1e-5, np.radians(angle)
         away = np.array([[direction - step, 0], [direction + step, 0], [direction, -step], [direction, step]])
         rays = np.stack([np.sin(away[:, 0]), away[:, 1], np.cos(away[:, 0])], axis=1)
@@ -136,7 +138,7 @@ def test_panel_magnification(lens: str | None) -> None:
     assert nf.lod.panel_magnification([90.0, 120.0], lens=glass, view=FOV).tolist() == [np.inf, np.inf]
 
 
-def test_points_stay_points_beyond_the_fold() -> None:
+def test_points_keep_size_zero_beyond_the_fold() -> None:
     place = [np.array(VIEW.position) + rotation(VIEW) @ (0.85, -1.05, -1.0)]
     options: dict[str, Any] = {"camera": VIEW, "lens": LENSES["barrel"], "mode": "panel", "full": True}
     for radius, seen in ((0.0, 0.0), (1e-3, np.inf)):

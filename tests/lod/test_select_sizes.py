@@ -1,4 +1,4 @@
-"""Views and sizes that decide a level before curves do: what is out of view, around the eye, or beyond all ranges."""
+"""Views and sizes that decide a level before curves do: out of view, around the eye, or beyond all ranges."""
 
 from __future__ import annotations
 
@@ -28,14 +28,14 @@ def in_view(centers: Array, radii: Array, camera: nf.Camera) -> NDArray[np.bool_
 
 # the view ------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("camera", [VIEW, TURNED, nf.hmd.get("PIMAX_5K_PLUS").camera("left", (0, 1, 0))])
-def test_what_is_culled_is_out_of_view(camera: nf.Camera) -> None:
+def test_culled_objects_are_out_of_view(camera: nf.Camera) -> None:
     random = np.random.default_rng(3)
     centers = random.normal(size=(4000, 3)) * 5 + camera.position
     radii = np.exp(random.uniform(-4, 1, 4000))
     level = nf.lod.select([usual()], np.zeros(4000, int), centers, radii, camera=camera)
     visible = in_view(centers, radii, camera)
     assert (level[visible] >= 0).all()
-    # Planes keep a few beside the corners of the view.
+    # Plane tests keep a few objects beside the corners of the view.
     assert np.mean(level[~visible] >= 0) < 0.02
     assert 0.05 < visible.mean() < 0.95
     alone = nf.lod.select([usual()], np.zeros(4000, int), centers, radii, camera=camera, cull=False)
@@ -44,22 +44,22 @@ def test_what_is_culled_is_out_of_view(camera: nf.Camera) -> None:
 
 
 def one(center: Any, radius: float, camera: nf.Camera = VIEW, **options: Any) -> Any:
-    """The selection of one sphere at a place in the camera's axes."""
+    """Select for one sphere at a position in the camera's axes."""
     place = rotation(camera) @ np.array(center, np.float64) + camera.position
     return nf.lod.select([usual()], [0], place[None], radius, camera=camera, full=True, **options)
 
 
-def test_around_across_and_behind() -> None:
+def test_spheres_around_across_and_behind_the_view_are_culled_correctly() -> None:
     inside = one((0.2, 0.0, -0.1), 0.5)
     assert (inside.level[0], inside.sigma[0]) == (0, 4 * np.pi)
     assert one((0.0, 0.0, 0.4), 0.5).level[0] == 0
-    # On the right edge, as far as it is wide: half in view, a little in view, and not.
+    # At the right edge, by the sphere's width: half in view, a little in view, and outside.
     edge = np.array([0.9, 0.0, -1.0]) / math.hypot(0.9, 1)
     outward = np.array([1.0, 0.0, 0.9]) / math.hypot(0.9, 1)
     assert one(10 * edge, 0.01).level[0] > 0
     assert one(10 * edge + 0.0099 * outward, 0.01).level[0] > 0
     assert one(10 * edge + 0.0101 * outward, 0.01).level[0] == -1
-    # Behind the eye; the second one reaches into the view around its corner.
+    # Behind the eye; the second one extends into the view around its corner.
     assert one((0, 0, 5), 1.0).level[0] == -1
     assert one((0, 0, 5), 4.999).level[0] == -1
     assert one((3.0, 0.0, 0.5), 2.9).level[0] == 0
@@ -67,7 +67,7 @@ def test_around_across_and_behind() -> None:
 
 
 @pytest.mark.parametrize("scale", [1e-300, 1e-150, 1e-30, 1e30, 1e150, 1e300])
-def test_levels_do_not_hang_on_the_unit(scale: float) -> None:
+def test_levels_do_not_depend_on_the_unit(scale: float) -> None:
     camera = nf.Camera((0, 0, 0), fov=FOV, size=(100, 100))
     centers, radii = random_spheres(400, 4, nf.Camera((0, 0, 0), fov=FOV, size=(100, 100)))
     expected = nf.lod.select([usual()], np.zeros(400, int), centers, radii, camera=camera, lens=LENS, full=True)
@@ -78,7 +78,7 @@ def test_levels_do_not_hang_on_the_unit(scale: float) -> None:
     np.testing.assert_allclose(found.sigma_seen, expected.sigma_seen, rtol=1e-9)
 
 
-def test_points_and_specks_have_the_coarsest_level_that_is_enough_at_the_least_size() -> None:
+def test_tiny_objects_have_the_coarsest_level_sufficient_at_the_least_size() -> None:
     for radius in (0.0, 1e-200, 1e-9):
         found = one((0, 0, -3), radius, lens=LENS)
         assert found.level[0] == choose_level(usual(), np.array([0.5, 1.5, -5.0]), radius, VIEW, lens=LENS)[0] > 0
@@ -87,8 +87,8 @@ def test_points_and_specks_have_the_coarsest_level_that_is_enough_at_the_least_s
 
 
 # ranges --------------------------------------------------------------------------------------------------------------
-def test_sizes_beyond_what_was_measured() -> None:
-    # Enough at any size, so that ranges alone decide.
+def test_sizes_beyond_the_measured_range_use_its_ends() -> None:
+    # Sufficient at any size, so that ranges alone decide.
     good = model([(1.0, 1.0, 1.0, 0.99)], (1e-3, 0.05))
     reference = nf.lod.reference_solid_angle(VIEW)
     for sigma, level in ((0.0499, 1), (0.0501, 0), (1e-3, 1), (1e-5, 1)):
@@ -105,7 +105,7 @@ def test_sizes_beyond_what_was_measured() -> None:
             assert found.counts["asked" if level else counted] == 1
         other = nf.lod.select([wide], [0], [(0.5, 1.5, -7.0)], radius, camera=VIEW, reference=1.01 * reference)
         assert other[0] == 1
-    # Below the least a curve that goes on to rise, or to fall, stays where it is.
+    # Below the least size a curve that would continue to rise or fall stays constant.
     for a in (0.0, 1.0):
         rising = model([(a, 1.0, 1e-4, 0.5)], (1e-3, 0.1))
         score = rising.curves[0](1e-3)
@@ -114,7 +114,7 @@ def test_sizes_beyond_what_was_measured() -> None:
         assert nf.lod.select([rising], [0], [(0.5, 1.5, -7.0)], 1e-6, camera=VIEW, k=0.0, d=score + 1e-9)[0] == 0
 
 
-def test_a_lens_may_make_things_larger_than_they_were_measured() -> None:
+def test_a_lens_may_magnify_beyond_the_measured_sizes() -> None:
     bulging = nf.RadialLens((-0.1,))
     good = model([(1.0, 1.0, 1.0, 0.99)], (1e-3, 0.02))
     radius = 5 * math.sin(2 * math.asin(math.sqrt(0.0199 / (4 * math.pi))))
@@ -124,12 +124,12 @@ def test_a_lens_may_make_things_larger_than_they_were_measured() -> None:
     assert found.level[0] == 0
 
 
-def test_beyond_the_fold_of_a_lens_sizes_are_their_own() -> None:
+def test_beyond_the_fold_of_a_lens_sizes_are_undistorted() -> None:
     folded = nf.RadialLens((-0.5,))
     centers, radii = random_spheres(500, 5, VIEW)
     found = nf.lod.select([usual()], np.zeros(500, int), centers, radii, camera=VIEW, lens=folded, full=True)
     seen = nf.corrected_solid_angle(centers, radii, camera=VIEW, lens=folded)
     asked = ~np.isnan(found.sigma_seen)
-    # Beside the fold the inverse is as steep as one likes: tables end before.
+    # Near the fold the inverse is arbitrarily steep: tables end before it.
     np.testing.assert_allclose(found.sigma_seen[asked], seen[asked], rtol=1e-8)
     assert 0 < np.mean(found.sigma_seen[asked] == found.sigma[asked]) < 1

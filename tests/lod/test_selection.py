@@ -1,4 +1,4 @@
-"""A selection is its levels wherever arrays are used; the other columns are there where they were asked for."""
+"""A selection behaves as its array of levels; the other columns exist only on request."""
 
 from __future__ import annotations
 
@@ -82,13 +82,13 @@ def test_levels_compare_and_compute(selection: nf.lod.Selection) -> None:
         lambda s: sorted(s),
     ],
 )
-def test_arrays_take_it_as_its_levels(selection: nf.lod.Selection, use: Callable[[Any], Any]) -> None:
+def test_array_functions_accept_a_selection(selection: nf.lod.Selection, use: Callable[[Any], Any]) -> None:
     found, expected = use(selection), use(selection.level)
     assert type(found) is type(expected)
     np.testing.assert_array_equal(found, expected)
 
 
-def test_numpy_tests_and_the_package_take_it_as_its_levels(selection: nf.lod.Selection) -> None:
+def test_numpy_assertions_and_the_package_accept_a_selection(selection: nf.lod.Selection) -> None:
     np.testing.assert_array_equal(selection, selection.level)
     with pytest.raises(AssertionError):
         np.testing.assert_array_equal(selection, selection.level + 1)
@@ -113,13 +113,13 @@ def test_levels_can_be_written() -> None:
     np.testing.assert_array_equal(levels, expected + 1)
 
 
-def test_truth_is_that_of_an_array(selection: nf.lod.Selection) -> None:
+def test_truth_value_equals_that_of_an_array(selection: nf.lod.Selection) -> None:
     with pytest.raises(ValueError, match="ambiguous"):
         bool(selection)
     assert bool(selected(count=1)) == bool(selected(count=1).level)
 
 
-def test_columns_are_there_where_they_were_asked_for(selection: nf.lod.Selection) -> None:
+def test_columns_exist_on_request(selection: nf.lod.Selection) -> None:
     full = selected(full=True)
     np.testing.assert_array_equal(full, selection)
     assert full.counts == selection.counts
@@ -139,7 +139,7 @@ def test_columns_are_there_where_they_were_asked_for(selection: nf.lod.Selection
 
 
 @pytest.mark.parametrize("full", [False, True])
-def test_copies_are_whole(full: bool) -> None:
+def test_copies_are_complete(full: bool) -> None:
     one = selected(full=full)
     for other in (pickle.loads(pickle.dumps(one)), copy.copy(one), copy.deepcopy(one)):
         assert isinstance(other, nf.lod.Selection)

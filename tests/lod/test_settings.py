@@ -1,4 +1,4 @@
-"""Settings of a measurement, and the keywords that stand for them."""
+"""Settings of a measurement, and the equivalent keywords."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import nearfar as nf
 from tests.support.lod_cases import SMALL, assert_same, levels
 
 
-def test_settings_measure_as_keywords_do() -> None:
+def test_settings_and_keywords_are_equivalent() -> None:
     settings = nf.lod.MeasureSettings(**SMALL)
     one, other = nf.lod.measure(levels(12, 6), settings=settings), nf.lod.measure(levels(12, 6), **SMALL)
     assert_same(one, other)
@@ -29,7 +29,7 @@ def test_settings_measure_as_keywords_do() -> None:
         ({}, ValueError, "hmd: expected a headset such as nearfar.hmd.RIFT_S, or else both fov and size"),
     ],
 )
-def test_bad_combinations(options: dict[str, Any], error: type[Exception], message: str) -> None:
+def test_invalid_combinations_are_refused(options: dict[str, Any], error: type[Exception], message: str) -> None:
     with pytest.raises(error, match=message):
         nf.lod.measure(levels(4), **options)
 
@@ -52,5 +52,5 @@ def test_bad_arguments_are_named(change: dict[str, Any], error: type[Exception],
 
 def test_workers_and_clients_exclude_each_other() -> None:
     own = levels(4)
-    with pytest.raises(ValueError, match="workers: expected None beside a client"):
+    with pytest.raises(ValueError, match="workers: expected None with a client"):
         nf.lod.measure([own], **SMALL, workers=2, client=object())

@@ -1,4 +1,4 @@
-"""Levels that are never shown: tables and files leave them out, and say where a switch is only a limit."""
+"""Levels that are never shown: tables and files omit them, and mark switches that are only limits."""
 
 from __future__ import annotations
 
@@ -25,18 +25,18 @@ def curves(*, least: tuple[float, ...]) -> nf.lod.Curve4PL:
 
 
 def falling(model: nf.lod.LodModel, good: tuple[float, ...]) -> nf.lod.LodModel:
-    """The model with curves that are at `good` for all sizes."""
+    """Return the model with curves that stay at `good` for all sizes."""
     samples = nf.lod.Samples(np.array([0.15, 0.1]), np.tile(np.array([1.0, *good])[:, None], 2))
     return replace(model, curves=curves(least=good), sigma=(1e-4, 0.15), samples=samples)
 
 
 @pytest.fixture(scope="module")
 def scan() -> nf.lod.LodModel:
-    """Levels 1 to 3 are good enough at all sizes measured, level 4 at none."""
+    """Return a model whose levels 1 to 3 are good enough at all measured sizes, level 4 at none."""
     return falling(model_of((4, 3, 2, 1, 0), name="scan"), (1.0, 0.99, 0.98, 0.2))
 
 
-def test_levels_that_end_where_a_coarser_one_does_are_never_shown(scan: nf.lod.LodModel) -> None:
+def test_levels_that_end_with_a_coarser_one_are_never_shown(scan: nf.lod.LodModel) -> None:
     found = nf.lod.switches(scan, view=FOV)
     assert found.solid_angle[1] == found.solid_angle[2] == found.solid_angle[3] == pytest.approx(0.15)
     assert found.is_ever_shown.tolist() == [True, False, False, True, False]
@@ -49,21 +49,21 @@ def test_levels_that_end_where_a_coarser_one_does_are_never_shown(scan: nf.lod.L
     assert part.is_ever_shown.tolist() == [True, True]
 
 
-def test_a_switch_that_was_measured_is_no_limit() -> None:
+def test_a_measured_switch_is_not_a_limit() -> None:
     found = nf.lod.switches(model_of((3, 2, 1)), view=FOV)
     assert not found.is_limit.any()
     assert found.is_ever_shown.all()
     assert "measured" not in str(found)
 
 
-def test_a_screen_that_ends_before_the_measured_sizes_is_no_limit(scan: nf.lod.LodModel) -> None:
+def test_a_screen_below_the_measured_sizes_is_not_a_limit(scan: nf.lod.LodModel) -> None:
     narrow = nf.Fov.symmetric(20, 1.0)
     assert nf.lod.reference_solid_angle(narrow) < scan.sigma[1]
     assert not nf.lod.switches(scan, view=narrow).is_limit.any()
 
 
 @pytest.mark.parametrize("suffix", ["glb", "json"])
-def test_files_leave_levels_that_are_never_shown_out(scan: nf.lod.LodModel, tmp_path: Path, suffix: str) -> None:
+def test_files_omit_levels_that_are_never_shown(scan: nf.lod.LodModel, tmp_path: Path, suffix: str) -> None:
     path = tmp_path / f"scan.{suffix}"
     scan.export(path, view=FOV)
     back = nf.lod.LodModel.load(path)
@@ -78,7 +78,7 @@ def test_files_leave_levels_that_are_never_shown_out(scan: nf.lod.LodModel, tmp_
     assert nf.lod.LodModel.load(path).triangles.tolist() == scan.triangles.tolist()
 
 
-def test_exported_scenes_leave_them_out_too(scan: nf.lod.LodModel, tmp_path: Path) -> None:
+def test_exported_scenes_omit_levels_that_are_never_shown(scan: nf.lod.LodModel, tmp_path: Path) -> None:
     other = model_of((3, 2, 1), name="ball")
     placed = nf.lod.place([scan, other], [0, 1, 0], frames(3, seed=4))
     counts = {}
@@ -91,7 +91,7 @@ def test_exported_scenes_leave_them_out_too(scan: nf.lod.LodModel, tmp_path: Pat
     assert counts == {False: [2, 3, 2], True: [5, 3, 5]}
 
 
-def test_a_model_of_which_only_the_base_is_shown_is_a_plain_mesh(tmp_path: Path) -> None:
+def test_a_model_that_shows_only_its_base_is_a_plain_mesh(tmp_path: Path) -> None:
     model = falling(model_of((2, 1)), (0.1,))
     model.export(tmp_path / "ball.glb", view=FOV)
     document = glb_file.Reader((tmp_path / "ball.glb").read_bytes()).document

@@ -1,4 +1,4 @@
-"""Levels by simplification: counts, closed surfaces, borders, errors, odd meshes, and what is refused."""
+"""Levels by simplification: counts, closed surfaces, borders, errors, degenerate meshes, and refusals."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def test_counts_are_reached_and_errors_grow(method: str) -> None:
     errors = [level.error for level in levels]
     assert errors == sorted(errors)
     assert levels[0].error == levels[0].mean_error == 0
-    # A chord of a sphere whose faces are 1 / ratio times as large lies that much below it.
+    # Faces 1 / ratio times as large have chords that much farther below the sphere.
     assert 0 < levels[1].mean_error < levels[1].error < 0.01
     assert levels[3].error < 0.05
     assert levels.name == "globe"
@@ -47,7 +47,7 @@ def test_closed_surfaces_stay_closed(method: str) -> None:
 
 
 def test_open_borders_keep_their_outline(method: str) -> None:
-    """A square of many squares: without care for borders its corners are cut off."""
+    """Simplifies a square of many squares: without preservation of borders its corners are cut off."""
     x, z = np.meshgrid(np.linspace(0, 1, 33), np.linspace(0, 1, 33))
     points = np.stack([x, np.zeros_like(x), z], axis=2).reshape(-1, 3)
     a = (np.arange(32)[:, None] * 33 + np.arange(32)).ravel()
@@ -61,7 +61,7 @@ def test_open_borders_keep_their_outline(method: str) -> None:
 
 
 def test_errors_are_distances_between_surfaces() -> None:
-    """Two spheres of one middle, and a plate that is half as wide as the other."""
+    """Covers two concentric spheres, and a plate half as wide as the other."""
     inner, outer = (Base(trimesh.creation.icosphere(4, radius=radius)) for radius in (1.0, 1.1))
     found = deviation.deviation((inner.scene, inner.surface), (outer.scene, outer.surface))
     assert found[0] == pytest.approx(0.1, abs=0.003)
@@ -69,12 +69,12 @@ def test_errors_are_distances_between_surfaces() -> None:
     square = np.array([[0, 0, 0], [0, 0, 1], [1, 0, 0], [1, 0, 1]])
     one, two = (Base(trimesh.Trimesh(square * (x, 1, 1), [[0, 1, 2], [2, 1, 3]])) for x in (1, 2))
     greatest, mean = deviation.deviation((one.scene, one.surface), (two.scene, two.surface))
-    # Of the wide one half is off by 0 to 1.
+    # Points on half of the wide plate are off by 0 to 1.
     assert greatest == 1
     assert mean == pytest.approx(0.125, abs=0.002)
 
 
-def test_spread_points_are_even() -> None:
+def test_sampled_points_are_evenly_distributed() -> None:
     surface = Base(trimesh.creation.box((1, 2, 3))).surface
     points = deviation.spread_points(surface, 20_000)
     on = np.abs(np.abs(points) - (0.5, 1, 1.5)) < 1e-6
@@ -84,7 +84,7 @@ def test_spread_points_are_even() -> None:
     assert np.abs(on.mean(axis=0) - shares).max() < 3 * 0.5 / np.sqrt(20_000)
 
 
-def test_ratios_that_cannot_be_reached_are_said(method: str) -> None:
+def test_unreachable_ratios_are_noted(method: str) -> None:
     levels = nf.lod.simplify(trimesh.creation.box(), [0.9, 0.5, 0.1], method=method)
     assert levels[0].triangle_count == 12
     assert all(level.triangle_count >= 4 for level in levels)
@@ -95,8 +95,8 @@ def test_ratios_that_cannot_be_reached_are_said(method: str) -> None:
     assert "can't be reached" in str(single)
 
 
-def test_meshopt_gives_up_small_parts_where_it_must() -> None:
-    """A ball among 300 boxes whose faces are charts of their own: seams keep their corners, so that no edge can go."""
+def test_meshopt_removes_small_parts_if_necessary() -> None:
+    """A ball among 300 boxes whose faces are separate charts: seams keep their corners, so no edge can collapse."""
     ball, box = trimesh.creation.icosphere(4), trimesh.creation.box((0.02, 0.02, 0.02))
     corners, uvs = box.vertices[box.faces].reshape(-1, 3), np.random.default_rng(1).uniform(size=(36, 2))
     places = np.random.default_rng(3).uniform(-1, 1, (300, 3)) * (3, 0.2, 0.2) + (0, 2, 0)
@@ -112,7 +112,7 @@ def test_meshopt_gives_up_small_parts_where_it_must() -> None:
     assert levels[3].triangle_count == pytest.approx(174, abs=2)
     assert levels[2].note == f"{levels[2].triangle_count:,} triangles instead of 2,616"
     assert not levels[3].note
-    # The ball is below 1, all boxes above 1.7. Without any of them to give up, the ball would be nothing.
+    # The ball is below 1, all boxes above 1.7. If no box were removed, nothing would be left of the ball.
     above = [level.scene.triangles()[:, :, 1].min(axis=1) > 1.5 for level in levels]
     assert [int(boxes.sum()) for boxes in above[:2]] == [3600, 3600]
     assert all((~boxes).sum() > 150 for boxes in above)
@@ -141,7 +141,7 @@ def odd_meshes() -> dict[str, tuple[Array, Array]]:
 
 
 @pytest.mark.parametrize("name", odd_meshes())
-def test_odd_meshes_are_simplified_or_left_alone(method: str, name: str) -> None:
+def test_degenerate_meshes_are_simplified_or_unchanged(method: str, name: str) -> None:
     vertices, faces = odd_meshes()[name]
     levels = nf.lod.simplify(nf.Scene.from_arrays(vertices, faces), [0.5, 0.1], method=method)
     counts = [level.triangle_count for level in levels]
@@ -156,7 +156,7 @@ def test_odd_meshes_are_simplified_or_left_alone(method: str, name: str) -> None
 
 
 @pytest.mark.slow
-def test_levels_do_not_depend_on_threads_or_on_what_came_before() -> None:
+def test_levels_do_not_depend_on_threads_or_earlier_calls() -> None:
     need("fast_simplification")
     code = (
         "import nearfar as nf, trimesh, hashlib\n"
@@ -198,7 +198,7 @@ def test_instances_are_placed_and_named(method: str, tmp_path: Path) -> None:
     assert nf.lod.simplify(path, [0.2], method=method).name == "sphere"
 
 
-def test_copies_of_faces_may_be_all_that_goes(method: str) -> None:
+def test_duplicate_faces_alone_may_be_removed(method: str) -> None:
     ball = trimesh.creation.icosphere(3)
     doubled = nf.Scene.from_arrays(ball.vertices, np.concatenate([ball.faces, ball.faces]))
     levels = nf.lod.simplify(doubled, (0.5, 0.2), method=method)

@@ -27,7 +27,7 @@ def parts(scene: nf.Scene) -> dict[str, Any]:
 
 
 def checkers(size: int = 256) -> Array:
-    """Squares whose colour says where they are."""
+    """Return a chequerboard whose colours encode position."""
     x, y = np.meshgrid(np.arange(size), np.arange(size))
     dark = ((x // 32 + y // 32) % 2) * 120
     return np.stack([x * 255 // size, y * 255 // size, 255 - dark, np.full_like(x, 255)], axis=2).astype(np.uint8)
@@ -47,11 +47,11 @@ VIEWS = [(1, 0.4, 0.2), (-0.5, 0.3, 1), (0.1, -0.2, -1)]
 
 
 def likeness(base: nf.Scene, level: nf.Scene) -> float:
-    """Least similarity over views, of 8-bit pictures."""
+    """Return the least similarity over views, of 8-bit pictures."""
     return min(float(nf.ssim(view(base, way).clip(0, 1), view(level, way).clip(0, 1), data_range=1.0)) for way in VIEWS)
 
 
-def test_textures_stay_where_they_are(method: str) -> None:
+def test_textures_keep_their_position(method: str) -> None:
     scene = globe(texture=checkers())
     levels = nf.lod.simplify(scene, [0.5, 0.2], method=method)
     for level, least in zip(levels[1:], (0.97, 0.9), strict=True):
@@ -60,18 +60,18 @@ def test_textures_stay_where_they_are(method: str) -> None:
         uvs, points = arrays["uvs"], arrays["positions"].astype(float)
         assert uvs.min() >= 0
         assert uvs.max() <= 1
-        # Texture coordinates say where a vertex lies on the sphere.
+        # Texture coordinates give a vertex's position on the sphere.
         around, down = 2 * np.pi * uvs[:, 0], np.pi * (1 - uvs[:, 1])
         aim = np.stack([np.sin(down) * np.cos(around), np.cos(down), -np.sin(down) * np.sin(around)], axis=1)
         assert np.linalg.norm(aim - points, axis=1).max() < 0.1
-        # And no face spans the texture from one side of the seam to the other.
+        # No face spans the texture from one side of the seam to the other.
         spans = np.ptp(uvs[arrays["faces"]][:, :, 0], axis=1)
         away = np.abs(points[arrays["faces"]][:, :, 1]).max(axis=1) < 0.9
         assert spans[away].max() < 0.4
 
 
 def test_materials_stay_apart(method: str) -> None:
-    """A sphere in two colours, whose border lies on an edge loop."""
+    """Simplifies a sphere in two colours, whose border lies on an edge loop."""
     ball = trimesh.creation.icosphere(4)
     builder = SceneBuilder()
     red, blue = builder.material((1, 0, 0, 1)), builder.material((0, 0, 1, 1))
@@ -99,8 +99,8 @@ def test_vertex_colors_are_carried(method: str) -> None:
         assert np.abs(arrays["colors"][:, :3] - expected).max() < 8
 
 
-def test_normals_are_carried_made_or_left_out(method: str) -> None:
-    """Those of a sphere are its places; a box's smooth ones are its faces'."""
+def test_normals_are_interpolated_computed_or_omitted(method: str) -> None:
+    """Normals of a unit sphere equal its positions; smooth normals of a box are its faces'."""
     ball = trimesh.creation.icosphere(4)
     builder = SceneBuilder()
     builder.instance(builder.mesh(ball.vertices, ball.faces, normals=ball.vertices), name="ball")
@@ -135,7 +135,7 @@ def test_smooth_normals_keep_hard_edges() -> None:
             assert len(np.unique(corners)) == len(positions)
 
 
-def test_corners_share_a_vertex_where_they_agree() -> None:
+def test_corners_with_equal_attributes_share_a_vertex() -> None:
     corners = np.array([0, 0, 0, 0, 1, 1], np.uint32)
     values = np.array([[0.0], [5.0], [0.9], [5.5], [np.nan], [1.0]])
     assert carry.together(corners, values).tolist() == [0, 1, 0, 1, 4, 5]

@@ -1,4 +1,4 @@
-"""Sizes: the sixteenth of the screen, and the shares of a size that a lens and the eye leave."""
+"""Sizes: a sixteenth of the screen, and the factors for a lens and for eccentricity."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import nearfar as nf
 LENS = nf.RadialLens((0.22, 0.24))
 
 
-def test_acuity_is_guenters() -> None:
+def test_acuity_equals_guenter() -> None:
     away = np.array([0.0, 5.0, 20.0, 60.0])
     np.testing.assert_allclose(nf.lod.acuity(away), (1 / 48) / (0.0275 * away + 1 / 48))
     np.testing.assert_allclose(
@@ -21,7 +21,7 @@ def test_acuity_is_guenters() -> None:
     assert nf.lod.acuity(3.0).shape == ()
 
 
-def test_distortion_is_the_size_of_what_is_small() -> None:
+def test_distortion_equals_the_limit_for_small_objects() -> None:
     camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(87), size=(10, 10))
     away = np.array([0.0, 10.0, 43.0, 70.0])
     angles = np.radians(away)
@@ -33,7 +33,7 @@ def test_distortion_is_the_size_of_what_is_small() -> None:
     assert nf.lod.distortion([60.0], lens=nf.RadialLens((-0.5,)), view=nf.Fov.symmetric(87)).tolist() == [1]
 
 
-def test_the_reference_size() -> None:
+def test_the_reference_size_is_a_sixteenth_of_the_screen() -> None:
     for tangent in (0.5, 1.0, 3.9):
         expected = 2 * math.pi * (1 - math.cos(math.asin(tangent / 4)))
         fov = nf.Fov(-tangent / 2, tangent, -1, 1)

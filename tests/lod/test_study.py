@@ -1,4 +1,4 @@
-"""The published study: its figures against formulas written out here, and a made-up one whose figures are known."""
+"""The published study: its figures against formulas written out here, and a synthetic study with known figures."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def either(request: pytest.FixtureRequest) -> Study:
 
 # formulas of textbooks, written out ----------------------------------------------------------------------------------
 def ranks(values: Array) -> Array:
-    """Those below, and half of those that are equal."""
+    """Return mid-ranks: the number of lesser values, and half of the equal ones."""
     return np.asarray((values < values[:, None]).sum(axis=1) + ((values == values[:, None]).sum(axis=1) + 1) / 2)
 
 
@@ -45,7 +45,7 @@ def spearman(one: Array, other: Array) -> float:
 
 
 def kendall(one: Array, other: Array) -> tuple[float, float]:
-    """τ-b by all pairs, and p by the normal approximation with ties (Kendall 1970)."""
+    """Return τ-b by all pairs, and p by the normal approximation with ties (Kendall 1970)."""
     n = len(one)
     upper = np.triu_indices(n, 1)
     signs = [np.sign(values[:, None] - values)[upper] for values in (one, other)]
@@ -61,7 +61,7 @@ def kendall(one: Array, other: Array) -> tuple[float, float]:
 
 
 def signed_ranks(one: Array, other: Array) -> tuple[float, float, Array]:
-    """Lesser sum of ranks, p by the normal approximation with ties, and the ranks."""
+    """Return the lesser sum of ranks, p by the normal approximation with ties, and the ranks."""
     apart = np.round(one - other, 9)
     apart = apart[apart != 0]
     n, ranked = len(apart), ranks(np.abs(apart))
@@ -73,7 +73,7 @@ def signed_ranks(one: Array, other: Array) -> tuple[float, float, Array]:
 
 
 def exact_p(ranked: Array, statistic: float) -> float:
-    """Two-sided p by the sums of ranks under all 2ⁿ choices of signs, counted in halves of a rank."""
+    """Return two-sided p by the sums of ranks under all 2ⁿ choices of signs, counted in halves of a rank."""
     halves = np.round(2 * ranked).astype(int)
     ways = np.zeros(halves.sum() + 1)
     ways[0] = 1
@@ -83,7 +83,7 @@ def exact_p(ranked: Array, statistic: float) -> float:
 
 
 def royston(values: Array) -> tuple[float, float]:
-    """W and p of Shapiro and Wilk by Royston's approximation (1995) for 12 values and more."""
+    """Return W and p of Shapiro–Wilk by Royston's approximation (1995) for 12 values and more."""
     n = len(values)
     m = ndtri((np.arange(1, n + 1) - 0.375) / (n + 0.25))
     u, square = n**-0.5, float(m @ m)
@@ -100,7 +100,7 @@ def royston(values: Array) -> tuple[float, float]:
 
 
 def farthest(values: Array) -> float:
-    """D of Kolmogorov and Smirnov from the normal with the values' mean and deviation, over both ends of each step."""
+    """Return Kolmogorov–Smirnov's D from the normal distribution of the same mean and deviation."""
     mean, deviation = values.mean(), np.sqrt(((values - values.mean()) ** 2).sum() / (len(values) - 1))
     apart = 0.0
     for value in values:
@@ -113,7 +113,7 @@ def farthest(values: Array) -> float:
 # each figure against its formula -------------------------------------------------------------------------------------
 @pytest.mark.parametrize("column", ["d", "k"])
 @pytest.mark.parametrize("hmd", ["rift", "vive"])
-def test_moments_are_those_of_the_formulas(either: Study, column: str, hmd: str) -> None:
+def test_moments_equal_the_formulas(either: Study, column: str, hmd: str) -> None:
     values = getattr(either.select(hmd=hmd), column)
     n, found = len(values), user_study.moments(values)
     assert found.n == n == 240
@@ -129,11 +129,11 @@ def test_moments_are_those_of_the_formulas(either: Study, column: str, hmd: str)
 
 
 @pytest.mark.parametrize("column", ["d", "k"])
-def test_normality_is_that_of_royston(either: Study, column: str) -> None:
+def test_normality_equals_royston(either: Study, column: str) -> None:
     rows = getattr(either.select(hmd="rift"), column)
     for values in (rows, user_study.by_participant(either.select(hmd="vive"), column)):
         w, p = royston(values)
-        # His polynomials have six or seven digits, and W's distance from 1 a few fewer.
+        # Royston's polynomials have six or seven digits, and W's distance from 1 a few fewer.
         found = user_study.shapiro(values)
         assert found[0] == pytest.approx(w, abs=2e-5)
         assert found[1] == pytest.approx(p, rel=5e-3)
@@ -141,20 +141,20 @@ def test_normality_is_that_of_royston(either: Study, column: str) -> None:
 
 @pytest.mark.parametrize("column", ["d", "k"])
 @pytest.mark.parametrize("hmd", ["rift", "vive"])
-def test_distance_from_the_normal_is_the_greatest_over_all_steps(either: Study, column: str, hmd: str) -> None:
+def test_kolmogorov_distance_is_the_maximum_over_all_steps(either: Study, column: str, hmd: str) -> None:
     part = either.select(hmd=hmd)
     for values in (getattr(part, column), user_study.by_participant(part, column)):
         assert user_study.lilliefors(values)[0] == pytest.approx(farthest(values), rel=1e-12)
 
 
-def test_distance_of_two_values() -> None:
+def test_kolmogorov_distance_of_two_values() -> None:
     """Two values lie 1/√2 deviations from their mean, where the normal has Φ(−1/√2) below it and the step ½."""
     assert user_study.lilliefors(np.array([3.0, 5.0]))[0] == pytest.approx(0.5 - ndtr(-(0.5**0.5)))
 
 
 @pytest.mark.parametrize("n", [24, 240])
-def test_normal_values_have_a_small_p_as_rarely_as_it_says(n: int) -> None:
-    """Within four deviations of 2,000 samples, and 10 % of the level for the formula's own error."""
+def test_p_of_normal_values_has_its_nominal_rate(n: int) -> None:
+    """Tolerates four deviations of 2,000 samples, and 10 % of the level for the formula's own error."""
     samples = ndtri(random.uniform(7, n, np.arange(2000 * n)).reshape(2000, n))
     p = np.array([user_study.lilliefors(sample)[1] for sample in samples])
     for level in (0.01, 0.05):
@@ -163,7 +163,7 @@ def test_normal_values_have_a_small_p_as_rarely_as_it_says(n: int) -> None:
 
 
 @pytest.mark.parametrize("column", ["d", "k"])
-def test_signed_ranks_are_those_of_the_formula(either: Study, column: str) -> None:
+def test_signed_ranks_equal_the_formula(either: Study, column: str) -> None:
     sides = user_study.paired(either, column, "hmd", "rift", "vive")
     means = [user_study.by_participant(either.select(hmd=hmd), column) for hmd in ("rift", "vive")]
     for one, other in (sides, means):
@@ -173,12 +173,12 @@ def test_signed_ranks_are_those_of_the_formula(either: Study, column: str) -> No
         assert found.p == pytest.approx(p, rel=1e-9)
         assert found.z == pytest.approx(ndtri(p / 2), rel=1e-9)
         assert (found.pairs, found.pairs - found.equal) == (len(one), len(ranked))
-    # Of two dozen pairs all signs can be counted: the approximation's error is of the order of 1/n.
+    # All signs of two dozen pairs can be counted: the approximation's error is of the order of 1/n.
     assert found.p == pytest.approx(exact_p(ranked, statistic), abs=0.02)
 
 
 @pytest.mark.parametrize("hmd", ["rift", "vive"])
-def test_correlations_are_those_of_all_pairs(either: Study, hmd: str) -> None:
+def test_correlations_equal_sums_over_all_pairs(either: Study, hmd: str) -> None:
     part = either.select(hmd=hmd)
     found = user_study.correlation(part.d, part.k)
     tau, p = kendall(part.d, part.k)
@@ -187,7 +187,7 @@ def test_correlations_are_those_of_all_pairs(either: Study, hmd: str) -> None:
     assert found.rho == pytest.approx(spearman(part.d, part.k), rel=1e-9)
 
 
-def test_pairs_are_of_the_same_participant_and_object(either: Study) -> None:
+def test_pairs_have_the_same_participant_and_object(either: Study) -> None:
     turn = np.arange(len(either)) * 7 % len(either)
     mixed = Study(*(getattr(either, name)[turn] for name in Study.__dataclass_fields__))
     for n, side in enumerate(user_study.paired(mixed, "level", "hmd", "rift", "vive")):
@@ -215,7 +215,7 @@ def test_the_recommended_d_and_k_are_the_means(study: Study) -> None:
         )
 
 
-def test_the_table_is_whole_and_nearly_consistent(study: Study) -> None:
+def test_the_table_is_complete_and_nearly_consistent(study: Study) -> None:
     assert len(study) == TABULATED * 10 * 2
     assert len({*zip(study.participant.tolist(), study.hmd.tolist(), study.object.tolist(), strict=True)}) == len(study)
     assert np.array_equal(study.k, np.round(study.k * 4) / 4)
@@ -232,7 +232,7 @@ def test_the_table_is_whole_and_nearly_consistent(study: Study) -> None:
         assert (np.diff(part.d[order]) <= 0).all()
 
 
-def test_what_the_study_says(study: Study) -> None:
+def test_the_study_has_its_published_results(study: Study) -> None:
     """Headsets don't differ, d and k are not normal, and textured objects were accepted at a lower SSIM."""
     for column in ("d", "k"):
         assert user_study.wilcoxon(*user_study.paired(study, column, "hmd", "rift", "vive")).p > 0.5
@@ -245,8 +245,8 @@ def test_what_the_study_says(study: Study) -> None:
 
 
 # the made-up one -----------------------------------------------------------------------------------------------------
-def test_known_moments_come_back(twin: Study) -> None:
-    """Means of 480 rows lie within four of their deviations, and those of a study a hundred times as large nearer."""
+def test_known_moments_are_recovered(twin: Study) -> None:
+    """Means of 480 rows lie within four of their deviations, and those of a study a hundred times as large closer."""
     for found, scale in ((twin, 1), (made_up(100 * TABULATED), 10)):
         for values, mean, deviation in ((found.d, 0.9, 0.02 * 10**0.5), (found.k, 0.25, 0.25 * 2**0.5)):
             assert abs(values.mean() - mean) < 4 * deviation / np.sqrt(480) / scale
@@ -264,7 +264,7 @@ def test_an_effect_is_found_where_there_is_one(twin: Study) -> None:
     assert user_study.correlation(twin.d, -twin.level.astype(float)).tau == pytest.approx(1.0)
 
 
-def test_odd_rows_are_found_and_mended(twin: Study) -> None:
+def test_inconsistent_rows_are_found_and_repaired(twin: Study) -> None:
     assert user_study.odd_rows(twin) == []
     row = 77
     before = float(twin.d[row])
@@ -274,8 +274,8 @@ def test_odd_rows_are_found_and_mended(twin: Study) -> None:
     assert np.array_equal(user_study.mended(wrong).d, twin.d)
 
 
-def test_intervals_cover_what_is_known() -> None:
-    """Rows that are independent have the interval of the normal; rows of like participants a wider one."""
+def test_intervals_cover_known_values() -> None:
+    """Independent rows have the interval of the normal; correlated rows of a participant a wider one."""
     twin = made_up()
     low, high = user_study.bootstrap(twin, "d")
     assert low < twin.d.mean() < high
@@ -285,7 +285,7 @@ def test_intervals_cover_what_is_known() -> None:
     alike = Study(**(fixed | {"d": twin.d + 0.1 * (twin.participant % 2)}))
     low, high = user_study.bootstrap(alike, "d")
     assert (high - low) / (2 * 1.96) == pytest.approx(0.05 / np.sqrt(TABULATED), rel=0.1)
-    # Drawing objects anew as well only adds.
+    # Resampling objects as well only widens it.
     wide = user_study.bootstrap(alike, "d", objects=True, draws=2_000)
     assert wide[1] - wide[0] > 0.9 * (high - low)
 
@@ -298,7 +298,7 @@ def test_everything_is_printed_with_and_without_data(
     study_benchmark.main()
     printed = capsys.readouterr().out
     assert "made up" in printed
-    # The thesis' values would say nothing beside a made-up study.
+    # The thesis' values would be irrelevant for a synthetic study.
     assert "### Beside" not in printed[printed.index("made up") :]
     assert printed.count("### ") >= 10
     assert "nan" not in printed

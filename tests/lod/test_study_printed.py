@@ -1,4 +1,4 @@
-"""Figures of the published study beside those that the thesis prints, and what the decimals of d leave open."""
+"""Figures of the published study compared with the thesis, and the uncertainty due to the decimals of d."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ UNLIKE = {
     ("Z", "d, rift and vive"): -0.56791,
     ("p", "d, rift and vive"): 0.57010,
 }
-"""Figures that differ from the printed ones in the last digit: all of d, which has four decimals in the data folder."""
+"""Figures that differ from the printed ones in the last digit: all are of d, which has four decimals in the data."""
 
 CUT = {("mean", "d, rift"), ("deviation", "d, vive")}
-"""Those of them whose printed value is the file's without its fifth decimal, and out of reach of further decimals."""
+"""Figures among them whose printed value lacks the file's fifth decimal, and is unreachable by further decimals."""
 
 
 @pytest.fixture(scope="module")
@@ -31,14 +31,14 @@ def study() -> Study:
 
 
 def test_all_printed_figures_are_computed() -> None:
-    """Of the made-up study too, whose headsets and columns have the same names."""
+    """Includes the synthetic study, whose headsets and columns have the same names."""
     keys = [(printed.statistic, printed.of) for printed in PRINTED]
     assert len(set(keys)) == len(keys) == 4 * 7 + 2 * 2 + 2
     assert set(keys) == set(_printed.computed(made_up()))
     assert {printed.table for printed in PRINTED} == {"5.4", "5.5", "5.6", "5.8"}
 
 
-def test_figures_are_the_printed_ones_to_their_digits(study: Study) -> None:
+def test_figures_equal_the_printed_digits(study: Study) -> None:
     ours = _printed.computed(study)
     for printed in PRINTED:
         key = printed.statistic, printed.of
@@ -53,7 +53,7 @@ def test_figures_are_the_printed_ones_to_their_digits(study: Study) -> None:
     assert max(both.tau_p, both.rho_p) < 0.01
 
 
-def test_each_other_difference_is_within_what_rounding_of_d_can_make(study: Study) -> None:
+def test_other_differences_are_within_the_rounding_of_d(study: Study) -> None:
     spans = _printed.spans(study, draws=60)
     for printed in PRINTED:
         key, half = (printed.statistic, printed.of), 0.5 * 10**-printed.decimals
@@ -67,8 +67,8 @@ def test_each_other_difference_is_within_what_rounding_of_d_can_make(study: Stud
             assert reached, key
 
 
-def test_the_thesis_has_the_odd_rows(study: Study) -> None:
-    """With the d of the majority the Vive's figures are others."""
+def test_the_thesis_used_the_inconsistent_rows(study: Study) -> None:
+    """With the d of the majority the Vive's figures would differ."""
     ours = _printed.computed(user_study.mended(study))
     off = {printed.statistic for printed in PRINTED if printed.beside(ours[printed.statistic, printed.of]) != "same"}
     assert ours["mean", "d, vive"] - 0.8971 > 0.001
@@ -76,8 +76,8 @@ def test_the_thesis_has_the_odd_rows(study: Study) -> None:
 
 
 @pytest.mark.parametrize("other", ["continuity", "all participants", "means of participants", "plain moments"])
-def test_other_conventions_are_farther_off(study: Study, other: str) -> None:
-    """Each misses a figure of k, which was chosen in quarters and has lost no digits."""
+def test_other_conventions_deviate_more(study: Study, other: str) -> None:
+    """Each convention misses a figure of k, which was chosen in quarters and has lost no digits."""
     by_key = {(printed.statistic, printed.of): printed for printed in PRINTED}
     if other == "continuity":
         one, two = user_study.paired(study, "k", "hmd", "rift", "vive")
@@ -92,7 +92,7 @@ def test_other_conventions_are_farther_off(study: Study, other: str) -> None:
     assert any(by_key[key].beside(float(value)) != "same" for key, value in found.items() if key[1].startswith("k"))
 
 
-def test_digits_are_compared_as_they_are_printed() -> None:
+def test_digits_are_compared_as_printed() -> None:
     printed = Printed("5.5", "G₂", "k, vive", "-.006")
     assert (printed.value, printed.decimals) == (-0.006, 3)
     assert printed.beside(-0.00628) == "same"
@@ -100,7 +100,7 @@ def test_digits_are_compared_as_they_are_printed() -> None:
     assert Printed("5.4", "df", "d, rift", "240").beside(240.0) == "same"
 
 
-def test_further_decimals_belong_to_a_level_and_round_to_what_is_listed() -> None:
+def test_further_decimals_belong_to_a_level_and_round_to_listed_values() -> None:
     twin = made_up()
     drawn = _printed.with_decimals(twin, 3)
     assert np.array_equal(np.round(drawn.d, _printed.DECIMALS), np.round(twin.d, _printed.DECIMALS))

@@ -1,4 +1,4 @@
-"""f(σ) by its three readings, and the keywords that mean one."""
+"""f(σ) by its three definitions, and the keywords that select one."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ REFERENCE = nf.lod.reference_solid_angle(CAMERA)
 LITERAL = nf.lod.LodThreshold(0.1, 0.8, "literal")
 
 
-def test_lines_are_those_of_the_formulas() -> None:
+def test_thresholds_equal_the_formulas() -> None:
     sigma = np.geomspace(1e-4, 0.3, 50)
     k, d = 0.3, 0.85
     expected = {
@@ -34,7 +34,7 @@ def test_lines_are_those_of_the_formulas() -> None:
         assert threshold(0.1, REFERENCE).shape == ()
 
 
-def test_the_defaults_stand_in_one_place() -> None:
+def test_defaults_are_defined_once() -> None:
     assert nf.lod.LodThreshold() == nf.lod.LodThreshold(k=0.27, d=0.90, kind="anchored")
     package = Path(nf.__file__).parent
     files = [*package.glob("lod/**/*.py"), package / "cli" / "_lod.py"]
@@ -43,7 +43,7 @@ def test_the_defaults_stand_in_one_place() -> None:
     assert found == [("threshold.py", "0.27"), ("threshold.py", "0.90")]
 
 
-def test_keywords_and_thresholds_mean_the_same(tmp_path: Path) -> None:
+def test_keywords_and_thresholds_are_equivalent(tmp_path: Path) -> None:
     keywords: dict[str, Any] = {"k": LITERAL.k, "d": LITERAL.d, "threshold": LITERAL.kind}
     centers, radii = random_spheres(500, 5, CAMERA)
     where = ([usual()], np.zeros(500, int), centers, radii)
@@ -63,7 +63,7 @@ def test_keywords_and_thresholds_mean_the_same(tmp_path: Path) -> None:
     usual().export(tmp_path / "one.json", view=CAMERA, threshold=LITERAL)
     usual().export(tmp_path / "other.json", view=CAMERA, **keywords)
     assert (tmp_path / "one.json").read_bytes() == (tmp_path / "other.json").read_bytes()
-    # Parts that are not named have their defaults.
+    # Omitted parts have their defaults.
     assert nf.lod.Selector(d=0.5).threshold == nf.lod.LodThreshold(d=0.5)
     assert nf.lod.Selector(threshold="literal").threshold == nf.lod.LodThreshold(kind="literal")
 
@@ -75,7 +75,9 @@ def test_keywords_and_thresholds_mean_the_same(tmp_path: Path) -> None:
         ({"d": 0.2, "threshold": LITERAL}, ValueError, "d: expected None beside a LodThreshold, .* got 0.2"),
     ],
 )
-def test_bad_keywords(options: dict[str, Any], error: type[Exception], message: str, tmp_path: Path) -> None:
+def test_invalid_threshold_keywords_are_refused(
+    options: dict[str, Any], error: type[Exception], message: str, tmp_path: Path
+) -> None:
     with pytest.raises(error, match=message):
         nf.lod.Selector(**options)
     with pytest.raises(error, match=message):

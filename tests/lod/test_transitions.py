@@ -1,4 +1,4 @@
-"""Levels from frame to frame: what holds them, and what is shown while they change."""
+"""Levels from frame to frame: hysteresis, and fades between levels."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ LENS = nf.RadialLens((0.22, 0.24))
 
 
 def sized(sigma: Array, away: float = 0.0) -> tuple[Array, Array]:
-    """Spheres 5 m from the eye of these solid angles."""
+    """Return spheres 5 m from the eye with these solid angles."""
     center = 5 * np.array([math.sin(away), 0.0, -math.cos(away)])
     return np.tile(center, (len(sigma), 1)), 5 * np.sin(2 * np.arcsin(np.sqrt(sigma / (4 * np.pi))))
 
 
 def frames(one: nf.lod.LodModel, sigma: Array, steps: int, noise: float, **options: Any) -> NDArray[np.int32]:
-    """Levels of sizes that tremble, (frames, N); the threshold holds in each."""
+    """Return levels of fluctuating sizes, (frames, N); asserts the threshold in each frame."""
     random = np.random.default_rng(0)
     index = np.zeros(len(sigma), int)
     level: NDArray[np.int32] | None = None
@@ -42,7 +42,7 @@ def frames(one: nf.lod.LodModel, sigma: Array, steps: int, noise: float, **optio
 
 
 def returns(levels: NDArray[np.int32]) -> int:
-    """How many objects go back to a level that they have left."""
+    """Count the objects that return to a level that they have left."""
     count = 0
     for level in range(int(levels.max()) + 1):
         is_it = np.pad(levels == level, ((1, 1), (0, 0))).astype(int)
@@ -52,14 +52,14 @@ def returns(levels: NDArray[np.int32]) -> int:
 
 @pytest.mark.parametrize("count", [200, 3000])
 @pytest.mark.parametrize("one", [usual(12), usual(6, 1), model([(1.0, 1.0, 1.0, 0.99)], (1e-3, 0.05))])
-def test_nothing_flickers_that_trembles_less_than_the_hysteresis(one: nf.lod.LodModel, count: int) -> None:
-    # Scores move by (a − d) b/4 ≤ 0.3 of 6 % and f by 0.27 · 0.2 of it: 0.02. Sizes by 6 %.
+def test_fluctuations_below_the_hysteresis_cause_no_flicker(one: nf.lod.LodModel, count: int) -> None:
+    # Scores change by (a − d) b/4 ≤ 0.3 of 6 % and f by 0.27 · 0.2 of it: 0.02. Sizes by 6 %.
     sigma = np.geomspace(1e-4, 1.2 * REFERENCE, count)
     assert returns(frames(one, sigma, 30, 0.03)) > count // 100
     assert returns(frames(one, sigma, 30, 0.03, hysteresis=0.08)) == 0
 
 
-def test_held_levels_are_those_of_two_thresholds() -> None:
+def test_hysteresis_equals_two_thresholds() -> None:
     random = np.random.default_rng(1)
     models = [usual(7), usual(6, 3), usual(4, 5), model([])]
     count, band = 8000, 0.03
@@ -85,7 +85,7 @@ def test_held_levels_are_those_of_two_thresholds() -> None:
             assert level[n] == expected, n
 
 
-def test_without_hysteresis_the_frame_before_does_not_matter() -> None:
+def test_without_hysteresis_the_previous_frame_does_not_matter() -> None:
     centers, radii = sized(np.geomspace(1e-4, 0.2, 500))
     plain = nf.lod.select([usual()], np.zeros(500, int), centers, radii, camera=VIEW)
     for before in (0, 3, 7, -1):
@@ -94,7 +94,7 @@ def test_without_hysteresis_the_frame_before_does_not_matter() -> None:
         assert np.array_equal(held, plain)
 
 
-# what is shown -------------------------------------------------------------------------------------------------------
+# fades ----------------------------------------------------------------------------------------------------------------
 def swept(one: nf.lod.LodModel, count: int, **options: Any) -> nf.lod.Selection:
     sigma = np.geomspace(5e-5, 4 * REFERENCE, count)
     centers, radii = sized(sigma, 0.4)
@@ -112,10 +112,10 @@ def swept(one: nf.lod.LodModel, count: int, **options: Any) -> nf.lod.Selection:
         (model([(1.0, 1.0, 0.04, 0.3), (0.95, 1.0, 0.02, 0.2), (0.96, 1.0, 0.015, 0.1)], (1e-4, 0.3)), {}),
     ],
 )
-def test_what_is_shown_is_continuous(one: nf.lod.LodModel, options: dict[str, Any], fade: float) -> None:
+def test_displayed_blends_are_continuous(one: nf.lod.LodModel, options: dict[str, Any], fade: float) -> None:
     coarse = swept(one, 50_000, fade=fade, **options)
     found = swept(one, 200_000, fade=fade, **options)
-    # Jumps would stay as they are where steps become smaller.
+    # Jumps would not shrink with smaller steps.
     first, second = np.abs(np.diff(coarse.shown)).max(), np.abs(np.diff(found.shown)).max()
     assert second < 0.3 * first
     assert second < 0.05
@@ -125,26 +125,26 @@ def test_what_is_shown_is_continuous(one: nf.lod.LodModel, options: dict[str, An
     assert (found.finer_weight >= 0).all()
     assert (found.finer_weight < 1).all()
     assert (found.coarser <= found.level).all()
-    # More of it is a fade where more was asked for.
+    # The longer requested fade covers more of the range.
     assert np.mean(found.shown % 1 != 0) > 0.02 * fade
     plain = swept(one, 50_000, **options)
     assert np.array_equal(plain.level, coarse.level)
     assert np.array_equal(plain.shown, plain.level)
 
 
-def test_a_level_that_is_about_to_fail_shows_the_finer_one() -> None:
+def test_a_level_near_its_threshold_shows_the_finer_one() -> None:
     found = swept(usual(), 200_000, fade=0.5)
     falls = np.flatnonzero((np.diff(found.level) == -1) & (found.level[:-1] < 7))
     assert len(falls) >= 4
     for n in falls:
         assert found.shown[n] == pytest.approx(found.level[n] - 1, abs=0.01)
         assert found.shown[n + 1] == pytest.approx(found.level[n + 1], abs=0.01)
-    # Halfway between two thresholds, with half of the way to fade, nothing fades.
+    # Halfway between two thresholds, with a fade over half of the interval, nothing fades.
     n = (falls[0] + falls[1]) // 2
     assert found.shown[n - 200] >= found.shown[n] > found.level[n] - 1
 
 
-def test_a_selector_is_the_call_with_its_settings() -> None:
+def test_a_selector_equals_the_call_with_its_settings() -> None:
     settings: dict[str, Any] = {"k": 0.2, "d": 0.95, "threshold": "normalized", "lens": LENS, "fade": 0.3}
     selector = nf.lod.Selector(**settings)
     centers, radii = sized(np.geomspace(1e-4, 0.1, 100))

@@ -1,4 +1,4 @@
-"""The sides from which levels are measured: even directions, and the published axes."""
+"""View directions of measurements: even directions, and the published axes."""
 
 from __future__ import annotations
 
@@ -19,23 +19,23 @@ def stand() -> level_views.Stand:
 
 
 def cameras(views: int, directions: str) -> list[nf.Camera]:
-    """The camera of each different picture."""
+    """Return the camera of each distinct picture."""
     return [stand().camera(1, one) for one in level_views.turns(views, directions)[0]]
 
 
 def sides(seen: list[nf.Camera]) -> Array:
-    """Directions (N, 3) from the object to its cameras."""
+    """Return directions (N, 3) from the object to its cameras."""
     away = np.array([camera.position for camera in seen]) - stand().center
     return np.asarray(away / np.linalg.norm(away, axis=1, keepdims=True))
 
 
 def widest_gap(directions: Array) -> float:
-    """Degrees from the direction that is farthest from all of some directions to the nearest of them."""
+    """Return the greatest angle in degrees between any direction and the nearest of the given ones."""
     return math.degrees(math.acos((fibonacci(20_000) @ directions.T).max(axis=1).min()))
 
 
 @pytest.mark.parametrize("directions", level_views.DIRECTIONS)
-def test_cameras_go_about_the_object_as_it_turns(directions: str) -> None:
+def test_cameras_move_inversely_to_the_objects_rotation(directions: str) -> None:
     views = 24
     turns, shown = level_views.turns(views, directions)
     assert len(shown) == views
@@ -43,16 +43,16 @@ def test_cameras_go_about_the_object_as_it_turns(directions: str) -> None:
     points = ball(6)[0]
     for view in range(views):
         camera = stand().camera(2, turns[shown[view]])
-        # A turned object before a camera that stands still is seen where the object is by a camera that goes about it.
+        # A turned object before a fixed camera looks like the fixed object before a camera that moves around it.
         turned = (points - stand().center) @ turn(view, views, directions).T + stand().center
         np.testing.assert_allclose(camera.project(points), still.project(turned), rtol=0, atol=1e-9)
 
 
-def test_published_turns_show_the_sides_about_four_axes_across_the_line_of_sight() -> None:
+def test_published_views_are_rotations_about_four_axes_across_the_view() -> None:
     shown = level_views.turns(144, "published")[1]
     assert np.bincount(shown).tolist() == [4] + 140 * [1]
     seen = sides(cameras(144, "published"))[shown].reshape(4, 36, 3)
-    # About each axis a circle in steps of 10 degrees through the front, +z, and in a plane across the axis.
+    # About each axis a circle in steps of 10 degrees through the front, +z, in a plane across the axis.
     axes = np.array([(1, 0, 0), (0, 1, 0), (1, 1, 0), (1, -1, 0)])
     np.testing.assert_allclose(np.einsum("sij,sj->si", seen, axes), 0.0, atol=1e-12)
     np.testing.assert_allclose(seen[:, :, 2], np.tile(np.cos(np.radians(10 * np.arange(36))), (4, 1)), atol=1e-12)
@@ -63,20 +63,20 @@ def test_published_turns_show_the_sides_about_four_axes_across_the_line_of_sight
     assert [different[number].tolist() for number in np.flatnonzero(counts == 4)] == [[0, 0, -1], [0, 0, 1]]
 
 
-def test_published_backs_are_rolled_and_so_no_picture_is_made_twice() -> None:
+def test_published_back_views_are_rolled_and_so_distinct() -> None:
     seen = np.array([one.project(ball(5)[0]) for one in cameras(144, "published")])
     apart = np.abs(seen[:, None] - seen[None]).max(axis=(2, 3))
     assert apart[~np.eye(len(seen), dtype=bool)].min() > 0.5
 
 
 @pytest.mark.parametrize("views", [4, 5, 8, 37, 144])
-def test_even_directions_are_one_for_each_view_and_leave_no_side_out(views: int) -> None:
+def test_even_directions_cover_all_sides(views: int) -> None:
     turns, shown = level_views.turns(views, "even")
     assert len(turns) == views
     assert shown.tolist() == list(range(views))
     seen = sides(cameras(views, "even"))
     np.testing.assert_allclose(seen, fibonacci(views), atol=1e-12)
-    # N caps of this angle cover the sphere, but for their overlap, where the factor would be 1.
+    # N caps of this angle cover the sphere up to overlaps; without overlaps the factor would be 1.
     ideal = math.degrees(math.acos(1 - 2 / views))
     assert widest_gap(seen) < 1.4 * ideal
     between = np.degrees(np.arccos(np.clip(seen @ seen.T, -1, 1)))
@@ -90,22 +90,22 @@ def test_even_directions_leave_smaller_gaps_than_published_ones() -> None:
 
 
 @pytest.mark.parametrize("directions", level_views.DIRECTIONS)
-def test_every_turn_is_about_an_axis_across_the_line_of_sight(directions: str) -> None:
+def test_every_rotation_axis_is_across_the_view(directions: str) -> None:
     for x, y, z, w in level_views.turns(144, directions)[0]:
         assert z == 0.0
         assert math.hypot(x, y, w) == pytest.approx(1.0, rel=1e-15)
-        # Even ones are the shortest, at most half a turn.
+        # Even views use the shortest rotations, at most half a turn.
         assert directions == "published" or w >= 0.0
 
 
 @pytest.mark.parametrize(("directions", "views"), [("even", 96), ("even", 144), ("even", 1000), ("published", 144)])
-def test_the_few_turns_that_are_looked_at_first_show_all_sides(directions: str, views: int) -> None:
+def test_the_first_views_cover_all_sides(directions: str, views: int) -> None:
     few = sides(cameras(views, directions))[::PILOT]
     assert widest_gap(few) < 65
 
 
 @pytest.mark.parametrize("directions", level_views.DIRECTIONS)
-def test_a_model_says_from_where_it_was_measured(directions: str) -> None:
+def test_a_model_records_its_view_directions(directions: str) -> None:
     options: dict[str, Any] = SMALL | {"directions": directions, "cache": False}
     model = nf.lod.measure(levels(8, 4), **options)
     assert model.measured["directions"] == directions
@@ -113,7 +113,7 @@ def test_a_model_says_from_where_it_was_measured(directions: str) -> None:
     assert model.measured["axes"] == (axes if directions == "published" else None)
     assert model.samples is not None
     assert model.samples.views is not None
-    # Not turned at all is one picture for all four published axes.
+    # The unrotated view is the same picture for all four published axes.
     pictures = 8 if directions == "even" else 5
     assert model.measured["scores"] == 4 * pictures
     assert model.measured["renders"] == 4 * pictures * 2

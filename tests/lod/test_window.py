@@ -1,4 +1,4 @@
-"""Scores with the thesis' window: those of the plain definition, and of `measure` where the window is Wang's."""
+"""Scores with the thesis' window: against the plain definition, and against `measure` with Wang's window."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from tests.support.lod_cases import FOV, SMALL, Array, levels
 
 
 def weights(options: dict[str, Any]) -> Array:
-    """A window's weights, in the middle of its pixels."""
+    """Return a window's weights, in the middle of its pixels."""
     size = options.get("size", 11)
     if "window" in options:
         return np.full((size, size), 1 / size**2)
@@ -25,7 +25,7 @@ def weights(options: dict[str, Any]) -> Array:
 
 
 def plain(base: Array, other: Array, mask: NDArray[np.bool_], options: dict[str, Any]) -> float:
-    """Wang's Eq. 13, one window after the other; an even one extends one pixel further up and left."""
+    """Evaluate Wang's Eq. 13 window by window; an even one extends one pixel further up and left."""
     weight = weights(options)
     side = len(weight)
     before = side // 2
@@ -46,7 +46,7 @@ def plain(base: Array, other: Array, mask: NDArray[np.bool_], options: dict[str,
 
 
 @pytest.mark.parametrize("name", window.WINDOWS)
-def test_windows_weigh_as_their_definition(name: str) -> None:
+def test_windows_equal_their_definition(name: str) -> None:
     random = np.random.default_rng(0)
     base, other = random.uniform(0, 255, (2, 24, 30))
     mask = random.random((24, 30)) < 0.4
@@ -55,14 +55,14 @@ def test_windows_weigh_as_their_definition(name: str) -> None:
     assert float(found) == pytest.approx(plain(base, other, mask, options), abs=1e-12)
 
 
-def test_our_window_is_that_of_measure() -> None:
+def test_our_window_equals_that_of_measure() -> None:
     own = levels(12, 8, 5)
     model = nf.lod.measure(own, **SMALL, step=None, saturated=None, cache=False)
     found = window.scores(own, Screen.from_arguments(None, FOV, (128, 128)), (1, 2, 4), 8, 1)
     assert model.samples is not None
     assert model.samples.views is not None
     np.testing.assert_allclose(found[0], model.samples.views[1:, [0, 1, 3]], rtol=0, atol=1e-7)
-    # The others differ, and not by much.
+    # The other windows differ a little.
     for other in found[1:]:
         assert 0 < np.abs(other - found[0]).max() < 0.2
     (gaussian, uniform) = window.rows("ball", found)

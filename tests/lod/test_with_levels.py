@@ -1,4 +1,4 @@
-"""Levels for objects of scenes that are there already, and what is refused of levels in scenes."""
+"""Levels for objects of existing scenes, and refused combinations."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def street() -> tuple[nf.Scene, Array]:
     return builder.build(), place
 
 
-def test_levels_take_the_place_of_a_merged_object_and_leave_the_rest() -> None:
+def test_levels_replace_a_merged_object_and_keep_the_rest() -> None:
     scene, place = street()
     assert scene.report.instances == 3
     model = model_of((3, 1))
@@ -64,7 +64,7 @@ def test_levels_take_the_place_of_a_merged_object_and_leave_the_rest() -> None:
     assert both.at_levels({"chair_1": 1}).triangle_count == scene.triangle_count - 60
 
 
-def test_levels_of_an_object_of_a_scene_stand_where_it_stands() -> None:
+def test_levels_of_an_object_keep_its_pose() -> None:
     source, place = trimesh.Scene(), np.diag([2.0, 1.0, 0.5, 1.0])
     place[:3, 3] = (4.0, 1.0, -6.0)
     source.add_geometry(trimesh.creation.icosphere(3), node_name="ball", transform=place)
@@ -78,7 +78,7 @@ def test_levels_of_an_object_of_a_scene_stand_where_it_stands() -> None:
         model = nf.lod.measure(
             levels, fov=nf.Fov.symmetric(90), size=SIZE, views=4, distances=4, samples=1, cache=False
         )
-        # Placed by hand they are what they are.
+        # Placed explicitly they keep their coordinates.
         put = nf.lod.place([model], [0], [np.eye(4)])
         assert put.leveled is not None
         np.testing.assert_allclose(put.bounds, levels[0].scene.bounds, atol=1e-5)
@@ -114,7 +114,7 @@ WRONG: list[tuple[str, Callable[[nf.Scene, nf.lod.LodModel], Any], type[Exceptio
 
 
 @pytest.mark.parametrize(("call", "error", "message"), [row[1:] for row in WRONG], ids=[row[0] for row in WRONG])
-def test_what_cannot_be_is_said(call: Any, error: type[Exception], message: str) -> None:
+def test_impossible_levels_are_errors(call: Any, error: type[Exception], message: str) -> None:
     with pytest.raises(error, match=message):
         call(street()[0], model_of((1, 0)))
 

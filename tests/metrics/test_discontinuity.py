@@ -14,7 +14,7 @@ Array = NDArray[np.float64]
 
 
 def slow_discontinuity(frame: nf.Frame, epsilon: float, least: float) -> Array:
-    """Eq. 5–6, every pixel against every other."""
+    """Evaluate Eq. 5–6, every pixel against every other."""
     position = frame.require("position").astype(np.float64) + frame.origin
     height, width = position.shape[:2]
     pixels = np.stack(np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5), axis=-1).reshape(-1, 2)
@@ -33,7 +33,7 @@ def slow_discontinuity(frame: nf.Frame, epsilon: float, least: float) -> Array:
 
 @pytest.fixture(scope="module")
 def frames() -> dict[str, nf.Frame]:
-    """Truth, conventional and continuous picture from 7 m beside the centre."""
+    """Return truth, conventional and continuous picture from 7 m beside the centre."""
     scene = street()
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=256, samples=1, channels=("color", "range"))
     view = camera(CENTER + np.array([0, 0.2, 7.0]), (1, -0.03, 0.1), (96, 60))
@@ -49,21 +49,23 @@ def frames() -> dict[str, nf.Frame]:
     ("name", "epsilon", "least"),
     [("truth", 17.03, 1.0), ("conventional", 3.1, 0.25), ("continuous", 200.3, 5.0)],
 )
-def test_discontinuity_is_its_definition(frames: dict[str, nf.Frame], name: str, epsilon: float, least: float) -> None:
+def test_discontinuity_equals_its_definition(
+    frames: dict[str, nf.Frame], name: str, epsilon: float, least: float
+) -> None:
     expected = slow_discontinuity(frames[name], epsilon, least)
     found = nf.discontinuity(frames[name], epsilon=epsilon, min_distance=least)
     np.testing.assert_array_equal(np.isnan(found), np.isnan(expected))
-    # Points whose distance is ε to float32 may count or not: one of some hundred neighbours. Whole numbers would be
-    # the distances of all pixels that are not moved, so ε is none.
+    # A point whose distance equals ε to float32 may count or not: one of some hundred neighbours. Unmoved pixels
+    # have integer distances, so ε is not an integer.
     np.testing.assert_allclose(found, expected, rtol=2e-4, atol=2e-3)
 
 
-def test_the_truth_is_whole(frames: dict[str, nf.Frame]) -> None:
+def test_the_truth_has_no_discontinuity(frames: dict[str, nf.Frame]) -> None:
     # Positions on triangles of 4,000 m are rounded to 2.4e-4 m, which 5 m away is 2e-3 px of the 96 across 90 degrees.
     assert np.nanmax(np.abs(nf.discontinuity(frames["truth"]))) < 2e-3
 
 
-def test_walls_are_torn_at_the_boundary_by_the_conventional_method_alone() -> None:
+def test_only_the_conventional_method_tears_walls_at_the_boundary() -> None:
     channels = ("color", "range")
     reduced = nf.reduce(street(ground=False), center=CENTER, r1=R1, r2=R2, face_size=256, samples=1, channels=channels)
     view = camera(CENTER + np.array([0, 0.2, 7.0]), (1, 0.0, -0.5), (320, 200))
@@ -78,7 +80,7 @@ def test_walls_are_torn_at_the_boundary_by_the_conventional_method_alone() -> No
 
 
 def test_a_truth_of_another_size_is_refused(frames: dict[str, nf.Frame]) -> None:
-    # Half the pixels across would halve every distance in the truth, and an intact picture would be torn.
+    # With half the pixels across, every distance in the truth would be halved, and an intact picture would be torn.
     frame = frames["truth"]
     half = nf.Camera(frame.camera.position, frame.camera.orientation, fov=frame.camera.fov, size=(48, 30))
     for wrong in (half, nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90, 1), size=(96, 61))):
@@ -102,7 +104,7 @@ def test_pixels_without_a_surface_or_neighbours_have_none(frames: dict[str, nf.F
 
 
 @given(st.integers(0, 2**32 - 1), st.floats(0.3, 40), st.floats(0.05, 3))
-def test_any_points_have_their_definition(seed: int, epsilon: float, least: float) -> None:
+def test_random_points_equal_the_definition(seed: int, epsilon: float, least: float) -> None:
     # Points in clusters, far outside the picture, behind the camera, and missing ones.
     random = np.random.default_rng(seed)
     view = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90, 1.5), size=(27, 18))
@@ -116,7 +118,7 @@ def test_any_points_have_their_definition(seed: int, epsilon: float, least: floa
     assert differs.mean() <= 0.02
 
 
-def test_every_pixel_at_one_place_and_none_at_all() -> None:
+def test_coincident_and_missing_pixels_are_handled() -> None:
     view = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90, 1), size=(12, 12))
     heap = nf.Frame(view, position=np.full((12, 12, 3), [0, 0, -5], np.float32))
     # All pixels are neighbours at distance 0, which is raised to a pixel: δ + 1 is the mean distance of pixels.
@@ -127,8 +129,8 @@ def test_every_pixel_at_one_place_and_none_at_all() -> None:
     assert np.isnan(nf.discontinuity(nothing)).all()
 
 
-def test_outlines_before_what_is_far_are_no_surfaces_across_the_radius() -> None:
-    """A floor that crosses the radius, and a wall that ends there before another one far behind."""
+def test_outlines_in_front_of_far_surfaces_do_not_cross_the_radius() -> None:
+    """Measures a floor that crosses the radius, and a wall that ends there in front of another one far behind."""
     columns, rows = np.meshgrid(np.arange(40), np.arange(30))
     ahead = np.where(rows < 15, np.where(columns < 20, 49.5, 90.0), 48.0 + (29 - rows) * 0.3)
     position = np.stack([np.zeros_like(ahead), np.zeros_like(ahead), -ahead], axis=-1).astype(np.float32)

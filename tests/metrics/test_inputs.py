@@ -1,4 +1,4 @@
-"""Tests of what metrics take for a picture and its range of values, and of what they refuse."""
+"""Tests of pictures and value ranges that metrics accept, and of refused inputs."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ METRICS: dict[str, Metric] = {
 
 
 @pytest.mark.parametrize("name", sorted(METRICS.keys() - {"ssim_pairs"}))
-def test_frames_take_no_data_range(name: str) -> None:
+def test_frames_refuse_a_data_range(name: str) -> None:
     frames = [nf.render(street(), camera(CENTER, (1, y, 0)), channels=("color",)) for y in (0, 0.02)]
     assert np.isfinite(METRICS[name](*frames))
     for wrong in (255, 1.0):
@@ -71,7 +71,7 @@ def test_values_that_differ_by_more_than_the_range_are_refused(name: str, kind: 
     st.sampled_from([np.uint8, np.float32, np.float64]),
     st.sampled_from(["rows", "columns"]),
 )
-def test_no_pixel_is_overlooked(seed: int, shape: tuple[int, int], name: str, kind: type, layout: str) -> None:
+def test_every_pixel_is_checked(seed: int, shape: tuple[int, int], name: str, kind: type, layout: str) -> None:
     random = np.random.default_rng(seed)
     a, b = (np.asarray(p, order="C" if layout == "rows" else "F") for p in random.integers(60, 161, (2, *shape)))
     one: NDArray[Any] = np.asarray(a, kind)
@@ -86,12 +86,12 @@ def test_no_pixel_is_overlooked(seed: int, shape: tuple[int, int], name: str, ki
             METRICS[name](one, other, data_range=100)
 
 
-def test_rounding_is_allowed_and_overshoots_are_not() -> None:
+def test_rounding_is_tolerated_and_overshoots_are_not() -> None:
     white = np.ones((20, 30), np.float32)
     luma = white + np.finfo(np.float32).eps
     assert nf.psnr(luma, 0 * white, data_range=1) == pytest.approx(0.0, abs=1e-5)
     assert nf.ssim(luma.astype(np.float64), 0 * white, data_range=1) < 1e-3
-    # Steps of float32 at 9,000 are a thousandth.
+    # Float32 steps at 9,000 are a thousandth.
     level = white * np.float32(9000.1)
     nf.ssim(level, level + np.float32(1.0), data_range=1)
     for overshoot in (1e-3, 1e-5):
@@ -101,7 +101,7 @@ def test_rounding_is_allowed_and_overshoots_are_not() -> None:
 
 @pytest.mark.parametrize("masking", ["mean", "windows"])
 @pytest.mark.parametrize("window", ["gaussian", "uniform", "global"])
-def test_only_what_windows_see_of_masked_pictures_counts(masking: str, window: str) -> None:
+def test_only_pixels_in_windows_of_a_mask_are_checked(masking: str, window: str) -> None:
     a, b = pictures(60, 300)
     mask = np.zeros(a.shape, bool)
     mask[20:23, 20] = mask[40, 200:230] = True
@@ -145,7 +145,7 @@ def test_pairs_are_checked_one_by_one() -> None:
 
 # channels -------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("name", ["ssim", "ms_ssim", "visual_continuity"])
-def test_channels_are_the_last_axis_or_said(name: str) -> None:
+def test_the_channel_axis_is_the_last_one_or_explicit(name: str) -> None:
     a, b = (np.stack([p, p**2, 1 - p]) for p in pictures(60, 80))
     metric = METRICS[name]
     expected = metric(np.moveaxis(a, 0, -1), np.moveaxis(b, 0, -1), data_range=1)
@@ -188,7 +188,7 @@ def test_alpha_is_refused(name: str, channels: int) -> None:
         assert np.isfinite(metric(a.reshape(40, -1), b.reshape(40, -1), **options))
 
 
-def test_stacks_of_colours_are_told_from_stacks_of_pictures() -> None:
+def test_colour_channels_are_distinguished_from_stacks() -> None:
     a, b = np.random.default_rng(0).random((2, 5, 30, 40, 3))
     with pytest.raises(ValueError, match="references: expected shape"):
         nf.ssim_pairs(a, b, data_range=1)

@@ -1,4 +1,4 @@
-"""Tests of the similarity of consecutive pictures with the motion taken out."""
+"""Tests of the similarity of consecutive pictures after motion compensation."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ import nearfar as nf
 SIZE = (48, 32)
 CAMERA = nf.Camera((0.0, 0.0, 0.0), fov=nf.Orthographic(-24, 24, -16, 16), size=SIZE)
 STEP = 3
-"""Pixels by which pictures move to the left."""
+"""Shift of the pictures to the left, pixels."""
 
 
 def pictures(change: float = 0.0) -> tuple[nf.Frame, nf.Frame]:
-    """A wall before an eye that moves by three of its pixels, and whose colours change."""
+    """Return two pictures of a wall whose colours change, from an eye that moves by three of its pixels."""
     rng = np.random.default_rng(6)
     wall = rng.uniform(0.1, 0.9, (SIZE[1], SIZE[0] + STEP, 3)).astype(np.float32)
     changed = np.clip(wall + change * rng.normal(size=wall.shape), 0, 1).astype(np.float32)
@@ -29,14 +29,14 @@ def pictures(change: float = 0.0) -> tuple[nf.Frame, nf.Frame]:
 
 
 def compared(earlier: nf.Frame, later: nf.Frame, seen: NDArray[np.bool_]) -> float:
-    """SSIM of the later picture and the shifted earlier one, over pixels that both see."""
+    """Return SSIM of the later picture and the shifted earlier one, over pixels that both see."""
     color = later.require("color").copy()
     shifted = np.roll(earlier.require("color"), -STEP, axis=1)
     color[seen] = shifted[seen]
     return float(nf.ssim(replace(later, color=color), later, mask=seen))
 
 
-def test_a_wall_that_moves_is_the_same() -> None:
+def test_a_moved_wall_has_similarity_one() -> None:
     assert nf.motion_ssim(*pictures()) == pytest.approx(1.0, abs=1e-9)
     assert nf.ssim(*pictures()) < 0.2
 
@@ -45,7 +45,7 @@ def test_a_wall_that_moves_is_the_same() -> None:
 def test_changes_count_as_in_ssim(change: float) -> None:
     earlier, later = pictures(change)
     seen = np.ones(SIZE[::-1], bool)
-    # Only what was in the earlier picture counts, up to its border's outer edge.
+    # Only pixels that were in the earlier picture count, up to its border's outer edge.
     seen[:, -STEP:] = False
     found = nf.motion_ssim(earlier, later, full=True)
     assert float(found) == pytest.approx(compared(earlier, later, seen), abs=1e-6)
@@ -53,7 +53,7 @@ def test_changes_count_as_in_ssim(change: float) -> None:
     assert found.map.shape == SIZE[::-1]
 
 
-def test_what_comes_into_sight_does_not_count() -> None:
+def test_disoccluded_pixels_do_not_count() -> None:
     earlier, later = pictures(0.1)
     hidden = earlier.require("range").copy()
     hidden[10:20, 20:30] = 4.0
@@ -66,8 +66,8 @@ def test_what_comes_into_sight_does_not_count() -> None:
     assert float(found) == pytest.approx(compared(earlier, later, seen), abs=1e-6)
 
 
-def test_truth_of_a_scene_is_alike() -> None:
-    """Pictures of a scene from an eye that moves differ by sampling alone."""
+def test_true_pictures_of_a_scene_are_similar() -> None:
+    """Pictures of a scene from a moving eye differ by sampling alone."""
     scene = nf.datasets.room()
     first, second = (nf.Camera((0.02 * n, 1.6, 0.0), fov=nf.Fov.symmetric(80, 1.5), size=(150, 100)) for n in range(2))
     settings = {"samples": 16, "backend": "cpu"}
@@ -78,7 +78,7 @@ def test_truth_of_a_scene_is_alike() -> None:
     assert 1 - found < 0.5 * (1 - still), (found, still)
 
 
-def test_bad_input_is_refused() -> None:
+def test_invalid_input_of_motion_similarity_is_refused() -> None:
     earlier, later = pictures()
     with pytest.raises(ValueError, match=r"later: .*motion"):
         nf.motion_ssim(earlier, replace(later, motion=None))

@@ -17,7 +17,7 @@ from tests.support.reduce_cases import CENTER, camera, street
 from tests.support.similarity_oracle import pictures
 
 
-def test_errors_are_their_definition() -> None:
+def test_errors_equal_their_definition() -> None:
     a, b = pictures()
     assert nf.psnr(a, a, data_range=1) == math.inf
     assert nf.rmse(a, a) == 0.0
@@ -27,7 +27,7 @@ def test_errors_are_their_definition() -> None:
 
 
 @given(st.integers(0, 2**32 - 1), st.integers(1, 9), st.integers(1, 40_000), st.sampled_from([np.uint8, np.uint16]))
-def test_whole_numbers_are_summed_without_rounding(seed: int, height: int, width: int, kind: type) -> None:
+def test_integers_are_summed_without_rounding(seed: int, height: int, width: int, kind: type) -> None:
     random = np.random.default_rng(seed)
     a, b = random.integers(0, np.iinfo(kind).max, (2, height, width), endpoint=True).astype(kind)
     if seed % 3 == 0:
@@ -42,7 +42,7 @@ def test_pictures_that_are_tall_and_narrow_need_no_memory() -> None:
     assert nf.ssim(tall, tall, data_range=1, window="global") == 1.0
 
 
-def test_psnr_is_scikit_images() -> None:
+def test_psnr_equals_scikit_image() -> None:
     need("skimage")
     from skimage.metrics import peak_signal_noise_ratio
 
@@ -52,7 +52,7 @@ def test_psnr_is_scikit_images() -> None:
     assert nf.psnr(*small, data_range=1) == pytest.approx(nf.psnr(a, b, data_range=1), abs=1e-4)
 
 
-def test_eight_bits_and_frames_are_taken_as_they_are() -> None:
+def test_8_bit_pictures_and_frames_are_compared_directly() -> None:
     a, b = (np.round(255 * p).astype(np.uint8) for p in pictures())
     assert nf.psnr(a, b, data_range=255) == pytest.approx(nf.psnr(a / 255, b / 255, data_range=1), abs=1e-10)
     view = camera(CENTER, (1, 0, 0))
@@ -82,7 +82,7 @@ def test_refuses_what_cannot_be_compared(call: Any, message: str) -> None:
 
 
 @given(st.lists(st.tuples(st.integers(-1, 5), st.integers(-1, 5)), min_size=1, max_size=60))
-def test_object_completion_is_its_definition(pairs: list[tuple[int, int]]) -> None:
+def test_object_completion_equals_its_definition(pairs: list[tuple[int, int]]) -> None:
     reference, test = (np.array(ids, np.int32) for ids in zip(*pairs, strict=True))
     objects = [o for o in range(6) if (reference == o).any()]
     found = nf.object_completion(reference, test)
@@ -94,7 +94,7 @@ def test_object_completion_is_its_definition(pairs: list[tuple[int, int]]) -> No
     assert found[1] == pytest.approx(np.mean([min(here, there) / there for there, here in counts]))
 
 
-def test_object_numbers_may_be_great_and_few() -> None:
+def test_object_numbers_may_be_large_and_sparse() -> None:
     reference = np.array([2**31 - 1, 2**31 - 1, 2**30, -1, 0, 0, 0, 0], np.int32)
     test = np.array([2**31 - 1, 5, 6, 7, 0, 0, -(2**31), 0], np.int32)
     assert nf.object_completion(reference, test) == pytest.approx((2 / 3, (0.5 + 0.75) / 3))

@@ -1,4 +1,4 @@
-"""Tests of the check of pictures' values against `data_range`, by NumPy over all that windows see."""
+"""Tests of the check of pictures' values against `data_range`, by NumPy over all pixels in windows."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ INTERVALS: dict[type, list[tuple[float, float]]] = {
     np.float32: [(0, 1), (-0.5, 0.5), (-1, 1), (100, 300)],
     np.float64: [(0, 1), (-0.5, 0.5), (-1, 1), (100, 300), (1e6, 1e6 + 1)],
 }
-"""Least and greatest value of pictures of each type, whose difference is `data_range`."""
+"""Minimum and maximum value of pictures of each type, whose difference is `data_range`."""
 
 METRICS: dict[str, Callable[..., Any]] = {
     "ssim": nf.ssim,
@@ -37,7 +37,7 @@ SHAPES = st.tuples(st.integers(60, 200), st.integers(80, 290))
 
 
 def between(random: np.random.Generator, kind: type, shape: tuple[int, int], ends: tuple[float, float]) -> Picture:
-    """Two pictures of values within an interval, of which each occurs at both ends."""
+    """Return two pictures with values in an interval, whose ends both occur."""
     values = random.uniform(*ends, (2, *shape))
     both: Picture = np.asarray(np.round(values) if np.issubdtype(kind, np.integer) else values, kind)
     for picture in both:
@@ -47,7 +47,7 @@ def between(random: np.random.Generator, kind: type, shape: tuple[int, int], end
 
 
 def refusal(values: Picture, extent: float) -> str | None:
-    """Message that values seen by windows call for; None if they lie within the range."""
+    """Return the expected message for values in windows; None if they lie within the range."""
     least, greatest = float(np.nanmin(values)), float(np.nanmax(values))
     allowed = 0.0
     if values.dtype.kind == "f":
@@ -61,7 +61,7 @@ def refusal(values: Picture, extent: float) -> str | None:
 
 
 def check(metric: Callable[..., Any], both: Picture, seen: Any, extent: float, **options: Any) -> bool:
-    """Compare a metric's answer with NumPy's; whether it accepts the pictures."""
+    """Compare a metric's answer with NumPy's; returns whether it accepts the pictures."""
     expected = refusal(both[:, seen], extent)
     if expected is None:
         assert np.isfinite(np.mean(metric(*both, data_range=extent, **options)))
@@ -93,7 +93,7 @@ def test_values_may_lie_in_any_interval_as_long_as_the_range(
 
 
 @pytest.mark.parametrize("kind", [np.float32, np.float64])
-def test_a_part_below_zero_and_another_at_the_range_are_taken_together(kind: type) -> None:
+def test_values_below_zero_and_at_the_range_are_combined(kind: type) -> None:
     both: Picture = np.full((2, 200, 300), 0.5, kind)
     both[0, 10, 10], both[1, 190, 290] = -0.25, 1
     assert not check(nf.ssim, both, ..., 1.0)
@@ -112,7 +112,7 @@ def test_a_part_below_zero_and_another_at_the_range_are_taken_together(kind: typ
     st.sampled_from(["mean", "windows"]),
     st.booleans(),
 )
-def test_only_what_windows_of_a_mask_see_is_told(
+def test_messages_cover_only_windows_of_a_mask(
     seed: int, shape: tuple[int, int], kind: type, masking: str, full: bool
 ) -> None:
     random = np.random.default_rng(seed)
@@ -133,7 +133,7 @@ def test_only_what_windows_of_a_mask_see_is_told(
         assert check(metric, both, named, extent, **options)
         for place in random.integers(0, both[0].size, 6):
             both[int(random.integers(2))].flat[place] = 0 if is_whole else -0.75 * extent
-        # Values that no window sees may be anything.
+        # Values outside all windows are arbitrary.
         both[0].flat[random.choice(np.flatnonzero(~named))] = np.iinfo(kind).max if is_whole else np.nan
         check(metric, both, named, extent, **options)
         both[1].flat[random.choice(np.flatnonzero(named))] = ends[1] + (1 if is_whole else extent)

@@ -20,7 +20,7 @@ TYPES: dict[Any, float] = {np.uint8: 255.0, np.uint16: 65535.0, np.float32: 1.0,
 
 
 def typed(kind: type, *, height: int = 23, width: int = 29) -> tuple[NDArray[Any], NDArray[Any], float]:
-    """Two pictures of a type, and their data range."""
+    """Return two pictures of a type, and their data range."""
     extent = TYPES[kind]
     a, b = pictures(height, width)
     if kind in (np.uint8, np.uint16):
@@ -30,7 +30,7 @@ def typed(kind: type, *, height: int = 23, width: int = 29) -> tuple[NDArray[Any
 
 @pytest.mark.parametrize("kind", list(TYPES))
 @pytest.mark.parametrize(("window", "size"), [("gaussian", 11), ("gaussian", 10), ("uniform", 7), ("uniform", 4)])
-def test_similarity_is_its_definition(kind: type, window: str, size: int) -> None:
+def test_similarity_equals_its_definition(kind: type, window: str, size: int) -> None:
     a, b, extent = typed(kind)
     expected, _ = slow_maps(a, b, weights(window, size), extent)
     mean, found = nf.ssim(a, b, data_range=extent, window=window, size=size, full=True)
@@ -40,7 +40,7 @@ def test_similarity_is_its_definition(kind: type, window: str, size: int) -> Non
     assert mean == pytest.approx(inner_values(expected, size).mean(), abs=1e-13 if kind == np.float64 else 2e-7)
 
 
-def test_every_convention_has_its_definition() -> None:
+def test_every_convention_equals_its_definition() -> None:
     a, b, extent = typed(np.float64)
     options: dict[str, Any] = {"data_range": extent, "window": "uniform", "size": 5}
     line = weights("uniform", 5)
@@ -59,7 +59,7 @@ def test_every_convention_has_its_definition() -> None:
 
 
 @pytest.mark.parametrize("sample", [False, True])
-def test_the_global_window_is_the_whole_picture(sample: bool) -> None:
+def test_the_global_window_covers_the_whole_picture(sample: bool) -> None:
     a, b, _ = typed(np.float64)
     c1, c2, factor = 1e-4, 9e-4, a.size / (a.size - 1) if sample else 1.0
     covariance = ((a - a.mean()) * (b - b.mean())).mean() * factor
@@ -70,7 +70,7 @@ def test_the_global_window_is_the_whole_picture(sample: bool) -> None:
 
 
 @pytest.mark.parametrize("channels", [0, 3])
-def test_similarity_is_scikit_images(channels: int) -> None:
+def test_similarity_equals_scikit_image(channels: int) -> None:
     need("skimage")
     from skimage.metrics import structural_similarity
 
@@ -91,7 +91,7 @@ def test_similarity_is_scikit_images(channels: int) -> None:
         np.testing.assert_allclose(found, expected, rtol=0, atol=1e-10)
 
 
-def test_the_camera_with_noise_has_the_value_that_imdiff_finds() -> None:
+def test_the_noisy_camera_picture_has_the_value_of_imdiff() -> None:
     need("data")
     from PIL import Image
 
@@ -107,7 +107,7 @@ sizes = st.tuples(st.integers(1, 40), st.integers(1, 40))
 
 
 @given(sizes, st.sampled_from(list(TYPES)), st.sampled_from(["gaussian", "uniform", "global"]), st.integers(1, 13))
-def test_identities(shape: tuple[int, int], kind: type, window: str, size: int) -> None:
+def test_identical_pictures_have_similarity_one(shape: tuple[int, int], kind: type, window: str, size: int) -> None:
     a, b, extent = typed(kind, height=shape[0], width=shape[1])
     options: dict[str, Any] = {"data_range": extent, "window": window, "size": size}
     mean, found = nf.ssim(a, b, full=True, **options)
@@ -123,7 +123,7 @@ def test_identities(shape: tuple[int, int], kind: type, window: str, size: int) 
 
 
 @given(st.integers(0, 2**32 - 1), sizes, st.integers(1, 12), st.sampled_from(["gaussian", "uniform"]))
-def test_any_pictures_have_their_definition(seed: int, shape: tuple[int, int], size: int, window: str) -> None:
+def test_random_pictures_equal_the_definition(seed: int, shape: tuple[int, int], size: int, window: str) -> None:
     random = np.random.default_rng(seed)
     a, b = random.normal(random.normal() * 10, 10 ** random.uniform(-3, 2), (2, *shape))
     expected, _ = slow_maps(a, b, weights(window, size), 2.0)
@@ -134,7 +134,7 @@ def test_any_pictures_have_their_definition(seed: int, shape: tuple[int, int], s
     assert mean == pytest.approx(inner_values(expected, size).mean(), abs=tolerance)
 
 
-def test_masks_choose_what_counts() -> None:
+def test_masks_select_pixels() -> None:
     a, b = pictures()
     mask = np.zeros(a.shape, bool)
     mask[10:20, 15:30] = True
@@ -158,7 +158,7 @@ def test_masks_choose_what_counts() -> None:
 
 
 @given(st.integers(0, 2**32 - 1), sizes, st.integers(1, 12), st.sampled_from([np.float32, np.float64]))
-def test_windows_that_see_only_the_mask(seed: int, shape: tuple[int, int], size: int, kind: type) -> None:
+def test_windows_within_the_mask_equal_the_definition(seed: int, shape: tuple[int, int], size: int, kind: type) -> None:
     random = np.random.default_rng(seed)
     a, b = random.uniform(0, 1, (2, *shape)).astype(kind)
     mask = random.uniform(size=shape) < random.uniform(0.05, 1)
@@ -175,7 +175,7 @@ def test_windows_that_see_only_the_mask(seed: int, shape: tuple[int, int], size:
 
 
 def layouts(a: NDArray[Any]) -> Iterator[NDArray[Any]]:
-    """The same values in other memory layouts."""
+    """Return the same values in other memory layouts."""
     yield np.asfortranarray(a)
     yield np.repeat(np.repeat(a, 2, axis=0), 3, axis=1)[::2, ::3]
     yield a[::-1, ::-1].copy()[::-1, ::-1]
@@ -219,7 +219,7 @@ def test_axes_of_one_pixel_may_have_any_step() -> None:
     assert nf.rmse(one, one + 1) == 1.0
 
 
-def test_types_meet_in_the_smallest_that_holds_both() -> None:
+def test_mixed_types_use_the_smallest_common_type() -> None:
     a, b, _ = typed(np.uint8)
     exact = nf.ssim(a, b, data_range=255)
     for kind in (np.uint16, np.int16, np.int64, np.float16, np.float32, np.float64):
@@ -227,7 +227,7 @@ def test_types_meet_in_the_smallest_that_holds_both() -> None:
     assert nf.ssim(a > 127, b > 127, data_range=1) == nf.ssim((a > 127).astype(np.uint8), b > 127, data_range=1)
 
 
-def test_what_float32_cannot_hold_is_done_in_float64() -> None:
+def test_values_beyond_float32_are_computed_in_float64() -> None:
     a, b, _ = typed(np.float32)
     expected = nf.ssim(a, b, data_range=1)
     for scale in (1e-18, 1e-8, 1e10, 1e30):
@@ -236,7 +236,7 @@ def test_what_float32_cannot_hold_is_done_in_float64() -> None:
         assert nf.ssim(*(p.astype(np.float64) for p in small), data_range=scale) == pytest.approx(expected, abs=1e-5)
 
 
-def test_pairs_are_what_single_calls_find() -> None:
+def test_pairs_equal_single_calls() -> None:
     random = np.random.default_rng(0)
     views = random.uniform(size=(4, 1, 30, 41))
     levels = np.clip(views + 0.1 * random.normal(size=(4, 3, 30, 41)), 0, 1)
@@ -262,7 +262,7 @@ def test_pairs_are_what_single_calls_find() -> None:
     assert nf.ssim_pairs(views[:0], levels[:0], data_range=1).shape == (0, 3)
 
 
-def test_several_scales_are_their_definition() -> None:
+def test_multiple_scales_equal_their_definition() -> None:
     a, b = pictures(181, 193)
     line, exponents = weights("gaussian", 11), np.array([0.0448, 0.2856, 0.3001, 0.2363, 0.1333])
     first, second, factors = a, b, []
@@ -283,7 +283,7 @@ def test_several_scales_are_their_definition() -> None:
         nf.ms_ssim(a[:150], b[:150], data_range=1)
 
 
-def test_sequences_are_read_as_they_go() -> None:
+def test_sequences_are_read_lazily() -> None:
     a, b = pictures()
     read = []
 

@@ -14,7 +14,7 @@ from tests.support.similarity_oracle import pictures, slow_maps, slow_masked, un
 
 
 def hard_pictures() -> Iterator[tuple[str, NDArray[np.float32], NDArray[np.float32], float]]:
-    """Float32 pictures whose variance is easily lost in rounding."""
+    """Return float32 pictures whose variance is easily lost in rounding."""
     a, b = (p.astype(np.float32) for p in pictures(150, 210))
     for offset in (10.0, 1e3, 1e4):
         yield f"offset {offset:g}", a + np.float32(offset), b + np.float32(offset), 1.0
@@ -29,7 +29,7 @@ def hard_pictures() -> Iterator[tuple[str, NDArray[np.float32], NDArray[np.float
 
 
 @pytest.mark.parametrize("case", list(hard_pictures()), ids=lambda case: case[0])
-def test_float32_stays_with_float64(case: tuple[str, NDArray[np.float32], NDArray[np.float32], float]) -> None:
+def test_float32_agrees_with_float64(case: tuple[str, NDArray[np.float32], NDArray[np.float32], float]) -> None:
     _, a, b, extent = case
     windows: list[dict[str, Any]] = [{}, {"window": "uniform", "size": 7}, {"window": "gaussian", "size": 10}]
     for window in windows:
@@ -41,7 +41,7 @@ def test_float32_stays_with_float64(case: tuple[str, NDArray[np.float32], NDArra
 
 
 def outliers(kind: type) -> Iterator[tuple[str, NDArray[Any], NDArray[Any]]]:
-    """Pictures whose values lie far apart, so that no value is near their mean."""
+    """Return pictures whose values lie far apart, so that no value is near their mean."""
     random = np.random.default_rng(3)
     base = 0.5 + 0.1 * random.random((100, 140))
     noisy = base + 0.02 * random.random(base.shape)
@@ -59,7 +59,7 @@ def outliers(kind: type) -> Iterator[tuple[str, NDArray[Any], NDArray[Any]]]:
 
 @pytest.mark.parametrize("kind", [np.float32, np.float64])
 @pytest.mark.parametrize("window", ["gaussian", "uniform"])
-def test_digits_are_kept_beside_outliers(kind: type, window: str) -> None:
+def test_precision_is_kept_beside_outliers(kind: type, window: str) -> None:
     size = 11 if window == "gaussian" else 4
     for name, a, b in outliers(kind):
         exact, _ = slow_maps(a[30:70, 40:80], b[30:70, 40:80], weights(window, size), 1.0)
@@ -82,7 +82,7 @@ def test_digits_are_kept_beside_outliers(kind: type, window: str) -> None:
 
 
 @pytest.mark.parametrize("kind", [np.float32, np.float64])
-def test_what_no_window_of_a_mask_sees_has_no_effect(kind: type) -> None:
+def test_pixels_outside_windows_of_a_mask_have_no_effect(kind: type) -> None:
     for name, a, b in outliers(kind):
         # Far from all outliers, though these lie within the mask's box.
         far = np.abs(a) > 1
@@ -101,7 +101,7 @@ def test_what_no_window_of_a_mask_sees_has_no_effect(kind: type) -> None:
         assert nf.ssim(a, b, **options, mask=~far) == pytest.approx(expected, abs=tolerance), name
 
 
-def test_even_areas_far_from_the_level_are_rounded_alike_and_still_exact() -> None:
+def test_uniform_areas_far_from_the_mean_stay_exact() -> None:
     # Two halves of one tile: rounding is the same for all windows of a half and does not average out.
     left = np.arange(128) < 64
     random = np.random.default_rng(0)
@@ -123,7 +123,7 @@ def test_even_areas_far_from_the_level_are_rounded_alike_and_still_exact() -> No
         assert apart(np.where(left, -level, level) + steps, np.where(left, -level, level) + share * steps) < 1e-6
 
 
-def test_values_about_zero_and_beyond_the_range_keep_their_luminance() -> None:
+def test_values_around_zero_and_beyond_the_range_keep_their_luminance() -> None:
     random = np.random.default_rng(1)
     noise = random.standard_normal((60, 150))
     other = noise + 0.5 * random.standard_normal(noise.shape)
@@ -136,7 +136,7 @@ def test_values_about_zero_and_beyond_the_range_keep_their_luminance() -> None:
             np.testing.assert_allclose(found, exact, rtol=0, atol=1e-5, err_msg=f"{scale} {step}")
 
 
-def test_contrasts_beyond_the_exponents_are_not_taken_for_none() -> None:
+def test_extreme_contrasts_are_not_treated_as_zero() -> None:
     checks = (np.indices((60, 80)).sum(axis=0) % 2) * 2.0 - 1.0
     for kind in (np.float32, np.float64):
         # At greater scales the rounding of the mean exceeds c1, and the similarity is undefined.
@@ -147,7 +147,7 @@ def test_contrasts_beyond_the_exponents_are_not_taken_for_none() -> None:
 
 
 @pytest.mark.parametrize(("size", "sigma"), [(10, 0.01), (11, 0.01), (10, 1e-200), (4, 1e3), (1, 0.1)])
-def test_any_width_of_the_window_has_weights(size: int, sigma: float) -> None:
+def test_windows_of_any_width_have_weights(size: int, sigma: float) -> None:
     a, b = pictures(23, 29)
     offsets = np.abs(np.arange(size) - (size - 1) / 2)
     line = (
@@ -170,7 +170,7 @@ def test_float64_keeps_the_variance_at_any_level() -> None:
 
 
 @pytest.mark.parametrize("masking", ["mean", "windows"])
-def test_pixels_that_no_window_of_a_mask_sees_change_no_bit(masking: str) -> None:
+def test_pixels_outside_windows_of_a_mask_change_no_bit(masking: str) -> None:
     random = np.random.default_rng(0)
     for _ in range(50):
         height, width = random.integers(30, 60, 2)

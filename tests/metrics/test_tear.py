@@ -1,4 +1,4 @@
-"""Tests of tear against its definition, and on maps whose tear is known."""
+"""Tests of tear against its definition, and on maps with a known tear."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ UNIT_STEP = np.sqrt(0.25 - 4 * (2 / (3 * np.pi)) ** 2)
 
 
 def slow_tear(frame: nf.Frame, epsilon: float) -> Array:
-    """Every pixel against every other, by least squares."""
+    """Compare every pixel with every other, by least squares."""
     truth = frame.camera.project(frame.require("position").astype(np.float64).reshape(-1, 3) + frame.origin)
     here = pixels(VIEW).reshape(-1, 2)
     known = np.isfinite(truth).all(axis=1) & (truth[:, 2] > 0)
@@ -35,7 +35,7 @@ def slow_tear(frame: nf.Frame, epsilon: float) -> Array:
 
 
 @pytest.mark.parametrize("epsilon", [2.3, 4.0, 9.1])
-def test_tear_is_its_definition(epsilon: float) -> None:
+def test_tear_equals_its_definition(epsilon: float) -> None:
     random = np.random.default_rng(5)
     wavy = pixels(VIEW) + 3 * np.sin(pixels(VIEW)[..., ::-1] / 3) + random.normal(size=(48, 64, 2)) * 0.3
     frame = picture(wavy, VIEW)
@@ -49,9 +49,9 @@ def test_tear_is_its_definition(epsilon: float) -> None:
 
 @pytest.mark.slow
 @given(st.integers(0, 2**32 - 1), st.floats(0.3, 30))
-def test_any_points_have_their_definition(seed: int, epsilon: float) -> None:
+def test_random_points_equal_the_definition_of_tear(seed: int, epsilon: float) -> None:
     random = np.random.default_rng(seed)
-    # Places that differ by less than 10⁻⁴ pixels are rounding: whether they lie on a line is no matter of the picture.
+    # Positions that differ by less than 10⁻⁴ pixels are rounding, which decides whether they are collinear.
     spreads = [(0.01, 0.01), *((wide, wide * thin) for wide in (1, 30, 1000) for thin in (1, 0, 1e-3))]
     truth = MIDDLE + random.normal(size=(SIZE[1], SIZE[0], 2)) * random.choice(np.array(spreads))
     frame = picture(truth, VIEW)
@@ -70,7 +70,7 @@ def test_affine_maps_have_no_tear(shear: float) -> None:
 @pytest.mark.parametrize("shear", [0.0, 0.5, 5.0])
 @pytest.mark.parametrize("direction", [0.0, 0.5, 1.2, np.pi / 2])
 @pytest.mark.parametrize("kind", ["opening", "sliding"])
-def test_a_tear_has_its_width_in_every_direction_at_every_shear(kind: str, direction: float, shear: float) -> None:
+def test_tear_measures_width_in_every_direction_at_every_shear(kind: str, direction: float, shear: float) -> None:
     for tear in (1.0, 3.0, 10.0, 40.0):
         found = at_the_line(nf.tear(torn(tear, direction, kind=kind, shear=shear)), tear, direction, kind=kind)
         # Neighbourhoods hold some fifty pixels, and the line is up to a pixel beside their middles.
@@ -89,13 +89,13 @@ def test_curvature_adds_little_to_a_tear(direction: float) -> None:
 
 
 @pytest.mark.parametrize("direction", [0.0, 0.5, np.pi / 2])
-def test_an_overlap_that_hides_a_side_reads_nothing(direction: float) -> None:
+def test_an_overlap_that_hides_a_side_measures_zero(direction: float) -> None:
     found = nf.tear(torn(10.0, direction, kind="overlap"))
     assert at_the_line(found, 10.0, direction, kind="overlap").max() < 1e-3
 
 
 @pytest.mark.parametrize(("epsilon", "columns"), [(4.0, (77, 82)), (2.0, (79, 80))])
-def test_borders_part_neighbourhoods(epsilon: float, columns: tuple[int, int]) -> None:
+def test_borders_separate_neighbourhoods(epsilon: float, columns: tuple[int, int]) -> None:
     left = pixels(WIDE)[..., 0] < 80.2
     both = _tears(torn(0.0, 0.0), WIDE, epsilon, side=left)[1]
     found = np.flatnonzero(both.any(axis=0))
@@ -103,7 +103,7 @@ def test_borders_part_neighbourhoods(epsilon: float, columns: tuple[int, int]) -
     assert not _tears(torn(0.0, 0.0), WIDE, epsilon, side=np.ones_like(left))[1].any()
 
 
-def test_only_what_is_wanted_is_measured() -> None:
+def test_only_requested_pixels_are_measured() -> None:
     frame = torn(3.0, 0.5)
     wanted = np.random.default_rng(3).random((160, 160)) < 0.3
     some, every = _tears(frame, WIDE, 4.0, wanted=wanted)[0], nf.tear(frame)
@@ -118,7 +118,7 @@ def plane() -> nf.Scene:
 
 
 def seen_ground(plane: nf.Scene, morph: str, r1: float, focal: float) -> nf.BoundaryTear:
-    """The border at 50 m of a reduced ground, seen from 8 m beside the centre, by bent rays without a map."""
+    """Return the border at 50 m of a reduced ground, seen from 8 m beside the centre, by bent rays without a map."""
     eye = np.array([0.0, 1.7, 0.0])
     reduced = nf.reduce(plane, center=eye, r1=r1, r2=50, morph=morph, face_size=16, channels=("color", "range"))
     half = 200.0 / focal
@@ -132,7 +132,7 @@ def seen_ground(plane: nf.Scene, morph: str, r1: float, focal: float) -> nf.Boun
 def test_the_conventional_method_tears_the_ground_and_the_continuous_one_bends_it(
     plane: nf.Scene, r1: float, gain: float
 ) -> None:
-    """Its tear grows with the picture's density; the bend keeps its value, and is nothing but a change of slope."""
+    """The tear grows with the picture's density; the bend keeps its value, being only a change of slope."""
     torn, bent = ([seen_ground(plane, morph, r1, focal) for focal in (480.0, 1146.0)] for morph in ("none", "blend"))
     assert torn[1].pixels_per_degree == pytest.approx(20.0, rel=1e-3)
     values = [found.tear or np.nan for found in (*torn, *bent)]
@@ -143,7 +143,7 @@ def test_the_conventional_method_tears_the_ground_and_the_continuous_one_bends_i
     assert (bent[1].kink or np.nan) > 0.95 * values[3]
 
 
-def test_a_border_out_of_sight_has_no_tear(plane: nf.Scene) -> None:
+def test_an_invisible_border_has_no_tear(plane: nf.Scene) -> None:
     camera = nf.Camera.look_at((0, 1.7, 0), (0, 9, -5), fov=nf.Fov.symmetric(60), size=(40, 30))
     frame = nf.render(plane, camera, channels=("position",))
     found = nf.boundary_tear(frame, center=(0, 1.7, 0), radius=50)

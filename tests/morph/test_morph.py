@@ -19,7 +19,7 @@ R1, R2 = 30.0, 50.0
 
 
 def oracle(point: Any, user: Any, center: Any, r1: float = R1, r2: float = R2) -> list[float]:
-    """Eq. 1–3 as printed, with 50 digits."""
+    """Evaluate Eq. 1–3 as printed, with 50 digits."""
     with localcontext() as context:
         context.prec = 50
         u, o, p = ([Decimal(float(x)) for x in vector] for vector in (user, center, point))
@@ -49,7 +49,7 @@ vectors = st.tuples(finite, finite, finite)
 
 
 @given(st.lists(vectors, min_size=1, max_size=80), st.tuples(*[st.floats(-12.0, 12.0)] * 3), st.floats(-1e7, 1e7))
-def test_streams_against_fifty_digits(points: list[Any], user: Any, shift: float) -> None:
+def test_points_equal_fifty_digit_arithmetic(points: list[Any], user: Any, shift: float) -> None:
     center = np.array([shift, 1.7, -shift])
     eye = center + np.array(user)
     offset = float(np.linalg.norm(eye - center))
@@ -61,15 +61,15 @@ def test_streams_against_fifty_digits(points: list[Any], user: Any, shift: float
             expected = np.array(oracle(point, eye, center))
             step = np.spacing(np.abs(expected).astype(given_points.dtype)).astype(np.float64)
             unit = 2.0**-24 if given_points.dtype == np.float32 else 2.0**-53
-            # The documented bound: half a step of the result, and the rounding of a shift of the size of |U−O|. Where
-            # the centre is no float32, its float64 form costs 2e-9 at 10⁷ m; float64 itself: a few steps there.
+            # The documented bound: half a step of the result, and the rounding of a shift of the size of |U−O|. If
+            # the centre is no float32, its float64 form adds 2e-9 at 10⁷ m; float64 itself adds a few steps there.
             bound = 0.5 * step + unit * (6 + 3 * R2 / (R2 - R1)) * offset + 8e-9 * abs(shift) / 1e7 + 1e-13
             assert np.all(np.abs(q.astype(np.float64) - expected) <= bound)
 
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
 @pytest.mark.parametrize("far_away", [0.0, 1e7])
-def test_inside_r1_keeps_bits_and_beyond_r2_shifts(dtype: Any, far_away: float) -> None:
+def test_points_inside_r1_keep_their_bits_and_beyond_r2_shift(dtype: Any, far_away: float) -> None:
     center = np.array([far_away, 1.7, -far_away])
     user = center + np.array([4.0, 0.3, -5.0])
     rings = [ring(center, rho, 400.0 * (rho < 20) + rho) for rho in (0.0, 1e-3, 10.0, 29.9, 40.0, 50.5, 3e4)]
@@ -90,7 +90,7 @@ def test_inside_r1_keeps_bits_and_beyond_r2_shifts(dtype: Any, far_away: float) 
 
 @pytest.mark.parametrize("kind", ["blend", "cylinder"])
 @pytest.mark.parametrize("radius", [R1, R2])
-def test_continuous_at_both_radii(kind: str, radius: float) -> None:
+def test_the_morph_is_continuous_at_both_radii(kind: str, radius: float) -> None:
     user, center = (6.0, 2.0, -5.0), (1.0, 1.7, 2.0)
     for height in (-5.0, 1.7, 400.0):
         below, above = (
@@ -101,7 +101,7 @@ def test_continuous_at_both_radii(kind: str, radius: float) -> None:
         assert np.abs(below - above).max() < 1e-7
 
 
-def test_towers_keep_their_place() -> None:
+def test_near_towers_keep_their_position() -> None:
     """A tower 400 m high at a distance of 10 m is inside r1 up to its top."""
     tower = ring((0.0, 0.0, 0.0), 10.0, np.linspace(0.0, 400.0, 64)).astype(np.float32)
     np.testing.assert_array_equal(nf.morph(tower, user=(8, 2, 0), center=(0, 1.7, 0), r1=R1, r2=R2), tower)
@@ -109,7 +109,7 @@ def test_towers_keep_their_place() -> None:
 
 @pytest.mark.parametrize("kind", ["blend", "cylinder"])
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
-def test_from_the_centre_nothing_moves(kind: str, dtype: Any) -> None:
+def test_for_a_user_at_the_centre_nothing_moves(kind: str, dtype: Any) -> None:
     center = (1e6, 1.7, 3.0)
     points = np.concatenate([ring(center, rho, 2.0 + rho) for rho in (0.0, 10.0, 40.0, 1e4)]).astype(dtype)
     np.testing.assert_array_equal(nf.morph(points, user=center, center=center, r1=R1, r2=R2, kind=kind), points)
@@ -123,12 +123,12 @@ def test_points_on_the_axis_at_the_eye_and_above(kind: str) -> None:
     still = np.array([center, user, center + up, user + up, center - up])
     np.testing.assert_array_equal(nf.morph(still, user=user, center=center, r1=R1, r2=R2, kind=kind), still)
     outside = center + np.array([40.0, 0.0, 0.0])
-    # At the eye the user's direction is undefined: the centre's is taken, with t = (1−w) |P−O| = 20.
+    # At the eye the user's direction is undefined: the centre's is used, with t = (1−w) |P−O| = 20.
     shown = nf.morph(outside[None], user=outside, center=center, r1=R1, r2=R2)
     np.testing.assert_allclose(shown[0], outside + np.array([20.0, 0.0, 0.0]), atol=1e-13)
 
 
-def test_opposed_directions_are_counted() -> None:
+def test_opposite_directions_are_counted() -> None:
     points = np.tile([[40.0, 0.0, 0.0]], (100, 1))
     for given_points in (points.astype(np.float32), points):
         shown = np.empty_like(given_points)
@@ -140,7 +140,7 @@ def test_opposed_directions_are_counted() -> None:
         np.testing.assert_array_equal(shown, points)
 
 
-def test_results_are_written_where_the_caller_wants() -> None:
+def test_results_are_written_to_the_callers_array() -> None:
     points = np.random.default_rng(0).uniform(-60, 60, (1000, 3))
     where: dict[str, Any] = {"user": (3, 1, 2), "center": (0, 1.7, 0), "r1": R1, "r2": R2}
     for given_points in (points.astype(np.float32), points):
@@ -153,14 +153,14 @@ def test_results_are_written_where_the_caller_wants() -> None:
         (points.astype(np.float32), r"out: expected \(1000, 3\) of float64, got \(1000, 3\) of float32"),
         (np.empty((3, 1000)).T, "out: expected a C-contiguous array that can be written"),
         (frozen, "out: expected a C-contiguous array that can be written"),
-        (points, "out: expected memory of its own"),
+        (points, "out: expected an array that shares no memory"),
     ):
         with pytest.raises(ValueError, match=words):
             nf.morph(points, out=out, **where)
 
 
 def cylinder_oracle(p: NDArray[Any], user: Any, center: Any, r1: float, r2: float) -> NDArray[np.float64]:
-    """CloVR, Alg. 1, by the textbook root of the quadratic in extended precision, for users inside all cylinders."""
+    """Evaluate CloVR, Alg. 1, by the textbook root in extended precision, for users inside all cylinders."""
     p, u, o = (np.asarray(x, np.longdouble) for x in (p, user, center))
     from_o, from_u, v = p - o, p - u, u - o
     rho = np.sqrt(from_o[:, 0] ** 2 + from_o[:, 2] ** 2)
@@ -176,7 +176,7 @@ def cylinder_oracle(p: NDArray[Any], user: Any, center: Any, r1: float, r2: floa
 
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
-def test_cylinder_kind_against_the_textbook(dtype: Any) -> None:
+def test_cylinder_morph_equals_the_textbook_formula(dtype: Any) -> None:
     center, user = (3.0, 1.7, 4.0), (9.0, 2.5, -2.0)
     points = np.concatenate(
         [ring(center, rho, h) for rho in (12.0, 36.0, 44.0, 49.9, 50.1, 900.0) for h in (0.0, 80.0)]
@@ -192,13 +192,13 @@ def test_cylinder_kind_against_the_textbook(dtype: Any) -> None:
     np.testing.assert_allclose(np.hypot(local[:, 0], local[:, 2]), rho, atol=2 * tolerance)
 
 
-def test_cylinder_kind_without_a_cylinder_or_outside_it() -> None:
+def test_cylinder_morph_for_users_on_the_axis_or_outside() -> None:
     center, user = (0.0, 0.0, 0.0), (10.0, 0.0, 0.0)
     points = ring(center, 40.0, 3.0)
     none = nf.morph(points, user=user, center=center, r1=0, r2=0, kind="cylinder")
     # Some twenty roundings of float64, most of which cancel.
     np.testing.assert_allclose(np.hypot(none[:, 0], none[:, 2]), 40.0, rtol=1e-14)
-    # The user is outside the point's cylinder, so the blend's distance is taken.
+    # The user is outside the point's cylinder, so the blend's distance is used.
     inner = ring(center, 36.0, 3.0)
     far_user = (39.0, 0.0, 0.0)
     shown, blended = (

@@ -20,11 +20,11 @@ def morph_case(case: dict[str, Any], kind: str, dtype: Any) -> Any:
 
 @pytest.mark.parametrize(("dtype", "consumer"), [(np.float64, "float64"), (np.float32, "float32")])
 @pytest.mark.parametrize("case", cases("blend"))
-def test_the_blend_shows_points_where_the_formula_says(case: dict[str, Any], dtype: Any, consumer: str) -> None:
+def test_the_blend_equals_the_formula(case: dict[str, Any], dtype: Any, consumer: str) -> None:
     check(morph_case(case, "blend", dtype), case["shown"], case["tolerance"][consumer])
 
 
 @pytest.mark.parametrize(("dtype", "consumer"), [(np.float64, "float64"), (np.float32, "float32")])
 @pytest.mark.parametrize("case", cases("cylinder"))
-def test_the_cylinder_shows_points_where_the_formula_says(case: dict[str, Any], dtype: Any, consumer: str) -> None:
+def test_the_cylinder_equals_the_formula(case: dict[str, Any], dtype: Any, consumer: str) -> None:
     check(morph_case(case, "cylinder", dtype), case["shown"], case["tolerance"][consumer])

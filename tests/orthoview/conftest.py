@@ -1,4 +1,4 @@
-"""Worlds and their trees, for all tests of orthoviews. Trees are built once in a run; what changes one copies it."""
+"""Worlds and their trees, shared by all tests of orthoviews. Trees are built once; tests that change one copy it."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Tree = nf.orthoview.OrthoTree
 
 @pytest.fixture(scope="session")
 def world() -> nf.Scene:
-    """Boxes in a world of 9 × 9 × 9 leaves or so, dense in one corner and empty in others."""
+    """Boxes in a world of about 9 × 9 × 9 leaves, dense in one corner and absent in others."""
     return boxes(60, 80.0)[0]
 
 
@@ -32,7 +32,7 @@ def tree(world: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Tree:
 
 @pytest.fixture(scope="session")
 def few() -> nf.Scene:
-    """Few boxes in several subtrees, for tests that build."""
+    """A few boxes in several subtrees, for tests that build."""
     return few_boxes()
 
 
@@ -67,7 +67,7 @@ def copied(tree: Tree, tmp_path: Path) -> Path:
 
 @pytest.fixture(scope="session")
 def city(tmp_path_factory: pytest.TempPathFactory) -> Tree:
-    """A small city with second layers and with the geometry of its leaves, some of which are cars that could move."""
+    """A small city with second layers and with the geometry of its leaves, including cars that may move."""
     box = np.array([[-60.0, -9.0, -60.0], [59.0, 50.0, 59.0]])
     world = nf.datasets.city(blocks=2, detail=1)
     return built_once(tmp_path_factory, "city.zarr", world, cell=30, aabb=box, size=32, directions=9, layers=2)
@@ -75,7 +75,7 @@ def city(tmp_path_factory: pytest.TempPathFactory) -> Tree:
 
 @pytest.fixture(scope="session")
 def textured(tmp_path_factory: pytest.TempPathFactory) -> Tree:
-    """A wall with a texture and a ball with colours of its corners and smooth normals, with the page in the store."""
+    """A wall with a texture and a ball with vertex colours and smooth normals, with the page in the store."""
     codes = np.random.default_rng(5).integers(0, 255, (8, 8, 3), np.uint8)
     wall = trimesh.creation.box((16.0, 8.0, 1.0))
     image = Image.fromarray(codes)

@@ -1,4 +1,4 @@
-"""Tests of levels that blend: which splats of two levels are drawn, against slow code, and that they fit together."""
+"""Tests of blending levels: which splats of two levels are drawn, against slow code, and that both fit together."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ BAND = 0.25
 
 @dataclass
 class Pyramid:
-    """Views of a cell, of its children and of theirs, second layers included."""
+    """Views of a cell, its children and grandchildren, including second layers."""
 
     layers: dict[Key, list[_core.OrthoSplats]] = field(default_factory=dict)
     depths: dict[Key, NDArray[Any]] = field(default_factory=dict)
@@ -76,7 +76,7 @@ def eye_at(distance: float, fov: Any = FOV) -> nf.Camera:
 
 
 def rule_of(camera: nf.Camera, reach: float, gaze: Any = None, band: float | None = BAND) -> _core.OrthoRule:
-    """A rule by the distance from which on leaves are fine enough."""
+    """A rule that gives the distance beyond which leaves are fine enough."""
     return _core.OrthoRule(camera._core, pitch=reach / 64, error=1.0, band=band, gaze=gaze)
 
 
@@ -89,8 +89,8 @@ def blended(
 
 
 @pytest.mark.parametrize("share", [0.2, 0.5, 0.9])
-def test_the_number_of_splats_is_known_before(pyramid: Pyramid, share: float) -> None:
-    """Splats of a far cell are at one place in the band: that share of them is drawn, and of its children the rest."""
+def test_the_number_of_splats_is_predicted(pyramid: Pyramid, share: float) -> None:
+    """The splats of a far cell have one place in the band: that share of them is drawn, the rest of its children's."""
     camera = eye_at(5000.0)
     rule, partial = rule_of(camera, 5000 / 4 / (1 + BAND * share)), {(2, (0, 0, 0))}
     for level, right in ((2, share), (1, 1 - share)):
@@ -100,7 +100,7 @@ def test_the_number_of_splats_is_known_before(pyramid: Pyramid, share: float) ->
         for key in keys:
             counts[key[0]] = counts.get(key[0], 0) + sum(layer.count for layer in found[key])
         whole = sum(layer.count for key in keys if key[0] == level for layer in pyramid.layers[key])
-        # A parent's splat takes the places of four.
+        # A parent's splat replaces four.
         assert abs(counts[level] - right * whole) < 4 * np.sqrt(4 * whole * share * (1 - share))
         expected = _core.expected_orthoviews([(pyramid.layers[key], *key, key[:2] in partial) for key in keys], rule)
         assert expected == pytest.approx(sum(counts.values()), rel=0.1)
@@ -111,7 +111,7 @@ def test_the_number_of_splats_is_known_before(pyramid: Pyramid, share: float) ->
 
 
 def pixels_of(key: Key, splats: _core.OrthoSplats) -> NDArray[np.bool_]:
-    """The pixels of a view that have a splat, seen by parallel rays along its direction."""
+    """The pixels of a view that have a splat, in parallel projection along its direction."""
     axes, extents = _core.orthoview_axes(DIRECTIONS[key[2]])
     side = GRID.side(key[0])
     middle = np.array(GRID.corner(key[0], key[1])) + side / 2
@@ -139,11 +139,11 @@ PARTIAL = {
 
 
 @pytest.mark.parametrize(("name", "distance"), [*zip(PARTIAL, (24.0, 40.0, 31.0), strict=True)])
-def test_splats_are_drawn_that_are_coarse_enough_and_not_covered(pyramid: Pyramid, name: str, distance: float) -> None:
+def test_drawn_splats_are_coarse_enough_and_not_covered(pyramid: Pyramid, name: str, distance: float) -> None:
     partial = PARTIAL[name]
     camera, reach = eye_at(distance), 15.0 if name == "children" else 7.5
     eye = np.array(camera.position)
-    # A direction of a parent that is missing, too: then the children decide by their own surfaces.
+    # Includes a direction missing in a parent: then the children decide by their own surfaces.
     keys = [key for key in pyramid.layers if key[2] in (0, 2, 3) or key[0] == 1]
     own = Blend(
         GRID,
@@ -172,7 +172,7 @@ def test_splats_are_drawn_that_are_coarse_enough_and_not_covered(pyramid: Pyrami
 
 @pytest.mark.parametrize("distance", [26.0, 31.0, 35.0, 60.0, 5.0])
 def test_two_levels_complement_each_other(pyramid: Pyramid, distance: float) -> None:
-    """Of a parent's pixel either its own splat is drawn or all of its children's in it."""
+    """In a parent's pixel either its own splat is drawn or all of its children's."""
     partial = PARTIAL["the top"]
     keys = [key for key in pyramid.layers if key[0] > 0]
     found = blended(pyramid, keys, partial, rule_of(eye_at(distance), 7.5))
@@ -195,8 +195,8 @@ def test_two_levels_complement_each_other(pyramid: Pyramid, distance: float) -> 
         assert 0.02 * whole < total < 0.98 * whole
 
 
-def test_one_splat_after_another_changes(pyramid: Pyramid) -> None:
-    """A viewer that comes from beyond the band to before it changes all splats of a cell, few of them at once."""
+def test_splats_change_gradually(pyramid: Pyramid) -> None:
+    """A viewer that approaches through the band changes all splats of a cell, few at a time."""
     partial, number = PARTIAL["the top"], 2
     key = (2, (0, 0, 0), number)
     whole = pyramid.layers[key][0].count
@@ -210,7 +210,7 @@ def test_one_splat_after_another_changes(pyramid: Pyramid) -> None:
     assert sum(changes) == whole
 
 
-def test_a_gaze_makes_distances_greater_beside_it(pyramid: Pyramid) -> None:
+def test_distances_grow_away_from_the_gaze(pyramid: Pyramid) -> None:
     partial, camera, reach = PARTIAL["the top"], eye_at(40.0), 9.0
     eye, pixel = np.array(camera.position), (60.0, 40.0)
     through = camera.rays()[1][39:41, 59:61].mean(axis=(0, 1))
@@ -235,7 +235,7 @@ def test_parallel_rays_blend_levels_by_the_width_of_their_pixels(pyramid: Pyrami
     partial, key = PARTIAL["the top"], (2, (0, 0, 0), 1)
     shares = []
     for width in (8.0, 11.3, 30.0):
-        # A pixel of the picture is width/64 m wide, one of a leaf's views 1/32 m: four times that at level 2.
+        # A pixel of the picture is width/64 m wide, a pixel of a leaf's views 1/32 m: four times that at level 2.
         camera = eye_at(40.0, nf.Orthographic(-width / 2, width / 2, -width / 2, width / 2))
         rule = _core.OrthoRule(camera._core, pitch=1 / 26, error=1.0, band=BAND, gaze=None)
         shares.append(blended(pyramid, [key], partial, rule)[key][0].count / pyramid.layers[key][0].count)
@@ -244,18 +244,18 @@ def test_parallel_rays_blend_levels_by_the_width_of_their_pixels(pyramid: Pyrami
     assert shares[0] == 0 < shares[1] < shares[2] == 1
 
 
-def test_without_a_band_all_are_drawn(pyramid: Pyramid) -> None:
+def test_without_a_band_all_splats_are_drawn(pyramid: Pyramid) -> None:
     keys = list(pyramid.layers)
     rule = rule_of(eye_at(31.0), 7.5, band=None)
     found = blended(pyramid, keys, PARTIAL["the top"], rule)
     assert all(found[key] == pyramid.layers[key] for key in keys)
-    # Views that no band concerns are the same objects.
+    # Views outside the band are the same objects.
     rule = rule_of(eye_at(31.0), 7.5)
     leaf = next(key for key in keys if key[0] == 0)
     assert blended(pyramid, [leaf], set(), rule)[leaf] == pyramid.layers[leaf]
 
 
-def test_bad_rules_are_named() -> None:
+def test_invalid_blend_rules_are_named() -> None:
     camera, flat = eye_at(31.0)._core, eye_at(31.0, nf.Orthographic(-1, 1, -1, 1))._core
     for band in (0.0, -0.5, 1.5, np.nan):
         with pytest.raises(ValueError, match="band: expected a number above 0, at most 1"):

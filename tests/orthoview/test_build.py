@@ -1,4 +1,4 @@
-"""Tests of building: what stores hold, and what is done once, again, or not at all."""
+"""Tests of building: the content of stores, and which work is done once, repeated, or skipped."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def test_zarr_reads_the_views_of_all_cells(few: nf.Scene, few_tree: nf.orthoview
     assert {level for level, _ in cells} == set(range(tree.levels))
     shown = 0
     for level in range(tree.levels):
-        # All leaves that show something are in two of the directions.
+        # All leaves that are not empty have views in two of the directions.
         for number, name in list(enumerate(tree._layout.names))[:: 4 if level == 0 else 1]:
             arrays = [group[f"{level}/{name}/{channel}"] for channel in ("color", "depth", "normal")]
             whole = [np.asarray(array[:]) for array in arrays]
@@ -63,8 +63,8 @@ def test_each_view_is_written_once_and_none_is_read(few: nf.Scene, few_tree: nf.
     assert not list((Path(tree.path) / "nearfar" / "journal").glob("*"))
 
 
-def test_empty_parts_are_passed_over(few: nf.Scene, few_tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
-    """Where nothing touches a cell above leaves, none of its leaves is asked for."""
+def test_empty_parts_are_skipped(few: nf.Scene, few_tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
+    """If nothing touches a cell above leaves, none of its leaves is queried."""
     telling = Telling(few)
     told = nf.orthoview.build(telling, tmp_path / "told.zarr", cell=CELL, size=SIZE, directions=5)
     assert contents(Path(told.path)) == contents(Path(few_tree.path))
@@ -75,11 +75,11 @@ def test_empty_parts_are_passed_over(few: nf.Scene, few_tree: nf.orthoview.Ortho
     sparse = nf.orthoview.build(far, tmp_path / "sparse.zarr", cell=20.0, size=4, directions=5)
     assert sparse.cells(0) == (500, 500, 500)
     assert sparse.held["leaves"] == 2
-    assert sparse.done["empty"] <= 8  # the tree of the scene is asked, whose boxes are larger than triangles
+    assert sparse.done["empty"] <= 8  # The scene's tree is asked, whose boxes are larger than triangles.
 
 
 def test_points_of_views_lie_on_a_slope(tmp_path: Path) -> None:
-    """Seen from above, half a step of depth and half a pixel's rise away at most, on all levels."""
+    """Seen from above, points are at most half a depth step and half a pixel's rise away, on all levels."""
     rise = 0.25
     corners = np.array([[0, 0, 0], [80, 80 * rise, 0], [80, 80 * rise, 80], [0, 0, 80]], np.float32)
     slope = nf.Scene.from_arrays(corners, np.array([[0, 2, 1], [0, 3, 2]], np.uint32))
@@ -113,7 +113,7 @@ def test_points_of_views_lie_on_a_slope(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("height", [0.0, -3.0, 5.0, 1.0])
 @pytest.mark.parametrize("way", ["rays", "triangles"])
-def test_ground_on_the_lowest_side_of_a_cell_is_seen(height: float, way: str) -> None:
+def test_ground_on_the_lowest_face_of_a_cell_is_drawn(height: float, way: str) -> None:
     """A grid begins at a whole metre, where ground often lies."""
     corners = np.array([[-80, height, -80], [80, height, -80], [80, height, 80], [-80, height, 80]], np.float32)
     ground = nf.Scene.from_arrays(corners, np.array([[0, 2, 1], [0, 3, 2]], np.uint32))
@@ -142,7 +142,7 @@ def test_a_second_build_draws_nothing(few: nf.Scene, few_tree: nf.orthoview.Orth
     assert contents(Path(tree.path)) == before
 
 
-def test_bad_input_is_named(world: nf.Scene, few_tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
+def test_invalid_input_of_build_is_named(world: nf.Scene, few_tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
     tree = few_tree
 
     def wrong(match: str, kind: type[Exception] = ValueError, **changed: Any) -> None:
@@ -180,13 +180,13 @@ def test_worlds_of_one_leaf_are_trees(tmp_path: Path) -> None:
     assert all(tree.view(0, (0, 0, 0), direction) is not None for direction in range(26))
 
 
-def test_worlds_without_anything_are_refused(world: nf.Scene, tmp_path: Path) -> None:
+def test_empty_worlds_are_refused(world: nf.Scene, tmp_path: Path) -> None:
     empty = world.query([world.bounds[0] - 9, world.bounds[0] - 8])
     with pytest.raises(ValueError, match="source: expected finite bounds"):
         nf.orthoview.build(empty, tmp_path / "none.zarr", cell=1.0, size=SIZE)
 
 
-def test_worlds_that_end_with_a_cell_have_no_cell_beyond() -> None:
+def test_worlds_that_end_at_a_cell_border_have_no_further_cell() -> None:
     bounds = np.array([[0.0, 0.0, -30.0], [80.0, 20.0, 50.0]])
     assert Grid.from_bounds(bounds, 10.0).counts == (8, 2, 8)
     assert Grid.from_bounds(bounds + 1e-6, 10.0).counts == (9, 3, 9)
@@ -198,9 +198,7 @@ def test_worlds_that_end_with_a_cell_have_no_cell_beyond() -> None:
         )
 
 
-def test_a_part_of_a_world_without_end_is_built(
-    few: nf.Scene, few_tree: nf.orthoview.OrthoTree, tmp_path: Path
-) -> None:
+def test_a_part_of_an_infinite_world_is_built(few: nf.Scene, few_tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
     class Endless(Counted):
         @property
         def bounds(self) -> NDArray[np.float64]:
@@ -224,7 +222,7 @@ def test_a_part_of_a_world_without_end_is_built(
         nf.orthoview.build(few, tmp_path / "new.zarr", cell=CELL, aabb=part + 10**6)
 
 
-def test_the_size_of_views_is_that_of_a_display() -> None:
+def test_the_size_of_views_follows_the_display() -> None:
     # 1,000 pixels over 90° at 50 m: 100 m, of which a cell of 40 m takes 400 pixels.
     display: dict[str, Any] = {"cell": 40.0, "distance": 50.0, "fov": np.pi / 2}
     assert nf.orthoview.size_for(1000, **display, directions=5) == 400
@@ -238,8 +236,8 @@ def test_the_size_of_views_is_that_of_a_display() -> None:
     assert nf.orthoview.size_for(1, cell=0.1, distance=50.0, fov=1.0) == 4
 
 
-def test_second_layers_are_kept_where_they_show_what_is_hidden(tmp_path: Path) -> None:
-    """Walls behind walls, and blocks that stand alone."""
+def test_second_layers_are_kept_if_they_reveal_hidden_surfaces(tmp_path: Path) -> None:
+    """Covers walls behind walls, and isolated blocks."""
     parts = [trimesh.creation.box((0.3, 6, 18)).apply_translation((2 + 3 * n, 5, 10)) for n in range(4)]
     parts += [trimesh.creation.box((5, 7, 4)).apply_translation((9 * n, 20 - 4 * n, 27 - 6 * n)) for n in range(4)]
     scene = nf.Scene.from_trimesh(trimesh.util.concatenate(parts))
@@ -268,7 +266,7 @@ def test_second_layers_are_kept_where_they_show_what_is_hidden(tmp_path: Path) -
                 kept += 1
                 shown = np.isfinite(behind.depth)
                 assert shown.any()
-                # A pixel of a layer is made of four, of which some may show the first layer only.
+                # A pixel of a layer is composed of four, some of which may show the first layer only.
                 assert (behind.depth[shown] > first.depth[shown] - 1e-3).mean() > 0.99
     assert kept > 2
     assert without > 50

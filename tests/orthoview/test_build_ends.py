@@ -1,4 +1,4 @@
-"""Tests of builds that end early: by errors, signals, a full disk, a power cut; what is done again, and what is not."""
+"""Tests of interrupted builds: errors, signals, a full disk, a power failure; what is repeated, and what is kept."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ Tree = nf.orthoview.OrthoTree
 
 SETTINGS: dict[str, Any] = {"cell": CELL, "size": SIZE, "directions": 5}
 AMID = 216
-"""Number of the query for a leaf in the middle of a subtree, of which leaves before and after it show something."""
+"""Number of the query for a leaf in the middle of a subtree, with non-empty leaves before and after it."""
 
 
 def check_resumed(source: Any, path: Path, tree: Tree) -> None:
-    """A build goes on and writes what it would have written without an end."""
+    """Check that a build resumes and writes the same files as an uninterrupted one."""
     resumed = nf.orthoview.build(source, path, **SETTINGS)
     assert resumed.is_complete
     assert resumed.held == tree.held
@@ -36,16 +36,14 @@ def check_resumed(source: Any, path: Path, tree: Tree) -> None:
     assert not list((path / "nearfar" / "journal").glob("*"))
 
 
-def test_cells_that_a_source_does_not_give_are_named_and_come_later(
-    few: nf.Scene, few_tree: Tree, tmp_path: Path
-) -> None:
+def test_cells_whose_query_fails_are_named_and_built_later(few: nf.Scene, few_tree: Tree, tmp_path: Path) -> None:
     path = tmp_path / "world.zarr"
     first = nf.orthoview.build(Counted(few, {100, AMID}), path, **SETTINGS)
     assert not first.is_complete
     assert len(first.failed) == 2
     assert set(first.failed.values()) == {"OSError: the disk is gone"}
     assert "incomplete" in repr(first)
-    # All others are there, but for the cells above the two.
+    # All other cells exist, except those above the two.
     cells, missing = of_cells(few), 0
     for level, place in cells:
         if any(tuple(number >> level for number in leaf) == place for leaf in first.failed):
@@ -61,12 +59,12 @@ def test_cells_that_a_source_does_not_give_are_named_and_come_later(
     assert second.failed == {}
     assert source.queries == 2
     assert second.held == few_tree.held
-    # Chunks of a shard come in the order in which they were made, so bytes differ where cells come later.
+    # Chunks of a shard are in the order of creation, so bytes differ where cells are built later.
     assert all(same_view(second, few_tree, level, place) for level, place in cells)
 
 
 def same_view(one: Tree, other: Tree, level: int, place: tuple[int, int, int]) -> bool:
-    """Whether two trees show the same of a cell from above."""
+    """Whether two trees have the same view of a cell from above."""
     left, right = (opened.view(level, place, 4) for opened in (one, other))
     if left is None or right is None:
         return left is right
@@ -93,8 +91,8 @@ nf.orthoview.build(source, f"{folder}/{name}.zarr", **settings)
 
 
 @pytest.mark.slow
-def test_a_kill_leaves_a_store_that_is_completed(few: nf.Scene, few_tree: Tree, tmp_path: Path) -> None:
-    """It costs the cell under work."""
+def test_a_killed_build_is_resumed(few: nf.Scene, few_tree: Tree, tmp_path: Path) -> None:
+    """Only the current cell is lost."""
     given = f"\nfolder, settings = {str(tmp_path)!r}, {SETTINGS!r}"
     ended(given + BUILD, KILLS)
     with pytest.raises(ValueError, match="is missing: the build has not ended"):
@@ -106,8 +104,8 @@ def test_a_kill_leaves_a_store_that_is_completed(few: nf.Scene, few_tree: Tree, 
 
 
 @pytest.mark.slow
-def test_what_the_system_lost_is_drawn_again(few: nf.Scene, few_tree: Tree, tmp_path: Path) -> None:
-    """After a power cut a shard may be shorter than its journal says, and a line of the journal may be none."""
+def test_data_lost_in_a_power_failure_is_drawn_again(few: nf.Scene, few_tree: Tree, tmp_path: Path) -> None:
+    """A shard may be shorter than its journal states, and a line of the journal may be damaged."""
     path = tmp_path / "world.zarr"
     with pytest.raises(KeyboardInterrupt):
         nf.orthoview.build(Interrupted(few, 462), path, **SETTINGS)
@@ -118,7 +116,7 @@ def test_what_the_system_lost_is_drawn_again(few: nf.Scene, few_tree: Tree, tmp_
     check_resumed(few, path, few_tree)
 
 
-def test_ctrl_c_ends_the_build_and_costs_nothing(few: nf.Scene, few_tree: Tree, tmp_path: Path) -> None:
+def test_ctrl_c_ends_the_build_and_loses_nothing(few: nf.Scene, few_tree: Tree, tmp_path: Path) -> None:
     with pytest.raises(KeyboardInterrupt):
         nf.orthoview.build(Interrupted(few, AMID), tmp_path / "world.zarr", **SETTINGS)
     source = Counted(few)
@@ -126,10 +124,10 @@ def test_ctrl_c_ends_the_build_and_costs_nothing(few: nf.Scene, few_tree: Tree, 
     assert source.queries == np.prod(few_tree.cells(0)) - (AMID - 1)
 
 
-def test_a_full_disk_ends_the_build_and_costs_nothing(
+def test_a_full_disk_ends_the_build_and_loses_nothing(
     few: nf.Scene, few_tree: Tree, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Half of a chunk is written when the disk is full."""
+    """Half of a chunk is written when the disk becomes full."""
     write, left = ShardWriter._write, [50_000]
 
     def limited(self: ShardWriter, data: bytes, *, sync: bool) -> None:
@@ -154,7 +152,7 @@ def test_a_source_that_always_fails_ends_the_build(world: nf.Scene, tmp_path: Pa
         nf.orthoview.build(source, tmp_path / "world.zarr", cell=CELL, size=SIZE, directions=5)
 
 
-def test_two_that_write_into_one_store_are_refused(world: nf.Scene, tmp_path: Path) -> None:
+def test_concurrent_builds_of_one_store_are_refused(world: nf.Scene, tmp_path: Path) -> None:
     need("linux")
     path = tmp_path / "world.zarr"
 
@@ -170,8 +168,8 @@ def test_two_that_write_into_one_store_are_refused(world: nf.Scene, tmp_path: Pa
 
 
 @pytest.mark.parametrize("quality", [None, 80])
-def test_colours_as_webp(few: nf.Scene, few_tree: Tree, tmp_path: Path, quality: int | None) -> None:
-    """Lossless ones are equal. Of lossy ones parents are composed, so a build that goes on writes the same bytes."""
+def test_webp_colours_are_resumed(few: nf.Scene, few_tree: Tree, tmp_path: Path, quality: int | None) -> None:
+    """Lossless colours are equal. Parents are composed of decoded lossy ones, so a resumed build has the same bytes."""
     settings: dict[str, Any] = SETTINGS | {"color": "webp", "quality": quality, "geometry": False}
     made = nf.orthoview.build(few, tmp_path / "world.zarr", **settings)
     differences = []
@@ -190,7 +188,7 @@ def test_colours_as_webp(few: nf.Scene, few_tree: Tree, tmp_path: Path, quality:
         assert contents(tmp_path / "again.zarr") == contents(Path(made.path))
 
 
-def test_a_build_that_goes_on_keeps_the_directions_that_were_chosen(tmp_path: Path) -> None:
+def test_a_resumed_build_keeps_the_chosen_directions(tmp_path: Path) -> None:
     path = tmp_path / "world.zarr"
 
     class Leaf(Counted):

@@ -1,4 +1,4 @@
-"""Tests of builds on a Dask cluster of processes: same bytes, workers and schedulers that are lost, and errors."""
+"""Tests of builds on a Dask cluster of processes: same bytes, lost workers and schedulers, and errors."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ need("distributed")
 pytestmark = pytest.mark.slow
 
 FULL = (5, 4, 6)
-"""A leaf with something in it, in the middle of a subtree."""
+"""A non-empty leaf in the middle of a subtree."""
 
 
 @contextmanager
@@ -39,7 +39,7 @@ def workers(count: int) -> Iterator[Any]:
 
 @pytest.fixture(scope="module")
 def client() -> Iterator[Any]:
-    """Two workers, which stay for the tests of this file; one that is killed is replaced."""
+    """Two workers, shared by the tests of this file; a killed one is replaced."""
     with workers(2) as client:
         yield client
 
@@ -56,7 +56,7 @@ def test_workers_write_the_same_bytes(
     assert contents(Path(spread.path)) == contents(Path(tree.path))
     assert spread.held == tree.held
     done = dict(spread.done)
-    # The views of each subtree of leaves are sent once, and none is read again.
+    # The views of each subtree of leaves are sent once, and none is read back.
     at_top = [place for place in np.ndindex(tree.cells(3)) if tree.view(3, place, 4) is not None]
     assert len(at_top) * 3 <= done.pop("sent") <= len(at_top) * 15
     assert done == tree.done
@@ -66,14 +66,14 @@ def test_workers_write_the_same_bytes(
     assert again.done == spread.done
 
 
-def test_leaves_that_workers_do_not_get_are_named(few: nf.Scene, client: Any, tmp_path: Path) -> None:
+def test_leaves_whose_query_fails_on_workers_are_named(few: nf.Scene, client: Any, tmp_path: Path) -> None:
     part = built(Counted(few, {40}), tmp_path / "world.zarr", client)
     assert set(part.failed.values()) == {"OSError: the disk is gone"}
     whole = built(few, tmp_path / "world.zarr", client)
     assert whole.is_complete
 
 
-def test_a_killed_worker_costs_its_cell(
+def test_a_killed_worker_loses_only_its_cell(
     few: nf.Scene, few_tree: nf.orthoview.OrthoTree, client: Any, tmp_path: Path
 ) -> None:
     sign = tmp_path / "killed"
@@ -82,13 +82,13 @@ def test_a_killed_worker_costs_its_cell(
     assert sign.exists()
     assert spread.is_complete
     assert contents(Path(spread.path)) == contents(Path(few_tree.path))
-    # The leaves that were done are not drawn again: their subtree goes on from its journal.
+    # Finished leaves are not drawn again: their subtree resumes from its journal.
     assert spread.done["drawn"] < few_tree.done["drawn"]
     assert spread.done["reloaded"] > 0
 
 
-def test_a_local_cluster_is_one_word(few: nf.Scene, tmp_path: Path) -> None:
-    """With lossy colours, which are not coded once more on their way."""
+def test_a_local_cluster_is_started_by_name(few: nf.Scene, tmp_path: Path) -> None:
+    """Uses lossy colours, which are not encoded again on their way."""
     settings: dict[str, Any] = {"cell": CELL, "size": SIZE, "directions": 5, "color": "webp", "quality": 70}
     spread = nf.orthoview.build(few, tmp_path / "a.zarr", **settings, cluster="local")
     alone = nf.orthoview.build(few, tmp_path / "b.zarr", **settings)
@@ -96,7 +96,7 @@ def test_a_local_cluster_is_one_word(few: nf.Scene, tmp_path: Path) -> None:
 
 
 @pytest.mark.stress
-def test_without_its_scheduler_a_build_ends_and_goes_on_later(
+def test_a_lost_scheduler_ends_a_build_which_resumes_later(
     few: nf.Scene, few_tree: nf.orthoview.OrthoTree, tmp_path: Path
 ) -> None:
     path = tmp_path / "world.zarr"
@@ -117,7 +117,7 @@ def test_without_its_scheduler_a_build_ends_and_goes_on_later(
     assert contents(path) == contents(Path(few_tree.path))
 
 
-def test_bad_clusters_are_named(few: nf.Scene, client: Any, tmp_path: Path) -> None:
+def test_invalid_clusters_are_named(few: nf.Scene, client: Any, tmp_path: Path) -> None:
     class Local:
         bounds = few.bounds
 

@@ -1,4 +1,4 @@
-"""Tests of connected pixels and surfels, against pairs one by one and on shapes whose pixels are known."""
+"""Tests of connected pixels and surfels, against all pairs and on shapes with known results."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ DIRECTIONS: list[Triple] = [(0, 0, 1), (0, 1, 1), (1, 1, -1)]
 
 @pytest.mark.parametrize("direction", DIRECTIONS)
 @pytest.mark.parametrize("bounds", [BOUNDS, (1.0, 0.2, 0.95), (20.0, 0.9, -0.5)])
-def test_connections_are_those_of_pairs_and_closed_in_blocks(
+def test_connections_equal_all_pairs_and_stay_within_blocks(
     direction: Triple, bounds: tuple[float, float, float]
 ) -> None:
     scene, _ = boxes()
@@ -35,7 +35,7 @@ def test_connections_are_those_of_pairs_and_closed_in_blocks(
 
 
 def surfels(bits: NDArray[np.uint8]) -> NDArray[np.bool_]:
-    """Pixels with more than four connected neighbours, one by one."""
+    """Pixels with more than four connected neighbours, computed one by one."""
     count = np.zeros(bits.shape, int)
     for bit, (rows, columns) in enumerate([(0, 1), (1, 0), (1, 1), (1, -1)]):
         for row, column in np.argwhere(bits >> bit & 1):
@@ -45,7 +45,7 @@ def surfels(bits: NDArray[np.uint8]) -> NDArray[np.bool_]:
 
 
 def of_mesh(mesh: trimesh.Trimesh, direction: Triple) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-    """Which pixels show a surface, and which are surfels."""
+    """Masks of pixels that show a surface, and of surfels."""
     scene = nf.Scene.from_trimesh(mesh.apply_translation(CORNER + SIDE / 2))
     views = leaf(scene, directions=[direction])
     bits = views.connected(BOUNDS)
@@ -53,7 +53,7 @@ def of_mesh(mesh: trimesh.Trimesh, direction: Triple) -> tuple[NDArray[np.bool_]
 
 
 def inner(mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Pixels all of whose neighbours are in the mask."""
+    """Pixels whose neighbours are all in the mask."""
     shifted = [np.roll(mask, (row, column), (0, 1)) for row in (-1, 0, 1) for column in (-1, 0, 1)]
     inside: NDArray[np.bool_] = np.logical_and.reduce(shifted)
     inside[[0, -1]] = inside[:, [0, -1]] = False
@@ -61,7 +61,7 @@ def inner(mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
 
 
 @pytest.mark.parametrize("direction", DIRECTIONS)
-def test_a_sphere_is_made_of_surfels_up_to_steep_pixels(direction: Triple) -> None:
+def test_a_sphere_consists_of_surfels_except_at_steep_pixels(direction: Triple) -> None:
     shown, surfel = of_mesh(trimesh.creation.icosphere(5, 0.45 * SIDE), direction)
     rows, columns = np.indices(shown.shape) + 0.5 - SIZE / 2
     extents = oracle.Axes.from_direction(direction).extents
@@ -98,8 +98,8 @@ def test_thin_wires_are_balls() -> None:
     assert not surfel.any()
 
 
-def test_bits_that_lead_out_of_a_picture_count_nothing() -> None:
-    """A damaged store may have them."""
+def test_bits_beyond_the_border_of_a_picture_are_ignored() -> None:
+    """Damaged stores may contain them."""
     found = _core.orthoview_surfels(np.full((2, 4, 4, 1), 15, np.uint8))
     assert found[:, 1:3, 1:3].all()
     assert not found[:, [0, 0, 3, 3], [0, 3, 0, 3]].any()

@@ -1,4 +1,4 @@
-"""Tests of pictures whose levels change splat by splat, that keep to a budget of splats, and that follow a gaze."""
+"""Tests of pictures whose levels change splat by splat, within a budget of splats, and by a direction of gaze."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def camera_at(tree: Tree, distance: float, angle: float = 0.3) -> nf.Camera:
 
 
 def holes(frame: nf.Frame, truth: nf.Frame) -> float:
-    """Share of the pixels that show something in truth and nothing in a frame."""
+    """Share of the pixels that show a surface in truth and none in a frame."""
     is_hit = np.isfinite(truth.require("range"))
     return float((is_hit & np.isinf(frame.require("range"))).sum() / is_hit.sum())
 
@@ -52,15 +52,15 @@ def changes(tree: Tree, camera: nf.Camera, errors: NDArray[np.float64], continuo
 
 
 @pytest.mark.parametrize("distance", [110.0, 170.0])
-def test_no_picture_changes_at_once_while_the_error_doubles(shared_tree: Tree, distance: float) -> None:
-    """A camera that does not move: where cells change as wholes, some step changes most of what changes at all."""
+def test_pictures_change_gradually_while_the_error_doubles(shared_tree: Tree, distance: float) -> None:
+    """Uses a still camera. If cells changed as a whole, a single step would cause most of the total change."""
     camera, errors = camera_at(shared_tree, distance), np.geomspace(1, 2, 41)
     jumps, smooth = (changes(shared_tree, camera, errors, continuous) for continuous in (False, True))
     assert jumps.max() > 0.01
     assert smooth.max() < 0.75 * jumps.max()
     whole = changes(shared_tree, camera, errors[[0, -1]], True)[0]
     assert whole > 0.01
-    # Pixels change by chance, each about once: squares add up.
+    # Pixels change at random, each about once: squares add up.
     assert smooth.max() < 3 * whole / np.sqrt(len(errors) - 1)
 
 
@@ -77,8 +77,8 @@ def test_two_levels_leave_no_more_holes_than_one(shared_tree: Tree, scene: nf.Sc
         assert frames[1].stats["splats"] != frames[0].stats["splats"]
 
 
-def test_half_a_pixel_of_error_moves_splats_by_less_than_one_where_levels_change(shared_tree: Tree) -> None:
-    """Middles of four pixels lie √2/4 of their parent's from its own; those of steep surfaces lie farther away."""
+def test_an_error_of_half_a_pixel_moves_splats_by_less_than_a_pixel(shared_tree: Tree) -> None:
+    """The centres of four pixels lie √2/4 from their parent's; on steep surfaces they lie farther away."""
     found = [
         swap_distances(shared_tree, camera_at(shared_tree, distance, angle), 0.5)
         for distance, angle in ((200, 0.3), (400, 2.1))
@@ -104,7 +104,7 @@ def test_a_flight_keeps_to_a_budget(shared_tree: Tree, budget: int, continuous: 
         error = frame.stats["error_px"]
         errors.append(error)
         splats.append(frame.stats["splats"])
-        # The same error without a budget has the same splats; a little less of an error has more than the budget.
+        # The same error without a budget draws the same splats; a slightly smaller error exceeds the budget.
         assert tree.render(camera, error_px=error, **settings).stats["splats"] == splats[-1]
         assert error > 1
         if not continuous:
@@ -114,7 +114,7 @@ def test_a_flight_keeps_to_a_budget(shared_tree: Tree, budget: int, continuous: 
     assert not continuous or min(splats) >= 0.9 * budget
 
 
-def test_a_budget_that_is_no_bound_changes_nothing(shared_tree: Tree) -> None:
+def test_a_sufficient_budget_changes_nothing(shared_tree: Tree) -> None:
     camera = camera_at(shared_tree, 100)
     whole = shared_tree.render(camera, geometry=False)
     bound = shared_tree.render(camera, geometry=False, budget=int(whole.stats["splats"]))
@@ -123,8 +123,8 @@ def test_a_budget_that_is_no_bound_changes_nothing(shared_tree: Tree) -> None:
     np.testing.assert_array_equal(bound.require("color"), whole.require("color"))
 
 
-def test_where_no_error_is_great_enough_views_are_left_out(shared_tree: Tree) -> None:
-    """An eye in the world has leaves about it."""
+def test_views_are_omitted_if_no_error_meets_the_budget(shared_tree: Tree) -> None:
+    """An eye inside the world is surrounded by leaves."""
     middle = shared_tree.bounds.mean(axis=0)
     camera = nf.Camera.look_at(middle, middle + np.array([1, -0.2, 0.3]), fov=nf.Fov.symmetric(90), size=(64, 64))
     least = shared_tree.render(camera, geometry=False, error_px=64)
@@ -134,7 +134,7 @@ def test_where_no_error_is_great_enough_views_are_left_out(shared_tree: Tree) ->
     assert shared_tree.render(camera, geometry=False, budget=1).stats["splats"] <= 1
 
 
-def test_the_gaze_is_drawn_as_finely_as_ever(shared_tree: Tree) -> None:
+def test_the_gaze_keeps_full_detail(shared_tree: Tree) -> None:
     camera, middle = replace(camera_at(shared_tree, 45), size=(384, 384)), (192.0, 192.0)
     settings: dict[str, Any] = {"geometry": False, "error_px": 4.0}
     evenly, foveated = shared_tree.render(camera, **settings), shared_tree.render(camera, gaze=middle, **settings)

@@ -1,4 +1,4 @@
-"""Tests of cuts: which cells of a tree a viewer sees at which level, from which directions, and which as geometry."""
+"""Tests of cuts: the cells, levels and directions that a viewer needs, and which cells are geometry."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ need("zarr")
 
 MIDDLE = CORNER + 40.0
 PITCH = CELL / SIZE
-"""Width of a pixel of a leaf's views: from 5 directions they show the leaf's sides."""
+"""Width of a pixel of a leaf's views: with 5 directions they show the leaf's sides."""
 
 WIDE, NARROW, ASKEW = nf.Fov.symmetric(100, 4 / 3), nf.Fov.symmetric(25), nf.Fov(-1.3, 0.2, -0.1, 0.9)
 PLAN = nf.Orthographic(-31.7, 24.3, -18.1, 40.9)
 
 
 def looking(eye: Any, target: Any, fov: Any = WIDE, width: int = 64) -> nf.Camera:
-    """A view between two points that are given from the world's middle."""
+    """A view between two points given relative to the world's middle."""
     return nf.Camera.look_at(MIDDLE + eye, MIDDLE + target, fov=fov, size=(width, 48))
 
 
@@ -54,7 +54,7 @@ CAMERAS = {
 
 @pytest.fixture(scope="module")
 def cells(world: nf.Scene) -> oracle.World:
-    """The cells in which something is, computed without a store, with the bits of the directions that show it."""
+    """Non-empty cells, computed without a store, with bit masks of their non-empty directions."""
     shown = {
         cell: sum(1 << n for n, empty in enumerate(views.empty()) if not empty)
         for cell, views in of_cells(world).items()
@@ -67,7 +67,7 @@ def rows(places: NDArray[np.int64]) -> list[tuple[int, int, int]]:
 
 
 def cells_of(cut: OrthoCut) -> dict[oracle.Cell, bool]:
-    """All cells and leaves of a cut with whether they are in the picture; each is there once."""
+    """All cells and leaves of a cut with their visibility; asserts that each occurs once."""
     cells = list(zip(cut.level.tolist(), rows(cut.place), strict=True))
     found = dict(zip(cells, cut.in_picture.tolist(), strict=True))
     found |= zip([(0, place) for place in rows(cut.leaves)], cut.leaf_in_picture.tolist(), strict=True)
@@ -84,7 +84,7 @@ def check(
     continuous: bool = False,
     gaze: tuple[float, float] | None = None,
 ) -> oracle.Expected:
-    """Compare the cuts of a viewer, within the picture and around, with those of the oracle."""
+    """Compare the cuts of a viewer, within the picture and all around, with those of the oracle."""
     band = BAND if continuous else None
     right = oracle.expected(cells, camera, PITCH, error_px, geometry=geometry, band=band, gaze=gaze)
     if right.is_doubtful:
@@ -114,9 +114,7 @@ def check(
 
 
 @pytest.mark.parametrize("name", CAMERAS)
-def test_a_cut_is_that_of_a_recursion_over_all_cells(
-    tree: nf.orthoview.OrthoTree, cells: oracle.World, name: str
-) -> None:
+def test_a_cut_equals_a_recursion_over_all_cells(tree: nf.orthoview.OrthoTree, cells: oracle.World, name: str) -> None:
     levels, leaves, partial = set(), 0, 0
     for error_px, geometry in ((0.3, True), (1.0, False), (3.7, True), (3.7, False), (20.0, True)):
         right = check(tree, cells, CAMERAS[name], error_px, geometry)
@@ -134,10 +132,10 @@ def test_a_cut_is_that_of_a_recursion_over_all_cells(
 
 @pytest.mark.parametrize("name", [name for name in CAMERAS if not name.startswith("a plan")])
 @pytest.mark.parametrize("continuous", [False, True])
-def test_cuts_are_coarser_beside_the_gaze(
+def test_cuts_are_coarser_away_from_the_gaze(
     tree: nf.orthoview.OrthoTree, cells: oracle.World, name: str, continuous: bool
 ) -> None:
-    # Pixels of a degree or more are coarser than what the eye sees almost anywhere.
+    # Pixels of a degree or more are coarser than visual acuity almost everywhere.
     finer_by, fewer = 12, 0
     width, height = CAMERAS[name].size
     camera = replace(CAMERAS[name], size=(finer_by * width, finer_by * height))
@@ -146,7 +144,7 @@ def test_cuts_are_coarser_beside_the_gaze(
         evenly = tree.cut(camera, error_px=error_px, geometry=False, continuous=continuous, around=True)
         if not continuous:
             fewer += len(evenly) - len(right.cells)
-            # Each of its cells has, or holds, cells of the cut that is equally fine everywhere.
+            # Each of its cells is, or contains, a cell of the cut with uniform resolution.
             finer = set(zip(evenly.level.tolist(), rows(evenly.place), strict=True))
             for level, (x, y, z) in finer:
                 ups = range(tree.levels - level)
@@ -160,7 +158,7 @@ turn = st.lists(st.floats(-1, 1), min_size=4, max_size=4).filter(lambda parts: n
 
 
 @given(st.tuples(coordinate, coordinate, coordinate), turn, fov, st.floats(0.2, 30), st.booleans(), st.booleans())
-def test_a_cut_of_any_viewer(
+def test_cuts_of_random_viewers_equal_the_oracle(
     tree: nf.orthoview.OrthoTree,
     cells: oracle.World,
     place: tuple[float, float, float],
@@ -193,10 +191,10 @@ SLANTED = looking((-31.7, 15.3, 22.3), (0, 5, 3), PLAN)
 
 
 @pytest.mark.parametrize("camera", [CAMERAS["inside"], CAMERAS["outside"], CAMERAS["face 3"], SLANTED])
-def test_directions_of_a_tree_are_those_of_its_views(
+def test_directions_of_a_cut_have_views_in_the_tree(
     tree: nf.orthoview.OrthoTree, cells: oracle.World, camera: nf.Camera
 ) -> None:
-    """Nearest to the viewer, or to its direction raised by an angle, which changes nothing else of a cut."""
+    """Directions nearest to the viewer's, or to it raised by an angle; the rest of the cut does not change."""
     missing, doubtful, chosen = 0, 0, []
     paper = tree.cut(camera, views=4, error_px=2.0, geometry=False, around=True)
     for lift_deg in (0.0, 7.5, 30.0, 90.0):
@@ -223,16 +221,16 @@ def test_directions_of_a_tree_are_those_of_its_views(
 
 @pytest.mark.parametrize(("count", "widest"), [(5, 1.0), (9, math.sqrt(2)), (13, 4 / math.sqrt(6))])
 def test_the_widest_view_decides_the_reach(count: int, widest: float, tmp_path: Path) -> None:
-    """A cube of side 1 is √2 high from between two sides, and 4/√6 from a corner."""
+    """A cube of side 1 is √2 high seen from an edge, and 4/√6 from a corner."""
     scene = boxes(1, 8.0)[0]
     tree = nf.orthoview.build(scene, tmp_path / "tree.zarr", cell=20.0, size=SIZE, directions=count)
-    # Pixels of 1/8 × 1/32 at 1 m: a square of their area has a side of 1/16.
+    # Pixels of 1/8 × 1/32 at 1 m have the area of a square of side 1/16.
     camera = nf.Camera((0, 0, 0), fov=nf.Fov(-1, 1, -1, 1), size=(16, 64))
     assert math.isclose(tree.cut(camera, error_px=2.0).reach, widest * 20.0 / SIZE * 16 / 2)
 
 
 # lists, and bad calls -----------------------------------------------------------------------------------------------
-def test_keys_are_the_views_of_the_cut(tree: nf.orthoview.OrthoTree) -> None:
+def test_keys_list_the_views_of_the_cut(tree: nf.orthoview.OrthoTree) -> None:
     cut = tree.cut(CAMERAS["inside"], error_px=2.0, around=True)
     assert len(cut) == len(cut.level)
     for in_picture in (False, True):
@@ -260,7 +258,7 @@ def test_a_plan_has_no_gaze(tree: nf.orthoview.OrthoTree) -> None:
         tree.cut(CAMERAS["a plan"], gaze=(1, 2))
 
 
-def test_a_tree_that_is_not_complete_has_no_cut(tmp_path: Path) -> None:
+def test_an_incomplete_tree_has_no_cut(tmp_path: Path) -> None:
     source = Counted(world_of(range(3)), {5})
     tree = nf.orthoview.build(source, tmp_path / "part.zarr", cell=40.0, size=SIZE, directions=5)
     assert not tree.is_complete

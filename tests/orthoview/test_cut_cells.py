@@ -1,4 +1,4 @@
-"""Tests of cuts through cells that are given as such: directions of their views, and growth with the world."""
+"""Tests of cuts through given cells: directions of their views, and growth with the world."""
 
 from __future__ import annotations
 
@@ -48,10 +48,10 @@ def directions_in(
     st.booleans(),
     st.sampled_from([0.0, 10.0, 30.0, 45.0, 90.0]) | st.floats(0, 90),
 )
-def test_directions_are_the_nearest_to_the_viewer_by_angle(
+def test_directions_are_nearest_to_the_viewer_by_angle(
     eye: tuple[float, float, float], count: int, views: int, mask: int, is_parallel: bool, lift_deg: float
 ) -> None:
-    """To the viewer's direction raised by an angle, from above the horizon and below."""
+    """The viewer's direction is raised by an angle, from above the horizon and below."""
     directions = directions_of(count)
     mask &= 2**count - 1
     assume(mask)
@@ -59,7 +59,7 @@ def test_directions_are_the_nearest_to_the_viewer_by_angle(
     toward = np.array(eye)
     if is_parallel:
         assume(abs(toward[0]) + abs(toward[2]) > 0.1)
-        place = np.array([0.3, 0.2, 0.1])  # of which parallel rays do not depend
+        place = np.array([0.3, 0.2, 0.1])  # Parallel rays do not depend on it.
         camera = nf.Camera.look_at(place, place - toward, fov=nf.Orthographic(-1, 1, -1, 1), size=(8, 8))
     try:
         right = oracle.nearest_directions(toward, directions, views, mask, lift_deg)
@@ -72,34 +72,34 @@ NAMES = {"+z": (0, 0, 1), "+x": (1, 0, 0), "-z": (0, 0, -1), "-x": (-1, 0, 0), "
 NAMES |= {
     f"{side} {end}": (x, y, z) for end, y in (("up", 1), ("down", -1)) for side, (x, _, z) in [*NAMES.items()][:4]
 }
-"""Sides, the top and the bottom, and the edges between them."""
+"""The sides, the top and the bottom, and the edges between them."""
 
 
 @pytest.mark.parametrize(
     ("eye", "lift_deg", "right"),
     [
-        # 0°, 30° and 50° above the horizon, a little to +x of +z: sides, edges at 45°, the top.
+        # At 0°, 30° and 50° above the horizon, slightly towards +x of +z: sides, edges at 45°, the top.
         ((1, 0, 9), 0, ["+z", "+z up", "+z down", "+x"]),
         ((1, 0, 9), 30, ["+z up", "+z", "top", "+x up"]),
         ((1, 5.2, 9), 30, ["+z up", "top", "+x up", "-x up"]),
         ((1, 10.7, 9), 30, ["top", "+z up", "+x up", "-x up"]),
-        # At the zenith all edges are equally near: those beside the viewer come first, from wherever it comes.
+        # At the zenith all edges are equally near: those towards the viewer come first, on any side.
         ((9, 20, 1), 30, ["top", "+x up", "+z up", "-z up"]),
         ((-1, 0, -9), 90, ["top", "-z up", "-x up", "+x up"]),
         # From 60° below to 30° below.
         ((1, -15.6, 9), 0, ["+z down", "bottom", "+x down", "-x down"]),
         ((1, -15.6, 9), 30, ["+z down", "+z", "bottom", "+x down"]),
-        # Straight up and down have no side to be turned on: equally near ones come by their numbers.
+        # Straight up and down have no azimuth for the rotation: ties are resolved by number.
         ((0, 5, 0), 0, ["top", "+z up", "+x up", "-z up", "-x up", "+z"]),
         ((0, 5, 0), 30, ["top", "+z up", "+x up", "-z up", "-x up", "+z"]),
         ((0, -5, 0), 0, ["bottom", "+z down", "+x down", "-z down", "-x down", "+z"]),
         ((0, -5, 0), 30, ["bottom", "+z down", "+x down", "-z down", "-x down", "+z"]),
         ((1e-12, -5, 0), 90, ["bottom", "+x down", "+z down", "-z down", "-x down", "+x"]),
-        # Of a viewer in the middle of a cell the direction is +y.
+        # For a viewer in the middle of a cell the direction is +y.
         ((0, 0, 0), 60, ["top", "+z up", "+x up", "-z up", "-x up", "+z"]),
     ],
 )
-def test_viewers_are_raised_at_most_to_the_zenith(
+def test_directions_are_raised_at_most_to_the_zenith(
     eye: tuple[float, float, float], lift_deg: float, right: list[str]
 ) -> None:
     directions = directions_of(26)
@@ -109,7 +109,7 @@ def test_viewers_are_raised_at_most_to_the_zenith(
     assert [names[directions[number]] for number in found] == right
 
 
-def test_next_ones_take_the_place_of_views_that_show_nothing() -> None:
+def test_empty_views_are_replaced_by_the_next_directions() -> None:
     directions = directions_of(5)  # +z, +x, −z, −x, +y
     camera = nf.Camera((5.0, 9.0, 2.0), fov=NARROW, size=(8, 8))  # nearest to +y, then +x, +z, −z, −x
     for mask, right in {
@@ -124,7 +124,7 @@ def test_next_ones_take_the_place_of_views_that_show_nothing() -> None:
 
 # growth -------------------------------------------------------------------------------------------------------------
 def flat(leaves: int) -> _core.OrthoCells:
-    """A world of leaves of 1 m on one floor, with something everywhere."""
+    """A world of 1 m leaves on one floor, all non-empty."""
     levels = leaves.bit_length()
     cells = _core.OrthoCells((0.0, 0.0, 0.0), 1.0, levels, 3)
     for tier in range(-(-levels // 3)):
@@ -139,7 +139,7 @@ def flat(leaves: int) -> _core.OrthoCells:
 
 
 def count_cells(leaves: int, pitch: float, height: float = 0.0) -> tuple[int, int]:
-    """Cells and leaves of a cut for a viewer in the middle of a flat world."""
+    """Numbers of cells and leaves of a cut for a viewer in the middle of a flat world."""
     camera = nf.Camera((leaves / 2, height, leaves / 2), fov=nf.Fov(-1, 1, -1, 1), size=(64, 64))
     rule = _core.OrthoRule(camera._core, pitch=pitch, error=1.0)
     arrays, _, unknown = flat(leaves).cut(
@@ -149,9 +149,9 @@ def count_cells(leaves: int, pitch: float, height: float = 0.0) -> tuple[int, in
     return len(arrays["level"]), len(arrays["leaf_level"])
 
 
-def test_a_cut_grows_by_as_many_cells_with_each_doubling_of_the_world() -> None:
+def test_a_cut_grows_by_a_constant_with_each_doubling_of_the_world() -> None:
     for leaves in (16, 32, 64, 128):
-        # With a reach of a leaf's side, of the four cells of a level about the viewer each gives way to four children:
+        # With a reach of a leaf's side, each of a level's four cells about the viewer is replaced by four children:
         # one touches the viewer, the others are one side away or √2 sides, which is just far enough.
         assert count_cells(leaves, 1 / 32) == (4 * 3 * (leaves.bit_length() - 2), 4)
     for pitch, height in ((0.1, 0.3), (0.2, 1.7)):

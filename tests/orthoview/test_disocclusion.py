@@ -1,4 +1,4 @@
-"""Tests of how much of a world views hide, and of the set of directions that is chosen by it."""
+"""Tests of disocclusion, the share of a world that views hide, and of the set of directions chosen by it."""
 
 from __future__ import annotations
 
@@ -37,17 +37,17 @@ def sheet(*corners: ArrayLike) -> trimesh.Trimesh:
 
 
 def seen_across(monkeypatch: pytest.MonkeyPatch, scene: nf.Scene, slope: float) -> dict[int, float]:
-    """Disocclusion for one viewer in the direction (0, slope, 1)."""
+    """Disocclusion for a single viewer in the direction (0, slope, 1)."""
     viewer = np.array([[0.0, slope, 1.0]]) / np.hypot(slope, 1.0)
     monkeypatch.setattr(measure, "viewers", lambda below: viewer)
-    monkeypatch.setattr(measure, "RAYS", 300)  # metres of walls are counted in whole rays
+    monkeypatch.setattr(measure, "RAYS", 300)  # Lengths of walls are counted in whole rays.
     return disocclusion(scene, ONE, ALONE, size=256)
 
 
-def test_viewers_are_spread_evenly_over_the_upper_half() -> None:
+def test_viewers_are_distributed_evenly_over_the_upper_hemisphere() -> None:
     looks = viewers()
     np.testing.assert_allclose(np.linalg.norm(looks, axis=1), 1)
-    # Of n evenly spread points on half a sphere each has 2π/n: the area of a cap of the angle acos(1 − 1/n).
+    # Each of n evenly spread points on a hemisphere has 2π/n: the area of a cap of the angle acos(1 − 1/n).
     cap = np.arccos(1 - 1 / len(looks))
     apart = np.arccos(np.clip(looks @ looks.T - 2 * np.eye(len(looks)), -1, 1)).min(axis=1)
     assert (apart > cap).all()
@@ -58,12 +58,12 @@ def test_viewers_are_spread_evenly_over_the_upper_half() -> None:
 
 
 @pytest.mark.parametrize("count", COUNTS)
-def test_the_nearest_directions_are_those_of_the_least_angles(count: int) -> None:
+def test_the_nearest_directions_have_the_least_angles(count: int) -> None:
     directions = np.array([np.array(d) / np.linalg.norm(d) for d in directions_of(count)])
     for viewer in viewers():
         angles = [np.arctan2(np.linalg.norm(np.cross(d, viewer)), d @ viewer) for d in directions]
         assert sorted(nearest(directions, viewer)) == sorted(sorted(range(count), key=lambda n: angles[n])[:3])
-    # Of equally near directions the first of all is taken, whatever the rounding.
+    # Among equally near directions the first is used, regardless of rounding.
     first = {5: [0, 1, 4], 9: [5, 6, 0], 13: [9, 5, 6], 26: [9, 5, 6]}[count]
     assert nearest(directions, np.array([1.0, 1.0, 1.0]) / np.sqrt(3)) == first
 
@@ -97,7 +97,7 @@ def test_a_wall_hides_the_foot_of_a_higher_one(monkeypatch: pytest.MonkeyPatch, 
 
 
 @pytest.mark.parametrize(("slope", "five", "nine"), [(0.5, 3, 0), (1.0, 6, 0), (1.5, 9, 3)])
-def test_street_canyons_hide_what_trigonometry_says(
+def test_disocclusion_of_street_canyons_equals_trigonometry(
     monkeypatch: pytest.MonkeyPatch, slope: float, five: float, nine: float
 ) -> None:
     # A street of 6 m between houses of 10 m, whose ends are open. A viewer sees 6 · slope metres of the wall beyond the
@@ -110,8 +110,8 @@ def test_street_canyons_hide_what_trigonometry_says(
     assert shares[9] == pytest.approx(nine / (20 * slope + 10), abs=0.01)
 
 
-def test_disocclusion_is_that_of_rays_back_to_the_views() -> None:
-    # Slow and obvious: a point is shown by a direction if nothing in the cell lies between it and a viewer there.
+def test_disocclusion_equals_rays_back_to_the_views() -> None:
+    # Slow reference: a direction shows a point if nothing in the cell lies between it and a viewer in that direction.
     scene, _ = boxes(40, SIDE)
     grid = Grid((40.0, -3.0, -60.0), SIDE, (1, 1, 1))
     box, holes, total = grid.box(0, ALONE), dict.fromkeys(COUNTS, 0), 0
@@ -132,7 +132,7 @@ def test_disocclusion_is_that_of_rays_back_to_the_views() -> None:
     exact = {count: number / total for count, number in holes.items()}
     measured = disocclusion(scene, grid, ALONE, size=512)
     assert exact[5] > 0.05
-    # Views do not show surfaces well that they see from the side, and show what lies within a pixel of what they see.
+    # Views show surfaces at grazing angles poorly, and also show points within a pixel of their own.
     assert all(abs(exact[count] - measured[count]) < 0.015 for count in COUNTS), (exact, measured)
 
 
@@ -154,7 +154,7 @@ def test_street_grids_defeat_views_along_their_axes() -> None:
     assert (smallest(aligned), smallest(turned)) == (13, 9)
 
 
-def test_what_moves_hides_nothing() -> None:
+def test_moving_objects_hide_nothing() -> None:
     wall = sheet((0, 0, 5), (20, 0, 5), (20, 16, 5), (0, 16, 5))
     door = sheet((0, 0, 9), (20, 0, 9), (20, 10, 9), (0, 10, 9))
     group = trimesh.Scene({"wall": wall, "door": door})
@@ -165,7 +165,7 @@ def test_what_moves_hides_nothing() -> None:
     assert disocclusion(moving, ONE, ALONE) == dict.fromkeys(COUNTS, 0.0)
 
 
-def test_the_smallest_set_that_is_good_enough_is_taken() -> None:
+def test_the_smallest_sufficient_set_is_chosen() -> None:
     good, worse = measure.BOUND, measure.BOUND + 2 * measure.GAIN
     assert smallest({5: good, 9: 0.0, 13: 0.0, 26: 0.0}) == 5
     assert smallest({5: worse, 9: good, 13: 0.0, 26: 0.0}) == 9
@@ -177,7 +177,7 @@ def test_the_smallest_set_that_is_good_enough_is_taken() -> None:
 
 
 class Counted:
-    """A source that counts what it is asked, and fails in the leaves that it is told."""
+    """A source that counts queries, and fails in chosen leaves."""
 
     def __init__(self, scene: nf.Scene, *, fails: Any = lambda box: False) -> None:
         self.scene, self.fails = scene, fails
@@ -196,7 +196,7 @@ class Counted:
 
 
 class Touching(Counted):
-    """The same, which tells what it touches."""
+    """Such a source with `touches`."""
 
     looks = 0
 
@@ -212,7 +212,7 @@ def far_apart() -> nf.Scene:
     return nf.Scene.from_arrays(points, np.arange(len(points)).reshape(-1, 3))
 
 
-def test_sparse_worlds_cost_looks_for_each_level_and_not_for_each_leaf() -> None:
+def test_sparse_worlds_need_queries_per_level_instead_of_per_leaf() -> None:
     world = Touching(far_apart())
     grid = Grid.from_bounds(world.bounds, SIDE)
     assert grid.levels >= 14
@@ -227,7 +227,7 @@ def test_sparse_worlds_cost_looks_for_each_level_and_not_for_each_leaf() -> None
     assert len(world.queries) <= measure.LOOKED + measure.CELLS
 
 
-def test_scenes_in_memory_are_looked_into_where_their_triangles_are() -> None:
+def test_scenes_in_memory_are_sampled_at_their_triangles() -> None:
     # Ground of 40,000 leaves, and boxes in nine of them.
     ground = sheet((-2000, 0, -2000), (2000, 0, -2000), (2000, 0, 2000), (-2000, 0, 2000))
     houses = [block((x, 0, z), (x + 9, 9, z + 9)) for x, z in itertools.product((105, 125, 145), (205, 225, 245))]
@@ -236,12 +236,12 @@ def test_scenes_in_memory_are_looked_into_where_their_triangles_are() -> None:
     first = list(itertools.islice(leaves(scene, grid), 9))
     built = {(100 + 5 + x, 0, 100 + 10 + z) for x in range(3) for z in range(3)}
     assert len(built & set(first)) >= 6
-    # A grid over a part of the scene has leaves of that part alone.
+    # A grid over a part of the scene only has leaves of that part.
     part = Grid.from_bounds(np.array([[100.0, 0, 200], [119, 9, 219]]), SIDE)
     assert list(leaves(scene, part)) == [(0, 0, 0)]
 
 
-def test_leaves_of_silent_sources_are_drawn_evenly() -> None:
+def test_leaves_of_sources_without_touches_are_sampled_evenly() -> None:
     world = Counted(far_apart())
     grid = Grid.from_bounds(world.bounds, SIDE)
     drawn = np.array(list(leaves(world, grid)))
@@ -256,13 +256,13 @@ def test_leaves_of_silent_sources_are_drawn_evenly() -> None:
 
 
 @pytest.mark.slow
-def test_choices_are_the_same_each_time() -> None:
+def test_choices_are_deterministic() -> None:
     scene, _ = boxes(30, 80.0)
     grid = Grid.from_bounds(scene.bounds, 60.0)
     one = choose_directions(scene, grid)
     assert one == choose_directions(scene.query(scene.bounds), grid)
     assert one.count == smallest(one.shares)
-    # The mean of its leaves, by pixels: it lies between the least and the greatest of theirs.
+    # The mean over its leaves, weighted by pixels, lies between their minimum and maximum.
     each = [
         disocclusion(scene.query(grid.box(0, place)), grid, place) for place in measure._densest(scene, grid, print)
     ]
@@ -270,7 +270,7 @@ def test_choices_are_the_same_each_time() -> None:
     assert one.cells == len(each)
 
 
-def test_leaves_that_a_source_fails_to_give_are_passed_over() -> None:
+def test_leaves_whose_query_fails_are_skipped() -> None:
     scene, _ = boxes(30, 80.0)
     grid = Grid.from_bounds(scene.bounds, 30.0)
     near = [place for place in leaves(scene, grid) if place[0] == 2 and scene.query(grid.box(0, place)).triangle_count]
@@ -281,7 +281,7 @@ def test_leaves_that_a_source_fails_to_give_are_passed_over() -> None:
     assert none == measure.Choice(9, {}, 0)
 
 
-def test_a_source_that_fails_the_second_time_is_passed_over() -> None:
+def test_a_source_that_fails_at_the_second_query_is_skipped() -> None:
     scene, _ = boxes(30, 80.0)
     grid = Grid.from_bounds(scene.bounds, 30.0)
     world = Touching(scene)
@@ -290,14 +290,14 @@ def test_a_source_that_fails_the_second_time_is_passed_over() -> None:
     assert len(world.queries) > measure.CELLS
 
 
-def test_worlds_without_anything_get_the_default() -> None:
+def test_empty_worlds_have_the_default_directions() -> None:
     scene, _ = boxes(3, 80.0)
     empty = scene.query([scene.bounds[0] - 9, scene.bounds[0] - 8])
     assert choose_directions(empty, ONE) == measure.Choice(9, {}, 0)
     assert disocclusion(empty, ONE, ALONE) == dict.fromkeys(COUNTS, 0.0)
 
 
-def test_choices_end_on_request() -> None:
+def test_choosing_directions_can_be_interrupted() -> None:
     scene, _ = boxes(30, 80.0)
     world = Touching(scene)
 

@@ -1,4 +1,4 @@
-"""Tests of flights: pictures of what has come, and what is read in the background."""
+"""Tests of flights: pictures of loaded parts, and background reading."""
 
 from __future__ import annotations
 
@@ -36,8 +36,8 @@ def flight(tree: Tree) -> Iterator[nf.orthoview.Flight]:
 @pytest.mark.parametrize(
     "settings", [{}, {"geometry": False}, {"views": 1, "error_px": 2.5}, {"views": 1, "lift_deg": 50.0}]
 )
-def test_after_a_wait_pictures_are_those_of_the_tree(tree: Tree, settings: dict[str, Any]) -> None:
-    """From near and far, whatever was seen before."""
+def test_after_a_wait_pictures_equal_the_tree(tree: Tree, settings: dict[str, Any]) -> None:
+    """From near and far, after any earlier pictures."""
     leaves = 0
     with tree.fly(**settings, adapt=False) as flight:
         places = [(20, 0.3), (60, 2.0), (500, 4.0), (40, 0.4)]
@@ -56,7 +56,7 @@ def test_after_a_wait_pictures_are_those_of_the_tree(tree: Tree, settings: dict[
     assert (leaves > 0) == settings.get("geometry", True)
 
 
-def test_all_that_renders_takes_flights(tree: Tree, flight: nf.orthoview.Flight) -> None:
+def test_all_render_functions_accept_flights(tree: Tree, flight: nf.orthoview.Flight) -> None:
     camera = camera_at(tree, 90)
     assert (flight.default_channels, flight.backends) == (tree.default_channels, tree.backends)
     assert is_same(whole(flight, lambda: nf.render(flight, camera)), tree.render(camera))
@@ -67,8 +67,8 @@ def test_all_that_renders_takes_flights(tree: Tree, flight: nf.orthoview.Flight)
     assert is_same(samples, tree.render(camera_at(tree, 91), samples=4))
 
 
-def test_both_eyes_are_read(tree: Tree) -> None:
-    """Though their pictures reach apart, to other sides than the first one's margin."""
+def test_parts_of_both_eyes_are_read(tree: Tree) -> None:
+    """Their pictures extend to opposite sides beyond the first one's margin."""
     hmd, camera = nf.hmd.QUEST_2, camera_at(tree, 60)
     eyes: dict[str, Any] = {"orientation": camera.orientation, "size": (48, 48)}
     wide = hmd.with_ipd(0.08)
@@ -80,7 +80,7 @@ def test_both_eyes_are_read(tree: Tree) -> None:
             assert is_same(one, other)
 
 
-def test_hybrid_pictures_take_flights(tree: Tree, flight: nf.orthoview.Flight) -> None:
+def test_hybrid_stereo_accepts_flights(tree: Tree, flight: nf.orthoview.Flight) -> None:
     camera, hmd = camera_at(tree, 90), nf.hmd.QUEST_2
     rig = nf.stereo.HybridRig.of(hmd, mono_plane=60.0, size=(48, 48))
     right = rig.render(tree, camera.position, camera.orientation)
@@ -108,7 +108,7 @@ def test_the_first_picture_is_empty(tree: Tree, flight: nf.orthoview.Flight, gat
 
 
 def test_pictures_have_no_holes_while_views_arrive(tree: Tree, gate: Gate, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Once the coarsest views are there, each pixel that they and the tree show shows something."""
+    """Once the coarsest views are loaded, each pixel that they and the tree cover is covered."""
     monkeypatch.setattr(_loader, "BATCH", 12)
     gate.close()
     camera = camera_at(tree, 75)
@@ -133,8 +133,8 @@ def test_pictures_have_no_holes_while_views_arrive(tree: Tree, gate: Gate, monke
         assert is_same(frame, right)
 
 
-def test_pictures_keep_what_they_showed(tree: Tree, flight: nf.orthoview.Flight, gate: Gate) -> None:
-    """Cells that another direction or level is wanted of, while nothing is read; there and back."""
+def test_pictures_keep_parts_until_replacements_arrive(tree: Tree, flight: nf.orthoview.Flight, gate: Gate) -> None:
+    """Cells are wanted from another direction or level while nothing is read; forward and back."""
     camera = camera_at(tree, 60)
     first = whole(flight, lambda: flight.render(camera, time=0.0, channels=CHANNELS))
     held = flight._before[0].parts()
@@ -152,7 +152,7 @@ def test_pictures_keep_what_they_showed(tree: Tree, flight: nf.orthoview.Flight,
     assert is_same(flight.render(camera, time=9.0, channels=CHANNELS), first)
 
 
-def test_a_flight_is_read_once(tree: Tree, flight: nf.orthoview.Flight, gate: Gate) -> None:
+def test_each_part_of_a_flight_is_read_once(tree: Tree, flight: nf.orthoview.Flight, gate: Gate) -> None:
     for time, distance in enumerate([60, 90, 60, 30, 90]):
         whole(flight, lambda: flight.render(camera_at(tree, distance), time=100.0 * time))  # noqa: B023
     assert len(set(gate.views)) == len(gate.views) > 100
@@ -163,7 +163,7 @@ def test_a_flight_is_read_once(tree: Tree, flight: nf.orthoview.Flight, gate: Ga
     assert flight.bytes_read == read
 
 
-def test_looks_read_what_pictures_need(tree: Tree, flight: nf.orthoview.Flight, gate: Gate) -> None:
+def test_looks_read_the_parts_of_pictures(tree: Tree, flight: nf.orthoview.Flight, gate: Gate) -> None:
     camera = camera_at(tree, 60)
     flight.look(camera)
     assert flight.wait(LONG)
@@ -185,7 +185,7 @@ def test_looks_read_what_pictures_need(tree: Tree, flight: nf.orthoview.Flight, 
 
 
 @pytest.mark.slow
-def test_memory_keeps_what_is_needed_and_little_else(tree: Tree) -> None:
+def test_memory_keeps_needed_parts_and_little_else(tree: Tree) -> None:
     for cache_bytes in (0, 400_000):
         with nf.orthoview.open(tree.path, cache_bytes=cache_bytes).fly(adapt=False, error_px=2) as flight:
             views, reads = flight._viewer.views, 0
@@ -198,14 +198,16 @@ def test_memory_keeps_what_is_needed_and_little_else(tree: Tree) -> None:
                 needed = {part for part in plan.order if part[2] not in (GEOMETRY, RECORD)}
                 assert needed <= set(views._kept.values)
                 own = sum(layer.bytes for key in needed for layer in views._kept.values[key])
-                assert views.bytes == sum(layer.bytes for layers in views._kept.values.values() for layer in layers)
-                assert views.bytes <= max(cache_bytes, own)
+                assert views.cached_bytes == sum(
+                    layer.bytes for layers in views._kept.values.values() for layer in layers
+                )
+                assert views.cached_bytes <= max(cache_bytes, own)
                 assert views.reads > reads
                 reads = views.reads
-            assert views.bytes < reads * 1000 or cache_bytes
+            assert views.cached_bytes < reads * 1000 or cache_bytes
 
 
-def test_leaves_that_are_needed_stay(tree: Tree, gate: Gate, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_needed_leaves_stay_in_memory(tree: Tree, gate: Gate, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("nearfar.orthoview._near.MAX_LEAVES", 3)
     with tree.fly(adapt=False) as flight:
         for time, angle in enumerate([0.0, 3.0, 0.0]):
@@ -223,8 +225,8 @@ def test_leaves_that_are_needed_stay(tree: Tree, gate: Gate, monkeypatch: pytest
         assert len(set(gate.leaves)) < len(gate.leaves)
 
 
-def test_a_viewer_that_halts_sees_finer_pictures(tree: Tree, flight: nf.orthoview.Flight) -> None:
-    """Faster than the link allows, pictures are coarser; at rest they are as fine as is wanted."""
+def test_pictures_become_finer_when_the_viewer_stops(tree: Tree, flight: nf.orthoview.Flight) -> None:
+    """Above the speed limit of the link, pictures are coarser; at rest they have the requested detail."""
     flight._pilot.meter.note(1.0, flight._received(), busy=True)
     for step in range(30):
         camera = camera_at(tree, 120 - 2 * step)
@@ -240,7 +242,7 @@ def test_a_viewer_that_halts_sees_finer_pictures(tree: Tree, flight: nf.orthovie
     assert frame.stats["error_px"] == 1
 
 
-def test_threads_end_with_the_flight(tree: Tree) -> None:
+def test_reader_threads_end_with_the_flight(tree: Tree) -> None:
     camera, others = camera_at(tree, 60), readers()
     with tree.fly(threads=3) as flight:
         assert not readers() - others
@@ -254,7 +256,7 @@ def test_threads_end_with_the_flight(tree: Tree) -> None:
     flight.close()
 
 
-def test_limits_and_masks_hold(tree: Tree, flight: nf.orthoview.Flight) -> None:
+def test_flights_apply_limits_and_masks(tree: Tree, flight: nf.orthoview.Flight) -> None:
     camera = camera_at(tree, 60)
     mask = np.random.default_rng(0).random((48, 64)) < 0.5
     shot = Shot(cameras=(camera,), channels=("color", "range"), mask=mask, t_max=70.0)

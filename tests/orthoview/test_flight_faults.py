@@ -1,4 +1,4 @@
-"""Tests of flights over a network that fails, through stores that are damaged, and while these are updated."""
+"""Tests of flights with network failures, damaged stores, and concurrent updates."""
 
 from __future__ import annotations
 
@@ -34,14 +34,14 @@ ADDED = 101
 
 @dataclass
 class Server:
-    """A server of a folder that fails as a test tells it to."""
+    """A file server with failures controlled by the test."""
 
     url: str
     status: int = 0
-    """Its answer instead of files; −1 for an end of the connection."""
+    """Status sent instead of files; −1 closes the connection."""
     failures: int = 0
     goes_on: threading.Event = field(default_factory=threading.Event)
-    """Whether it answers."""
+    """Event: whether requests are answered."""
 
 
 @contextmanager
@@ -90,12 +90,12 @@ def gate(monkeypatch: pytest.MonkeyPatch) -> Iterator[Gate]:
 
 
 COARSE: dict[str, Any] = {"views": 1, "error_px": 4.0}
-"""Settings of flights for which little is read."""
+"""Settings of flights that read little."""
 
 
 @pytest.mark.slow
-def test_a_server_that_fails_for_a_time(tree: Tree, server: Server) -> None:
-    """One error each time; pictures go on, and are right again as soon as the server is."""
+def test_pictures_recover_after_server_failures(tree: Tree, server: Server) -> None:
+    """Each outage raises one error; pictures continue, and are right again as soon as the server recovers."""
     errors: list[Exception] = []
     way = [camera_at(tree, 90 - 5 * number, 0.3 + 0.1 * number) for number in range(6)]
     with nf.orthoview.open(f"{server.url}world.zarr").fly(error_px=2.0, adapt=False, on_error=errors.append) as flight:
@@ -119,8 +119,8 @@ def test_a_server_that_fails_for_a_time(tree: Tree, server: Server) -> None:
         assert all(isinstance(error, OSError) for error in errors)
 
 
-def test_files_that_are_gone_are_read_again_after_a_refresh(tree: Tree, server: Server) -> None:
-    """A store that refers to files that are not there is damaged, so that nothing asks for them again."""
+def test_missing_files_are_read_again_after_a_refresh(tree: Tree, server: Server) -> None:
+    """A store with missing files is damaged, so they are not requested again."""
     errors: list[Exception] = []
     camera = camera_at(tree, 90)
     with nf.orthoview.open(f"{server.url}world.zarr").fly(**COARSE, on_error=errors.append) as flight:
@@ -138,7 +138,7 @@ def test_files_that_are_gone_are_read_again_after_a_refresh(tree: Tree, server: 
         assert len(errors) == 1
 
 
-def test_a_slow_server_keeps_no_picture_waiting(tree: Tree, server: Server) -> None:
+def test_pictures_do_not_wait_for_a_slow_server(tree: Tree, server: Server) -> None:
     opened = nf.orthoview.open(f"{server.url}world.zarr")
     camera = camera_at(tree, 90)
     with opened.fly(**COARSE) as flight:
@@ -165,7 +165,7 @@ def damage(path: Path, tree: Tree, key: Any) -> None:
     file.write_bytes(bytes(content))
 
 
-def test_a_damaged_view_leaves_the_coarser_picture(tree: Tree, copied: Path) -> None:
+def test_a_damaged_view_keeps_the_coarser_picture(tree: Tree, copied: Path) -> None:
     camera = camera_at(tree, 60)
     cut = tree.cut(camera)
     key = cut.keys(in_picture=True)[0]
@@ -199,7 +199,7 @@ def test_a_damaged_view_leaves_the_coarser_picture(tree: Tree, copied: Path) -> 
 
 @pytest.fixture(scope="module")
 def small_shards(tmp_path_factory: pytest.TempPathFactory) -> Tree:
-    """A tree with small shards, of which an update writes some."""
+    """A tree with small shards, only some of which an update rewrites."""
 
     def make(path: Path) -> None:
         with pytest.MonkeyPatch.context() as patch:
@@ -214,7 +214,7 @@ def updated(tree: Tree) -> Tree:
 
 
 @pytest.mark.slow
-def test_a_store_is_updated_while_it_is_flown(small_shards: Tree, tmp_path: Path, gate: Gate) -> None:
+def test_a_store_is_updated_during_a_flight(small_shards: Tree, tmp_path: Path, gate: Gate) -> None:
     some: dict[str, Any] = {"views": 1, "error_px": 1.5}
     path = Path(shutil.copytree(small_shards.path, tmp_path / "flown.zarr"))
     camera = camera_at(small_shards, 60)
@@ -226,7 +226,7 @@ def test_a_store_is_updated_while_it_is_flown(small_shards: Tree, tmp_path: Path
         written = set(path.rglob("*")) - files
         right = now.render(camera, **some, channels=CHANNELS)
         assert not is_same(right, old)
-        # It goes on with what it has, also where it reads more.
+        # The flight continues with its generation, even for new reads.
         assert is_same(flight.render(camera, time=1.0, channels=CHANNELS), old)
         moved = camera_at(small_shards, 80, 0.9)
         shown = whole(flight, lambda: flight.render(moved, time=100.0, channels=CHANNELS))
@@ -237,7 +237,7 @@ def test_a_store_is_updated_while_it_is_flown(small_shards: Tree, tmp_path: Path
         gate.views.clear()
         assert flight.refresh()
         assert not flight.refresh()
-        # Until the new views are there, the picture is as it was.
+        # Until the new views are loaded, the picture is unchanged.
         assert is_same(flight.render(camera, time=300.0, channels=CHANNELS), old)
         gate.open()
         assert is_same(whole(flight, lambda: flight.render(camera, time=400.0, channels=CHANNELS)), right)
@@ -245,7 +245,7 @@ def test_a_store_is_updated_while_it_is_flown(small_shards: Tree, tmp_path: Path
         assert changed & set(gate.views)
         again = held & set(gate.views)
         assert not (held - again) & changed & set(flight._pilot.plan(flight._has).order)
-        # Shards are what an update writes anew.
+        # An update rewrites whole shards.
         anew = {
             key for key in held if any(file.as_posix().endswith(f"/{shard_of(small_shards, key)}") for file in written)
         }
@@ -263,7 +263,7 @@ def differs(one: Tree, other: Tree, key: Any) -> bool:
 
 
 def shard_of(tree: Tree, key: Any) -> str:
-    """Path of the shard that has a view."""
+    """Path of the shard that contains a view."""
     layout = tree._open_store().layout
     level, place, direction = key
     shard = layout.shard_of(level, place)[0]

@@ -1,4 +1,4 @@
-"""The server of the comparison of viewers: it stops after as many bytes as are allowed."""
+"""The server of the comparison of viewers: it stops after an allowed number of bytes."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ def read(url: str, **headers: str) -> bytes:
 
 
 def wait_for(gate: Gate, count: int) -> None:
-    """Wait until so many bytes have gone out and a client waits for more."""
+    """Wait until a number of bytes has been sent and a client waits for more."""
     wait_until(lambda: (gate.sent, gate.waiting) == (count, 1))
 
 
-def test_no_more_bytes_than_allowed_go_out(folder: Path) -> None:
+def test_at_most_the_allowed_bytes_are_sent(folder: Path) -> None:
     gate, found = Gate(allowed=5000), list[bytes]()
     with served({"counted": folder, "free": folder}, gate, frozenset({"counted"})) as url:
         assert read(f"{url}free/file.bin") == CONTENT
@@ -51,14 +51,14 @@ def test_no_more_bytes_than_allowed_go_out(folder: Path) -> None:
     assert (gate.sent, gate.requests) == (len(CONTENT) + 15, 3)
 
 
-def test_a_client_that_has_left_takes_nothing(folder: Path) -> None:
+def test_a_disconnected_client_uses_no_bytes(folder: Path) -> None:
     gate = Gate(allowed=5000)
     with served({"counted": folder}, gate, frozenset({"counted"})) as url:
         place = urlsplit(url)
         with socket.create_connection((place.hostname, place.port)) as client:
             client.sendall(b"GET /counted/file.bin HTTP/1.1\r\nHost: here\r\n\r\n")
             wait_for(gate, 5000)
-        wait_until(lambda: gate.waiting == 0)  # the server has looked
+        wait_until(lambda: gate.waiting == 0)  # The server has noticed.
         gate.allow(5000 + len(CONTENT))
         assert read(f"{url}counted/file.bin") == CONTENT
     assert gate.sent == 5000 + len(CONTENT)

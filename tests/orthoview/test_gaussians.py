@@ -1,4 +1,4 @@
-"""Pixels of views as Gaussians: middles, axes, sizes, colours, and what is left out because it is seen twice."""
+"""Pixels of views as Gaussians: centres, axes, sizes, colours, and removal of duplicates."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def pictures_of(tree: nf.orthoview.OrthoTree, level: int, place: tuple[int, int,
 
 
 def fullest(tree: nf.orthoview.OrthoTree, level: int, count: int) -> list[tuple[int, tuple[int, int, int]]]:
-    """The cells of a level that show the most."""
+    """The cells with the most pixels."""
     cells = cells_of(tree)
     return sorted(cells.cells_of_level(level), key=lambda cell: -cells.read(*cell).pixels)[:count]
 
@@ -44,7 +44,7 @@ def covariances(gaussians: Gaussians) -> NDArray[np.float64]:
     return axes @ axes.transpose(0, 2, 1)
 
 
-def test_gaussians_are_as_the_formulas_of_surfels_and_balls_say(tree: nf.orthoview.OrthoTree) -> None:
+def test_gaussians_equal_the_formulas_of_surfels_and_balls(tree: nf.orthoview.OrthoTree) -> None:
     level, place = fullest(tree, 1, 1)[0]
     checked = {"surfel": 0, "ball": 0}
     for number, direction in enumerate(tree.directions):
@@ -83,10 +83,10 @@ def test_gaussians_are_as_the_formulas_of_surfels_and_balls_say(tree: nf.orthovi
     assert min(checked.values()) > 20, checked
 
 
-def test_the_third_axis_is_the_normal_and_w_the_greatest_number() -> None:
+def test_the_third_axis_is_the_normal_and_w_is_the_largest_component() -> None:
     rng = np.random.default_rng(1)
     normal = rng.normal(size=(500, 3))
-    normal[:, 2] = np.abs(normal[:, 2]) + 0.5  # no flatter than a surfel
+    normal[:, 2] = np.abs(normal[:, 2]) + 0.5  # No flatter than a surfel.
     normal /= np.linalg.norm(normal, axis=1, keepdims=True)
     ones = np.ones(len(normal), bool)
     shown = Surfaces(np.zeros((500, 3), np.float32), normal.astype(np.float32), np.zeros((500, 3), np.uint8), ones)
@@ -100,7 +100,7 @@ def test_the_third_axis_is_the_normal_and_w_the_greatest_number() -> None:
     assert np.allclose(np.linalg.det(matrices(got.rotation)), 1, atol=1e-5)
 
 
-def test_the_light_is_that_of_pictures() -> None:
+def test_gaussians_are_lit_like_pictures() -> None:
     ball = trimesh.creation.icosphere(subdivisions=3)
     ball.visual.vertex_colors = [180, 120, 60, 255]
     camera = nf.Camera.look_at((3, 2, 4), (0, 0, 0), fov=nf.Fov.symmetric(40, 1), size=(48, 48))
@@ -110,14 +110,14 @@ def test_the_light_is_that_of_pictures() -> None:
     assert np.allclose(np.asarray(frame.albedo)[shown], to_linear(codes / 255), atol=1e-3)
     got = lit(codes, np.asarray(frame.shading_normal)[shown].astype(np.float32), SUN)
     assert shown.sum() > 300
-    assert np.abs(to_linear(got / 255) - np.asarray(frame.color)[shown]).max() < 0.006  # half a code of white
+    assert np.abs(to_linear(got / 255) - np.asarray(frame.color)[shown]).max() < 0.006  # Half a code of white.
     assert lit(codes, np.zeros((len(codes), 3), np.float32), None) is codes
 
 
-def test_another_sun_lights_other_sides() -> None:
+def test_the_direction_of_the_sun_is_applied() -> None:
     white, normal = np.full((2, 3), 255, np.uint8), np.array([[1, 0, 0], [-1, 0, 0]], np.float32)
     from_right, from_left = (to_linear(lit(white, normal, (x, 0.0, 0.0)) / 255) for x in (1.0, -1.0))
-    # The sun of (0.60, 0.56, 0.50) shines on one of two sides, the sky on both.
+    # The sun of (0.60, 0.56, 0.50) lights one of two sides, the sky both.
     assert np.allclose(from_right[0] - from_left[0], (0.60, 0.56, 0.50), atol=0.01)
     assert np.allclose(from_left[1] - from_right[1], (0.60, 0.56, 0.50), atol=0.01)
 
@@ -136,7 +136,7 @@ def test_the_top_of_a_plate_is_written_once(tmp_path: Path) -> None:
     cell = cells_of(tree).read(0, (0, 0, 0))
     up = matrices(cell.gaussians.rotation)[:, 1, 2]
     top = np.abs(up) > 0.9
-    # Seen from above it has 16² pixels, of which those at the corners are balls. The views between sides and top show
+    # Seen from above it has 16² pixels; those at the corners are balls. The views between sides and top show
     # it, too, with coarser pixels; at rims a few of these count.
     assert cell.pixels > 2 * 256
     assert 252 <= top.sum() <= 272
@@ -147,7 +147,7 @@ def test_a_thin_plate_has_no_lower_side_and_a_thick_one_has(tmp_path: Path) -> N
     for thickness in (0.0, 3.0):
         (tmp_path / str(thickness)).mkdir()
         tree = plate_tree(tmp_path / str(thickness), 26, thickness)
-        cells = cells_of(tree, (0.0, 1.0, 0.0))  # light from above tells sides apart
+        cells = cells_of(tree, (0.0, 1.0, 0.0))  # Light from above distinguishes the sides.
         gaussians = cells.read(0, (0, 0, 0)).gaussians
         level = np.abs(matrices(gaussians.rotation)[:, 1, 2]) > 0.9
         bright = gaussians.color[level][:, 0].astype(int)
@@ -155,10 +155,10 @@ def test_a_thin_plate_has_no_lower_side_and_a_thick_one_has(tmp_path: Path) -> N
         counts[thickness] = (int((bright > middle).sum()), int((bright <= middle).sum()))
     assert counts[3.0][0] >= 252
     assert counts[3.0][1] >= 252
-    assert counts[0.0][0] + counts[0.0][1] <= 256 + 2 * 16  # the one side, and rims
+    assert counts[0.0][0] + counts[0.0][1] <= 256 + 2 * 16  # One side, and rims.
 
 
-def test_each_pixel_that_is_left_out_lies_beside_one_that_is_not(tree: nf.orthoview.OrthoTree) -> None:
+def test_each_removed_pixel_lies_beside_a_kept_one(tree: nf.orthoview.OrthoTree) -> None:
     left_out = 0
     for level, place in fullest(tree, 2, 3):
         pictures = pictures_of(tree, level, place)
@@ -166,14 +166,14 @@ def test_each_pixel_that_is_left_out_lies_beside_one_that_is_not(tree: nf.orthov
         for picture in pictures:
             shown = picture.surfaces()
             apart = np.linalg.norm(shown.middle[:, None] - kept.middle[None], axis=2).min(axis=1)
-            # Between four pixels of another view none is farther than half of a diagonal; those lean by 75° at most.
+            # In another view's grid the nearest pixel is half a diagonal away at most; pixels lean by 75° at most.
             pixel = max(max(own.pitch) for own in pictures)
             assert apart.max() < 2 * pixel, (place, apart.max() / pixel)
             left_out += int((apart > 1e-6).sum())
     assert left_out > 50
 
 
-def test_a_box_keeps_middles_within_it(tree: nf.orthoview.OrthoTree) -> None:
+def test_a_box_keeps_centres_within_it(tree: nf.orthoview.OrthoTree) -> None:
     ((level, place),) = fullest(tree, 1, 1)
     low, high = tree.box(level, place)
     box = np.array([low, [*((low + high) / 2)[:2], high[2]]])

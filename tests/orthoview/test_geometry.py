@@ -1,4 +1,4 @@
-"""Tests of the geometry of leaves: which triangles belong to one, and what its file holds of them."""
+"""Tests of the geometry of leaves: which triangles belong to a leaf, and the content of its file."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ FAR = np.array([123_456.7, 10.3, -98_765.4])
 
 
 def soup(offset: Any = (0, 0, 0)) -> nf.Scene:
-    """Triangles of all sizes about a box of 40 m; a part of them in planes and along lines of whole metres."""
+    """Triangles of all sizes about a box of 40 m, some of them in planes and along lines at whole metres."""
     rng = np.random.default_rng(7)
     sizes = rng.choice([0.1, 2.0, 30.0], 240)
     corners = rng.uniform(-20, 20, (240, 1, 3)) + rng.normal(size=(240, 3, 3)) * sizes[:, None, None]
@@ -76,10 +76,10 @@ def test_a_triangle_belongs_to_the_leaf_of_its_first_corner() -> None:
     grid = Grid((0.0, 0.0, 0.0), 10.0, (2, 1, 2))
     corners = np.array(
         [
-            [(10, 1, 1), (9, 1, 1), (9, 2, 1)],  # on the side between two leaves
+            [(10, 1, 1), (9, 1, 1), (9, 2, 1)],  # On the face between two leaves.
             [(9, 1, 1), (10, 1, 1), (9, 2, 1)],
-            [(20, 10, 20), (19, 9, 19), (19, 9, 18)],  # on the far sides of the last one
-            [(-1, 1, 1), (3, 1, 1), (13, 2, 1)],  # with its first corner outside
+            [(20, 10, 20), (19, 9, 19), (19, 9, 18)],  # On the far faces of the last leaf.
+            [(-1, 1, 1), (3, 1, 1), (13, 2, 1)],  # With its first corner outside.
         ],
         np.float32,
     )
@@ -90,9 +90,9 @@ def test_a_triangle_belongs_to_the_leaf_of_its_first_corner() -> None:
     assert found == {(0, 0, 0): {second, third}, (1, 0, 0): {first}, (1, 0, 1): {last}}
 
 
-def test_a_triangle_across_a_tree_of_a_part_belongs_to_the_leaf_in_its_middle() -> None:
+def test_a_triangle_across_a_partial_tree_belongs_to_its_central_leaf() -> None:
     grid = Grid((0.0, 0.0, 0.0), 10.0, (5, 1, 1))
-    # Of this triangle the tree's box leaves the rectangle between x = 0 and 50, and z = 0 and 10.
+    # The tree's box cuts this triangle down to the rectangle between x = 0 and 50, and z = 0 and 10.
     world = nf.Scene.from_arrays([(-100, 5, -100), (-100, 5, 200), (300, 5, 0)], [[0, 1, 2]])
     assert [place for place, found in parts(world, grid) if owned(found, grid, place).any()] == [(2, 0, 0)]
 
@@ -110,7 +110,7 @@ def test_positions_are_within_the_stated_error(world: str, cell: float) -> None:
         if data is None:
             continue
         stated = glb.header(data)[0]["asset"]["extras"]
-        found, expected = loaded(data), standing(part)[mine]
+        found, expected = load_triangles(data), standing(part)[mine]
         assert stated["triangles"] == len(found) == len(expected)
         errors.append(farthest(found, expected))
         # The reader's own coordinates are float32.
@@ -119,12 +119,12 @@ def test_positions_are_within_the_stated_error(world: str, cell: float) -> None:
         assert (low < found.min(axis=(0, 1))).all()
         assert (high > found.max(axis=(0, 1))).all()
         assert (low > found.min(axis=(0, 1)) - 4 * step_of(grid)).all()
-    # Instances are off by another half of a step.
+    # Instances add another half step of error.
     assert 0.2 * step_of(grid) < max(errors) <= step_of(grid) * (1 if world == "balls" else 0.51)
 
 
-def loaded(data: bytes) -> NDArray[np.float64]:
-    """Triangles of a file, world, metres. Relative to its first node, where it is read, they are exact."""
+def load_triangles(data: bytes) -> NDArray[np.float64]:
+    """Triangles of a file, world, metres. They are exact relative to its first node, about which they are read."""
     document, _ = glb.header(data)
     origin = np.array(document["nodes"][0].pop("translation", (0.0, 0.0, 0.0)))
     with tempfile.TemporaryDirectory() as folder:
@@ -136,7 +136,7 @@ def loaded(data: bytes) -> NDArray[np.float64]:
 
 
 @pytest.mark.parametrize("cell", [16.0, 7.0])
-def test_corners_that_meet_are_rounded_alike_in_all_leaves(cell: float) -> None:
+def test_shared_corners_are_rounded_equally_in_all_leaves(cell: float) -> None:
     # Half of all multiples of half a step lie between two steps.
     rng = np.random.default_rng(1)
     heights = rng.integers(-(2**11), 2**11, (40, 40))
@@ -149,13 +149,13 @@ def test_corners_that_meet_are_rounded_alike_in_all_leaves(cell: float) -> None:
     step = step_of(grid)
     assert step == (STEP if cell == 16 else 2.0**-12)
     files = [cell_glb(part, grid, place) for place, part in parts(world, grid)]
-    found = np.concatenate([loaded(data) for data in files if data is not None]).reshape(-1, 3)
-    expected = np.rint(corners / step) * step  # to the even step where there are two
+    found = np.concatenate([load_triangles(data) for data in files if data is not None]).reshape(-1, 3)
+    expected = np.rint(corners / step) * step  # To the even step at ties.
     assert len(files) > 6
     assert set(keys(found + 0.0)) == set(keys(expected + 0.0))
 
 
-def test_the_step_follows_small_leaves() -> None:
+def test_the_step_shrinks_with_small_leaves() -> None:
     def step(cell: float) -> float:
         return step_of(Grid((0.0, 0.0, 0.0), cell, (1, 1, 1)))
 
@@ -185,17 +185,17 @@ def test_meshes_of_several_placements_are_written_once() -> None:
     assert len(data) < 8 * 300 + 50 * 20 + 3000
 
 
-def test_triangles_without_area_are_left_out_and_leaves_of_nothing_else_have_no_file() -> None:
+def test_triangles_without_area_are_omitted_and_empty_leaves_have_no_file() -> None:
     grid = Grid((0.0, 0.0, 0.0), 16.0, (2, 1, 1))
     corners = np.array([[(1, 1, 1), (1.0001, 1, 1), (1, 1.0001, 1)], [(17, 1, 1), (18, 1, 1), (17, 2, 1)]])
     world = nf.Scene.from_arrays(corners.reshape(-1, 3), [[0, 1, 2], [3, 4, 5]])
     small, large = (cell_glb(world.query(grid.box(0, (x, 0, 0))), grid, (x, 0, 0)) for x in (0, 1))
     assert small is None
     assert large is not None
-    np.testing.assert_array_equal(loaded(large), corners[1:])
+    np.testing.assert_array_equal(load_triangles(large), corners[1:])
 
 
-def test_textures_are_files_that_leaves_share(tmp_path: Path) -> None:
+def test_leaves_share_texture_files(tmp_path: Path) -> None:
     builder = nf.SceneBuilder()
     rng = np.random.default_rng(0)
     shown, hidden = (np.full((8, 16, 4), 255, np.uint8) for _ in range(2))
@@ -224,13 +224,13 @@ def test_textures_are_files_that_leaves_share(tmp_path: Path) -> None:
     assert "images" not in glb.header(plain)[0]
 
 
-def test_textures_that_no_picture_holds_are_halved(tmp_path: Path) -> None:
+def test_textures_that_exceed_the_image_format_are_halved(tmp_path: Path) -> None:
     name = Images(tmp_path).add(np.full((4, 16384, 4), 255, np.uint8))
     with Image.open(tmp_path / name) as image:
         assert image.size == (8192, 2)
 
 
-def test_what_moves_has_files_of_its_own(tmp_path: Path) -> None:
+def test_moving_objects_have_separate_files(tmp_path: Path) -> None:
     turn = np.eye(4)
     turn[:3, 3] = 1.5, 0.25, 3.0
     world = balls().at({"ball 1": turn})

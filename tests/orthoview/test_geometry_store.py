@@ -1,4 +1,4 @@
-"""Tests of the folder of a tree's geometry: nearfar's own reader and other programs find in it what the world has."""
+"""Tests of the folder of a tree's geometry: nearfar's reader and other programs find the world's triangles in it."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from tests.support.orthoview_cases import boxes
 from tests.support.reader_cases import node
 
 WORLDS: dict[str, tuple[Any, float]] = {
-    # Subtrees of two tiers; instances, moving things and a texture; a world of one leaf.
+    # Subtrees of two tiers; instances, moving objects and a texture; a world of one leaf.
     "boxes": (lambda: boxes(60, 80.0)[0], 5.0),
     "balls": (balls, 2.0),
     "leaf": (lambda: boxes(3, 2.0)[0], 16.0),
@@ -59,7 +59,7 @@ def test_the_tileset_has_the_triangles_of_the_world(case: Case) -> None:
     assert found._core.texture_count == case.world._core.texture_count
 
 
-def test_parts_of_the_tileset_are_those_of_the_world(case: Case) -> None:
+def test_parts_of_the_tileset_equal_those_of_the_world(case: Case) -> None:
     opened = nf.open_source(case.folder)
     low, high = case.world.bounds
     slack = case.counts["error"] + 2.0**-17
@@ -70,7 +70,7 @@ def test_parts_of_the_tileset_are_those_of_the_world(case: Case) -> None:
         least = rng.uniform(low, high)
         box = np.array([least, least + rng.uniform(0, 0.3) * (high - low)])
         grown = opened.query(box + slack * np.array([[-1], [1]]))
-        # All that touches the box is found, and nothing that does not touch a box that is a little larger.
+        # Everything that touches the box is found, and nothing outside a slightly larger box.
         nearest(world_triangles(case.world.query(box)), world_triangles(grown), slack)
         larger = case.world.query(box + 3 * slack * np.array([[-1], [1]]))
         nearest(world_triangles(grown), world_triangles(larger), slack)
@@ -79,14 +79,14 @@ def test_parts_of_the_tileset_are_those_of_the_world(case: Case) -> None:
 
 
 def nearest(some: NDArray[np.float64], others: NDArray[np.float64], error: float) -> None:
-    """Assert that each of some triangles is among others."""
+    """Assert that each of the first triangles is among the others."""
     if len(some):
         extents = (np.stack([t.min(axis=1), t.max(axis=1), t.mean(axis=1)], axis=1) for t in (some, others))
         a, b = (found.reshape(-1, 9) for found in extents)
         assert max(float(np.abs(b - row).max(axis=1).min()) for row in a) <= error
 
 
-def test_cells_of_the_tileset_are_numbered_as_those_of_the_grid(case: Case) -> None:
+def test_cells_of_the_tileset_have_the_numbers_of_the_grid(case: Case) -> None:
     level = case.grid.levels - 1
     there = {tuple(map(int, path.with_suffix("").parts[-3:])) for path in (case.folder / "content").rglob("*.glb")}
     expected = {
@@ -100,7 +100,7 @@ def test_cells_of_the_tileset_are_numbered_as_those_of_the_grid(case: Case) -> N
     assert case.counts["bytes"] == sum(path.stat().st_size for path in (case.folder / "content").rglob("*.glb"))
 
 
-def test_the_list_of_what_moves(case: Case) -> None:
+def test_moving_objects_are_listed(case: Case) -> None:
     document = json.loads((case.folder / "moving.json").read_text())
     assert valid(document, "orthoview_moving")
     listed = document["files"]
@@ -112,7 +112,7 @@ def test_the_list_of_what_moves(case: Case) -> None:
     assert {instance["object"] for row in listed for instance in row["instances"]} == set(case.world.poses)
 
 
-def test_a_world_of_nothing_has_an_empty_tileset(tmp_path: Path) -> None:
+def test_an_empty_world_has_an_empty_tileset(tmp_path: Path) -> None:
     counts = GeometryStore(tmp_path, Grid((0.0, 0.0, 0.0), 8.0, (3, 1, 2))).finish()
     assert (counts["leaves"], counts["bytes"], counts["error"]) == (0, 0, 0.0)
     tileset = json.loads((tmp_path / "geometry" / "tileset.json").read_text())
@@ -120,11 +120,11 @@ def test_a_world_of_nothing_has_an_empty_tileset(tmp_path: Path) -> None:
     np.testing.assert_array_equal(nf.open_source(tmp_path / "geometry").bounds, [[0, 0, 0], [32, 32, 32]])
 
 
-def test_what_is_written_again_has_the_same_bytes(case: Case, tmp_path: Path) -> None:
+def test_rewritten_files_have_the_same_bytes(case: Case, tmp_path: Path) -> None:
     copy = tmp_path / "store"
     shutil.copytree(case.folder.parent, copy)
     before = contents(copy)
-    # A build that was ended while it wrote a file leaves a temporary one.
+    # A build that was interrupted while it wrote a file leaves a temporary file.
     (copy / "geometry" / "content" / "rest.tmp").write_bytes(b"")
     store = GeometryStore(copy, case.grid)
     place, part = max(parts(case.world, case.grid), key=lambda pair: pair[1].triangle_count)
@@ -147,8 +147,8 @@ def test_the_lowest_subtrees_have_many_levels() -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("levels", [1, 3, 4, 5, 8, 9])
-def test_subtrees_say_what_is_there(levels: int, tmp_path: Path) -> None:
-    """Against a walk that knows only sets of cells, read by nearfar's reader."""
+def test_subtrees_list_available_cells(levels: int, tmp_path: Path) -> None:
+    """Compares availability with sets of cells, through nearfar's reader."""
     rng = np.random.default_rng(levels)
     leaves = np.unique(rng.integers(0, 1 << (levels - 1), (20, 3)) // np.array([1, 1, 2]), axis=0)
     own = {tuple(place): np.sort(rng.normal(size=(2, 3)), axis=0) for place in leaves.tolist()}
@@ -196,8 +196,8 @@ def test_subtrees_say_what_is_there(levels: int, tmp_path: Path) -> None:
 
 
 # damage ---------------------------------------------------------------------------------------------------------------
-def damaged(folder: Path, change: Any) -> str:
-    """The error's message after a change to the first file of the geometry."""
+def error_after(folder: Path, change: Any) -> str:
+    """The error message after a change to the first file of the geometry."""
     world, cell = boxes(3, 2.0)[0], 0.7
     grid = Grid.from_bounds(world.bounds, cell)
     stored(world, grid, folder)
@@ -210,8 +210,8 @@ def damaged(folder: Path, change: Any) -> str:
 
 
 @pytest.mark.parametrize("length", [0, 11, 19, 300, -1])
-def test_files_that_end_early_are_refused(length: int, tmp_path: Path) -> None:
-    message = damaged(tmp_path, lambda path: path.write_bytes(path.read_bytes()[:length]))
+def test_truncated_files_are_refused(length: int, tmp_path: Path) -> None:
+    message = error_after(tmp_path, lambda path: path.write_bytes(path.read_bytes()[:length]))
     assert ": damaged geometry: " in message
 
 
@@ -224,23 +224,23 @@ def test_files_that_end_early_are_refused(length: int, tmp_path: Path) -> None:
         (b"glTF", b"glTG", "GLB"),
     ],
 )
-def test_files_that_say_something_else_are_refused(old: bytes, new: bytes, words: str, tmp_path: Path) -> None:
+def test_inconsistent_files_are_refused(old: bytes, new: bytes, words: str, tmp_path: Path) -> None:
     def change(path: Path) -> None:
         data = path.read_bytes()
         assert old in data
         path.write_bytes(data.replace(old, new, 1))
 
-    assert words in damaged(tmp_path, change)
+    assert words in error_after(tmp_path, change)
 
 
-def test_files_beside_the_grid_are_refused(tmp_path: Path) -> None:
-    message = damaged(tmp_path, lambda path: path.rename(path.with_name("99.glb")))
+def test_files_off_the_grid_are_refused(tmp_path: Path) -> None:
+    message = error_after(tmp_path, lambda path: path.rename(path.with_name("99.glb")))
     assert "99.glb: expected a leaf among" in message
 
 
 # other programs -------------------------------------------------------------------------------------------------------
 @pytest.mark.slow
-def test_the_validator_of_gltf_finds_nothing_wrong(case: Case) -> None:
+def test_the_gltf_validator_finds_no_errors(case: Case) -> None:
     need("node")
     files = sorted(case.folder.rglob("*.glb"))[:60]
     reports = node("validate.mjs", files)
@@ -254,7 +254,7 @@ def test_the_validator_of_gltf_finds_nothing_wrong(case: Case) -> None:
 @pytest.mark.parametrize("name", ["boxes", "balls"])
 def test_3d_tiles_renderer_finds_all_contents(name: str, tmp_path: Path) -> None:
     need("node")
-    # Of the balls only those without an image, which three.js decodes in browsers alone.
+    # Only balls without an image, because three.js decodes images in browsers only.
     world = balls().subset(objects=[f"ball {n}" for n in range(12)]) if name == "balls" else boxes(20, 40.0)[0]
     case = Case(world, 5.0, tmp_path)
     path = case.folder / "tileset.json"
@@ -285,5 +285,5 @@ def test_3d_tiles_renderer_finds_all_contents(name: str, tmp_path: Path) -> None
 
 
 def scene_box(low: Any, high: Any) -> NDArray[np.float64]:
-    """A box (2, 3) of a tileset, z up, in the axes of scenes."""
+    """The box (2, 3) of a tileset, z up, in the axes of scenes."""
     return np.array([[low[0], low[2], -high[1]], [high[0], high[2], -low[1]]])

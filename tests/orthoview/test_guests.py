@@ -1,4 +1,4 @@
-"""Tests of guests: the leaves whose triangles reach into a leaf that is drawn as geometry."""
+"""Tests of guests: the leaves whose triangles extend into a leaf that is drawn as geometry."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ Guests = dict[Place, set[Place]]
 
 
 def of_tree(tree: nf.orthoview.OrthoTree) -> Guests:
-    """Guests of all leaves that have some, as the records of a tree tell."""
+    """Guests of all leaves that have any, from the records of a tree."""
     read = of_subtrees(tree)
     counts = np.array(tree.cells(0))
     shards = [(x, y, z) for x, y, z in np.ndindex(*(-(-counts // 8)).tolist())]
@@ -33,7 +33,7 @@ def of_tree(tree: nf.orthoview.OrthoTree) -> Guests:
 
 
 def by_hand(world: nf.Scene, grid: Grid) -> Guests:
-    """The same: leaves whose own triangles are among those that touch another one."""
+    """Guests by definition: leaves that own triangles touching another leaf."""
     of_leaf = {place: {bytes(t) for t in part.triangles()} for place, part in parts(world, grid)}
     mine = {place: {bytes(t) for t in part.triangles()[owned(part, grid, place)]} for place, part in parts(world, grid)}
     found: Guests = {}
@@ -58,7 +58,7 @@ def build(world: nf.Scene, path: Path) -> nf.orthoview.OrthoTree:
     return nf.orthoview.build(world, path, cell=CELL, size=8, directions=5)
 
 
-def test_owners_are_those_of_whom_a_triangle_is(world: nf.Scene) -> None:
+def test_owners_of_triangles_are_found(world: nf.Scene) -> None:
     grid = Grid.from_bounds(world.bounds, CELL)
     seen = 0
     for place, part in parts(world, grid):
@@ -68,7 +68,7 @@ def test_owners_are_those_of_whom_a_triangle_is(world: nf.Scene) -> None:
     assert set(map(tuple, owners(world, grid).tolist())) <= set(places(grid))
 
 
-def test_records_have_the_guests_of_all_leaves(world: nf.Scene, tmp_path: Path) -> None:
+def test_records_list_the_guests_of_all_leaves(world: nf.Scene, tmp_path: Path) -> None:
     tree = build(world, tmp_path / "world.zarr")
     right = by_hand(world, Grid.from_bounds(world.bounds, CELL))
     assert of_tree(tree) == right
@@ -76,7 +76,7 @@ def test_records_have_the_guests_of_all_leaves(world: nf.Scene, tmp_path: Path) 
 
 
 @pytest.mark.slow
-def test_updates_and_copies_have_those_of_the_new_world(tmp_path: Path) -> None:
+def test_updates_and_copies_list_guests_of_the_new_world(tmp_path: Path) -> None:
     before, after = world_of(range(12)), world_of(range(1, 12))
     tree = build(before, tmp_path / "world.zarr").update(box_about({0}), after)
     fresh = build(after, tmp_path / "fresh.zarr")
@@ -91,7 +91,7 @@ GRID = Grid((0.0, 0.0, 0.0), 1.0, (20, 4, 20))
 LAYOUT = Layout(GRID, directions_of(5), 8, 12, 16, 3)
 
 
-def test_guests_come_back_from_text() -> None:
+def test_guests_are_parsed_from_text() -> None:
     known: _guests.Guests = {(8, 2, 9): [(0, 0, 0), (19, 3, 19)], (15, 0, 15): [(5, 1, 7)]}
     text = _guests.encode_guests(known)
     assert _guests.guests_of(text, LAYOUT, 0, (1, 0, 1)) == known
@@ -111,7 +111,7 @@ def test_guests_come_back_from_text() -> None:
         ((8, 4, 8), (0, 0, 0)),
     ],
 )
-def test_guests_that_cannot_be_are_refused(leaf: Place, guest: Place) -> None:
+def test_impossible_guests_are_refused(leaf: Place, guest: Place) -> None:
     with pytest.raises(UnusableError, match="expected leaves of the subtree, and others of the tree"):
         _guests.guests_of(_guests.encode_guests({leaf: [guest]}), LAYOUT, 0, (1, 0, 1))
     with pytest.raises(UnusableError, match="expected leaves of the subtree"):

@@ -1,4 +1,4 @@
-"""Tests of the second layer against a slow definition, and on scenes where what lies behind is known."""
+"""Tests of the second layer against a slow definition, and on scenes with known hidden surfaces."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def second(views: _core.OrthoViews) -> _core.OrthoViews:
 
 
 def same(one: _core.OrthoViews, other: _core.OrthoViews) -> bool:
-    """Whether all pixels are equal, bit for bit."""
+    """Whether all pixels are bit-identical."""
     arrays = ((views.colors(), views.depths(), views.normals()) for views in (one, other))
     return all(np.array_equal(*pair) for pair in zip(*arrays, strict=True))
 
@@ -41,7 +41,7 @@ def behind_by_definition(direction: Triple) -> Picture:
 
 @pytest.mark.parametrize("way", ["rays", "triangles"])
 @pytest.mark.parametrize("direction", [(0, 0, 1), (0, 1, 0), (1, 1, 0)])
-def test_a_second_layer_shows_what_faces_the_viewer_and_is_seen_past_the_first(direction: Triple, way: str) -> None:
+def test_the_second_layer_equals_its_definition(direction: Triple, way: str) -> None:
     scene, _ = boxes()
     right = behind_by_definition(direction)
     assert np.isfinite(right.depth).mean() > 0.1
@@ -80,9 +80,9 @@ def parent_of(drawn: list[tuple[Triple, _core.OrthoViews]]) -> _core.OrthoViews:
 
 
 @pytest.mark.parametrize("number", [0, DOWN, 6])
-def test_a_parents_second_layer_is_made_of_all_that_its_children_show(number: int) -> None:
+def test_a_parents_second_layer_is_composed_of_all_layers_of_its_children(number: int) -> None:
     drawn = children()
-    # One child has no second layer, as where it was left out: its first one may be behind another child's.
+    # One child has no second layer, as if omitted: its first one may be behind another child's.
     drawn[1] = (drawn[1][0], drawn[1][1].keep_behind([False] * len(NINE)))
     parent = parent_of(drawn)
     layers = [(octant, [views, *filter(None, [views.second_layer()])]) for octant, views in drawn]
@@ -96,7 +96,7 @@ def test_a_parents_second_layer_is_made_of_all_that_its_children_show(number: in
         assert (got.normal * right.normal).sum(axis=2)[is_there].min() > np.cos(np.radians(0.1))
 
 
-def test_the_order_of_children_changes_nothing_but_who_is_first_at_equal_depths() -> None:
+def test_the_order_of_children_matters_only_at_equal_depths() -> None:
     drawn = children()
     one, other = parent_of(drawn), parent_of(drawn[::-1])
     for views, reversed_views in ((one, other), (second(one), second(other))):
@@ -115,26 +115,26 @@ def test_no_surface_is_in_both_layers(make: Any) -> None:
         apart = (far - near)[far > 0]
         assert len(apart)
         assert (near[far > 0] > 0).all()
-        # Depths lie anywhere in their steps.
+        # Depths lie anywhere within their steps.
         assert apart.min() > reach - 1
 
 
 def plate(corner: Any, extents: Any) -> trimesh.Trimesh:
-    """A box with a corner, relative to the cell's, and extents."""
+    """A box given by a corner, relative to the cell's, and extents."""
     box = trimesh.creation.box(extents)
     box.apply_translation(CORNER + corner + np.multiply(extents, 0.5))
     return box
 
 
 def on_ground(*parts: trimesh.Trimesh) -> nf.Scene:
-    """Parts above the ground at y = −2.5 of the cell, which is a sheet."""
+    """Parts above a ground sheet at y = −2.5 of the cell."""
     low, high = CORNER - 5, CORNER + SIDE + 5
     corners = [(low[0], -2.5, low[2]), (low[0], -2.5, high[2]), (high[0], -2.5, high[2]), (high[0], -2.5, low[2])]
     ground = trimesh.Trimesh(corners, [[0, 1, 2], [0, 2, 3]], process=False)
     return nf.Scene.from_trimesh(trimesh.util.concatenate([ground, *parts]))
 
 
-def test_ground_below_a_table_is_seen_from_above_as_far_as_viewers_look_below_it() -> None:
+def test_the_second_layer_shows_the_visible_ground_below_a_table() -> None:
     views = leaf(on_ground(plate((3, 8, 2), (14.0, 0.5, 16.0))), directions=NINE, behind=True)
     got = second(views).depths()[DOWN, ..., 0]
     # The lines half-way to the upper edges lean by 22.5° and pass below the edge of the table, 7.5 m above the ground.
@@ -147,7 +147,7 @@ def test_ground_below_a_table_is_seen_from_above_as_far_as_viewers_look_below_it
     assert (distance > reach + pixel).any()
 
 
-def test_neither_the_insides_of_a_house_nor_the_ground_below_it_are_behind_it() -> None:
+def test_the_second_layer_omits_the_inside_of_a_house_and_the_ground_below() -> None:
     house = plate((5, 0.5, 5), (10.0, 11.0, 10.0))
     behind = second(leaf(on_ground(house), directions=NINE, behind=True))
     # From the upper edges the house hides ground beside it.
@@ -165,7 +165,7 @@ def test_neither_the_insides_of_a_house_nor_the_ground_below_it_are_behind_it() 
     assert np.ptp(shown[:, 0]) > 8.5
 
 
-def test_cells_where_nothing_is_hidden_have_no_second_layer() -> None:
+def test_cells_without_hidden_surfaces_have_no_second_layer() -> None:
     ground = on_ground()
     views = leaf(ground, directions=NINE, behind=True)
     assert not all(views.empty())
@@ -177,8 +177,8 @@ def test_cells_where_nothing_is_hidden_have_no_second_layer() -> None:
     assert parent.finish().second_layer() is None
 
 
-def test_a_child_that_another_one_hides_is_behind_it() -> None:
-    """The far one is drawn first, and is pushed back by the near one."""
+def test_an_occluded_child_is_in_the_second_layer() -> None:
+    """The far child is added first, and then moved back by the near one."""
     far = leaf(on_ground(), directions=NINE)
     near = leaf(nf.Scene.from_trimesh(plate((5, 10, 5), (10.0, 1.0, 10.0))), directions=NINE)
     for order in (((0, 0, 0), (0, 1, 0)), ((0, 1, 0), (0, 0, 0))):
@@ -195,7 +195,7 @@ def test_a_child_that_another_one_hides_is_behind_it() -> None:
 
 
 @pytest.mark.slow
-def test_the_unseen_share_is_that_of_points_that_no_view_shows() -> None:
+def test_the_unseen_share_counts_points_without_a_view() -> None:
     scene, _ = boxes(120)
     views = leaf(scene, directions=NINE, behind=True)
     firsts, seconds = list(views.depths()[..., 0]), list(second(views).depths()[..., 0])
@@ -204,7 +204,7 @@ def test_the_unseen_share_is_that_of_points_that_no_view_shows() -> None:
     assert 0.002 < right.mean() < 0.5
 
 
-def test_second_layers_come_back_from_their_arrays_and_are_left_out_by_direction() -> None:
+def test_second_layers_are_restored_from_arrays_and_omitted_by_direction() -> None:
     scene, _ = boxes()
     views = leaf(scene, directions=NINE, behind=True)
     behind = second(views)
@@ -223,5 +223,5 @@ def test_second_layers_come_back_from_their_arrays_and_are_left_out_by_direction
     assert _core.OrthoViews.with_behind(alone, nothing).second_layer() is None
     with pytest.raises(ValueError, match="keep: expected 9 values"):
         views.keep_behind([True] * 8)
-    with pytest.raises(ValueError, match="directions and the format of the views before it"):
+    with pytest.raises(ValueError, match="directions and the format of the first layer"):
         _core.OrthoViews.with_behind(alone, leaf(scene, directions=NINE[:5]))

@@ -1,4 +1,4 @@
-"""Tests of the threads that read what a flight wants."""
+"""Tests of the threads that read the parts that a flight wants."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from tests.support.flight_cases import readers
 from tests.support.waiting import wait_until
 
 LONG = 120.0
-"""Seconds after which a test gives up."""
+"""Timeout of a test in seconds."""
 
 
 def view(number: int) -> Part:
@@ -28,7 +28,7 @@ def leaf(number: int) -> Part:
 
 
 class Store:
-    """Reads parts as it is told to, and notes what was asked for."""
+    """Reads parts under control of the test, and records requests."""
 
     def __init__(self) -> None:
         self.batches: list[list[Part]] = []
@@ -62,7 +62,7 @@ def loading(store: Store, threads: int = 1) -> Iterator[Loader]:
 
 @contextmanager
 def held_up(store: Store, loader: Loader) -> Iterator[None]:
-    """A time in which the only thread reads one part, so that others gather."""
+    """A context in which the only thread is busy with one part, so that others gather."""
     store.may_go.clear()
     loader.want([view(1000)])
     assert store.asked.wait(LONG)
@@ -96,7 +96,7 @@ def test_parts_are_read_in_order_in_batches_of_one_kind() -> None:
     assert [len(batch) for batch in expected] == [2, 1, 2, 8, 3, 1]
 
 
-def test_only_the_last_wish_counts() -> None:
+def test_only_the_last_request_counts() -> None:
     store = Store()
     with loading(store) as loader:
         with held_up(store, loader):
@@ -110,7 +110,7 @@ def test_only_the_last_wish_counts() -> None:
     assert store.batches == [[view(1000)], [view(7), view(3)]]
 
 
-def test_a_damaged_part_is_told_of_once_and_the_others_are_read() -> None:
+def test_a_damaged_part_is_reported_once_and_others_are_read() -> None:
     store = Store()
     store.damaged = {view(2), view(5)}
     wanted = [view(n) for n in range(7)]
@@ -135,7 +135,7 @@ def test_a_damaged_part_is_told_of_once_and_the_others_are_read() -> None:
         assert messages(loader.errors()) == [f"damaged: {view(5)}"]
 
 
-def test_a_server_that_is_away_is_told_of_once_until_it_was_back(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_each_server_outage_is_reported_once(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(_loader, "FIRST_PAUSE", 1e-4)
     monkeypatch.setattr(_loader, "LONGEST_PAUSE", 1e-3)
     store = Store()
@@ -155,8 +155,8 @@ def test_a_server_that_is_away_is_told_of_once_until_it_was_back(monkeypatch: py
         assert loader.errors() == []
 
 
-def test_pauses_double_until_something_comes(monkeypatch: pytest.MonkeyPatch) -> None:
-    """With a clock that goes on by each pause as soon as a thread waits for it."""
+def test_pauses_double_until_a_part_arrives(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A fake clock advances by each pause as soon as a thread waits for it."""
     now, pauses = [100.0], []
     store = Store()
     store.is_away = True
@@ -185,7 +185,7 @@ def test_pauses_double_until_something_comes(monkeypatch: pytest.MonkeyPatch) ->
     assert pauses == pytest.approx([*expected, *expected])
 
 
-def test_waits_end() -> None:
+def test_waiting_ends() -> None:
     store = Store()
     with loading(store) as loader:
         assert loader.wait(0.0)
@@ -195,7 +195,7 @@ def test_waits_end() -> None:
         assert loader.wait(LONG)
 
 
-def test_threads_begin_with_the_first_wish_and_end_with_the_loader() -> None:
+def test_threads_begin_with_the_first_request_and_end_with_the_loader() -> None:
     store = Store()
     store.may_go.clear()
     others = readers()
@@ -206,7 +206,7 @@ def test_threads_begin_with_the_first_wish_and_end_with_the_loader() -> None:
     assert len(readers() - others) == 3
     closing = threading.Thread(target=loader.close)
     closing.start()
-    wait_until(lambda: loader.waiting == 3 * BATCH)  # what is read is read to its end, and nothing else
+    wait_until(lambda: loader.waiting == 3 * BATCH)  # Reads in progress are completed, and nothing else is read.
     store.may_go.set()
     closing.join(LONG)
     assert not readers() - others
@@ -218,8 +218,8 @@ def test_threads_begin_with_the_first_wish_and_end_with_the_loader() -> None:
     loader.close()
 
 
-def test_threads_share_what_is_wanted() -> None:
-    """Nothing is read twice, whatever is wanted in between."""
+def test_threads_share_the_wanted_parts() -> None:
+    """Nothing is read twice, even if other parts are wanted meanwhile."""
     store = Store()
     wanted = [view(n) for n in range(300)]
     with loading(store, 4) as loader:

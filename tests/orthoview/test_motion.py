@@ -1,4 +1,4 @@
-"""Tests of how a viewer's speed and turn are measured, and of where they lead."""
+"""Tests of the measurement of a viewer's velocity and rotation, and of their extrapolation."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Turn = NDArray[np.float64]
 
 
 def turn_about(angle: float, axis: Any) -> Turn:
-    """A turn about a world axis (3, 3)."""
+    """A rotation about a world axis (3, 3)."""
     return np.asarray(transforms.rotation_matrix(angle, axis)[:3, :3])
 
 
@@ -44,7 +44,7 @@ def motion_of(*seen: tuple[float, nf.Camera]) -> Motion:
     return motion
 
 
-def test_a_viewer_that_was_seen_once_rests() -> None:
+def test_a_viewer_seen_once_is_at_rest() -> None:
     camera = camera_at((1, 2, 3), turn_about(0.4, (0, 1, 0)))
     motion = motion_of((5.0, camera))
     assert motion.velocity.tolist() == motion.turn.tolist() == [0, 0, 0]
@@ -54,8 +54,8 @@ def test_a_viewer_that_was_seen_once_rests() -> None:
     assert (after.fov, after.size) == (camera.fov, camera.size)
 
 
-def test_velocity_is_the_way_over_the_time_of_the_window() -> None:
-    """The window begins with the last moment that is at least a quarter of a second ago."""
+def test_velocity_is_displacement_over_the_time_of_the_window() -> None:
+    """The window begins with the last sample that is at least a quarter of a second old."""
     times = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5]
     places = [np.array([time**2, 3 * time, -(time**3)]) for time in times]
     motion = Motion()
@@ -67,13 +67,13 @@ def test_velocity_is_the_way_over_the_time_of_the_window() -> None:
         np.testing.assert_allclose(motion.velocity, right, atol=1e-12)
 
 
-def test_two_moments_are_kept_however_far_apart() -> None:
+def test_two_samples_are_kept_at_any_interval() -> None:
     motion = motion_of((0.0, camera_at((0, 0, 0))), (60.0, camera_at((30, 0, -60))))
     np.testing.assert_allclose(motion.velocity, [0.5, 0, -1])
 
 
 @pytest.mark.parametrize("time", [2.0, 1.0, -7.0])
-def test_times_that_do_not_rise_begin_anew(time: float) -> None:
+def test_times_that_do_not_increase_reset_the_motion(time: float) -> None:
     motion = motion_of((1.9, camera_at((0, 0, 0))), (2.0, camera_at((1, 0, 0), turn_about(0.1, (0, 1, 0)))))
     assert np.linalg.norm(motion.velocity) > 0 < np.linalg.norm(motion.turn)
     motion.add(camera_at((9, 9, 9)), time)
@@ -88,7 +88,9 @@ parts = st.tuples(*[st.floats(-1, 1)] * 3).filter(lambda axis: np.linalg.norm(ax
 
 
 @given(angles, parts, angles, parts, st.floats(0.01, 2.0))
-def test_turns_lead_from_one_view_to_the_other(angle: float, axis: Any, start: float, other: Any, time: float) -> None:
+def test_rotations_lead_from_one_view_to_the_other(
+    angle: float, axis: Any, start: float, other: Any, time: float
+) -> None:
     first = turn_about(start, other)
     last = turn_about(angle, axis) @ first
     motion = motion_of((0.0, camera_at((0, 0, 0), first)), (time, camera_at((0, 0, 0), last)))
@@ -96,8 +98,8 @@ def test_turns_lead_from_one_view_to_the_other(angle: float, axis: Any, start: f
     np.testing.assert_allclose(motion.turn, expected, atol=1e-6 / time)
 
 
-def test_a_turn_and_its_opposite_quaternion_are_one() -> None:
-    """Quaternions of both signs stand for one view."""
+def test_a_quaternion_and_its_negative_are_the_same_rotation() -> None:
+    """Quaternions of both signs represent one view."""
     one = camera_at((0, 0, 0), turn_about(0.2, (0, 1, 0)))
     x, y, z, w = one.orientation
     other = nf.Camera(one.position, (-x, -y, -z, -w), fov=one.fov, size=one.size)
@@ -107,7 +109,9 @@ def test_a_turn_and_its_opposite_quaternion_are_one() -> None:
 
 
 @given(st.floats(-2.0, 2.0), parts, angles, parts, st.floats(0.0, 2.0))
-def test_the_turn_goes_on_up_to_a_right_angle(rate: float, axis: Any, start: float, other: Any, seconds: float) -> None:
+def test_the_rotation_is_extrapolated_up_to_a_right_angle(
+    rate: float, axis: Any, start: float, other: Any, seconds: float
+) -> None:
     first = turn_about(start, other)
     unit = np.array(axis) / np.linalg.norm(axis)
     seen = turn_about(rate * 0.25, unit) @ first
@@ -120,7 +124,7 @@ def test_the_turn_goes_on_up_to_a_right_angle(rate: float, axis: Any, start: flo
     assert abs(math.hypot(*after.orientation) - 1) < 1e-12
 
 
-def test_axes_are_those_of_the_camera() -> None:
+def test_axes_equal_the_cameras() -> None:
     turn = turn_about(1.1, (1, 2, -3))
     camera = camera_at((0, 0, 0), turn)
     axes = rotation(camera.orientation).T

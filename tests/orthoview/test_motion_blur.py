@@ -31,7 +31,7 @@ def picture(fov: Any, size: int = 18) -> nf.Frame:
 
 
 @pytest.mark.parametrize("name", FOVS)
-def test_blur_against_loops(name: str) -> None:
+def test_blur_equals_loops(name: str) -> None:
     frame = picture(FOVS[name])
     turned = nf.Camera(
         (10.6, 1.8, -7.4), (0.0, float(np.sin(0.02)), 0.0, float(np.cos(0.02))), fov=FOVS[name], size=(18, 18)
@@ -39,11 +39,11 @@ def test_blur_against_loops(name: str) -> None:
     poses = [pose_between(frame.camera, turned, share) for share in (0.1, 0.5, 1.0)]
     found = _core.blur_motion(ranged("frame", frame), [pose._core for pose in poses])
     np.testing.assert_allclose(found, averaged(frame, poses), atol=2e-6)
-    # The eye has moved by 0.72 m, where a pixel is about as wide 10 m away.
+    # The eye has moved by 0.72 m, about the width of a pixel at 10 m.
     assert np.abs(found - frame.require("color")).mean() > 0.05
 
 
-def test_a_picture_of_a_wall_is_the_mean_of_shifted_ones() -> None:
+def test_a_blurred_wall_is_the_mean_of_shifted_pictures() -> None:
     rng = np.random.default_rng(2)
     color = rng.uniform(0, 1, (8, 40, 3)).astype(np.float32)
     camera = nf.Camera((0.0, 0.0, 0.0), fov=nf.Orthographic(-20, 20, -4, 4), size=(40, 8))
@@ -54,7 +54,7 @@ def test_a_picture_of_a_wall_is_the_mean_of_shifted_ones() -> None:
         blurred = nf.orthoview.motion_blur(frame, before, shutter=shutter, poses=len(shifts)).require("color")
         expected = np.mean([np.roll(color, shift, axis=1) for shift in shifts], axis=0)
         np.testing.assert_allclose(blurred[:, 8:], expected[:, 8:], atol=1e-6)
-        # To the left only some poses show anything.
+        # At the left only some poses show the wall.
         np.testing.assert_allclose(blurred[:, 1:3], color[:, 0:2], atol=1e-6)
         np.testing.assert_array_equal(blurred[:, 0], color[:, 0])
 
@@ -67,8 +67,8 @@ def test_a_still_camera_blurs_nothing(name: str) -> None:
     np.testing.assert_array_equal(blurred.require("range"), frame.require("range"))
 
 
-def test_poses_lie_between() -> None:
-    """A quarter of a turn by 90° about y is one by 22.5°."""
+def test_poses_are_interpolated() -> None:
+    """A quarter of a rotation by 90° about y is one by 22.5°."""
     half = np.sqrt(0.5)
     camera = nf.Camera((0.0, 0.0, 0.0), fov=nf.Fov.symmetric(60), size=(4, 4))
     for sign in (1.0, -1.0):
@@ -80,7 +80,7 @@ def test_poses_lie_between() -> None:
     assert pose_between(camera, camera, 0.3) == camera
 
 
-def test_bad_input_is_refused() -> None:
+def test_invalid_input_of_motion_blur_is_refused() -> None:
     frame = picture(FOVS["perspective"])
     with pytest.raises(ValueError, match=r"frame: .*color"):
         nf.orthoview.motion_blur(nf.Frame(frame.camera, range=frame.range), frame.camera)

@@ -1,4 +1,4 @@
-"""Tests of trees with objects that move, and of their near and far parts."""
+"""Tests of trees with moving objects, and of their near and far parts."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def translation(x: float, y: float, z: float) -> NDArray[np.float64]:
 
 
 @pytest.mark.parametrize("offset", [(0.0, 0.0, 0.0), (0.0, 35.0, 0.0), (30.0, 10.0, -20.0)])
-def test_what_moves_is_seen_where_it_is_nearer(
+def test_moving_objects_are_visible_where_they_are_nearer(
     tree: Tree, mover: nf.Scene, center: tuple[float, float, float], offset: tuple[float, float, float]
 ) -> None:
     camera, channels = camera_at(center, 0.7), ("color", "range", "object_id", "position")
@@ -72,13 +72,13 @@ def test_what_moves_is_seen_where_it_is_nearer(
     np.testing.assert_allclose(world, only.require("position")[is_nearer] + only.origin, atol=1e-3)
 
 
-def test_a_tree_in_which_nothing_moves_takes_no_poses(tree: Tree, mover: nf.Scene) -> None:
+def test_a_tree_without_moving_objects_accepts_no_poses(tree: Tree, mover: nf.Scene) -> None:
     with pytest.raises(ValueError, match="nothing moves"):
         tree.at({"box": np.eye(4)})
     assert tree.poses == {}
 
 
-def test_flights_show_what_moves(tree: Tree, mover: nf.Scene, center: tuple[float, float, float]) -> None:
+def test_flights_show_moving_objects(tree: Tree, mover: nf.Scene, center: tuple[float, float, float]) -> None:
     camera, dynamic = camera_at(center, 0.7), tree.with_dynamic(mover)
     (name,) = mover.object_names
     poses = {name: dynamic.poses[name] + translation(0.0, 35.0, 0.0) - np.eye(4)}
@@ -95,7 +95,7 @@ def test_flights_show_what_moves(tree: Tree, mover: nf.Scene, center: tuple[floa
 def test_the_near_scene_has_all_near_triangles(
     tree: Tree, scene: nf.Scene, center: tuple[float, float, float], mover: nf.Scene
 ) -> None:
-    near = nf.orthoview.open(tree.path).near_scene(center, R2)  # no cut has read which leaves have guests
+    near = nf.orthoview.open(tree.path).near_scene(center, R2)  # No cut has read the guests of leaves.
     assert near is not None
     whole, part = (nf.partition(each, center=center, r1=R1, r2=R2).summary() for each in (scene, near))
     assert part["near"] == whole["near"] > 0
@@ -106,7 +106,7 @@ def test_the_near_scene_has_all_near_triangles(
     assert with_mover.triangle_count == near.triangle_count + mover.triangle_count
 
 
-def test_the_map_of_a_tree_is_that_of_the_world(
+def test_the_map_of_a_tree_equals_that_of_the_world(
     tree: Tree, scene: nf.Scene, center: tuple[float, float, float]
 ) -> None:
     made = tree.far_map(center, R2, face_size=64, samples=4, channels=("range",))
@@ -123,10 +123,10 @@ def test_the_map_of_a_tree_is_that_of_the_world(
     assert np.sqrt(((made.color - true.color) ** 2).mean()) < 0.08
 
 
-def test_nothing_more_than_in_the_worlds_map_is_within_the_radius(
+def test_the_map_of_a_tree_shows_nothing_within_the_radius(
     tree: Tree, scene: nf.Scene, center: tuple[float, float, float]
 ) -> None:
-    """A map of geometry reaches two texels inwards, one of views half a pixel."""
+    """A map of geometry extends two texels inwards, one of views half a pixel."""
     size = 32
     made = tree.far_map(center, R2, face_size=size, samples=1, channels=("range",), error_px=1e3)
     true = nf.reduce(scene, center=center, r1=R1, r2=R2, face_size=size, channels=("color", "range")).env
@@ -139,14 +139,16 @@ def test_nothing_more_than_in_the_worlds_map_is_within_the_radius(
     assert ((own < R2 - 3.0) & (right > R2)).mean() < 0.005
 
 
-def test_a_map_of_geometry_alone_is_the_worlds(tree: Tree, scene: nf.Scene, center: tuple[float, float, float]) -> None:
+def test_a_map_of_geometry_alone_equals_the_worlds(
+    tree: Tree, scene: nf.Scene, center: tuple[float, float, float]
+) -> None:
     made = tree.far_map(center, R2, face_size=32, samples=4, channels=("range",), error_px=1e-6)
     true = nf.reduce(scene, center=center, r1=R1, r2=R2, face_size=32, channels=("color", "range")).env
     assert true is not None
     assert true.range is not None
     assert made.range is not None
     is_hit = np.isfinite(true.range)
-    # A leaf's file has corners in steps of a few millimetres.
+    # Corners in a leaf's file are rounded to steps of a few millimetres.
     assert (is_hit != np.isfinite(made.range)).mean() < 0.005
     both = is_hit & np.isfinite(made.range)
     assert np.quantile(np.abs(made.range[both] - true.range[both]), 0.99) < 0.05
@@ -164,14 +166,16 @@ def test_a_tree_is_reduced_like_its_world(
     assert np.sqrt(((made.require("color") - true.require("color")) ** 2).mean()) < 0.08
 
 
-def test_what_moves_is_composited_with_the_map(tree: Tree, mover: nf.Scene, center: tuple[float, float, float]) -> None:
+def test_moving_objects_are_composited_with_the_map(
+    tree: Tree, mover: nf.Scene, center: tuple[float, float, float]
+) -> None:
     reduced = nf.reduce(tree.with_dynamic(mover), center=center, r1=R1, r2=R2, face_size=64)
     assert reduced.env is not None
     assert reduced.env.range is not None
     assert set(reduced.poses) == set(mover.object_names)
 
 
-def test_a_saved_reduction_of_a_tree_is_the_same(
+def test_a_saved_reduction_of_a_tree_is_restored(
     tree: Tree, center: tuple[float, float, float], tmp_path: Path
 ) -> None:
     reduced = nf.reduce(tree, center=center, r1=R1, r2=R2, face_size=32)
@@ -190,7 +194,7 @@ def test_a_saved_reduction_of_a_tree_is_the_same(
         ({"channels": ("color", "object_id")}, "channels"),
     ],
 )
-def test_what_a_tree_cannot_give_is_refused(
+def test_unsupported_settings_of_trees_are_refused(
     tree: Tree, center: tuple[float, float, float], how: dict[str, object], message: str
 ) -> None:
     with pytest.raises(ValueError, match=message):

@@ -1,4 +1,4 @@
-"""The page that flies trees, in a browser: its pictures of views beside Python's, and what missing parts leave."""
+"""The page that flies trees, in a browser: its pictures of views beside Python's, and its handling of missing parts."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ from tests.support.flown_page import (
     SIZE,
     Pose,
     facts,
-    flown,
     grabbed,
     holes,
     likeness,
     link,
+    open_flight,
     page_camera,
     problems,
     rendered,
@@ -41,11 +41,11 @@ FAR: Pose = {"position": [0.0, 300.0, 900.0], "yaw": 0.0, "pitch": -0.3}
 
 
 @pytest.mark.parametrize(("pose", "least", "samples"), [(STREET, 0.9, 1), (AIR, 0.99, 4)])
-def test_pictures_are_those_of_render(
+def test_pictures_equal_render(
     chromium: Any, city: nf.orthoview.OrthoTree, pose: Pose, least: float, samples: int
 ) -> None:
     with Server.of_bundle(city.path) as server, open_page(chromium, *SIZE) as page:
-        told = flown(page, f"{server.url}?geometry=0&samples={samples}{link(pose)}")
+        told = open_flight(page, f"{server.url}?geometry=0&samples={samples}{link(pose)}")
         found = grabbed(page)
         assert page.printed == []
     frame = rendered(city, pose, samples)
@@ -56,7 +56,7 @@ def test_pictures_are_those_of_render(
     assert holes(found, frame) < 0.001
 
 
-def test_colours_as_webp_are_drawn(chromium: Any, few: nf.Scene, tmp_path: Path) -> None:
+def test_webp_colours_are_drawn(chromium: Any, few: nf.Scene, tmp_path: Path) -> None:
     # Without geometry, which would hide the colours of near views.
     trees = {
         color: nf.orthoview.build(few, tmp_path / color, cell=40, size=32, directions=5, color=color, geometry=False)
@@ -67,20 +67,20 @@ def test_colours_as_webp_are_drawn(chromium: Any, few: nf.Scene, tmp_path: Path)
         low, high = tree.bounds
         pose = {"position": [*(low[:2] + high[:2]) / 2, high[2] + 50], "yaw": 0.0, "pitch": 0.0}
         with Server.of_bundle(tree.path) as server, open_page(chromium, *SIZE) as page:
-            flown(page, f"{server.url}{link(pose)}")
+            open_flight(page, f"{server.url}{link(pose)}")
             pictures.append(grabbed(page))
     np.testing.assert_array_equal(pictures[0], pictures[1])
     assert len(np.unique(pictures[0].reshape(-1, 3), axis=0)) > 50
 
 
-# Servers that fail: Node tests what is told of files and when they are asked for again -------------------------------
+# Failing servers: Node tests messages about files and repeated requests -----------------------------------------------
 @dataclass
 class Host:
-    """A server of files that can be told to fail."""
+    """A file server with failures controlled by the test."""
 
     url: str
     status: int = 0
-    """Answer to requests for shards; 0 for their content."""
+    """Status for requests for shards; 0 for their content."""
 
 
 @contextmanager
@@ -108,7 +108,7 @@ def test_the_old_picture_stays_when_the_server_fails(
 ) -> None:
     frame = rendered(city, AIR)
     with hosted(copied_city) as host, open_page(chromium, *SIZE) as page:
-        flown(page, f"{host.url}?geometry=0{link(FAR)}")
+        open_flight(page, f"{host.url}?geometry=0{link(FAR)}")
         host.status = 500
         page.evaluate("(pose) => window.orthoview.setPose(pose)", AIR)
         wait_until(page, lambda: problems(page))
@@ -124,7 +124,7 @@ def test_the_old_picture_stays_when_the_server_fails(
     assert likeness(found, frame) > 0.98
 
 
-def test_damage_is_told_once_and_a_coarser_picture_stays(
+def test_damage_is_reported_once_and_a_coarser_picture_stays(
     chromium: Any, city: nf.orthoview.OrthoTree, copied_city: Path
 ) -> None:
     own = nf.orthoview.open(copied_city)
@@ -135,10 +135,10 @@ def test_damage_is_told_once_and_a_coarser_picture_stays(
     (chunk,) = own._chunks._locate([(level, place, array)])
     assert chunk is not None
     content = bytearray((copied_city / chunk.file).read_bytes())
-    content[chunk.first + chunk.length - 2] ^= 1  # in the frame's checksum
+    content[chunk.first + chunk.length - 2] ^= 1  # In the frame's checksum.
     (copied_city / chunk.file).write_bytes(content)
     with hosted(copied_city) as host, open_page(chromium, *SIZE) as page:
-        told = flown(page, f"{host.url}?geometry=0{link(AIR)}")
+        told = open_flight(page, f"{host.url}?geometry=0{link(AIR)}")
         (listed,) = problems(page)
         found = grabbed(page)
     assert listed.startswith(array)
@@ -150,7 +150,7 @@ def test_damage_is_told_once_and_a_coarser_picture_stays(
     assert holes(found, frame) < 0.02
 
 
-def test_what_cannot_be_shown_is_told(chromium: Any, tmp_path: Path) -> None:
+def test_stores_that_cannot_be_shown_are_reported(chromium: Any, tmp_path: Path) -> None:
     (tmp_path / "tree").mkdir()
     for name, content in tree_page().items():
         (tmp_path / "tree" / name).write_bytes(content)
@@ -163,7 +163,7 @@ def test_what_cannot_be_shown_is_told(chromium: Any, tmp_path: Path) -> None:
             assert title in page.locator("#message h1").inner_text()
 
 
-# Habits --------------------------------------------------------------------------------------------------------------
+# Controls -------------------------------------------------------------------------------------------------------------
 def pose_of(page: Any) -> Pose:
     return dict(page.evaluate("() => window.orthoview.pose"))
 
@@ -172,12 +172,12 @@ def linked_yaw(page: Any) -> float:
     return float(page.evaluate("() => new URLSearchParams(location.hash.slice(1)).get('yaw')"))
 
 
-def test_keys_fly_and_the_address_leads_back(chromium: Any, city: nf.orthoview.OrthoTree) -> None:
+def test_keys_fly_and_the_address_restores_the_pose(chromium: Any, city: nf.orthoview.OrthoTree) -> None:
     def has_gone(page: Any, before: list[float], axis: int, sign: int) -> bool:
         return bool(sign * (pose_of(page)["position"][axis] - before[axis]) > 1)
 
     with Server.of_bundle(city.path) as server, open_page(chromium, 640, 400) as page:
-        flown(page, f"{server.url}?geometry=0&error=16{link(AIR)}")
+        open_flight(page, f"{server.url}?geometry=0&error=16{link(AIR)}")
         assert pose_of(page)["position"] == AIR["position"]
         for key, axis, sign in (("w", 2, -1), ("e", 1, 1), ("d", 0, 1)):
             before = pose_of(page)["position"]
@@ -197,10 +197,10 @@ def test_keys_fly_and_the_address_leads_back(chromium: Any, city: nf.orthoview.O
         np.testing.assert_allclose(pose_of(page)["position"], there["position"], atol=1e-3)
 
 
-def test_nothing_reaches_beyond_the_screen(chromium: Any, city: nf.orthoview.OrthoTree) -> None:
+def test_nothing_extends_beyond_the_screen(chromium: Any, city: nf.orthoview.OrthoTree) -> None:
     for size in ((1280, 800), (390, 844)):
         with Server.of_bundle(city.path) as server, open_page(chromium, *size) as page:
-            flown(page, f"{server.url}?geometry=0&error=64")
+            open_flight(page, f"{server.url}?geometry=0&error=64")
             home = pose_of(page)
             if size[0] < 600:
                 page.get_by_role("button", name="Figures").click()

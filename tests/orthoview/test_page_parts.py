@@ -1,4 +1,4 @@
-"""The page's store, cut and decoding in Node beside Python's."""
+"""The page's store, cut and decoding in Node compared with Python's."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ from nearfar.orthoview._layout import BEHIND, CHANNELS
 from tests.support import need
 from tests.support.orthoview_page import Damage, Store, ViewKey, cameras, cases_of, in_node
 from tests.support.orthoview_stores import masks_of
-from tests.support.range_server import served
+from tests.support.range_server import serve_folder
 from tests.support.shared_folders import make_once
 from tests.support.web_cases import web_tests
 
 pytestmark = pytest.mark.slow
 
 STEPS = ((1, 0), (0, 1), (1, 1), (-1, 1))
-"""Columns and rows to the neighbours of a pixel's four bits."""
+"""Column and row offsets of the neighbours of a pixel's four bits."""
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -39,8 +39,8 @@ def _parts() -> None:
 
 
 @pytest.fixture(scope="module")
-def changed(few: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> nf.orthoview.OrthoTree:
-    """A tree of two layers and long normals, of which parts were taken away in two updates."""
+def updated_tree(few: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> nf.orthoview.OrthoTree:
+    """A tree of two layers and 24-bit normals, of which parts were removed in two updates."""
 
     def make(path: Path) -> None:
         tree = nf.orthoview.build(few, path, cell=12, size=20, directions=9, layers=2, normal_bits=24, depth_bits=14)
@@ -54,7 +54,7 @@ def changed(few: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> nf.ortho
 
 @pytest.fixture(scope="module")
 def large(tmp_path_factory: pytest.TempPathFactory) -> nf.orthoview.OrthoTree:
-    """A tree with shards above 64 kB, of which the page asks for parts."""
+    """A tree with shards above 64 kB, of which the page requests parts."""
     rng = np.random.default_rng(4)
     corners = rng.uniform(0, 100, (700, 1, 3)) + rng.uniform(-5, 5, (700, 3, 3))
     settings: dict[str, Any] = {"cell": 26, "size": 48, "directions": 5}
@@ -89,7 +89,7 @@ def words_of(tree: nf.orthoview.OrthoTree, key: ViewKey) -> list[NDArray[np.uint
 
 
 def words(color: Any, depth: Any, normal: Any, bits: Any) -> NDArray[np.uint32]:
-    """Three words of each pixel that shows something, row by row."""
+    """Three words of each non-empty pixel, row by row."""
     y, x = np.indices(depth.shape)
     near = np.zeros(depth.shape, int)
     for bit, (columns, lines) in enumerate(STEPS):
@@ -108,7 +108,7 @@ def words(color: Any, depth: Any, normal: Any, bits: Any) -> NDArray[np.uint32]:
 
 
 def in_rows(layer: dict[str, Any]) -> NDArray[np.uint32]:
-    """The page's words of a layer, row by row; its parts have all of them, within their bounds."""
+    """The page's words of a layer, row by row; checks that its parts contain all of them, within their bounds."""
     found = np.array(layer["words"], np.uint32).reshape(-1, 3)
     end = 0
     for part in layer["parts"]:
@@ -124,7 +124,7 @@ def in_rows(layer: dict[str, Any]) -> NDArray[np.uint32]:
 
 
 def sample(tree: nf.orthoview.OrthoTree, url: str, count: int) -> Store:
-    """Cuts of a tree and views of some of them, which Node compares and reads."""
+    """Cuts of a tree and views of some of them, for Node to compare and read."""
     some = cameras(tree, count, seed=3)
     cuts = [tree.cut(camera, geometry=False) for camera in some[:6]]
     keys = sorted({key for cut in cuts for key in cut.keys()})  # noqa: SIM118 - no mapping
@@ -146,7 +146,7 @@ def check(tree: nf.orthoview.OrthoTree, store: Store, layers: list[list[dict[str
 
 @contextmanager
 def without_ranges(folder: Path) -> Iterator[str]:
-    """A server that sends whole files, whatever is asked for."""
+    """A server that ignores ranges and sends whole files."""
 
     class Handler(SimpleHTTPRequestHandler):
         def log_message(self, *_: Any) -> None:
@@ -162,8 +162,8 @@ def without_ranges(folder: Path) -> Iterator[str]:
             thread.join()
 
 
-def damaged(path: Path) -> list[Damage]:
-    """Alter and remove files of a store: what Node should say of them."""
+def damage_store(path: Path) -> list[Damage]:
+    """Alter and remove files of a store; returns the errors that Node should report."""
     tree = nf.orthoview.open(path)
     of_leaves = [key for key in views_of(tree) if key[0] == 0]
     (altered, array, chunk), (lost, _, gone) = (
@@ -205,23 +205,23 @@ def place_of(file: Path) -> Place:
     return x, y, z
 
 
-def test_stores_are_read_as_python_reads_them(
+def test_stores_are_read_as_in_python(
     tree: nf.orthoview.OrthoTree,
-    changed: nf.orthoview.OrthoTree,
+    updated_tree: nf.orthoview.OrthoTree,
     large: nf.orthoview.OrthoTree,
     copied_few: Path,
     tmp_path: Path,
     tmp_path_factory: pytest.TempPathFactory,
 ) -> None:
-    """A tree, one with updates, one with large shards from hosts with and without ranges, and a damaged one."""
+    """Covers a tree, one with updates, one with large shards with and without ranges, and a damaged one."""
     folder = Path(tree.path).parent
-    with served(folder) as server, without_ranges(folder) as whole, served(tmp_path) as other:
-        trees = [tree, changed, large, large]
+    with serve_folder(folder) as server, without_ranges(folder) as whole, serve_folder(tmp_path) as other:
+        trees = [tree, updated_tree, large, large]
         urls = [f"{url}{Path(own.path).name}/" for own, url in zip(trees, [server.url] * 3 + [whole], strict=True)]
         stores = [sample(own, url, count) for own, url, count in zip(trees, urls, (60, 40, 12, 12), strict=True)]
         few = nf.orthoview.open(copied_few)
         cases = cases_of(few, cameras(few, 1, seed=3))
-        stores.append(Store(f"{other.url}{copied_few.name}/", cases, [], damaged(copied_few)))
+        stores.append(Store(f"{other.url}{copied_few.name}/", cases, [], damage_store(copied_few)))
         layers = in_node(web_tests(tmp_path_factory), tmp_path, stores)
     for own, store, found in zip(trees, stores, layers, strict=False):
         check(own, store, found)
@@ -229,7 +229,7 @@ def test_stores_are_read_as_python_reads_them(
     assert {method for method, _, _ in requests} == {"GET"}
     # Metadata of arrays follow from the layout.
     documents = [name for _, name, _ in requests if name.endswith("zarr.json")]
-    assert sorted(documents) == sorted(f"{Path(own.path).name}/zarr.json" for own in (tree, changed, large))
+    assert sorted(documents) == sorted(f"{Path(own.path).name}/zarr.json" for own in (tree, updated_tree, large))
     names = " ".join(name for _, name, _ in requests)
     assert all(f"changed.zarr/nearfar/generations/{number}/" in names for number in (1, 2))
     assert any(status == 206 for _, name, status in requests if name.startswith("large.zarr/0/"))

@@ -1,4 +1,4 @@
-"""The page beside a store: served by nearfar's own server, and written for any other one."""
+"""The page of a store: served by nearfar's own server, and written for other servers."""
 
 from __future__ import annotations
 
@@ -34,10 +34,10 @@ def test_all_files_that_the_page_reads_are_served(copied_few: Path) -> None:
     with Server.of_bundle(copied_few) as server:
         for path in (*documents, *shards):
             name = path.relative_to(copied_few).as_posix()
-            # Packed copies are of the file itself, although all shards have the same last name.
+            # Compressed copies belong to the right file, although all shards have the same file name.
             assert get(server.url + name, **{"Accept-Encoding": "gzip"}) == (200, path.read_bytes())
         for path in leaves:
-            # As the page asks for them.
+            # Requests like the page's.
             part = f"bytes=0-{path.stat().st_size - 1}"
             assert get(server.url + path.relative_to(copied_few).as_posix(), Range=part) == (206, path.read_bytes())
         name = shards[0].relative_to(copied_few).as_posix()

@@ -1,4 +1,4 @@
-"""The page that flies trees, drawn by WebGPU: beside Python's pictures and those of WebGL."""
+"""The page that flies trees, drawn by WebGPU: compared with Python's pictures and with WebGL."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from tests.support.flown_page import (
     SIZE,
     Pose,
     facts,
-    flown,
     grabbed,
     holes,
     likeness,
     link,
+    open_flight,
     page_camera,
     problems,
     rendered,
@@ -41,16 +41,16 @@ REFUSED = """
 Object.defineProperty(GPUAdapterInfo.prototype, 'isFallbackAdapter', { get: () => false });
 GPUAdapter.prototype.requestDevice = () => Promise.reject(new Error('no room'));
 """
-"""Has an adapter that counts as a card and gives no device."""
+"""Provides an adapter that counts as hardware and no device."""
 FEW = "Object.defineProperty(GPUSupportedLimits.prototype, 'maxBufferSize', { get: () => 1 << 20 })"
-"""Has pages of 1 MB."""
+"""Sets pages of 1 MB."""
 SMALL = "Object.defineProperty(GPUSupportedLimits.prototype, 'maxStorageBufferBindingSize', { get: () => 96000 })"
-"""Has a picture drawn in bands of up to 100 rows."""
+"""Draws pictures in bands of up to 100 rows."""
 
 
 @pytest.fixture(scope="module")
 def with_webgpu() -> Iterator[Any]:
-    """A browser that has WebGPU."""
+    """A browser with WebGPU."""
     need("browser")
     with started(flags=WEBGPU) as program:
         yield program
@@ -60,7 +60,7 @@ def draw(program: Any, address: str, script: str = "") -> tuple[dict[str, Any], 
     """The page's figures, and its picture by WebGPU."""
     with open_page(program, *SIZE) as page:
         page.add_init_script(f"{FRAMES}; {script}")
-        flown(page, address)
+        open_flight(page, address)
         found = grabbed(page)
         wait_until(page, lambda: facts(page)["unhidden"] is not None)
         told = facts(page)
@@ -84,7 +84,7 @@ def test_pictures_are_those_of_render(
 
 
 def test_geometry_is_drawn_before_and_behind_splats(with_webgpu: Any, city: nf.orthoview.OrthoTree) -> None:
-    """Whole, and band by band."""
+    """As a whole, and band by band."""
     with Server.of_bundle(city.path) as server:
         address = f"{server.url}?graphics=webgpu&samples=4{link(NEAR)}"
         (told, found), (banded, again) = (draw(with_webgpu, address, script) for script in ("", SMALL))
@@ -95,18 +95,18 @@ def test_geometry_is_drawn_before_and_behind_splats(with_webgpu: Any, city: nf.o
     assert holes(found, frame) < 0.001
     assert banded["calls"] > told["calls"]
     assert told["unhidden"] <= banded["unhidden"]
-    # Corners of triangles are rounded to other parts of a pixel.
+    # Corners of triangles are snapped differently within a pixel.
     assert (np.abs(found.astype(int) - again).max(axis=-1) > 2).mean() < 3e-3
 
 
-def test_pictures_are_those_of_webgl(with_webgpu: Any, city: nf.orthoview.OrthoTree) -> None:
-    """WebGL draws where WebGPU fails."""
+def test_pictures_equal_webgl(with_webgpu: Any, city: nf.orthoview.OrthoTree) -> None:
+    """WebGL draws if WebGPU fails."""
     pictures = []
     with Server.of_bundle(city.path) as server:
         for query, script in (("", REFUSED), ("graphics=webgpu&", "")):
             with open_page(with_webgpu, *SIZE) as page:
                 page.add_init_script(f"{FRAMES}; {script}")
-                told = flown(page, f"{server.url}?{query}{link(NEAR)}")
+                told = open_flight(page, f"{server.url}?{query}{link(NEAR)}")
                 pictures.append(grabbed(page).astype(int))
                 assert problems(page) == []
                 assert any("because WebGPU fails" in line for line in page.printed) == (not query)
@@ -128,8 +128,8 @@ def test_textures_and_their_levels_are_drawn(with_webgpu: Any, textured: nf.orth
     assert (off <= 3).mean() > 0.97
 
 
-def test_hidden_parts_are_left_out(with_webgpu: Any, tmp_path: Path) -> None:
-    """A wall before blocks, none of which is seen."""
+def test_hidden_parts_are_culled(with_webgpu: Any, tmp_path: Path) -> None:
+    """A wall in front of blocks that are all hidden."""
     boxes = trimesh.Scene()
     boxes.add_geometry(trimesh.creation.box((60.0, 60.0, 1.0)), node_name="wall")
     for n in range(36):
@@ -166,7 +166,7 @@ def test_parts_of_thousands_of_splats_are_drawn_from_several_pages(with_webgpu: 
     assert holes(found, frame) < 0.001
 
 
-def test_missing_graphics_that_were_asked_for_are_told(with_webgpu: Any, city: nf.orthoview.OrthoTree) -> None:
+def test_missing_requested_graphics_are_reported(with_webgpu: Any, city: nf.orthoview.OrthoTree) -> None:
     with Server.of_bundle(city.path) as server, open_page(with_webgpu, *SIZE) as page:
         page.add_init_script(WITHOUT)
         page.goto(f"{server.url}?graphics=webgpu{link(STREET)}")

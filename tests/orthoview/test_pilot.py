@@ -1,4 +1,4 @@
-"""Tests of what a client wants at each moment, and of how coarse its pictures are when it is too fast."""
+"""Tests of the parts that a client wants at each moment, and of coarser pictures at high speed."""
 
 from __future__ import annotations
 
@@ -48,14 +48,14 @@ def pilot_of(tree: Tree, settings: Settings | None = None, **ahead: Any) -> Pilo
     return Pilot(cutter, settings or Settings(), Ahead(**ahead))
 
 
-def flown(pilot: Pilot, offset: Any, velocity: Any, time: float = 10.0) -> None:
-    """Two looks of a viewer on a straight way, the last one at an offset."""
+def fly(pilot: Pilot, offset: Any, velocity: Any, time: float = 10.0) -> None:
+    """Two looks of a viewer on a straight path, the last one at an offset."""
     pilot.look(camera_at(np.array(offset) - 0.2 * np.array(velocity)), time - 0.2)
     pilot.look(camera_at(offset), time)
 
 
 def measured(pilot: Pilot, rate: float, view: int = 1000, leaf: int = 5000) -> None:
-    """The meter as it is after a second in which views and leaves have come."""
+    """The meter after a second in which views and leaves arrived."""
     count = round(rate) // (view + leaf)
     pilot.meter.note(0.0, Received(), busy=False)
     pilot.meter.note(1.0, Received(count, count * view, count, count * leaf), busy=True)
@@ -73,7 +73,7 @@ def test_a_plan_needs_a_look(tree: Tree) -> None:
         pilot_of(tree).plan(nothing)
 
 
-def test_a_plan_wants_the_pictures_cut(tree: Tree) -> None:
+def test_a_plan_wants_the_cut_of_the_picture(tree: Tree) -> None:
     pilot = pilot_of(tree, prefetch=False)
     camera = camera_at((3, 5, 30), 0.4)
     pilot.look(camera, 0.0)
@@ -101,7 +101,7 @@ def test_unknown_records_come_first(tree: Tree) -> None:
 
 
 def test_plans_look_ahead(tree: Tree) -> None:
-    """All around here and ahead follows what the picture shows; a margin leaves out what is behind."""
+    """Parts all around here and ahead follow those of the picture; a margin excludes parts behind."""
     camera = camera_at((3, 5, 30))
     orders = {}
     for name, ahead in {"no": Ahead(prefetch=False), "some": Ahead(), "all": Ahead(margin=None)}.items():
@@ -116,7 +116,7 @@ def test_plans_look_ahead(tree: Tree) -> None:
     assert set(orders["all"]) == {*orders["no"], *paper.needed, *paper.soon}
 
 
-def test_queues_are_renewed_where_the_viewer_has_moved_or_turned(tree: Tree, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_queues_are_renewed_after_movement_or_rotation(tree: Tree, monkeypatch: pytest.MonkeyPatch) -> None:
     pilot = pilot_of(tree, adapt=False)
     made: list[nf.orthoview.PrefetchQueue] = []
 
@@ -126,7 +126,7 @@ def test_queues_are_renewed_where_the_viewer_has_moved_or_turned(tree: Tree, mon
 
     monkeypatch.setattr("nearfar.orthoview._pilot.queue", noted)
     ahead = tree.prefetch_queue(camera_at((0, 0, 0)).position, camera=camera_at((0, 0, 0))).ahead
-    times = iter(np.arange(1000.0) * 1e5)  # so slow that the viewer rests
+    times = iter(np.arange(1000.0) * 1e5)  # So slow that the viewer counts as resting.
 
     def count(offset: Any, yaw: float = 0.0) -> int:
         before = len(made)
@@ -144,12 +144,12 @@ def test_queues_are_renewed_where_the_viewer_has_moved_or_turned(tree: Tree, mon
 
 
 @pytest.mark.parametrize("height", [10.0, 200.0])
-def test_the_limit_is_what_the_link_brings(tree: Tree, height: float) -> None:
-    """Metres on which parts come into sight at a share of its bytes a second, for parts of the sizes that came."""
+def test_the_speed_limit_follows_from_the_link(tree: Tree, height: float) -> None:
+    """The speed in m/s at which new parts need a share of the link's bytes per second, for the sizes received."""
     pilot = pilot_of(tree, margin=None)
     measured(pilot, 60_000)
     offset, velocity = np.array([0.0, height, 0.0]), np.array([30.0, 0.0, 0.0])
-    flown(pilot, offset, velocity)
+    fly(pilot, offset, velocity)
     pilot.plan(everything)
     camera = camera_at(offset)
     ahead = min(tree.prefetch_queue(camera.position, camera=camera).ahead, 30.0)
@@ -159,39 +159,39 @@ def test_the_limit_is_what_the_link_brings(tree: Tree, height: float) -> None:
     assert pilot.limit == pytest.approx(SHARE * 60_000 * ahead / size)
 
 
-def test_the_limit_grows_with_the_height(tree: Tree) -> None:
+def test_the_speed_limit_grows_with_the_height(tree: Tree) -> None:
     limits = []
     for height in (0.0, 100.0, 300.0):
         pilot = pilot_of(tree, margin=None)
         measured(pilot, 60_000)
-        flown(pilot, (0, height, 0), (25, 0, 0))
+        fly(pilot, (0, height, 0), (25, 0, 0))
         pilot.plan(everything)
         limits.append(pilot.limit)
     assert limits == sorted(limits)
     assert limits[0] < limits[1] < limits[2]
 
 
-def test_without_a_course_or_a_measurement_there_is_no_limit(tree: Tree) -> None:
+def test_without_a_course_or_a_measurement_there_is_no_speed_limit(tree: Tree) -> None:
     for is_measured, velocity, adapt in ((False, (30, 0, 0), True), (True, (0, 0, 0), True), (True, (30, 0, 0), False)):
         pilot = pilot_of(tree, adapt=adapt)
         if is_measured:
             measured(pilot, 6_000)
-        flown(pilot, (0, 10, 0), velocity)
+        fly(pilot, (0, 10, 0), velocity)
         assert pilot.plan(everything).error_px == 1.0
         assert pilot.limit == math.inf
         assert pilot.settings.error_px == 1.0
 
 
 def fast(tree: Tree, held: Any, rate: float = 60_000) -> tuple[Pilot, Any]:
-    """A pilot that is faster than a link allows, with its plan."""
+    """A pilot above the speed limit of the link, with its plan."""
     pilot = pilot_of(tree, margin=None)
     measured(pilot, rate)
-    flown(pilot, (0, 10, 0), (400, 0, 0))
+    fly(pilot, (0, 10, 0), (400, 0, 0))
     return pilot, pilot.plan(held)
 
 
-def test_a_viewer_that_is_too_fast_wishes_for_a_coarser_picture(tree: Tree) -> None:
-    """The least error of steps of √2 at which the link brings what the way asks for."""
+def test_a_fast_viewer_requests_a_coarser_picture(tree: Tree) -> None:
+    """The least error, in steps of √2, at which the link can deliver the parts of the path."""
     pilot, _ = fast(tree, everything)
     offset = np.array([0.0, 10.0, 0.0])
     camera = camera_at(offset)
@@ -209,12 +209,12 @@ def test_a_viewer_that_is_too_fast_wishes_for_a_coarser_picture(tree: Tree) -> N
     assert pilot._wished == pytest.approx(2.0 ** (step / 2))
 
 
-def test_a_coarser_picture_comes_when_it_is_there_or_the_finer_one_is_not(tree: Tree) -> None:
+def test_a_coarser_picture_is_shown_when_loaded_or_when_the_finer_one_is_missing(tree: Tree) -> None:
     for held, is_coarse in ((everything, True), (nothing, True)):
         pilot, plan = fast(tree, held)
         assert (plan.error_px > 1.0) == is_coarse
         assert plan.error_px == pilot._wished
-    # While the finer one is there and the coarser one is not, it stays; the coarser one is read before what is ahead.
+    # While only the finer picture is loaded, it stays; the coarser one is read before parts ahead.
     own = set(tree.cut(camera_at((0, 10, 0))).keys(in_picture=True))
     leaves = tree.cut(camera_at((0, 10, 0))).leaf_places(in_picture=True)
     own |= {(0, place, GEOMETRY) for place in tree._viewer.cutter.with_guests(leaves)}
@@ -230,12 +230,12 @@ def test_a_coarser_picture_comes_when_it_is_there_or_the_finer_one_is_not(tree: 
     assert set(coming) <= set(plan.order[: len(set(first) | set(coming)) + len(leaves) * 30])
 
 
-def test_a_finer_picture_waits_until_it_is_there(tree: Tree) -> None:
+def test_a_finer_picture_is_shown_when_loaded(tree: Tree) -> None:
     pilot, plan = fast(tree, everything)
     coarse = plan.error_px
     assert coarse > 1.0
     held = set(chain(*plan.wanted.values()))
-    for time in (11.0, 12.0, 13.0):  # the viewer halts
+    for time in (11.0, 12.0, 13.0):  # The viewer stops.
         pilot.look(camera_at((0, 10, 0)), time)
         plan = pilot.plan(held.__contains__)
         assert plan.error_px == coarse
@@ -249,20 +249,20 @@ def test_a_finer_picture_waits_until_it_is_there(tree: Tree) -> None:
 
 
 def test_a_picture_becomes_finer_with_slack_only(tree: Tree) -> None:
-    """At a speed just below the limit a picture that is coarser stays so, and one that is not does not become so."""
+    """Just below the speed limit a coarser picture stays coarser, and a finer one stays finer."""
     speed = 40.0
     for error_px, is_coarse in ((1.0, False), (4.0, True), (1.0, False)):
         pilot = pilot_of(tree, margin=None)
         measured(pilot, 6_000_000)
         pilot._error = pilot._wished = error_px
-        flown(pilot, (0, 10, 0), (speed, 0, 0), 30.0)
+        fly(pilot, (0, 10, 0), (speed, 0, 0), 30.0)
         pilot.plan(nothing)
         assert pilot._wished == 1.0 or speed < pilot.limit < SLACK * speed
         assert (pilot._wished > 1.0) == is_coarse
-        speed = pilot.limit / 1.2  # on a way of the same length, as it is more than the smallest cell is long
+        speed = pilot.limit / 1.2  # On a path of the same length, since it is longer than the smallest cell.
 
 
-def test_the_other_eye_is_wanted_as_well(tree: Tree) -> None:
+def test_parts_of_the_other_eye_are_wanted(tree: Tree) -> None:
     pilot = pilot_of(tree, prefetch=False)
     camera, other = camera_at((3, 5, 30), 0.4), camera_at((3, 5, 30), 2.4)
     pilot.look(camera, 0.0, [other])
@@ -275,7 +275,7 @@ def test_the_other_eye_is_wanted_as_well(tree: Tree) -> None:
     assert pilot.plan(nothing).beside == []
 
 
-def test_meters_forget(tree: Tree) -> None:
+def test_meters_forget_old_measurements(tree: Tree) -> None:
     meter = Meter()
     assert meter.rate == math.inf
     assert meter.bytes_of((0, (0, 0, 0), 3)) == meter.bytes_of((0, (0, 0, 0), GEOMETRY)) == 0

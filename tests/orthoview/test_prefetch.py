@@ -1,4 +1,4 @@
-"""Tests of what a viewer needs soon: queues of cuts at positions ahead, and which cells may come into a picture."""
+"""Tests of prefetching: queues of cuts at positions ahead, and which cells may come into view."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def distance_of(tree: Tree, part: Part, eye: NDArray[np.float64]) -> float:
 
 @pytest.mark.parametrize("velocity", [None, (3.0, 0.5, -2.0)])
 @pytest.mark.parametrize("name", PLACES)
-def test_queues_have_the_parts_of_cuts_here_and_ahead(tree: Tree, name: str, velocity: Any) -> None:
+def test_queues_contain_the_parts_of_cuts_here_and_ahead(tree: Tree, name: str, velocity: Any) -> None:
     eye = PLACES[name]
     found = tree.prefetch_queue(eye, camera=CAMERA, velocity=velocity)
     assert found.needed == parts_of(tree, nf.Camera(eye, **SMALL))
@@ -53,7 +53,7 @@ def test_queues_have_the_parts_of_cuts_here_and_ahead(tree: Tree, name: str, vel
     both = [*found.needed, *found.soon]
     assert len(set(both)) == len(both) == len(found)
     assert set(both) == set(found.needed).union(*cuts)
-    # By the first position that needs a part, then by distance, then by level.
+    # Ordered by the first position that needs a part, then by distance, then by level.
     first = {part: next(n for n, cut in enumerate(cuts) if part in cut) for part in found.soon}
     order = [(first[part], distance_of(tree, part, eye), part[0]) for part in found.soon]
     assert order == sorted(order)
@@ -76,7 +76,7 @@ def test_without_a_course_positions_lie_along_the_axes(tree: Tree) -> None:
 @settings(max_examples=20)
 @given(st.tuples(*[st.floats(-50, 50)] * 3).filter(lambda way: np.linalg.norm(way) > 0.1))
 def test_positions_lie_along_the_course(tree: Tree, velocity: tuple[float, float, float]) -> None:
-    """Half-way, all the way, and 15 degrees to four sides that are at right angles to each other."""
+    """Half-way, all the way, and at 15 degrees to four perpendicular sides."""
     eye, course = PLACES["beside"], np.array(velocity) / np.linalg.norm(velocity)
     found = tree.prefetch_queue(eye, camera=CAMERA, velocity=velocity, error_px=8.0)
     ways = (found.positions - eye) / found.ahead
@@ -91,8 +91,8 @@ def test_positions_lie_along_the_course(tree: Tree, velocity: tuple[float, float
     np.testing.assert_allclose(cosines, right, atol=1e-9)
 
 
-def test_the_cameras_pictures_count(tree: Tree) -> None:
-    """Its resolution and field of view do, its own position does not."""
+def test_the_cameras_resolution_and_field_of_view_matter(tree: Tree) -> None:
+    """Its position does not matter."""
     eye = PLACES["far"]
     coarse = nf.Camera((1.0, 2.0, 3.0), fov=nf.Fov.symmetric(60), size=(64, 48))
     fine = nf.Camera((1.0, 2.0, 3.0), fov=nf.Fov.symmetric(60), size=(1280, 960))
@@ -104,7 +104,7 @@ def test_the_cameras_pictures_count(tree: Tree) -> None:
     assert found[1280].ahead < found[64].ahead
 
 
-def test_settings_count(tree: Tree) -> None:
+def test_prefetch_settings_are_applied(tree: Tree) -> None:
     eye = PLACES["inside"]
     raised = {"views": 1, "geometry": False, "lift_deg": 40.0}
     each: list[dict[str, Any]] = [{}, {"views": 1}, {"error_px": 4.0}, {"geometry": False}, raised]
@@ -154,10 +154,10 @@ def sees(outlook: Outlook, corners: NDArray[np.float64], sides: NDArray[np.float
 
 
 @given(unit, tangents, tangents, tangents, tangents, st.floats(0, 1.5), st.integers(0, 2**32 - 1))
-def test_a_cell_of_which_a_point_is_seen_is_seen(
+def test_cells_with_a_visible_point_are_visible(
     turn: Any, left: float, right: float, down: float, up: float, margin: float, seed: int
 ) -> None:
-    """Points whose angles are within those of the picture and a margin; cells beyond one side of it are not seen."""
+    """Points are visible within the picture's angles and a margin; cells beyond one side are invisible."""
     camera = camera_of(turn, left, right, down, up)
     rng = np.random.default_rng(seed)
     corners, sides = rng.uniform(-60, 60, (15, 3)), rng.uniform(1, 40, 15)
@@ -184,7 +184,7 @@ def test_a_cell_of_which_a_point_is_seen_is_seen(
                     assert not is_seen
 
 
-def test_all_is_seen_all_around() -> None:
+def test_outlooks_in_all_directions_include_every_cell() -> None:
     camera = camera_of((0, 0, 0, 1), 1, 1, 1, 1)
     cube = nf.Camera((1.0, 2.0, 3.0), fov=nf.CubeFace(2), size=(8, 8))
     plan = nf.Camera((1.0, 2.0, 3.0), fov=nf.Orthographic(-1, 1, -1, 1), size=(8, 8))
@@ -194,7 +194,7 @@ def test_all_is_seen_all_around() -> None:
         assert sees(outlook, corners, sides).all()
 
 
-def test_several_cameras_see_what_each_sees() -> None:
+def test_outlooks_of_several_cameras_are_their_union() -> None:
     cameras = [camera_of((0, 1, 0, turn), 0.5, 0.5, 0.5, 0.5) for turn in (0.3, 1.0, 4.0)]
     corners, sides = np.random.default_rng(1).uniform(-60, 60, (200, 3)), np.full(200, 2.0)
     each = [sees(Outlook([camera], 0.1), corners, sides) for camera in cameras]
@@ -203,8 +203,8 @@ def test_several_cameras_see_what_each_sees() -> None:
 
 
 @given(unit, st.tuples(*[st.floats(0.1, 1.2)] * 4), st.floats(-0.2, 0.2), st.sampled_from([0, 1]))
-def test_turned_pictures_show_nothing_else(turn: Any, sides: Any, angle: float, axis: int) -> None:
-    """A camera that turns to a side or upwards by no more than the margin; fields of view of up to 100 degrees."""
+def test_rotated_pictures_stay_within_the_margin(turn: Any, sides: Any, angle: float, axis: int) -> None:
+    """Rotates a camera sideways or upwards by at most the margin; fields of view are up to 100 degrees."""
     camera = camera_of(turn, *sides)
     local = np.zeros(4)
     local[1 - axis], local[3] = math.sin(angle / 2), math.cos(angle / 2)

@@ -1,4 +1,4 @@
-"""Tests of what a store's records say of its cells, so that cuts need no look at shards, and of who reads them."""
+"""Tests of cells' availability in a store's records, which saves cuts from reading shards, and of lazy reading."""
 
 from __future__ import annotations
 
@@ -27,10 +27,10 @@ need("zarr")
 Tree = nf.orthoview.OrthoTree
 
 SIDE = 240.0
-"""Of a flat world of 24 × 1 × 24 leaves, in 3 × 1 × 3 subtrees of 8 × 8 × 8."""
+"""A flat world of 24 × 1 × 24 leaves, in 3 × 1 × 3 subtrees of 8 × 8 × 8."""
 
 INHABITED = {(0, 0, 0), (0, 0, 2), (1, 0, 0), (2, 0, 2)}
-"""Subtrees in which something is."""
+"""Subtrees that are not empty."""
 
 
 def built(scene: nf.Scene, path: Path) -> Tree:
@@ -47,7 +47,7 @@ AMID = ((37, 37), (45, 37), (37, 45), (44, 52))
 
 
 def flat(subtrees: set[Place], side: float = SIDE, shifts: Iterable[tuple[int, int]] = AMID) -> nf.Scene:
-    """A world with boxes at some places in each of some subtrees, which are 80 m wide."""
+    """A world with boxes at some places in each of the given subtrees, which are 80 m wide."""
     parts = ends(side)
     for x, _, z in sorted(subtrees):
         for dx, dz in shifts:
@@ -66,7 +66,7 @@ def wide(tmp_path_factory: pytest.TempPathFactory) -> Tree:
 
 @pytest.fixture(scope="module")
 def updated(wide: Tree, tmp_path_factory: pytest.TempPathFactory) -> Tree:
-    """A copy of the same, after an update."""
+    """A copy of the same after an update."""
     copy = shutil.copytree(wide.path, tmp_path_factory.mktemp("updated") / "copy.zarr")
     return nf.orthoview.open(copy).update([[20, 0, 20], [60, 9, 60]], flat(INHABITED - {(0, 0, 0)}))
 
@@ -77,13 +77,13 @@ def bare(tree: Tree, path: Path) -> Path:
 
 
 def count_views(tree: Tree) -> dict[tuple[int, Place], int]:
-    """The same, as its views say."""
+    """The same counts from its views."""
     cells = [(level, place) for level in range(tree.levels) for place in places(tree.cells(level))]
     masks = {cell: sum(1 << n for n in range(5) if tree.view(*cell, n) is not None) for cell in cells}
     return {cell: mask for cell, mask in masks.items() if mask}
 
 
-def test_records_tell_which_views_show_something(wide: Tree) -> None:
+def test_records_list_non_empty_views(wide: Tree) -> None:
     found = masks_of(wide)
     assert found == count_views(wide)
     assert {level for level, _ in found} == set(range(6))
@@ -91,7 +91,7 @@ def test_records_tell_which_views_show_something(wide: Tree) -> None:
     assert len(found) == wide.held["cells"]
 
 
-def test_records_of_two_layers_tell_it(tmp_path: Path) -> None:
+def test_records_list_views_of_two_layers(tmp_path: Path) -> None:
     scene = flat({(0, 0, 0), (1, 0, 1)}, 90.0, [(4, 4)])
     tree = nf.orthoview.build(scene, tmp_path / "world.zarr", cell=CELL, size=SIZE, directions=5, layers=2)
     assert masks_of(tree) == count_views(tree)
@@ -101,11 +101,11 @@ def test_records_of_two_layers_tell_it(tmp_path: Path) -> None:
 FIRST = {(0, 0, 0), (1, 0, 0), (1, 0, 1)}
 SECOND = FIRST | {(0, 0, 1)}
 THIRD = SECOND - {(1, 0, 0)}
-"""Subtrees of a small world in which something is: it comes where nothing was, then all goes from another one."""
+"""Non-empty subtrees of a small world: one is filled, then another one is emptied."""
 
 
 @pytest.fixture(scope="module")
-def changed(tmp_path_factory: pytest.TempPathFactory) -> list[Tree]:
+def three_generations(tmp_path_factory: pytest.TempPathFactory) -> list[Tree]:
     """Three generations of a store, each opened when it was the newest."""
     first, second, third = (flat(here, 90.0, [(4, 4)]) for here in (FIRST, SECOND, THIRD))
     tree = built(first, tmp_path_factory.mktemp("changed") / "world.zarr")
@@ -114,23 +114,23 @@ def changed(tmp_path_factory: pytest.TempPathFactory) -> list[Tree]:
     return [tree, once, once.update([[81, 0, 1], [87, 9, 7]], third)]
 
 
-def test_records_tell_it_of_each_generation(changed: list[Tree]) -> None:
-    """Trees that are open go on with what they were."""
-    for tree, here in zip(changed, (FIRST, SECOND, THIRD), strict=True):
+def test_records_list_views_of_each_generation(three_generations: list[Tree]) -> None:
+    """Open trees keep their generation."""
+    for tree, here in zip(three_generations, (FIRST, SECOND, THIRD), strict=True):
         found = masks_of(tree)
         assert found == count_views(tree)
         assert {place for level, place in found if level == 3} == here
         assert len(found) == tree.held["cells"]
 
 
-def test_records_of_copies_tell_it(changed: list[Tree], tmp_path: Path) -> None:
-    compacted = changed[-1].compact(tmp_path / "compact.zarr")
+def test_records_of_copies_list_views(three_generations: list[Tree], tmp_path: Path) -> None:
+    compacted = three_generations[-1].compact(tmp_path / "compact.zarr")
     assert compacted.generation == 0
-    assert masks_of(compacted) == count_views(compacted) == masks_of(changed[-1])
+    assert masks_of(compacted) == count_views(compacted) == masks_of(three_generations[-1])
 
 
-def test_a_change_of_directions_is_told(tmp_path: Path) -> None:
-    """A wall that is turned: other views show nothing now."""
+def test_records_follow_changed_directions(tmp_path: Path) -> None:
+    """A wall is rotated: other views are empty now."""
 
     def wall(x: float, z: float) -> nf.Scene:
         corners = np.array([[15, 1, 15], [15 + x, 1, 15 + z], [15 + x, 4, 15 + z], [15, 4, 15]], float)
@@ -139,12 +139,12 @@ def test_a_change_of_directions_is_told(tmp_path: Path) -> None:
 
     tree = built(wall(3, 0), tmp_path / "wall.zarr")
     turned = tree.update([[11, 0, 11], [19, 9, 19]], wall(0, 3))
-    assert masks_of(tree)[0, (1, 0, 1)] == 0b00101  # from +z and −z
-    assert masks_of(turned)[0, (1, 0, 1)] == 0b01010  # from +x and −x
+    assert masks_of(tree)[0, (1, 0, 1)] == 0b00101  # Visible from +z and −z.
+    assert masks_of(turned)[0, (1, 0, 1)] == 0b01010  # Visible from +x and −x.
     assert masks_of(turned) == count_views(turned)
 
 
-def test_all_may_go(tmp_path: Path) -> None:
+def test_a_world_may_become_empty(tmp_path: Path) -> None:
     tree = nf.orthoview.build(world_of(range(6)), tmp_path / "world.zarr", cell=20.0, size=SIZE, directions=5)
     emptied = tree.update(box_about(range(6)), world_of([]))
     assert masks_of(emptied) == count_views(emptied)
@@ -152,7 +152,7 @@ def test_all_may_go(tmp_path: Path) -> None:
     assert len(masks_of(tree)) > len(masks_of(emptied))
 
 
-def test_a_subtree_that_nobody_built_is_empty(wide: Tree) -> None:
+def test_a_subtree_that_was_not_built_is_empty(wide: Tree) -> None:
     for tier, place in ((0, (7, 3, 9)), (0, (1, 1, 1)), (1, (4, 0, 0))):
         masks = of_subtrees(wide)(tier, place).masks
         assert [mask.shape for mask in masks] == [(8, 8, 8), (4, 4, 4), (2, 2, 2)]
@@ -206,7 +206,7 @@ def damage(file: Path, change: Callable[[dict[str, Any]], Any]) -> None:
 CAMERA = nf.Camera.look_at((50, 10, 50), (40, 4, 40), fov=nf.Fov.symmetric(90), size=(64, 64))
 
 
-def test_cuts_look_at_no_shards(wide: Tree, updated: Tree, tmp_path: Path) -> None:
+def test_cuts_read_no_shards(wide: Tree, updated: Tree, tmp_path: Path) -> None:
     lengths = []
     for tree in (wide, updated):
         opened = nf.orthoview.open(bare(tree, tmp_path / f"{tree.generation}.zarr"))
@@ -227,7 +227,7 @@ def test_damaged_records_are_named(wide: Tree, tmp_path: Path, name: str) -> Non
 
 
 def test_records_without_views_are_named(wide: Tree, tmp_path: Path) -> None:
-    """As builds wrote them before there were cuts."""
+    """The format of builds before there were cuts."""
     store = bare(wide, tmp_path / "bare.zarr")
     file = store / "nearfar" / "done" / "0_0_0_0.json"
     assert valid(json.loads(file.read_text()), "orthoview_subtree")
@@ -257,7 +257,7 @@ def test_damaged_generations_are_named(updated: Tree, tmp_path: Path, name: str)
 
 # lazy reading -------------------------------------------------------------------------------------------------------
 class Noted:
-    """Reads a tree's records, and notes which."""
+    """Reads a tree's records, and records which."""
 
     def __init__(self, tree: Tree) -> None:
         self._read = of_subtrees(tree)
@@ -276,14 +276,14 @@ def columns(cut: OrthoCut) -> set[tuple[int, Place]]:
     return {(level, (x, y, z)) for level, (x, y, z) in zip(cut.level.tolist(), cut.place.tolist(), strict=True)}
 
 
-def test_a_viewer_far_away_reads_fewer_subtrees(wide: Tree) -> None:
+def test_a_distant_viewer_reads_fewer_subtrees(wide: Tree) -> None:
     known = []
     for eye in ((5000.0, 3000.0, 5000.0), (120.0, 400.0, 120.0), (40.0, 10.0, 40.0)):
         opened = nf.orthoview.open(wide.path)
         opened.cut(looking(eye, (120.0, 0.0, 121.0)), around=True)
         known.append(opened._viewer.cutter.subtree_count)
-    # Pixels of 1/32 at 1 m, those of leaves are 10/16 m wide: level 3 is fine from 160 m on. Far away the top is fine,
-    # from above level 3 is, and from the first subtree that and those 40 and 120 m away are not.
+    # Pixels of 1/32 at 1 m, those of leaves are 10/16 m wide: level 3 is fine enough from 160 m on. Far away the top
+    # is, from above level 3 is, and from the first subtree that and those 40 and 120 m away are not.
     assert known == [1, 1, 1 + 3]
 
 
@@ -299,13 +299,13 @@ def test_subtrees_are_read_once_and_empty_ones_never(wide: Tree) -> None:
 
 def test_subtrees_outside_of_the_picture_are_not_read(wide: Tree) -> None:
     read = Noted(wide)
-    camera = looking((100, 30, 220), (220, 0, 200), 1024)  # towards (2, 0, 2), away from (0, 0, 2)
+    camera = looking((100, 30, 220), (220, 0, 200), 1024)  # Towards (2, 0, 2), away from (0, 0, 2).
     found = Cutter(wide._layout, read).whole(camera, Settings())
     assert set(read.subtrees) == {(1, (0, 0, 0)), (0, (2, 0, 2))}
     assert set(found.keys()) == set(wide.cut(camera, around=True).keys(in_picture=True))
 
 
-def test_cells_above_stand_for_those_that_are_not_known(wide: Tree) -> None:
+def test_cells_above_stand_in_for_unknown_ones(wide: Tree) -> None:
     camera = looking((40, 10, 40), (120, 0, 121))
     cutter = Cutter(wide._layout, of_subtrees(wide))
     nothing = cutter.cut(camera, Settings(), around=True)
@@ -314,7 +314,7 @@ def test_cells_above_stand_for_those_that_are_not_known(wide: Tree) -> None:
     coarse = cutter.cut(camera, Settings(), around=True)
     assert columns(coarse) == {(3, place) for place in INHABITED}
     assert len(coarse.leaves) == 0
-    # The cell in the far corner is fine as it is.
+    # The cell in the far corner is fine enough.
     assert sorted(coarse.unknown) == [(0, place) for place in sorted(INHABITED - {(2, 0, 2)})]
     assert coarse.keys()
     cutter.learn(0, (0, 0, 0))

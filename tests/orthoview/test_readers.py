@@ -1,4 +1,4 @@
-"""Other programs read stores: zarr-python and zarrita, from a folder and over HTTP, as docs/orthoview.md shows."""
+"""Other programs read stores: zarr-python and zarrita, from a folder and over HTTP, as in docs/orthoview.md."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from tests.support import need
-from tests.support.range_server import served
+from tests.support.range_server import serve_folder
 from tests.support.reader_cases import FOLDER, SECONDS, node
 from tests.support.shared_folders import make_once
 
@@ -30,7 +30,7 @@ NAMES = ("py", "px_py", "nz")
 
 Place = tuple[int, int, int]
 Chunk = tuple[str, Place]
-"""An array and a place in it."""
+"""An array and an index in it."""
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -64,7 +64,7 @@ def places(group: Any, level: int) -> list[Place]:
 
 
 def check_views(tree: nf.orthoview.OrthoTree, group: Any, level: int, some: list[Place]) -> Counter[bool]:
-    """Compare zarr-python's arrays with a tree's views; counts those that show something and those that do not."""
+    """Compare zarr-python's arrays with a tree's views; returns the numbers of non-empty and empty views."""
     found: Counter[bool] = Counter()
     for name in NAMES:
         number = layout_of(group)["names"].index(name)
@@ -78,7 +78,7 @@ def check_views(tree: nf.orthoview.OrthoTree, group: Any, level: int, some: list
                 continue
             np.testing.assert_array_equal(color, view.color)
             codes = depth[..., 0] >> 4
-            # The axes of a direction's sign are its name's parts: a cell is √1, √2 or √3 sides deep.
+            # The signs of a direction's axes are the parts of its name: a cell is √1, √2 or √3 sides deep.
             deep = CELL * 2**level * np.sqrt(len(name.split("_")))
             metres = np.where(codes > 0, (codes - 0.5) * deep / STEPS, np.inf)
             np.testing.assert_allclose(metres, view.depth, rtol=1e-6)
@@ -97,7 +97,7 @@ def octahedral(codes: NDArray[np.uint8]) -> NDArray[np.float64]:
     return unit
 
 
-def test_zarr_python_reads_what_the_tree_shows(path: Path) -> None:
+def test_zarr_python_reads_the_views_of_the_tree(path: Path) -> None:
     import zarr
 
     group, tree = zarr.open_group(str(path), mode="r"), nf.orthoview.open(path)
@@ -113,7 +113,7 @@ def test_zarr_python_reads_over_http(path: Path) -> None:
 
     need("fsspec")
     need("aiohttp")
-    with served(path.parent) as server:
+    with serve_folder(path.parent) as server:
         group = zarr.open_group(server.url + path.name, mode="r")
         found = check_views(nf.orthoview.open(path), group, 0, places(group, 0)[::16])
         assert min(found.values()) > 5
@@ -130,7 +130,7 @@ def by_zarrita(place: str, chunks: list[Chunk]) -> tuple[dict[str, Any], list[di
 
 
 def some_chunks(group: Any) -> list[Chunk]:
-    """Chunks of all channels, of some directions and all levels, with something in them and without."""
+    """Chunks of all channels, of some directions and all levels, empty and non-empty."""
     return [
         (f"{level}/{name}/{channel}", place)
         for level in range(layout_of(group)["levels"])
@@ -141,7 +141,7 @@ def some_chunks(group: Any) -> list[Chunk]:
 
 
 def check_chunks(group: Any, chunks: list[Chunk], read: list[dict[str, Any]]) -> Counter[bool]:
-    """Compare zarrita's chunks with zarr-python's arrays; counts those that hold something and those that do not."""
+    """Compare zarrita's chunks with zarr-python's arrays; returns the numbers of non-empty and empty chunks."""
     found: Counter[bool] = Counter()
     for (name, place), got in zip(chunks, read, strict=True):
         array = group[name]
@@ -156,21 +156,21 @@ def check_chunks(group: Any, chunks: list[Chunk], read: list[dict[str, Any]]) ->
 
 @pytest.mark.slow
 def test_zarrita_reads_chunks_and_fills_missing_ones(path: Path) -> None:
-    """From a folder and over HTTP."""
+    """Reads from a folder and over HTTP."""
     import zarr
 
     need("node")
     group = zarr.open_group(str(path), mode="r")
     chunks = some_chunks(group)
     local, read = by_zarrita(str(path), chunks)
-    with served(path.parent) as server:
+    with serve_folder(path.parent) as server:
         remote, again = by_zarrita(server.url + path.name, chunks)
         shards = Counter({key: count for key, count in server.answers.items() if "/c/" in key[1]})
     assert local == remote == dict(group.attrs)
     assert read == again
     found = check_chunks(group, chunks, read)
     assert min(found.values()) > 20
-    # The index of a shard once for each array that is opened, a chunk that is there once, one that is not never.
+    # The index of a shard is read once for each opened array, an existing chunk once, a missing one never.
     parts = sum(count for (method, _, status), count in shards.items() if (method, status) == ("GET", 206))
     heads = sum(count for (method, _, status), count in shards.items() if (method, status) == ("HEAD", 200))
     assert parts == found[True] + heads
@@ -206,7 +206,7 @@ def test_zarrita_checks_the_checksums_of_zstd(tmp_path: Path) -> None:
 
 
 SIDE = 32
-"""Pixels of the views of the page's example, which has more."""
+"""Pixels of views in this test; the page's example has more."""
 
 
 # docs/orthoview.md ---------------------------------------------------------------------------------------------------
@@ -236,7 +236,7 @@ def run(command: list[str], folder: Path) -> str:
 
 
 @pytest.mark.slow
-def test_the_pages_lines_of_python_and_javascript_read_the_pages_leaf(city: Path, tmp_path: Path) -> None:
+def test_the_pages_python_and_javascript_read_its_leaf(city: Path, tmp_path: Path) -> None:
     code = blocks("python")[1]
     assert "nearfar " not in code
     more = f"\nnp.savez({str(tmp_path / 'read.npz')!r}, color=color, metres=metres[..., 0])"

@@ -1,4 +1,4 @@
-"""Tests of pictures of trees: against the world itself, after updates, through the network, and what is kept."""
+"""Tests of pictures of trees: against the world itself, after updates, over the network, and of caching."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from nearfar._camera.shot import Shot
 from nearfar.orthoview._files import Local
 from tests.support import need
 from tests.support.orthoview_stores import SIZE, box_about, world_of
-from tests.support.range_server import served
+from tests.support.range_server import serve_folder
 
 need("zarr")
 
@@ -65,7 +65,7 @@ def truth_of(scene: nf.Scene, tree: Tree, camera: nf.Camera) -> nf.Frame:
 
 
 def holes(frame: nf.Frame, truth: nf.Frame) -> float:
-    """Share of the pixels that show something in truth and nothing in a frame."""
+    """Share of the pixels that show a surface in truth and none in a frame."""
     is_hit = np.isfinite(truth.require("range"))
     return float((is_hit & np.isinf(frame.require("range"))).sum() / is_hit.sum())
 
@@ -83,7 +83,7 @@ def test_views_show_the_world(shared_tree: Tree, scene: nf.Scene, distance: floa
     frame = shared_tree.render(camera, geometry=False, channels=CHANNELS)
     assert holes(frame, truth) <= 0.005
     assert psnr(frame, truth) > 21
-    # A pixel of a view is at most a pixel of the picture wide, and ellipses reach two of them far.
+    # A pixel of a view is at most as wide as a pixel of the picture, and ellipses extend by two of them.
     near, right = frame.require("range"), truth.require("range")
     both = np.isfinite(near) & np.isfinite(right)
     off = np.abs(near[both] - right[both]) / (right[both] * 2 * np.tan(np.radians(25)) / camera.width)
@@ -92,8 +92,8 @@ def test_views_show_the_world(shared_tree: Tree, scene: nf.Scene, distance: floa
     assert frame.stats["leaves"] == 0 < frame.stats["splats_seen"] <= frame.stats["splats_in_picture"]
 
 
-def test_pictures_are_drawn_from_the_views_of_their_cut(shared_tree: Tree, scene: nf.Scene) -> None:
-    """Of one view for each cell: that of its edge or, raised by 60 degrees, that from the top."""
+def test_pictures_use_the_views_of_their_cut(shared_tree: Tree, scene: nf.Scene) -> None:
+    """With one view for each cell: that of its edge or, raised by 60 degrees, that from the top."""
     camera, found = camera_at(shared_tree, 200), []
     for lift_deg in (0.0, 60.0):
         tree = nf.orthoview.open(shared_tree.path)
@@ -110,7 +110,7 @@ def test_pictures_are_drawn_from_the_views_of_their_cut(shared_tree: Tree, scene
 
 
 def test_a_near_viewer_sees_geometry(shared_tree: Tree, scene: nf.Scene) -> None:
-    """All leaves that it sees are geometry: the world, but for positions that are rounded to a millimetre."""
+    """All visible leaves are geometry: the world, except that positions are rounded to a millimetre."""
     camera = camera_at(shared_tree, 140)
     frame = shared_tree.render(camera, error_px=0.1, channels=CHANNELS)
     truth = truth_of(scene, shared_tree, camera)
@@ -125,13 +125,13 @@ def test_a_near_viewer_sees_geometry(shared_tree: Tree, scene: nf.Scene) -> None
     assert leaves is not None
     right = nf.render(leaves, camera, channels=CHANNELS)
     for name, image in images_of(frame).items():
-        if name == "color":  # the kernel adds the sky up by itself
+        if name == "color":  # The kernel sums the sky itself.
             np.testing.assert_allclose(image, right.require(name), atol=1e-6)
         else:
             np.testing.assert_array_equal(image, right.require(name))
 
 
-def test_geometry_and_views_meet(shared_tree: Tree) -> None:
+def test_geometry_and_views_are_composited(shared_tree: Tree) -> None:
     """Each pixel shows the nearer of the leaves' geometry and the views beyond them."""
     camera = camera_at(shared_tree, 90)
     frame = shared_tree.render(camera, channels=CHANNELS)
@@ -151,7 +151,7 @@ def test_geometry_and_views_meet(shared_tree: Tree) -> None:
 
 
 @pytest.mark.parametrize("angle", [0.3, 3.5])
-def test_where_geometry_and_views_meet_is_no_hole(shared_tree: Tree, scene: nf.Scene, angle: float) -> None:
+def test_there_are_no_holes_between_geometry_and_views(shared_tree: Tree, scene: nf.Scene, angle: float) -> None:
     camera = camera_at(shared_tree, 90, angle)
     truth = truth_of(scene, shared_tree, camera)
     frame, views = shared_tree.render(camera), shared_tree.render(camera, geometry=False)
@@ -170,7 +170,7 @@ def test_where_geometry_and_views_meet_is_no_hole(shared_tree: Tree, scene: nf.S
 
 
 def truth_positions(truth: nf.Frame) -> NDArray[np.float64]:
-    """World positions of pixels; infinite where nothing is."""
+    """World positions of pixels; infinite without a surface."""
     start, direction = truth.camera.rays()
     far = np.where(np.isfinite(truth.require("range")), truth.require("range"), 1e9)
     positions: NDArray[np.float64] = start + direction * far[..., None]
@@ -190,8 +190,8 @@ def test_second_layers_fill_holes(scene: nf.Scene, shared_tree: Tree, tmp_path: 
     assert total[1] < 0.9 * total[0]
 
 
-def test_samples_are_means_of_a_finer_picture(shared_tree: Tree) -> None:
-    """With geometry and splats; a picture of twice the size may be twice as coarse for the same cut."""
+def test_samples_equal_means_of_a_finer_picture(shared_tree: Tree) -> None:
+    """With geometry and splats; a picture of twice the size has the same cut at twice the error."""
     camera = camera_at(shared_tree, 90, size=(64, 48))
     finer = replace(camera, size=(128, 96))
     channels = ("color", "coverage", "range")
@@ -207,7 +207,7 @@ def test_samples_are_means_of_a_finer_picture(shared_tree: Tree) -> None:
     np.testing.assert_array_equal(odd.require("range"), middle.require("range"))
 
 
-def test_limits_hold_for_geometry_and_splats(shared_tree: Tree) -> None:
+def test_limits_apply_to_geometry_and_splats(shared_tree: Tree) -> None:
     camera = camera_at(shared_tree, 90)
     whole = shared_tree.render(camera, channels=CHANNELS)
     ranges = whole.require("range")
@@ -224,7 +224,7 @@ def test_limits_hold_for_geometry_and_splats(shared_tree: Tree) -> None:
     assert np.nanmax(heights) > low[1] + 30
 
 
-def test_masks_and_bare_pictures(shared_tree: Tree) -> None:
+def test_trees_are_drawn_with_masks_and_bare(shared_tree: Tree) -> None:
     camera = camera_at(shared_tree, 90)
     mask = np.random.default_rng(0).random((96, 96)) < 0.5
     shot = Shot(cameras=(camera,), channels=("color", "range"))
@@ -238,7 +238,7 @@ def test_masks_and_bare_pictures(shared_tree: Tree) -> None:
     np.testing.assert_array_equal(bare["color"], np.where(is_there, whole["color"], 0))
 
 
-def test_updated_and_compacted_trees_are_seen(tmp_path: Path) -> None:
+def test_updated_and_compacted_trees_are_drawn(tmp_path: Path) -> None:
     boxes = range(8)
     before = nf.orthoview.build(world_of(boxes), tmp_path / "a.zarr", cell=20, size=SIZE, directions=5)
     after = world_of([*boxes, 101])
@@ -266,7 +266,7 @@ def test_a_second_picture_reads_nothing(shared_tree: Tree) -> None:
     assert (views.reads, views.read_bytes, near.read_bytes) == state
     assert_same(nf.render(tree, camera, channels=CHANNELS), first)
     assert (views.reads, views.read_bytes, near.read_bytes) == state
-    # A turned camera sees the same cells, and others.
+    # A rotated camera sees the same cells, and others.
     tree.render(camera_at(tree, 90, 0.35), channels=CHANNELS)
     assert views.reads < state[0] * 1.5
 
@@ -280,7 +280,7 @@ def test_without_a_cache_the_last_views_are_kept(shared_tree: Tree) -> None:
         keys = tree.cut(camera).keys()
         assert all(key in views for key in keys)
         assert len(views._kept.values) == len(keys)
-        assert views.bytes == sum(layer.bytes for layers in views._kept.values.values() for layer in layers)
+        assert views.cached_bytes == sum(layer.bytes for layers in views._kept.values.values() for layer in layers)
     reads = tree._viewer.views.reads
     tree.render(camera_at(tree, 200.0))
     assert tree._viewer.views.reads > reads
@@ -289,12 +289,12 @@ def test_without_a_cache_the_last_views_are_kept(shared_tree: Tree) -> None:
 def test_a_tree_behind_a_web_server_looks_the_same(shared_tree: Tree, monkeypatch: pytest.MonkeyPatch) -> None:
     need("fsspec")
     need("aiohttp")
-    # Parts are asked for at once. A queue of five connections, the default, makes the others wait for a second.
+    # Parts are requested at once. With the default queue of five connections the others would wait for a second.
     monkeypatch.setattr(ThreadingHTTPServer, "request_queue_size", 1024)
     camera = camera_at(shared_tree, 90)
     local = shared_tree.render(camera, channels=CHANNELS)
     assert local.stats["leaves"] > 0
-    with served(Path(shared_tree.path).parent) as server:
+    with serve_folder(Path(shared_tree.path).parent) as server:
         remote = nf.orthoview.open(f"{server.url}{Path(shared_tree.path).name}")
         assert_same(remote.render(camera, channels=CHANNELS), local)
         asked = sum(server.answers.values())
@@ -303,7 +303,7 @@ def test_a_tree_behind_a_web_server_looks_the_same(shared_tree: Tree, monkeypatc
     assert isinstance(shared_tree._files, Local)
 
 
-def test_bad_calls_are_named(shared_tree: Tree) -> None:
+def test_invalid_calls_of_render_are_named(shared_tree: Tree) -> None:
     camera = camera_at(shared_tree, 200, size=(16, 16))
     for samples in (8, 81, 2):
         with pytest.raises(ValueError, match=f"samples: expected 1, 4, 9 … 64 for orthoviews, got {samples}"):
@@ -332,7 +332,7 @@ def test_damaged_stores_are_named(shared_tree: Tree, tmp_path: Path) -> None:
         tree.render(far)
 
 
-def test_all_that_renders_takes_trees(shared_tree: Tree) -> None:
+def test_all_render_functions_accept_trees(shared_tree: Tree) -> None:
     camera = camera_at(shared_tree, 90, size=(48, 40))
     frame = shared_tree.render(camera)
     assert frame.channels == ("color", "range") == shared_tree.default_channels
@@ -346,8 +346,8 @@ def test_all_that_renders_takes_trees(shared_tree: Tree) -> None:
     assert_same(eyes.left, nf.render(shared_tree, eyes.left.camera))
 
 
-def test_hybrid_pictures_take_trees(shared_tree: Tree) -> None:
-    """Parts before the plane are drawn for each eye, others once; with a plane beyond the world all for each eye."""
+def test_hybrid_stereo_accepts_trees(shared_tree: Tree) -> None:
+    """Parts in front of the plane are drawn per eye, others once; with a plane beyond the world all per eye."""
     camera, hmd = camera_at(shared_tree, 90), nf.hmd.QUEST_2
     eyes = nf.render_eyes(shared_tree, hmd, camera.position, orientation=camera.orientation, size=(48, 48))
     there = np.isfinite(eyes.left.require("range"))
@@ -358,7 +358,7 @@ def test_hybrid_pictures_take_trees(shared_tree: Tree) -> None:
         assert psnr(hybrid.left, eyes.left) > 30
 
 
-def test_nothing_moves_in_a_tree(shared_tree: Tree) -> None:
+def test_trees_accept_no_poses(shared_tree: Tree) -> None:
     camera, earlier = camera_at(shared_tree, 90), camera_at(shared_tree, 90, 0.32)
     frame = nf.render(shared_tree, camera, channels=("motion", "range", "position"), before=earlier)
     there = np.isfinite(frame.require("range"))
@@ -369,7 +369,7 @@ def test_nothing_moves_in_a_tree(shared_tree: Tree) -> None:
     assert np.abs(moved).max() > 1
 
 
-def test_threads_share_a_tree_and_processes_get_one(shared_tree: Tree) -> None:
+def test_trees_are_shared_by_threads_and_pickled_for_processes(shared_tree: Tree) -> None:
     cameras = [camera_at(shared_tree, 90 + 10 * n, n) for n in range(6)]
     right = [shared_tree.render(camera).to_image() for camera in cameras]
     small = nf.orthoview.open(shared_tree.path, cache_bytes=0)
@@ -381,7 +381,7 @@ def test_threads_share_a_tree_and_processes_get_one(shared_tree: Tree) -> None:
     np.testing.assert_array_equal(again.render(cameras[0]).to_image(), right[0])
 
 
-def test_a_file_of_geometry_that_is_gone_is_named(shared_tree: Tree, tmp_path: Path) -> None:
+def test_a_missing_geometry_file_is_named(shared_tree: Tree, tmp_path: Path) -> None:
     store = Path(shutil.copytree(shared_tree.path, tmp_path / "copy.zarr"))
     for file in (store / "geometry" / "content").rglob("*.glb"):
         file.unlink()

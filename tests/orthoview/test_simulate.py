@@ -21,11 +21,11 @@ Link = nf.stream.Link
 
 MIDDLE = CORNER + 40.0
 FAST = Link(1e6)
-"""A frame of it carries all that a picture needs."""
+"""A link whose frame carries all parts of a picture."""
 
 
 def path(count: int, start: Any = (-30, 5, 30), step: Any = (0.5, 0, 0)) -> list[nf.Camera]:
-    """A straight way through the world."""
+    """A straight path through the world."""
     places = MIDDLE + np.array(start) + np.arange(count)[:, None] * np.array(step)
     return [nf.Camera(tuple(place.tolist()), fov=FOV, size=(64, 48)) for place in places]
 
@@ -43,7 +43,7 @@ def same(one: nf.orthoview.FlightLog, other: nf.orthoview.FlightLog) -> bool:
     return one.asked == other.asked and all(np.array_equal(getattr(one, name), getattr(other, name)) for name in names)
 
 
-def test_simulations_repeat_themselves(tree: Tree) -> None:
+def test_simulations_are_deterministic(tree: Tree) -> None:
     cameras = path(20)
     lossy = Link(5.0, rtt_ms=20.0, loss=0.05)
     first, second = (nf.orthoview.simulate(tree, cameras, link=lossy, seed=3) for _ in range(2))
@@ -55,7 +55,7 @@ def test_simulations_repeat_themselves(tree: Tree) -> None:
 
 
 def test_frames_count_the_parts_of_their_cuts(tree: Tree) -> None:
-    """The first one lacks all of them; at rest everything comes, and nothing is missing from then on."""
+    """The first frame lacks all parts; at rest everything arrives, and nothing is missing afterwards."""
     cameras = still(60)
     log = nf.orthoview.simulate(tree, cameras, link=Link(20.0), views=2)
     cut = tree.cut(cameras[0], views=2)
@@ -71,7 +71,7 @@ def test_frames_count_the_parts_of_their_cuts(tree: Tree) -> None:
     assert not log.coarser.any()
 
 
-def test_all_that_is_needed_is_asked_for_once(tree: Tree) -> None:
+def test_all_needed_parts_are_requested_once(tree: Tree) -> None:
     cameras = still(200)
     log = nf.orthoview.simulate(tree, cameras, link=Link(100.0), margin_deg=None)
     queue = tree.prefetch_queue(cameras[0].position, camera=cameras[0])
@@ -84,13 +84,13 @@ def test_all_that_is_needed_is_asked_for_once(tree: Tree) -> None:
     needed = shown | set(cut.keys(in_picture=True))
     assert sizes(tree, needed) <= bare.asked == bare.received[-1] <= sizes(tree, coarsest | needed)
     assert bare.asked < log.asked
-    # The coarsest views are few.
+    # There are few coarsest views.
     assert sizes(tree, coarsest) < 0.5 * sizes(tree, needed)
 
 
 @pytest.mark.parametrize("mbps", [1.0, 10.0])
-def test_a_link_brings_no_more_than_its_rate(tree: Tree, mbps: float) -> None:
-    """Files count when they are whole: at most 16 of them are on their way."""
+def test_a_link_delivers_at_most_its_rate(tree: Tree, mbps: float) -> None:
+    """Only complete files count: at most 16 of them are in transit."""
     log = nf.orthoview.simulate(tree, still(72), link=Link(mbps))
     sent = log.time * mbps * 1e6 / 8
     assert (np.diff(log.received) >= 0).all()
@@ -102,7 +102,7 @@ def test_a_link_brings_no_more_than_its_rate(tree: Tree, mbps: float) -> None:
     assert log.received[-1] > 0.5 * min(sent[-1], log.asked)
 
 
-def test_a_round_trip_delays_all(tree: Tree) -> None:
+def test_a_round_trip_delays_every_part(tree: Tree) -> None:
     log = nf.orthoview.simulate(tree, still(72), link=Link(1e6, rtt_ms=100.0))
     # Two round trips of the handshake, and one of the request.
     assert (log.received[log.time < 0.3] == 0).all()
@@ -110,7 +110,7 @@ def test_a_round_trip_delays_all(tree: Tree) -> None:
 
 
 def test_with_a_fast_link_only_the_first_frames_stall(tree: Tree) -> None:
-    """New parts of a frame are asked for then, and there in the next one."""
+    """New parts of a frame are requested then, and present in the next one."""
     log = nf.orthoview.simulate(tree, path(60), link=FAST, adapt=False)
     assert log.stalled[0]
     assert not log.stalled[2:].any()
@@ -125,14 +125,14 @@ def test_prefetching_saves_stalls(tree: Tree, mbps: float) -> None:
         nf.orthoview.simulate(tree, cameras, link=Link(mbps, rtt_ms=20.0), adapt=False, prefetch=prefetch)
         for prefetch in (True, False)
     ]
-    # From when the viewer begins to move.
+    # Starting when the viewer begins to move.
     ahead, bare = (log.missing[60:] for log in logs)
     assert (ahead > 0).sum() <= (bare > 0).sum()
     assert ahead.sum() < bare.sum()
 
 
-def test_a_small_cache_asks_again(tree: Tree) -> None:
-    """There and back; what is needed is kept in any case."""
+def test_a_small_cache_requests_parts_again(tree: Tree) -> None:
+    """Flies forward and back; needed parts are always kept."""
     cameras = [*path(60, step=(1.0, 0, 0)), *path(60, step=(1.0, 0, 0))[::-1]]
     large, small = (
         nf.orthoview.simulate(tree, cameras, link=FAST, adapt=False, prefetch=False, cache_bytes=count)
@@ -153,7 +153,7 @@ def test_a_small_cache_asks_again(tree: Tree) -> None:
     assert not resting.stalled[2:].any()
 
 
-def test_pictures_are_coarser_where_the_link_is_too_slow(tree: Tree) -> None:
+def test_pictures_are_coarser_on_a_slow_link(tree: Tree) -> None:
     cameras = [*path(40, step=(1.5, 0, 0)), *[path(40, step=(1.5, 0, 0))[-1]] * 700]
     log = nf.orthoview.simulate(tree, cameras, link=Link(5.0))
     fixed = nf.orthoview.simulate(tree, cameras, link=Link(5.0), adapt=False)

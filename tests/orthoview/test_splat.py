@@ -21,14 +21,14 @@ from tests.support.splat_cases import CAMERAS, CHANNELS, LARGE, MIDDLE, WIDE, ce
 
 @pytest.mark.parametrize("name", CAMERAS)
 def test_samples_show_the_nearest_splat(name: str) -> None:
-    # Balls in one row of a view have one distance from a camera that looks across it: many of them overlap.
+    # Balls in one row of a view are equidistant from a camera that looks across it: many of them overlap.
     doubt = 0.3 if name.startswith(("cube", "along")) else 0.02
     splats, known = cell_of([(1, 0, 0), (0, 1, 0), (0, 1, 1)])
     share = splat_oracle.check(draw_splats(splats, CAMERAS[name]), known, CAMERAS[name], most_doubt=doubt)
     assert 0.03 < share < 1
 
 
-def test_tiles_of_the_screen_fit_together() -> None:
+def test_screen_tiles_fit_together() -> None:
     splats, known = cell_of([(1, 0, 0), (0, 1, 0)])
     images = draw_splats(splats, LARGE)
     assert images["stats"]["splats_projected"] > images["stats"]["splats"]
@@ -36,7 +36,7 @@ def test_tiles_of_the_screen_fit_together() -> None:
 
 
 @pytest.mark.parametrize("fov", [nf.Orthographic(-32, 32, -32, 32), nf.Fov(-1, 1, -1, 1)])
-def test_a_floor_at_the_height_of_the_eye_is_a_line_of_its_own_length(fov: nf.Fov | nf.Orthographic) -> None:
+def test_a_floor_at_eye_height_is_a_line_of_its_length(fov: nf.Fov | nf.Orthographic) -> None:
     layout, size = (8, 12, 16), 8
     codes = np.full((1, size, size, 1), 2046, np.uint16)
     up = np.full((1, size, size, 2), 127, np.uint16)
@@ -48,7 +48,7 @@ def test_a_floor_at_the_height_of_the_eye_is_a_line_of_its_own_length(fov: nf.Fo
     camera = nf.Camera((0.0, height, 32.0), fov=fov, size=(65, 65))
     shown = np.isfinite(draw_splats(splats, camera)["range"])
     rows, columns = np.nonzero(shown)
-    # The floor is 8 m wide before the eye, of pixels of 64/65 m at 32 m.
+    # The floor is 8 m wide in front of the eye, of pixels of 64/65 m at 32 m.
     middle, half = 32, 4.6 * 65 / 64 * (32 / 28 if isinstance(fov, nf.Fov) else 1)
     assert len(rows) > 3
     assert (np.abs(columns - middle) <= half + 1).all()
@@ -56,7 +56,7 @@ def test_a_floor_at_the_height_of_the_eye_is_a_line_of_its_own_length(fov: nf.Fo
 
 
 @pytest.mark.parametrize("direction", DIRECTIONS)
-def test_views_of_all_directions(direction: Triple) -> None:
+def test_views_of_all_directions_are_drawn(direction: Triple) -> None:
     assert set(DIRECTIONS) == set(directions_of(26))
     splats, known = cell_of([direction])
     camera = facing(direction, WIDE)
@@ -65,20 +65,20 @@ def test_views_of_all_directions(direction: Triple) -> None:
 
 @pytest.mark.parametrize("normal_bits", [16, 24])
 @pytest.mark.parametrize("depth_bits", [8, 12, 16])
-def test_formats(depth_bits: int, normal_bits: int) -> None:
+def test_splats_of_all_formats_are_drawn(depth_bits: int, normal_bits: int) -> None:
     splats, known = cell_of([(0, 0, 1), (1, 1, 1)], depth_bits, normal_bits, 24)
     camera = facing((1, 1, 2), WIDE)
     assert splat_oracle.check(draw_splats(splats, camera), known, camera) > 0.1
 
 
-def test_sizes_that_blocks_do_not_fill() -> None:
+def test_view_sizes_that_are_no_multiple_of_blocks() -> None:
     splats, known = cell_of([(0, 0, 1)], size=20)
     camera = facing((0, 0, 1), WIDE)
     assert splat_oracle.check(draw_splats(splats, camera), known, camera) > 0.1
 
 
-def test_a_cell_far_from_the_origin() -> None:
-    """Positions are relative to the camera before they become float32."""
+def test_a_cell_far_from_the_origin_keeps_its_precision() -> None:
+    """Positions are made relative to the camera before they become float32."""
     splats = splats_of([(0, 0, 1)])
     layout, shift = (16, 12, 24), np.array([2.0**22, 0, -(2.0**22)])
     views = _core.OrthoViews.of_cell(boxes()[0]._core, (tuple(CORNER), SIDE), [(0, 0, 1)], layout)
@@ -114,7 +114,7 @@ def test_colour_is_the_mean_of_finer_samples(grid: int, name: str) -> None:
     assert ((got["coverage"] > 0) & (got["coverage"] < 1)).mean() > 0.01
 
 
-def test_colour_is_albedo_in_the_light_and_the_sky_elsewhere() -> None:
+def test_colour_is_lit_albedo_and_sky_elsewhere() -> None:
     splats = splats_of([(1, 0, 0), (0, 1, 0), (0, 1, 1)])
     camera = CAMERAS["perspective"]
     images = draw_splats(splats, camera, ("color", "coverage", *CHANNELS, "position", "shading_normal"))

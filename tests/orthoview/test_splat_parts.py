@@ -1,4 +1,4 @@
-"""Tests of what splats are drawn: geometry before and behind them, limits, masks, and the same bytes everywhere."""
+"""Tests of drawing parts of splats: with geometry, limits, masks, and the same bytes everywhere."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from tests.support.splat_oracle import Lens
 
 
 @pytest.mark.parametrize("name", ["perspective", "asymmetric", "parallel", "cube face 2"])
-def test_the_nearer_of_geometry_and_splats_is_seen(name: str) -> None:
+def test_the_nearer_of_geometry_and_splats_is_visible(name: str) -> None:
     camera, splats = CAMERAS[name], splats_of(THREE)
     channels = ("color", "coverage", *CHANNELS, "object_id", "face_id")
     alone = draw_splats(splats, camera, channels)
@@ -45,7 +45,7 @@ def test_the_nearer_of_geometry_and_splats_is_seen(name: str) -> None:
     assert (got["face_id"][~is_wall] == -1).all()
 
 
-def test_walls_hide_all_or_nothing() -> None:
+def test_walls_hide_all_splats_or_none() -> None:
     camera, splats = CAMERAS["perspective"], splats_of(THREE)
     alone = draw_splats(splats, camera, ("color", "range"))
     near = draw_splats(splats, camera, ("color", "range"), before=wall(camera, 1))
@@ -58,8 +58,8 @@ def test_walls_hide_all_or_nothing() -> None:
     assert (far["range"][~shown] == 1e4).all()
 
 
-def test_samples_of_geometry_are_samples() -> None:
-    """Geometry has a pixel for each sample: of four samples it hides some."""
+def test_geometry_is_composited_per_sample() -> None:
+    """Geometry has a pixel for each sample: it hides some of four samples."""
     camera, splats = CAMERAS["perspective"], splats_of(THREE)
     width, height = camera.size
     finer = replace(camera, size=(2 * width, 2 * height))
@@ -75,7 +75,7 @@ def test_samples_of_geometry_are_samples() -> None:
         draw_splats(splats, camera, ("color",), 2, wall(camera, 1.0))
 
 
-def test_of_one_depth_the_first_splat_counts() -> None:
+def test_at_equal_depth_the_first_splat_is_drawn() -> None:
     dark, light = flat(50), flat(200)
     for order in ([dark, light], [light, dark]):
         first, both = draw_splats(order[:1], STRAIGHT), draw_splats(order, STRAIGHT)
@@ -88,7 +88,7 @@ def test_of_one_depth_the_first_splat_counts() -> None:
     )
 
 
-def test_of_one_depth_splats_count_before_geometry() -> None:
+def test_at_equal_depth_splats_hide_geometry() -> None:
     """Along −z a range is a distance, without rounding."""
     splats = [flat(50)]
     alone = draw_splats(splats, STRAIGHT, ("color", "range"))
@@ -100,7 +100,7 @@ def test_of_one_depth_splats_count_before_geometry() -> None:
 
 @pytest.mark.parametrize("camera", ["perspective", "parallel"])
 @pytest.mark.parametrize("name", ["t_min", "t_max", "both", "box", "planes"])
-def test_splats_are_drawn_whose_middles_are_within_limits(name: str, camera: str) -> None:
+def test_splats_with_centres_within_limits_are_drawn(name: str, camera: str) -> None:
     limits, view, (splats, known) = limits_of(name), CAMERAS[camera], cell_of(THREE)
     lens = Lens.from_camera(view)
     points = np.array([splat.point for splat in known])
@@ -130,7 +130,7 @@ def test_masked_pixels_are_misses_and_bare_pictures_have_no_sky() -> None:
     np.testing.assert_array_equal(bare["range"], whole["range"])
 
 
-def test_nothing_is_sky() -> None:
+def test_an_empty_picture_is_sky() -> None:
     camera, splats = CAMERAS["perspective"], splats_of(THREE)
     none = draw_splats([], camera, ("coverage", "range"))
     assert np.isinf(none["range"]).all()
@@ -173,7 +173,7 @@ def test_pictures_are_the_same_for_all_instruction_sets(name: str) -> None:
     assert all(picture == pictures[0] for picture in pictures[1:])
 
 
-def test_bad_calls_are_named() -> None:
+def test_invalid_splat_calls_are_named() -> None:
     camera, splats = CAMERAS["perspective"], splats_of([(0, 0, 1)])
     with pytest.raises(ValueError, match="grid: expected 1 to 8, got 9"):
         draw_splats(splats, camera, ("color",), 9)

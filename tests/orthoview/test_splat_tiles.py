@@ -1,4 +1,4 @@
-"""Trees written for splat viewers: tiles, GLB and SPZ files, and what is left of exports that end early."""
+"""Trees exported for splat viewers: tiles, GLB and SPZ files, and interrupted exports."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def box_of(tree: nf.orthoview.OrthoTree) -> NDArray[np.float64]:
 
 
 def cells(tree: nf.orthoview.OrthoTree, level: int) -> dict[tuple[int, tuple[int, int, int]], Cell]:
-    """All cells from a level upwards that have Gaussians."""
+    """All cells that have Gaussians, from a level upwards."""
     reader = Cells(tree._files, tree._layout, tree.generation, box_of(tree), sun_of("sun"))
     read = {key: reader.read(*key) for key in reader.below(level)}
     return {key: cell for key, cell in read.items() if len(cell.gaussians)}
@@ -53,7 +53,7 @@ def key_of(tile: Tile) -> tuple[int, tuple[int, int, int]]:
 
 
 def check_rows(got: Rows, cell: Cell, step: float, spread: float) -> None:
-    """The Gaussians of a cell: middles within a step, scales within a share, colours within a code of their format."""
+    """Check the Gaussians of a cell: centres within a step, scales within a share, colours within a code."""
     right: Gaussians = cell.gaussians
     assert len(got.middle) == len(right)
     assert np.abs(got.middle - (right.middle + cell.center)).max() <= step
@@ -62,13 +62,13 @@ def check_rows(got: Rows, cell: Cell, step: float, spread: float) -> None:
     assert (got.opacity == 1).all()
 
 
-def test_each_cell_is_one_tile_with_its_gaussians(
+def test_each_cell_is_a_tile_with_its_gaussians(
     few_tree: nf.orthoview.OrthoTree, exported: tuple[Path, dict[str, int]]
 ) -> None:
     folder, counts = exported
     wanted, found = cells(few_tree, 0), {key_of(tile): tile for tile in tiles(folder)}
     assert found.keys() == wanted.keys()
-    assert sum(1 for _ in tiles(folder)) == len(found)  # each once
+    assert sum(1 for _ in tiles(folder)) == len(found)  # Each occurs once.
     assert {path.resolve() for path in folder.rglob("*.glb")} == {tile.path for tile in found.values()}
     for key, cell in wanted.items():
         check_rows(glb_rows(found[key].path.read_bytes()), cell, 1e-5 * np.abs(cell.center).max(), 1e-6)
@@ -91,7 +91,7 @@ def test_boxes_hold_three_standard_deviations_and_errors_fall(
         assert (tile.box[0] <= (rows.middle - reach).min(axis=0) + 1e-3).all()
         assert ((rows.middle + reach).max(axis=0) <= tile.box[1] + 1e-3).all()
         level, place = key_of(tile)
-        # Five directions look along the axes. 16 pixels of the screen, which viewers allow, are two of the view.
+        # Five directions look along the axes. The 16 screen pixels that viewers allow are two pixels of the view.
         pixel = few_tree.cell * 2**level / few_tree.size
         assert tile.error == (0 if tile.is_leaf else pytest.approx(8 * pixel))
         assert tile.is_leaf == (level == 0)
@@ -106,7 +106,7 @@ def test_documents_list_a_few_levels_each(
     folder, _ = exported
     apart = {path.parent.parent.parent.name for path in (folder / "tilesets").rglob("*.json")}
     assert few_tree.levels == 5
-    assert apart == {"3"}  # of levels 0 to 3; the one on top lists level 4 and refers to them
+    assert apart == {"3"}  # Of levels 0 to 3; the top document lists level 4 and refers to them.
     text = (folder / "tileset.json").read_text()
     assert "content/3/" not in text
     named = json.loads(text)["extensions"]["3DTILES_content_gltf"]
@@ -127,7 +127,7 @@ def test_spz_in_tiles_is_within_its_steps(few_tree: nf.orthoview.OrthoTree, tmp_
 
 
 @pytest.mark.parametrize("name", ["one.spz", "one.glb", "packed.glb"])
-def test_one_file_has_the_cells_of_a_level(few_tree: nf.orthoview.OrthoTree, tmp_path: Path, name: str) -> None:
+def test_one_file_contains_the_cells_of_a_level(few_tree: nf.orthoview.OrthoTree, tmp_path: Path, name: str) -> None:
     path, level = tmp_path / name, 1
     counts = few_tree.export_splats(
         path, level=level, aabb=box_of(few_tree), compression="spz" if name == "packed.glb" else None
@@ -142,19 +142,19 @@ def test_one_file_has_the_cells_of_a_level(few_tree: nf.orthoview.OrthoTree, tmp
         "bytes": len(data),
     }
     at = 0
-    for cell in wanted.values():  # in the order of cells
+    for cell in wanted.values():  # In the order of cells.
         part = slice(at, at + len(cell.gaussians))
         own = Rows(rows.middle[part], rows.rotation[part], rows.scale[part], rows.opacity[part], rows.color[part])
         check_rows(own, cell, cell.gaussians.scale[:, :2].min() / 64 + 1e-3, 1 / 32 + 1e-6)
         for quaternion, matrix in zip(own.covariances(), matrices(cell.gaussians.rotation), strict=True):
-            # The thin axis is the one with the least spread, within the turn that version 2 allows.
+            # The thin axis is the one with the least spread, within the rotation error of version 2.
             spread = np.diag(matrix.T @ quaternion @ matrix)
             assert spread[2] <= spread.min() * 1.5
         at = part.stop
     assert [path.name for path in tmp_path.iterdir()] == [name]
 
 
-def test_a_box_and_a_light(few_tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
+def test_exports_apply_a_box_and_a_light(few_tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
     low, high = few_tree.bounds
     box = np.array([low, [*((low + high) / 2)[:2], high[2]]])
     whole, part = (
@@ -165,14 +165,14 @@ def test_a_box_and_a_light(few_tree: nf.orthoview.OrthoTree, tmp_path: Path) -> 
     rows = glb_rows((tmp_path / "b.glb").read_bytes())
     assert ((box[0] - 1e-3 <= rows.middle) & (rows.middle <= box[1] + 1e-3)).all()
     dark = glb_rows((tmp_path / "a.glb").read_bytes()).color.mean()
-    assert dark < rows.color.mean()  # lit surfaces reflect less than all light
+    assert dark < rows.color.mean()  # Lit surfaces reflect less than all light.
     few_tree.export_splats(tmp_path / "c.glb", level=2, light=(0, 10, 0))
     for name, light in (("a", {"sun": pytest.approx([0.5263, 0.7895, 0.3158], abs=1e-4)}), ("b", "none")):
         assert glb_parts((tmp_path / f"{name}.glb").read_bytes())[0]["asset"]["extras"]["light"] == light
     assert glb_parts((tmp_path / "c.glb").read_bytes())[0]["asset"]["extras"]["light"] == {"sun": [0, 1, 0]}
 
 
-def test_an_export_that_fails_leaves_the_older_one(
+def test_a_failed_export_keeps_the_older_one(
     few_tree: nf.orthoview.OrthoTree, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def stopped(jobs: Iterator[Any]) -> Iterator[Any]:
@@ -204,7 +204,9 @@ def contents(folder: Path) -> dict[str, bytes]:
     return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
-def test_bad_arguments(few_tree: nf.orthoview.OrthoTree, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_invalid_arguments_of_exports_are_refused(
+    few_tree: nf.orthoview.OrthoTree, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     out = tmp_path / "out"
     for match, wrong in (
         ("light", {"light": (0, 0, 0)}),
@@ -249,7 +251,7 @@ def test_the_validator_of_gltf_finds_no_errors(exported: tuple[Path, dict[str, i
     paths = sorted(folder.rglob("*.glb"))[:5]
     for path, report in node("validate.mjs", paths).items():
         errors = [message for message in report["messages"] if message["severity"] == 0]
-        # It knows no names of attributes of the extension.
+        # The validator does not know the extension's attribute names.
         unknown = [message for message in errors if f"/attributes/{SPLATS}:" in message["pointer"]]
         assert len(unknown) == 4
         assert errors == unknown, path
@@ -257,7 +259,7 @@ def test_the_validator_of_gltf_finds_no_errors(exported: tuple[Path, dict[str, i
 
 
 @pytest.mark.slow
-def test_spark_loads_and_draws_what_was_written(few_tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
+def test_spark_loads_and_draws_exported_splats(few_tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
     need("browser")
     reader = Cells(
         few_tree._files, few_tree._layout, few_tree.generation, np.array([[-np.inf] * 3, [np.inf] * 3]), sun_of("sun")
@@ -271,7 +273,7 @@ def test_spark_loads_and_draws_what_was_written(few_tree: nf.orthoview.OrthoTree
     right = spz_rows(path.read_bytes(), 3)
     assert loaded["count"] == len(right.middle)
     first = np.array(loaded["first"])
-    # Spark keeps numbers as float16 and quaternions in some 20 bits.
+    # Spark stores numbers as float16 and quaternions in some 20 bits.
     assert np.abs(first[:, :3] - right.middle[:50]).max() < 1e-3 * side
     assert np.abs(np.log(first[:, 3:6] / right.scale[:50])).max() < 0.05
     assert np.abs((first[:, 6:10] * right.rotation[:50]).sum(axis=1)).min() > 0.999

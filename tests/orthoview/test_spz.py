@@ -1,4 +1,4 @@
-"""SPZ files of Gaussians against a reader that was written from the format's description."""
+"""SPZ files of Gaussians against a reader written from the format's description."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from tests.support.splat_files import Rows, spz_rows, turn
 
 
 def some(count: int, reach: float = 60.0) -> Gaussians:
-    """Gaussians at random, of whose quaternions w is the greatest number."""
+    """Random Gaussians whose quaternions have w as the largest component."""
     rng = np.random.default_rng(7)
     rotation = rng.normal(size=(count, 4))
     rotation /= np.linalg.norm(rotation, axis=1, keepdims=True)
@@ -35,7 +35,7 @@ def some(count: int, reach: float = 60.0) -> Gaussians:
 
 
 def check(got: Rows, right: Gaussians, bits: int, degrees: float) -> None:
-    """Within half a step of each number, and turned by no more than some degrees."""
+    """Check numbers within half a step, and rotations within some degrees."""
     # Positions are float32 before they are rounded.
     assert np.abs(got.middle - right.middle).max() <= 2.0**-bits / 2 + 1e-6 * np.abs(right.middle).max()
     assert np.abs(np.log(got.scale / right.scale)).max() <= 1 / 32 + 1e-6
@@ -49,15 +49,15 @@ def check(got: Rows, right: Gaussians, bits: int, degrees: float) -> None:
 # A component of version 2 is off by 1/255 at most and w by as much for each of the others, each at most as great as w:
 # 2 asin of the length of all four, √(3 + 3²)/255, is 1.6°. A step of version 3 is √½/511.
 @pytest.mark.parametrize(("version", "degrees"), [(2, 1.6), (3, 0.3)])
-def test_what_is_read_is_what_was_written_up_to_half_a_step(version: int, degrees: float) -> None:
+def test_values_are_restored_within_half_a_step(version: int, degrees: float) -> None:
     gaussians = some(400)
     data = _spz.encoded(gaussians, version=version)
     bits = gzip.decompress(data)[13]
-    assert 10 <= bits <= 17  # 60 m need 6 bits of 23
+    assert 10 <= bits <= 17  # A reach of 60 m needs 6 of 23 bits.
     check(spz_rows(data, version), gaussians, bits, degrees)
 
 
-def test_our_own_reader_reads_the_same() -> None:
+def test_our_own_reader_agrees() -> None:
     gaussians = some(100)
     for version in (2, 3):
         data = _spz.encoded(gaussians, version=version)
@@ -68,16 +68,16 @@ def test_our_own_reader_reads_the_same() -> None:
         assert np.abs(got.color / 255 - right.color.clip(0, 1)).max() <= 0.5 / 255 + 1e-9
 
 
-def test_a_file_is_its_header_and_its_sections() -> None:
+def test_a_file_consists_of_header_and_sections() -> None:
     data = _spz.encoded(some(3))
     content = gzip.decompress(data)
     assert struct.unpack_from("<III", content) == (0x5053474E, 3, 3)
     assert len(content) == 16 + 3 * (9 + 1 + 3 + 3 + 4)
-    assert data[4:8] == bytes(4)  # no time, so that the same splats give the same bytes
+    assert data[4:8] == bytes(4)  # No time stamp, so that the same splats give the same bytes.
     assert data == _spz.encoded(some(3))
 
 
-def test_bits_of_fractions_hold_the_reach_and_are_no_more_than_splats_need() -> None:
+def test_fraction_bits_cover_the_reach_and_are_as_few_as_needed() -> None:
     for reach in (0.5, 60.0, 20_000.0, 8e6):
         bits = _spz.fraction_bits(reach, 0.01)
         assert reach * 2**bits <= 2**23 - 1
@@ -87,7 +87,7 @@ def test_bits_of_fractions_hold_the_reach_and_are_no_more_than_splats_need() -> 
         _spz.fraction_bits(2e7, 1.0)
 
 
-def test_nothing_and_damage() -> None:
+def test_empty_and_damaged_files_are_handled() -> None:
     assert len(_spz.decoded(_spz.encoded(NOTHING))) == 0
     data = _spz.encoded(some(2))
     content = bytearray(gzip.decompress(data))
@@ -100,7 +100,7 @@ def test_nothing_and_damage() -> None:
 
 
 @pytest.mark.slow
-def test_the_reference_implementation_reads_the_same(tmp_path: Path) -> None:
+def test_the_reference_implementation_agrees(tmp_path: Path) -> None:
     need("browser")
     gaussians = some(200)
     versions = (2, 3)
@@ -115,6 +115,6 @@ def test_the_reference_implementation_reads_the_same(tmp_path: Path) -> None:
         assert np.allclose(np.reshape(own["positions"], (-1, 3)), right.middle, atol=1e-5)
         assert np.allclose(np.reshape(own["scales"], (-1, 3)), right.scale, rtol=1e-5)
         assert np.allclose(np.reshape(own["rotations"], (-1, 4)), right.rotation, atol=1e-5)
-        # It returns colours in 0..1, with three digits of the spherical harmonic.
+        # It returns colours in 0..1, computed with three digits of the spherical harmonic.
         assert np.allclose(np.reshape(own["colors"], (-1, 3)), right.color, atol=5e-4)
         assert own["alphas"] == [1] * 200

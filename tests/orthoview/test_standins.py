@@ -1,4 +1,4 @@
-"""Tests of what is drawn of a cut whose parts are not all there."""
+"""Tests of stand-ins: what is drawn of a cut with missing parts."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ GRID = Grid((0.0, 0.0, 0.0), 1.0, (4, 4, 4))
 TOP: Cell = (2, (0, 0, 0))
 UNITS = np.array([[1, 0, 0], [0, 0, 1], [-1, 0, 0], [0, 0, -1], [0, 1, 0]], np.float64)
 EYE = np.array([30.0, 20.0, 1.0])
-"""From it the directions 0, 4, 1, 3 and 2 are the nearest ones to a cell, in this order: x > y > z."""
+"""An eye for which the directions 0, 4, 1, 3 and 2 are nearest to a cell, in this order: x > y > z."""
 
 CELLS = [(level, place) for level in range(3) for place in itertools.product(range(4 >> level), repeat=3)]
 DIRECTIONS = range(5)
 
 
 class Memory:
-    """Parts that are there, and those of them that an update has changed."""
+    """Loaded parts, and the parts among them that an update has changed."""
 
     def __init__(self, parts: Iterable[Part] = (), old: Collection[Part] = ()) -> None:
         self.parts, self.old = set(parts), set(old)
@@ -63,7 +63,7 @@ MIDDLE: Cell = (1, (0, 0, 0))
 OTHER: Cell = (1, (1, 0, 0))
 
 
-def test_what_is_there_is_drawn() -> None:
+def test_loaded_parts_are_drawn() -> None:
     wanted = wish(MIDDLE, OTHER) | leaf((0, 3, 0), (1, 3, 0))
     memory = Memory(part for parts in wanted.values() for part in parts)
     shown = memory.choose(wanted)
@@ -73,14 +73,14 @@ def test_what_is_there_is_drawn() -> None:
     assert shown.parts() == memory.parts
 
 
-def test_nothing_is_drawn_where_nothing_is() -> None:
+def test_empty_cells_are_not_drawn() -> None:
     shown = Memory().choose(wish(MIDDLE, OTHER) | leaf((0, 3, 0)))
     assert shown == Shown(missing=3, empty=3)
     assert shown.parts() == set()
 
 
-def test_a_cell_stays_as_it_was() -> None:
-    """From directions that are no longer the nearest ones, though cells above have those."""
+def test_a_cell_keeps_its_views() -> None:
+    """The directions are no longer the nearest ones, though cells above have those."""
     memory = Memory([*views(MIDDLE, 2, 3), *views(MIDDLE, 0), *views(TOP, 0, 4)])
     before = Shown({MIDDLE: pieces(MIDDLE, 2, 3)})
     shown = memory.choose(wish(MIDDLE), before)
@@ -91,7 +91,7 @@ def test_a_cell_stays_as_it_was() -> None:
     assert memory.choose(wish(MIDDLE), shown).cells == {MIDDLE: pieces(TOP, 0, 4, within=MIDDLE)}
 
 
-def test_older_views_stay_until_the_newer_ones_are_there() -> None:
+def test_older_views_stay_until_newer_ones_are_loaded() -> None:
     wanted = wish(MIDDLE) | leaf((2, 0, 0))
     parts = [part for parts in wanted.values() for part in parts]
     memory = Memory(parts)
@@ -104,8 +104,8 @@ def test_older_views_stay_until_the_newer_ones_are_there() -> None:
     assert memory.choose(wanted, shown) == first
 
 
-def test_finer_cells_stay_and_the_rest_comes_from_above() -> None:
-    """A leaf as views, one as geometry; the other six octants are parts of the whole world's views."""
+def test_finer_cells_stay_and_cells_above_fill_the_rest() -> None:
+    """One leaf stays as views, one as geometry; the other six octants are parts of the whole world's views."""
     near: Place = (1, 1, 1)
     memory = Memory([*views(LOW, 0, 4), (0, near, GEOMETRY), *views(TOP, 0, 4, 1)])
     before = Shown({LOW: pieces(LOW, 0, 4)}, {near: [(0, near, GEOMETRY)]})
@@ -114,23 +114,23 @@ def test_finer_cells_stay_and_the_rest_comes_from_above() -> None:
     assert (shown.missing, shown.empty) == (1, 0)
     rest: list[Cell] = [(0, place) for place in OCTANTS if place not in (LOW[1], near)]
     assert shown.cells == before.cells | {cell: pieces(TOP, 0, 4, within=cell) for cell in rest}
-    # Once more: what stood in is chosen anew, and is best from what is finer.
+    # Again: stand-ins are chosen afresh, and finer parts are preferred.
     memory.parts |= set(views(MIDDLE, 4))
     again = memory.choose(wish(MIDDLE), shown)
     assert again.cells == before.cells | {cell: pieces(MIDDLE, 4, within=cell) for cell in rest}
-    # Then the cell itself is there.
+    # Then the cell itself is loaded.
     memory.parts |= set(views(MIDDLE, 0))
     assert memory.choose(wish(MIDDLE), again) == Shown({MIDDLE: pieces(MIDDLE, 0, 4)})
 
 
-def test_the_rest_of_a_large_cell_is_of_the_largest_parts() -> None:
+def test_the_rest_of_a_large_cell_is_drawn_in_the_largest_parts() -> None:
     memory = Memory([*views(LOW, 0), *views(TOP, 0)])
     shown = memory.choose(wish(TOP), Shown({LOW: pieces(LOW, 0)}))
     beside: list[Cell] = [(level, place) for level in (0, 1) for place in OCTANTS if place != (0, 0, 0)]
     assert shown.cells == {LOW: pieces(LOW, 0)} | {cell: pieces(TOP, 0, within=cell) for cell in beside}
 
 
-def test_geometry_stays_with_all_its_guests_only() -> None:
+def test_geometry_stays_only_with_all_its_guests() -> None:
     parts: list[Part] = [(0, (0, 0, 0), GEOMETRY), (0, (1, 0, 0), GEOMETRY)]
     memory = Memory(parts)
     before = Shown({}, {(0, 0, 0): parts})
@@ -149,7 +149,7 @@ def test_the_finest_cell_above_stands_in() -> None:
     assert (shown.missing, shown.empty) == (2, 0)
 
 
-def test_parts_that_stood_in_do_not_stay() -> None:
+def test_stand_ins_do_not_stay() -> None:
     memory = Memory(views(TOP, 0, 4))
     first = memory.choose(wish(LOW))
     assert first.cells == {LOW: pieces(TOP, 0, 4, within=LOW)}
@@ -157,14 +157,14 @@ def test_parts_that_stood_in_do_not_stay() -> None:
     assert memory.choose(wish(LOW), first).cells == {LOW: pieces(MIDDLE, 1, within=LOW)}
 
 
-def test_a_cell_that_has_nothing_above_is_drawn_from_some_of_its_views() -> None:
+def test_a_cell_without_stand_ins_is_drawn_from_some_of_its_views() -> None:
     memory = Memory(views(LOW, 4))
     assert memory.choose(wish(LOW)) == Shown({LOW: pieces(LOW, 4)}, missing=1)
     memory.parts |= set(views(TOP, 1))
     assert memory.choose(wish(LOW)).cells == {LOW: pieces(TOP, 1, within=LOW)}
 
 
-def test_stand_ins_are_views_whose_directions_are_nearest() -> None:
+def test_stand_ins_use_the_nearest_directions() -> None:
     memory = Memory(views(TOP, *DIRECTIONS))
     for eye in np.random.default_rng(0).normal(0, 30, (30, 3)):
         cosines = UNITS @ (eye - 2.0)
@@ -187,8 +187,8 @@ def leaves_of(cell: Cell) -> set[Place]:
     return set(itertools.product(*ranges))  # type: ignore[arg-type]
 
 
-def covered(cells: Iterable[Cell]) -> list[Place]:
-    """Places of the leaves in cells, as often as they are in one."""
+def covered_leaves(cells: Iterable[Cell]) -> list[Place]:
+    """Counts of the leaves in cells, by place."""
     return sorted(place for cell in cells for place in leaves_of(cell))
 
 
@@ -198,7 +198,7 @@ def shown_cells(shown: Shown) -> list[Cell]:
 
 @st.composite
 def cuts(draw: st.DrawFn) -> Wanted:
-    """A cut through some of the world, with directions and geometry at will."""
+    """A random cut through some of the world, with random directions and geometry."""
     wanted: Wanted = {}
 
     def visit(cell: Cell) -> None:
@@ -227,13 +227,13 @@ memories = st.lists(parts, max_size=60).map(
 
 
 @given(st.lists(st.tuples(cuts(), memories, memories, st.booleans()), min_size=1, max_size=5), st.booleans())
-def test_no_place_is_drawn_twice_and_none_is_left_out(
+def test_every_place_is_drawn_exactly_once(
     steps: list[tuple[Wanted, set[Part], set[Part], bool]], has_top: bool
 ) -> None:
-    """Over any course of cuts, of parts that come and go, and of parts that an update changes.
+    """Holds for any sequence of cuts, of loaded and evicted parts, and of updated parts.
 
-    Cells that are drawn share no leaf and lie in wanted cells. If views of the whole world are there, they are all of
-    these. All that is drawn is there, and all that is wanted and there is drawn as it is wanted.
+    Drawn cells share no leaf and lie in wanted cells. If views of the whole world are loaded, the drawn cells cover
+    all wanted ones. All drawn parts are loaded, and wanted parts that are loaded are drawn as wanted.
     """
     before = Shown()
     for wanted, held, old, is_whole in steps:
@@ -242,7 +242,7 @@ def test_no_place_is_drawn_twice_and_none_is_left_out(
             memory.parts |= {part for parts in wanted.values() for part in parts}
         shown = memory.choose(wanted, before)
         is_there = {cell: all(map(memory.holds, parts)) for cell, parts in wanted.items()}
-        places, all_places = covered(shown_cells(shown)), covered(wanted)
+        places, all_places = covered_leaves(shown_cells(shown)), covered_leaves(wanted)
         assert len(set(places)) == len(places)
         assert set(places) <= set(all_places)
         if has_top:

@@ -1,4 +1,4 @@
-"""Tests of steady pictures: against loops, swapped cuts, what comes into sight, what moves, jumps, bad input."""
+"""Tests of steady pictures: against loops, changed cuts, disocclusion, moving objects, jumps, invalid input."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from tests.support.steady_oracle import blended
 Steady = nf.orthoview.Steady
 Tree = nf.orthoview.OrthoTree
 RATE = 72
-"""Pictures a second."""
+"""Pictures per second."""
 
 EYES = {
     "perspective": (nf.Fov(-0.7, 0.5, -0.4, 0.6), nf.Fov(-0.7, 0.5, -0.4, 0.6)),
@@ -29,7 +29,7 @@ EYES = {
     "from parallel": (nf.Orthographic(-3, 4, -3, 3), nf.Fov.symmetric(60)),
     "to parallel": (nf.Fov.symmetric(60), nf.Orthographic(-3, 4, -3, 3)),
 }
-"""Projections of a picture and of the one after it."""
+"""Projections of a picture and of the next one."""
 
 
 def camera_of(fov: Any, position: tuple[float, float, float], turn: float = 0.0, size: int = 12) -> nf.Camera:
@@ -50,7 +50,7 @@ def noise(camera: nf.Camera, seed: int, **images: Any) -> nf.Frame:
 
 @pytest.mark.parametrize("name", EYES)
 @pytest.mark.parametrize("step", [0.0, 0.002, 0.2])
-def test_kernel_against_loops(name: str, step: float) -> None:
+def test_the_kernel_equals_loops(name: str, step: float) -> None:
     before, after = EYES[name]
     past = noise(camera_of(before, (100.0, 2.0, -50.0)), 1)
     now = noise(camera_of(after, (100.0 + step, 2.0 - 0.5 * step, -50.0 - step), step / 8), 2)
@@ -63,7 +63,7 @@ def test_kernel_against_loops(name: str, step: float) -> None:
             assert agrees.mean() > 0.5
 
 
-def test_kernel_with_motion_against_loops() -> None:
+def test_the_kernel_with_motion_equals_loops() -> None:
     rng = np.random.default_rng(4)
     motion = rng.normal(0, 2, (20, 20, 2)).astype(np.float32)
     motion[5:9] = rng.normal(0, 0.05, (4, 20, 2))
@@ -90,16 +90,14 @@ def directions_of(tree: Tree, camera: nf.Camera) -> set[Any]:
 
 
 def fades(before: nf.Frame, after: Callable[[int], nf.Frame]) -> list[float]:
-    """SSIM of each picture with the next one, while one fades into another."""
+    """SSIM of consecutive pictures during a fade."""
     steady = Steady()
     pictures = [steady.next(before, 0.0)]
     pictures += [steady.next(after(n), n / RATE) for n in range(1, 25)]
     return [float(nf.ssim(one, other)) for one, other in pairwise(pictures)]
 
 
-def test_a_swapped_cut_fades_before_a_still_camera(
-    layered: Tree, record_property: Callable[[str, object], None]
-) -> None:
+def test_a_changed_cut_fades_for_a_still_camera(layered: Tree, record_property: Callable[[str, object], None]) -> None:
     camera = eye(layered, 0.3)
     fine, coarse = (layered.render(camera, geometry=False, error_px=error) for error in (1.0, 2.0))
     popped = float(nf.ssim(fine, coarse))
@@ -108,8 +106,8 @@ def test_a_swapped_cut_fades_before_a_still_camera(
     assert min(fades(fine, lambda _: coarse)) >= 0.999
 
 
-def test_other_directions_fade(layered: Tree, record_property: Callable[[str, object], None]) -> None:
-    """A camera that crosses the bisector of two directions sees cells from another one, a hair's breadth farther."""
+def test_changed_directions_fade(layered: Tree, record_property: Callable[[str, object], None]) -> None:
+    """A camera that crosses the bisector of two directions sees cells from another one, a tiny step later."""
     low, high = 0.3, 0.3 + np.pi / 4
     start = directions_of(layered, eye(layered, low))
     assert directions_of(layered, eye(layered, high)) != start
@@ -125,7 +123,7 @@ def test_other_directions_fade(layered: Tree, record_property: Callable[[str, ob
 
 
 def board(position: float, eye: float = 0.0, color: float = 1.0, **images: Any) -> nf.Frame:
-    """A board 2 m away before a wall 8 m away, whose left edge is at a column when seen from the middle."""
+    """A board 2 m away in front of a wall 8 m away, its left edge at a column when seen from the middle."""
     camera = nf.Camera((eye, 0.0, 0.0), fov=nf.Fov.symmetric(90), size=(64, 64))
     column = np.arange(64) + 0.5
     # A tangent is (column − 32)/32.
@@ -136,22 +134,22 @@ def board(position: float, eye: float = 0.0, color: float = 1.0, **images: Any) 
     return nf.Frame(camera, color=shade.astype(np.float32), range=(depth * secant).astype(np.float32), **images)
 
 
-def test_what_comes_into_sight_is_new() -> None:
+def test_disoccluded_pixels_are_new() -> None:
     steady, before = Steady(), board(20.0, color=0.9)
     steady.next(before, 0.0)
     # The board moves 4 pixels to the left, the wall 1.
     after = board(20.0, eye=0.25)
     frame = steady.next(after, 1 / RATE)
     color, fresh = frame.require("color")[32, :, 0], after.require("color")[32, :, 0]
-    # The board fades from its old colour; its neighbours mix it with the wall's.
+    # The board fades from its old colour; neighbouring pixels mix it with the wall's.
     np.testing.assert_allclose(color[17:31], 1 - 0.1 * np.exp(-1 / RATE / 0.05), atol=1e-6)
-    # Of the wall 3 pixels come into sight to its right, and the border's right.
+    # The wall is disoccluded by 3 pixels to its right, and the border's right.
     np.testing.assert_array_equal(color[33:35], fresh[33:35])
     np.testing.assert_allclose(color, fresh, atol=0.1)
     assert 0.9 < frame.stats["agreed"] < 1 - 64 * 3 / 64**2
 
 
-def test_still_pictures_stay_as_they_are() -> None:
+def test_still_pictures_do_not_change() -> None:
     steady, picture = Steady(), noise(camera_of(nf.Fov.symmetric(60), (3.0, 1.0, 2.0), 0.4), 1)
     for n in range(5):
         frame = steady.next(picture, n / 30)
@@ -159,7 +157,7 @@ def test_still_pictures_stay_as_they_are() -> None:
         assert frame.stats["agreed"] == float(n > 0)
 
 
-def test_a_surface_that_is_gone_fades_before_a_still_camera() -> None:
+def test_a_removed_surface_fades_for_a_still_camera() -> None:
     steady = Steady(seconds=0.2)
     steady.next(board(20.0), 0.0)
     for n in (1, 2):
@@ -168,8 +166,8 @@ def test_a_surface_that_is_gone_fades_before_a_still_camera() -> None:
         np.testing.assert_allclose(frame.require("color")[:, 20:36], expected, atol=1e-6)
 
 
-def test_what_moves_by_itself_leaves_no_trail() -> None:
-    """The board moves 4 pixels to the right, and the camera stands still."""
+def test_moving_objects_leave_no_trail() -> None:
+    """The board moves 4 pixels to the right, and the camera is still."""
     motion = np.zeros((64, 64, 2), np.float32)
     motion[:, 24:40, 0] = 4.0
     steady = Steady()
@@ -179,7 +177,7 @@ def test_what_moves_by_itself_leaves_no_trail() -> None:
     np.testing.assert_array_equal(frame.require("color"), after.require("color"))
 
 
-def test_jumps_pass() -> None:
+def test_jumps_pass_unblended() -> None:
     rng, steady = np.random.default_rng(1), Steady()
     camera = nf.Camera((0.0, 0.0, 0.0), fov=nf.Fov.symmetric(60), size=(32, 32))
     steady.next(noise(camera, 1), 0.0)
@@ -187,7 +185,7 @@ def test_jumps_pass() -> None:
     frame = steady.next(elsewhere, 0.01)
     np.testing.assert_array_equal(frame.require("color"), elsewhere.require("color"))
     assert frame.stats["agreed"] < 0.25
-    # From there on pictures fade again.
+    # Afterwards pictures fade again.
     color = rng.uniform(0, 1, (32, 32, 3)).astype(np.float32)
     again = steady.next(replace(elsewhere, color=color), 0.02)
     assert again.stats["agreed"] == 1.0
@@ -195,7 +193,7 @@ def test_jumps_pass() -> None:
     np.testing.assert_allclose(again.require("color"), expected, atol=1e-6)
 
 
-def test_forgotten_pictures_and_other_sizes_pass_or_fade() -> None:
+def test_pictures_after_a_reset_or_of_another_size_pass_or_fade() -> None:
     steady, picture = Steady(), board(20.0)
     assert steady.next(picture, 5.0).stats["agreed"] == 0.0
     steady.restart()
@@ -205,7 +203,7 @@ def test_forgotten_pictures_and_other_sizes_pass_or_fade() -> None:
     assert steady.next(nf.Frame(small, **images), 1.1).stats["agreed"] > 0.9
 
 
-def test_later_writes_to_a_picture_do_not_count() -> None:
+def test_later_writes_to_a_picture_are_ignored() -> None:
     steady, picture = Steady(), board(20.0)
     steady.next(picture, 0.0)
     picture.require("color")[:] = 0.0
@@ -231,7 +229,7 @@ print(frame.stats["agreed"], [hashlib.sha256(one.color.tobytes()).hexdigest() fo
     assert float(printed.pop().split()[0]) > 0.9
 
 
-def test_bad_input_is_refused() -> None:
+def test_invalid_input_of_steady_is_refused() -> None:
     picture = board(20.0)
     steady = Steady()
     with pytest.raises(ValueError, match=r"frame: .*range"):
@@ -239,5 +237,5 @@ def test_bad_input_is_refused() -> None:
     steady.next(picture, 1.0)
     with pytest.raises(ValueError, match="time: expected more than 1, that of the picture before"):
         steady.next(picture, 1.0)
-    # Refused values are not taken.
+    # Refused values are not kept.
     assert steady.next(picture, 1.1).stats["agreed"] == 1.0

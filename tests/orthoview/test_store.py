@@ -1,4 +1,4 @@
-"""Tests of stores: what is damaged, what stands behind URLs, and what ends a build."""
+"""Tests of stores: damage, stores behind URLs, and errors that end a build."""
 
 from __future__ import annotations
 
@@ -72,8 +72,8 @@ def largest(folder: Path) -> Path:
     return max((path for path in folder.rglob("0") if path.is_file()), key=lambda path: path.stat().st_size)
 
 
-def test_altered_chunks_and_damaged_shards_are_noticed_when_they_are_read(copied_few: Path) -> None:
-    """A byte of each chunk in turn; Zstandard's checksum of the content tells."""
+def test_altered_chunks_and_damaged_shards_are_detected_when_read(copied_few: Path) -> None:
+    """Alters a byte of each chunk in turn; Zstandard's content checksum detects it."""
     shard = largest(copied_few / "0" / "py" / "depth")
     whole, first = (
         bytearray(shard.read_bytes()),
@@ -96,12 +96,12 @@ def test_altered_chunks_and_damaged_shards_are_noticed_when_they_are_read(copied
             nf.orthoview.open(copied_few).view(0, (x, y, z), 4)
 
 
-def test_a_chunk_of_which_a_byte_is_missing_is_refused() -> None:
+def test_a_truncated_chunk_is_refused() -> None:
     with pytest.raises(UnusableError, match="world: expected 8 bytes at 64, got 7"):
         complete("world", bytes(7), 64, 8)
 
 
-def test_verify_names_what_is_damaged(copied_few: Path) -> None:
+def test_verify_names_damaged_files(copied_few: Path) -> None:
     tree = nf.orthoview.open(copied_few).update(box_about([1]), world_of(range(9)))
     shards = sum(path.is_file() and path.name == "0" for path in copied_few.rglob("0"))
     others = sum(path.is_file() for path in copied_few.rglob("geometry/**/*"))
@@ -137,7 +137,7 @@ def test_verify_names_what_is_damaged(copied_few: Path) -> None:
 
 
 class Handler(http.server.SimpleHTTPRequestHandler):
-    """Serves a folder, with ranges unless the path begins with /whole, and notes what it sends."""
+    """Serves a folder, with ranges unless the path begins with /whole, and records sent bytes."""
 
     sent: list[tuple[str, int]]
 
@@ -202,11 +202,11 @@ def test_a_store_behind_a_web_server_is_read_in_part(copied_few: Path, url: str,
         asked = len(Handler.sent)
         remote.view(0, (3, 3, 3), 4)
         remote.view(0, (3, 3, 3), 4)
-        assert len(Handler.sent) <= asked + 9  # indexes are kept
+        assert len(Handler.sent) <= asked + 9  # Indexes are cached.
     assert remote.verify() == local.verify()
 
 
-def test_a_store_behind_a_web_server_is_not_written(copied_few: Path, url: str, tmp_path: Path) -> None:
+def test_a_store_behind_a_web_server_is_read_only(copied_few: Path, url: str, tmp_path: Path) -> None:
     remote = nf.orthoview.open(f"{url}/copy.zarr")
     with pytest.raises(ValueError, match="path: expected a local folder to update, got 'http"):
         remote.update(remote.bounds, world_of([]))
@@ -218,7 +218,7 @@ def test_a_store_behind_a_web_server_is_not_written(copied_few: Path, url: str, 
 
 
 def test_object_stores_are_read(copied_few: Path) -> None:
-    """fsspec's store in memory stands for all that have keys and no folders."""
+    """fsspec's store in memory represents all that have keys and no folders."""
     need("fsspec")
     import fsspec
 
@@ -230,7 +230,7 @@ def test_object_stores_are_read(copied_few: Path) -> None:
         memory.rm("/bucket", recursive=True)
 
 
-def test_a_shard_that_is_gone_is_named_when_a_build_goes_on(copied_few: Path, few: nf.Scene) -> None:
+def test_a_missing_shard_is_named_when_a_build_resumes(copied_few: Path, few: nf.Scene) -> None:
     document = json.loads((copied_few / "zarr.json").read_text())
     document["attributes"]["nearfar"]["complete"] = False
     (copied_few / "zarr.json").write_text(json.dumps(document))
@@ -241,8 +241,8 @@ def test_a_shard_that_is_gone_is_named_when_a_build_goes_on(copied_few: Path, fe
         nf.orthoview.build(few, copied_few, cell=CELL, size=SIZE, directions=5)
 
 
-def test_shards_that_are_lost_are_noticed(copied_few: Path, tmp_path: Path) -> None:
-    """An update and a copy look up what there was; readers of a generation know what it has."""
+def test_lost_shards_are_detected(copied_few: Path, tmp_path: Path) -> None:
+    """Updates and copies check the previous files; readers of a generation know its files."""
     first = nf.orthoview.open(copied_few)
     updated = first.update(box_about([1]), world_of(range(9)))
     overlay = copied_few / "nearfar" / "generations" / "1"
@@ -265,7 +265,7 @@ def test_shards_that_are_lost_are_noticed(copied_few: Path, tmp_path: Path) -> N
 
 
 @pytest.mark.parametrize("path", ["geometry/images/../../../x.webp", "0/py/color/c/0/../0/0/0/0", "/elsewhere/x"])
-def test_records_cannot_lead_elsewhere(bare: Path, tmp_path: Path, path: str) -> None:
+def test_records_cannot_refer_outside_the_store(bare: Path, tmp_path: Path, path: str) -> None:
     records = bare / "nearfar" / "records.json"
     document = json.loads(records.read_text())
     document["geometry"][path] = [1, "0" * 64]
@@ -291,10 +291,10 @@ def test_copies_replace_nothing(few_tree: nf.orthoview.OrthoTree, copied_few: Pa
     assert (Path(compacted.path) / shard.relative_to(few_tree.path)).samefile(shard)
 
 
-def test_a_store_that_came_up_meanwhile_is_not_replaced(
+def test_a_store_created_meanwhile_is_not_replaced(
     few: nf.Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Two builds begin at once: the later one finds the store of the other."""
+    """Two builds begin at the same time: the later one finds the other's store."""
     path, create = tmp_path / "world.zarr", Layout.create
     settings: dict[str, Any] = {"cell": 40.0, "size": SIZE, "directions": 5}
 
@@ -325,7 +325,7 @@ def test_a_store_that_came_up_meanwhile_is_not_replaced(
         ("subtree", None),
     ],
 )
-def test_layouts_that_cannot_be_are_refused(bare: Path, few: nf.Scene, name: str, value: Any) -> None:
+def test_impossible_layouts_are_refused(bare: Path, few: nf.Scene, name: str, value: Any) -> None:
     document = json.loads((bare / "zarr.json").read_text())
     document["attributes"]["nearfar"]["layout"][name] = value
     (bare / "zarr.json").write_text(json.dumps(document))

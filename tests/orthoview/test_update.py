@@ -1,4 +1,4 @@
-"""Tests of updates: what is drawn again, what readers see, and that the result is what a build would have made."""
+"""Tests of updates: which cells are drawn again, what readers see, and equality with a new build."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def built(scene: Any, path: Path) -> nf.orthoview.OrthoTree:
 
 @pytest.fixture(scope="module")
 def trees(tmp_path_factory: pytest.TempPathFactory) -> Trees:
-    """The trees of the world as it was and as it is."""
+    """The trees of the world before and after the change."""
     worlds = {"before": world_of(BEFORE), "after": world_of(AFTER)}
     paths = {name: make_once(tmp_path_factory, f"{name}.zarr", partial(built, world)) for name, world in worlds.items()}
     return {name: nf.orthoview.open(path) for name, path in paths.items()}
@@ -41,12 +41,12 @@ def trees(tmp_path_factory: pytest.TempPathFactory) -> Trees:
 
 @pytest.fixture
 def tree(trees: Trees, tmp_path: Path) -> nf.orthoview.OrthoTree:
-    """A copy of the world as it was."""
+    """A copy of the tree before the change."""
     return trees["before"].compact(tmp_path / "world.zarr")
 
 
 def assert_same(one: nf.orthoview.OrthoTree, other: nf.orthoview.OrthoTree) -> None:
-    """All views of two trees are equal."""
+    """Assert that all views of two trees are equal."""
     shown = masks_of(one)
     assert shown == masks_of(other)
     keys = [(*cell, direction) for cell, mask in shown.items() for direction in range(5) if mask >> direction & 1]
@@ -72,7 +72,7 @@ def touched(tree: nf.orthoview.OrthoTree, aabb: NDArray[np.float64]) -> list[set
 def test_an_update_computes_the_leaves_in_its_box_and_the_cells_above_them(
     trees: Trees, tree: nf.orthoview.OrthoTree, tmp_path: Path
 ) -> None:
-    """The result is the tree of the new world; who opened the store before goes on with what it was."""
+    """The result is the tree of the new world; a tree opened before keeps its generation."""
     first, before = contents(Path(tree.path)), trees["before"]
     box, source = box_about(REMOVED | ADDED), Counted(world_of(AFTER))
     updated = tree.update(box, source)
@@ -94,7 +94,7 @@ def test_an_update_computes_the_leaves_in_its_box_and_the_cells_above_them(
 
 
 def check_work(updated: nf.orthoview.OrthoTree, levels: list[set[tuple[int, int, int]]], source: Counted) -> None:
-    """Check that the cells that changed were drawn and composed, and that only their neighbours were read."""
+    """Check that the changed cells were drawn and composed, and that only their neighbours were read."""
     done = updated.done
     assert source.queries == len(levels[0]) == done["drawn"] + done["empty"]
     above = [(level, place) for level, cells in enumerate(levels) for place in cells if level]
@@ -103,12 +103,12 @@ def check_work(updated: nf.orthoview.OrthoTree, levels: list[set[tuple[int, int,
     assert len(shown) > len(above) / 2
     # A contiguous change costs k + log n, not k · log n.
     assert sum(map(len, levels)) < len(levels[0]) * updated.levels / 2
-    # Of the cells beside those, each is read once at most.
+    # Neighbouring cells are read at most once each.
     beside = sum(8 * len(above) - len(below) for below, above in itertools.pairwise(levels))
     assert 0 < done["reloaded"] <= 15 * beside
 
 
-def test_what_goes_leaves_no_view(trees: Trees, tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
+def test_removed_objects_leave_no_view(trees: Trees, tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
     emptied = world_of([])
     box = np.array([emptied.bounds[0], emptied.bounds[1]])
     updated = tree.update(box, emptied)
@@ -119,8 +119,8 @@ def test_what_goes_leaves_no_view(trees: Trees, tree: nf.orthoview.OrthoTree, tm
     assert contents(Path(compacted.path)) == contents(Path(fresh.path))
 
 
-def test_updates_follow_each_other(trees: Trees, tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
-    """There and back again, and in two steps."""
+def test_consecutive_updates_are_applied(trees: Trees, tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
+    """Applies a change and its inverse, and a change in two steps."""
     without = world_of(number for number in BEFORE if number not in REMOVED)
     first = tree.update(box_about(REMOVED), without)
     second = first.update(box_about(ADDED), world_of(AFTER))
@@ -139,7 +139,7 @@ def test_readers_see_one_generation_while_an_update_runs(trees: Trees, tree: nf.
     place, level = (0, 0, 0), tree.levels - 1
 
     class Read(Counted):
-        """Reads the store at each query: an open tree, and one that is opened then."""
+        """Reads the store at each query: through the open tree, and through one opened then."""
 
         def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
             for opened in (tree, nf.orthoview.open(tree.path)):
@@ -159,7 +159,7 @@ def test_readers_see_one_generation_while_an_update_runs(trees: Trees, tree: nf.
     assert not np.array_equal(new.color, old.color)
 
 
-def test_an_update_that_fails_changes_nothing(trees: Trees, tree: nf.orthoview.OrthoTree) -> None:
+def test_a_failed_update_changes_nothing(trees: Trees, tree: nf.orthoview.OrthoTree) -> None:
     document = (Path(tree.path) / "zarr.json").read_bytes()
     with pytest.raises(OSError, match="the disk is gone"):
         tree.update(box_about(REMOVED | ADDED), Counted(world_of(AFTER), {9}))
@@ -180,8 +180,8 @@ nf.orthoview.open(f"{folder}/{name}.zarr").update(box_about(changed), source)
 """
 
 
-def test_an_update_that_is_killed_changes_nothing(trees: Trees, tmp_path: Path) -> None:
-    """Within a query, and just before the one document changes."""
+def test_a_killed_update_changes_nothing(trees: Trees, tmp_path: Path) -> None:
+    """Kills within a query, and just before the final document is replaced."""
     for moment in FATAL:
         trees["before"].compact(tmp_path / f"{moment}.zarr")
     given = f"\nfolder, after, changed = {str(tmp_path)!r}, {AFTER!r}, {REMOVED | ADDED!r}"
@@ -202,10 +202,10 @@ def test_changes_beyond_the_tree_are_refused(tree: nf.orthoview.OrthoTree) -> No
     )
     with pytest.raises(ValueError, match="aabb: expected a change within the tree's box"):
         tree.update(beyond, shifted)
-    assert tree.update(beyond, wider).generation == 1  # nothing lies beyond
+    assert tree.update(beyond, wider).generation == 1  # Nothing lies beyond.
 
 
-def test_bad_calls_are_named(tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
+def test_invalid_calls_of_update_are_named(tree: nf.orthoview.OrthoTree, tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="path: expected another place"):
         tree.compact(tree.path)
     failing = built(Counted(world_of(BEFORE), {5}), tmp_path / "part.zarr")
@@ -221,8 +221,8 @@ def test_bad_calls_are_named(tree: nf.orthoview.OrthoTree, tmp_path: Path) -> No
         built(world_of(BEFORE), Path(tree.path))
 
 
-def test_geometry_without_pixels_comes_and_goes(tmp_path: Path) -> None:
-    """A triangle too small for any pixel, in a part of the world that has nothing else."""
+def test_geometry_without_pixels_is_added_and_removed(tmp_path: Path) -> None:
+    """A triangle too small for any pixel, in a part of the world that is otherwise empty."""
     corners = np.array([[1, 1, 1], [6, 1, 1], [1, 1, 6]], np.float32)
     small = np.array([[0, 0, 0], [1e-3, 0, 0], [0, 0, 1e-3]], np.float32) + 333.0
     faces = np.arange(6, dtype=np.uint32).reshape(2, 3)

@@ -20,7 +20,7 @@ from tests.support.orthoview_oracle import DIRECTIONS, OCTANTS, Axes, Picture, T
 
 @pytest.mark.parametrize("way", ["rays", "triangles"])
 @pytest.mark.parametrize("direction", DIRECTIONS)
-def test_a_leaf_shows_what_rays_hit_within_its_cell(direction: Triple, way: str) -> None:
+def test_a_leaf_view_equals_rays_within_its_cell(direction: Triple, way: str) -> None:
     scene, colors = boxes()
     got = picture(leaf(scene, directions=[direction], way=way), 0)
     double = oracle.draw_view(scene, colors, CORNER, SIDE, direction, 2 * SIZE, STEPS)
@@ -62,8 +62,8 @@ STRESS = {"forest": pytest.mark.stress}
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", [pytest.param(name, marks=STRESS.get(name, ())) for name in SCENES])
-def test_both_ways_show_the_same_of_textures_instances_and_holes(name: str) -> None:
-    """But for rays through edges, and for surfaces in one place, of which rounding decides which is first."""
+def test_both_renderers_agree_on_textures_instances_and_holes(name: str) -> None:
+    """Exceptions are rays through edges, and coincident surfaces, whose order depends on rounding."""
     make, side = SCENES[name]
     scene, most = make(), 0.003
     corner = scene.bounds.mean(axis=0) - side / 2
@@ -83,8 +83,8 @@ def test_both_ways_show_the_same_of_textures_instances_and_holes(name: str) -> N
 
 
 @pytest.mark.parametrize("direction", DIRECTIONS)
-def test_a_parents_pixels_are_those_of_its_children(direction: Triple) -> None:
-    """Each pixel of a child is one of the parent's picture at twice the size, at the same place in space."""
+def test_a_parents_pixels_equal_those_of_its_children(direction: Triple) -> None:
+    """Each pixel of a child is a pixel of the parent's picture at twice the size, at the same position in space."""
     scene, _ = boxes(side=2 * SIDE)
     axes = Axes.from_direction(direction)
     parent = _core.OrthoParent([direction], FORMAT)
@@ -97,7 +97,7 @@ def test_a_parents_pixels_are_those_of_its_children(direction: Triple) -> None:
         views = leaf(scene, corner, directions=[direction])
         parent.add(octant, views)
         child, own = picture(views, 0), oracle.pixel_points(corner, SIDE, direction, SIZE)
-        # The place of each pixel from its point in space, not from the core's whole numbers.
+        # The position of each pixel in space, not from the core's integers.
         offset = own - front[0, 0]
         column = offset @ axes.right / (extents[0] / (2 * SIZE))
         row = -(offset @ axes.up) / (extents[1] / (2 * SIZE))
@@ -113,7 +113,7 @@ def test_a_parents_pixels_are_those_of_its_children(direction: Triple) -> None:
     reach = oracle.REACH_PIXELS * max(extents[:2]) / (2 * SIZE) / (extents[2] / (2 * STEPS))
     right = oracle.reduced(Picture(least, color, normal), reach)
     got = picture(parent.finish(), 0)
-    # Depths are whole numbers, so nothing is at a border.
+    # Depths are integers, so nothing is at a border.
     np.testing.assert_array_equal(got.depth, np.floor(right.depth / 2))
     is_there = np.isfinite(got.depth)
     assert is_there.mean() > 0.2
@@ -122,8 +122,8 @@ def test_a_parents_pixels_are_those_of_its_children(direction: Triple) -> None:
 
 
 @pytest.mark.parametrize("direction", [(0, 0, 1), (0, 1, 0), (0, 1, 1), (1, 1, 0), (1, 1, -1), (-1, -1, -1)])
-def test_depths_three_levels_up_are_those_of_all_leaves_pixels(direction: Triple) -> None:
-    """A depth's step holds the step of the first surface on each level, so no error adds up."""
+def test_depths_three_levels_up_equal_those_of_all_leaf_pixels(direction: Triple) -> None:
+    """A depth step contains the step of the first surface on each level, so errors do not accumulate."""
     scene, _ = boxes(200, 8 * SIDE)
     axes = Axes.from_direction(direction)
     size, root = 8 * SIZE, 8 * SIDE
@@ -150,7 +150,7 @@ def test_depths_three_levels_up_are_those_of_all_leaves_pixels(direction: Triple
     np.testing.assert_array_equal(got.depth, np.floor(blocks / 8))
 
 
-def test_views_come_back_from_their_arrays_and_bad_ones_do_not() -> None:
+def test_views_are_restored_from_arrays_and_invalid_ones_are_refused() -> None:
     scene, _ = boxes()
     views = leaf(scene)
     arrays: list[Any] = [views.colors(), views.depths(), views.normals()]

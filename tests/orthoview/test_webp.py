@@ -1,4 +1,4 @@
-"""Tests of colours as WebP: exact where they are lossless, and the same in Python, Node and a browser."""
+"""Tests of colours as WebP: exact if lossless, and equal in Python, Node and a browser."""
 
 from __future__ import annotations
 
@@ -52,14 +52,14 @@ def squared(one: NDArray[np.uint8], other: NDArray[np.uint8]) -> float:
 
 # Files ---------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("picture", [waves(), noise(), np.zeros((4, 4, 3), np.uint8)])
-def test_lossless_files_hold_every_value(picture: NDArray[np.uint8]) -> None:
+def test_lossless_files_keep_every_value(picture: NDArray[np.uint8]) -> None:
     data = _webp.encode(picture)
     np.testing.assert_array_equal(_webp.decode(data, len(picture)), picture)
-    # Whether something is seen changes lossless files in no way.
+    # The mask of visible pixels does not affect lossless files.
     assert _webp.encode(picture, seen=np.zeros(picture.shape[:2], bool)) == data
 
 
-def test_lossy_files_are_near_and_better_qualities_nearer() -> None:
+def test_lossy_files_are_close_and_better_qualities_closer() -> None:
     picture = waves(64)
     files = [_webp.encode(picture, quality) for quality in (10, 60, 95)]
     errors = [squared(_webp.decode(data, 64), picture) for data in files]
@@ -68,7 +68,7 @@ def test_lossy_files_are_near_and_better_qualities_nearer() -> None:
     assert len(files[0]) < len(files[1]) < len(files[2]) < len(_webp.encode(picture))
 
 
-def test_black_about_what_is_seen_does_not_reach_into_it() -> None:
+def test_unseen_black_does_not_bleed_into_visible_pixels() -> None:
     seen = disc(64)
     picture = np.where(seen[..., None], waves(64), 0).astype(np.uint8)
     plain, filled = _webp.encode(picture, 80), _webp.encode(picture, 80, seen)
@@ -77,7 +77,7 @@ def test_black_about_what_is_seen_does_not_reach_into_it() -> None:
     assert len(filled) < 0.8 * len(plain)
 
 
-def test_unseen_pixels_get_the_mean_of_the_least_block_that_holds_something() -> None:
+def test_unseen_pixels_have_the_mean_of_the_smallest_non_empty_block() -> None:
     size = 24
     rng = np.random.default_rng(4)
     picture = rng.integers(0, 256, (size, size, 3)).astype(np.float32)
@@ -85,7 +85,7 @@ def test_unseen_pixels_get_the_mean_of_the_least_block_that_holds_something() ->
     seen[8:16, 8:16] = False
 
     def mean(row: int, column: int, side: int) -> NDArray[np.float64] | None:
-        """Of the quarters' means, so that what is seen in one place does not count more than elsewhere."""
+        """Means of the quarters' means, so that densely visible places do not count more than others."""
         if side == 1:
             return picture[row, column].astype(np.float64) if seen[row, column] else None
         half = side // 2
@@ -93,7 +93,7 @@ def test_unseen_pixels_get_the_mean_of_the_least_block_that_holds_something() ->
         found = [quarter for quarter in quarters if quarter is not None]
         return np.mean(found, axis=0) if found else None
 
-    # 24 pixels are 3 × 3 blocks of 8, beyond which all of them count.
+    # 24 pixels are 3 × 3 blocks of 8, beyond which all pixels count.
     tops = [found for row in (0, 8, 16) for column in (0, 8, 16) if (found := mean(row, column, 8)) is not None]
     expected = np.zeros((size, size, 3))
     for row, column in np.ndindex(size, size):
@@ -126,7 +126,7 @@ def test_other_files_are_refused(data: bytes, message: str) -> None:
 
 # Zarr ----------------------------------------------------------------------------------------------------------------
 def write(path: Path, picture: NDArray[np.uint8], **settings: Any) -> None:
-    """A store with one array, sharded as a tree's, whose cell `PLACE` holds a picture."""
+    """A store with one array, sharded like a tree's, whose cell `PLACE` contains a picture."""
     import zarr
     from zarr.codecs import Crc32cCodec
 
@@ -150,7 +150,7 @@ SETTINGS: list[dict[str, Any]] = [{}, {"level": 90, "lossless": False}]
 
 
 @pytest.mark.parametrize("settings", SETTINGS)
-def test_zarr_python_keeps_pictures_as_webp(tmp_path: Path, settings: dict[str, Any]) -> None:
+def test_zarr_python_stores_pictures_as_webp(tmp_path: Path, settings: dict[str, Any]) -> None:
     need("zarr")
     import zarr
 
@@ -169,7 +169,7 @@ def test_zarr_python_keeps_pictures_as_webp(tmp_path: Path, settings: dict[str, 
     assert encoded in shard.read_bytes()
 
 
-def test_what_is_no_picture_is_refused(tmp_path: Path) -> None:
+def test_data_that_is_no_picture_is_refused(tmp_path: Path) -> None:
     need("zarr")
     with pytest.raises(ValueError, match="expected a square picture of 3 × uint8"):
         write(tmp_path / "wide", np.ones((4, 8, 3), np.uint8))
@@ -180,7 +180,7 @@ def test_what_is_no_picture_is_refused(tmp_path: Path) -> None:
             write(tmp_path / f"level {level}", waves(), level=level, lossless=False)
 
 
-def test_damage_is_noticed(tmp_path: Path) -> None:
+def test_damaged_pictures_are_detected(tmp_path: Path) -> None:
     need("zarr")
     import zarr
 
@@ -204,7 +204,7 @@ print(array[1, 2, 3].tobytes().hex(), type(array.metadata.codecs[0].codecs[0])._
 
 
 def add_package(folder: Path, name: str, points: dict[str, str]) -> None:
-    """Let a folder of packages hold one with these codecs."""
+    """Add a package with these codecs to a folder of packages."""
     about = folder / f"{name}-0.dist-info"
     about.mkdir(parents=True)
     (about / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}\nVersion: 0\n")
@@ -213,7 +213,7 @@ def add_package(folder: Path, name: str, points: dict[str, str]) -> None:
 
 
 def read_by_others(folder: Path, store: Path) -> list[str]:
-    """Output of a program that knows zarr alone, with our package and those of a folder installed."""
+    """Output of a program that knows only zarr, with our package and those of a folder installed."""
     with (CHECKOUT / "pyproject.toml").open("rb") as file:
         add_package(folder, "ours", tomllib.load(file)["project"]["entry-points"]["zarr.codecs"])
     environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(folder), str(CHECKOUT / "python")])}
@@ -251,7 +251,7 @@ class Webp(ArrayBytesCodec):
 """
 
 
-def test_the_codec_of_imagecodecs_goes_first_and_zarr_does_not_warn_of_two(tmp_path: Path) -> None:
+def test_the_codec_of_imagecodecs_has_priority_without_a_warning(tmp_path: Path) -> None:
     need("zarr")
     write(tmp_path / "store", waves())
     packages = tmp_path / "packages"
@@ -267,7 +267,7 @@ def test_the_codec_of_imagecodecs_goes_first_and_zarr_does_not_warn_of_two(tmp_p
 # zarrita -------------------------------------------------------------------------------------------------------------
 @pytest.mark.slow
 @pytest.mark.parametrize("settings", SETTINGS)
-def test_zarrita_shows_the_same_in_node(tmp_path: Path, settings: dict[str, Any]) -> None:
+def test_zarrita_decodes_the_same_in_node(tmp_path: Path, settings: dict[str, Any]) -> None:
     need("zarr")
     need("node")
     write(tmp_path / "store", waves(), **settings)
@@ -288,7 +288,7 @@ await answer({ data: Array.from(data), shape });
 
 
 @pytest.mark.slow
-def test_the_pages_lines_for_browsers_show_the_same(tmp_path: Path) -> None:
+def test_the_pages_browser_code_decodes_the_same(tmp_path: Path) -> None:
     need("zarr")
     need("browser")
     page = (CHECKOUT / "docs" / "orthoview.md").read_text(encoding="utf-8")

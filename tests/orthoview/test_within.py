@@ -1,4 +1,4 @@
-"""Tests of the parts of views that lie in boxes, which stand for smaller cells."""
+"""Tests of the parts of views within boxes, which stand in for smaller cells."""
 
 from __future__ import annotations
 
@@ -43,16 +43,16 @@ def in_box(points: NDArray[np.float64], box: Box) -> NDArray[np.bool_]:
 
 
 def points_of(known: list[Splat], views: list[_core.OrthoSplats]) -> list[NDArray[np.float64]]:
-    """Middles of the splats of each view."""
+    """Centres of the splats of each view."""
     ends = np.cumsum([view.count for view in views])[:-1]
     return np.split(np.array([splat.point for splat in known]), ends)
 
 
 @pytest.mark.parametrize("at", [CORNER + SIDE / 2, CORNER + np.array([3.1, 17.2, 9.9])])
-def test_parts_have_the_splats_whose_middles_are_in_the_box(cell: Any, at: NDArray[np.float64]) -> None:
+def test_parts_contain_splats_with_centres_in_the_box(cell: Any, at: NDArray[np.float64]) -> None:
     views, known = cell
     for view, points in zip(views, points_of(known, views), strict=True):
-        assert np.abs(points - at).min() > 1e-9  # roundings decide nothing
+        assert np.abs(points - at).min() > 1e-9  # Rounding decides nothing.
         counts = [view.crop_to_box(*box).count for box in divided(CELL, at)]
         assert counts == [in_box(points, box).sum() for box in divided(CELL, at)]
         assert np.count_nonzero(counts) > 3
@@ -60,7 +60,7 @@ def test_parts_have_the_splats_whose_middles_are_in_the_box(cell: Any, at: NDArr
         assert view.crop_to_box(*ALL).count == view.count
 
 
-def test_parts_of_parts_are_parts(cell: Any) -> None:
+def test_parts_of_parts_equal_parts(cell: Any) -> None:
     views, known = cell
     for view, points in zip(views, points_of(known, views), strict=True):
         for box in divided(CELL, CORNER + SIDE / 2):
@@ -72,7 +72,7 @@ def test_parts_of_parts_are_parts(cell: Any) -> None:
             ]
 
 
-def test_a_box_without_splats_has_nothing(cell: Any) -> None:
+def test_a_box_without_splats_is_empty(cell: Any) -> None:
     views, _ = cell
     low, high = CELL
     for box in ((high, high), ((CORNER - 9).tolist(), (CORNER - 1).tolist()), (high, low)):
@@ -84,8 +84,8 @@ def test_a_box_without_splats_has_nothing(cell: Any) -> None:
 
 
 @pytest.mark.parametrize("name", ["perspective", "inside", "parallel"])
-def test_all_parts_show_the_whole(cell: Any, name: str) -> None:
-    """And each of them what the picture of its splats alone shows: it takes memory for these only."""
+def test_all_parts_together_show_the_whole(cell: Any, name: str) -> None:
+    """Each part shows the picture of its splats alone, and takes memory for these only."""
     views, _ = cell
     view = views[len(views) // 2]
     whole = draw_splats([view], CAMERAS[name], CHANNELS)
@@ -101,7 +101,7 @@ def test_all_parts_show_the_whole(cell: Any, name: str) -> None:
 
 
 def test_a_part_lies_in_its_box(cell: Any) -> None:
-    """Up to half a pixel of the view, or a third with wide borders, to each side."""
+    """The box may be exceeded by half a pixel of the view, or a third with wide borders, on each side."""
     views, _ = cell
     reach = 3 * SIDE / 16
     for view in views:

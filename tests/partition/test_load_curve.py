@@ -16,7 +16,7 @@ from tests.support.partition_cases import soup, town
 
 
 @given(st.integers(0, 20), st.lists(st.floats(0, 200), min_size=1, max_size=20))
-def test_counts_are_those_of_partitions(seed: int, radii: list[float]) -> None:
+def test_counts_equal_partitions(seed: int, radii: list[float]) -> None:
     scene = soup(town(seed))
     curve = nf.load_curve(scene, center=(1, 2, 3))
     counts = curve.count(radii)
@@ -48,7 +48,7 @@ def test_a_thousand_budgets_take_less_than_a_millisecond() -> None:
         start = time.thread_time()
         curve.radius(budgets)
         times.append(time.thread_time() - start)
-    # Twenty probes each, some tens of microseconds of this thread's CPU time; the least of many runs.
+    # Twenty binary-search steps each, some tens of microseconds of this thread's CPU time; the minimum of many runs.
     assert min(times) < 1e-3
 
 
@@ -73,13 +73,13 @@ def test_plot_draws_the_curve() -> None:
         nf.load_curve(nothing, center=(0, 0, 0)).plot()
 
 
-def test_plot_without_matplotlib_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_plot_without_matplotlib_names_the_package_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     with pytest.raises(ImportError, match="plots need matplotlib: pip install"):
         nf.load_curve(soup(town()), center=(0, 0, 0)).plot()
 
 
-def test_a_scene_without_triangles() -> None:
+def test_a_scene_without_triangles_has_a_curve() -> None:
     empty = nf.Scene.from_arrays(np.zeros((3, 3)), np.empty((0, 3), np.uint32))
     partition = nf.partition(empty, center=(0, 0, 0), r1=1, r2=2)
     partition.validate()

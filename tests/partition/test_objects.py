@@ -1,4 +1,4 @@
-"""Partitions by whole objects: every object that reaches inside r2 is geometry, and the map has the others."""
+"""Partitions by whole objects: every object with a triangle inside r2 is geometry, and the map contains the others."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ ALONG_THE_WALL = (1.0, 0.0, -0.35)
 
 @pytest.fixture(scope="module", params=["instances", "merged"])
 def scene(request: pytest.FixtureRequest) -> nf.Scene:
-    """The street with an object for each mesh, or with all objects in one mesh."""
+    """The street with one object per mesh, or with all objects in one mesh."""
     if request.param == "instances":
         return street()
     parts = [
@@ -40,7 +40,7 @@ def near_objects(scene: nf.Scene, r2: float) -> set[int]:
     return set(owner[least <= r2].tolist())
 
 
-def test_objects_that_reach_inside_are_geometry_as_a_whole(scene: nf.Scene) -> None:
+def test_objects_that_extend_inside_are_geometry_as_a_whole(scene: nf.Scene) -> None:
     parts = nf.partition(scene, center=CENTER, r1=R1, r2=R2, unit="object")
     near = near_objects(scene, R2)
     assert len(near) == 3
@@ -55,7 +55,7 @@ def test_objects_that_reach_inside_are_geometry_as_a_whole(scene: nf.Scene) -> N
     np.testing.assert_array_equal(np.union1d(parts.nsf, parts.sf), np.arange(scene.triangle_count))
 
 
-def test_a_scene_without_near_objects_stays_as_it_is(scene: nf.Scene) -> None:
+def test_a_scene_without_near_objects_is_unchanged(scene: nf.Scene) -> None:
     far = scene.subset(objects=[scene.object_names[3]])
     parts = nf.partition(far, center=CENTER, r1=R1, r2=R2, unit="object")
     assert parts.scene is far
@@ -64,8 +64,8 @@ def test_a_scene_without_near_objects_stays_as_it_is(scene: nf.Scene) -> None:
 
 @pytest.mark.parametrize("backend", ["cpu", *ADAPTERS])
 @pytest.mark.parametrize("kind", ["blend", "cylinder"])
-def test_near_objects_beyond_r2_are_seen_as_the_centre_sees_them(scene: nf.Scene, kind: str, backend: str) -> None:
-    """By triangle, the part of the wall beyond r2 is in the map; by object it is geometry at the same place."""
+def test_near_objects_beyond_r2_are_shown_as_the_centre_sees_them(scene: nf.Scene, kind: str, backend: str) -> None:
+    """By triangle, the part of the wall beyond r2 is in the map; by object it is geometry at the same position."""
     settings: dict[str, Any] = {"center": CENTER, "r1": R1, "r2": R2, "morph": kind, "samples": 1}
     by_object = nf.reduce(scene, unit="object", face_size=64, channels=("color", "object_id"), **settings)
     by_triangle = nf.reduce(scene, face_size=8, **settings)
@@ -87,7 +87,7 @@ def test_near_objects_beyond_r2_are_seen_as_the_centre_sees_them(scene: nf.Scene
     np.testing.assert_allclose(
         frame.require("range")[same & beyond], expected.require("range")[same & beyond], rtol=5e-3
     )
-    # The wall's colour is no texel: it is shaded as geometry.
+    # The wall's colour is not a texel's: it is shaded as geometry.
     np.testing.assert_allclose(
         frame.require("color")[beyond & same], expected.require("color")[beyond & same], atol=5e-3
     )

@@ -32,7 +32,7 @@ def expected_sets(radii: NDArray[Any], r1: float, r2: float, moving: NDArray[np.
 
 
 @given(st.integers(0, 100), st.floats(0, 60), st.floats(0.5, 100), st.floats(-80, 80))
-def test_partition_against_radii(seed: int, r1: float, width: float, x: float) -> None:
+def test_partition_equals_sets_by_radii(seed: int, r1: float, width: float, x: float) -> None:
     corners, r2, center = town(seed), r1 + width, (x, 3.0, -x / 2)
     scene = soup(corners)
     partition = nf.partition(scene, center=center, r1=r1, r2=r2)
@@ -72,7 +72,7 @@ def forest(origin: float) -> nf.Scene:
 
 
 @pytest.mark.parametrize("origin", [0.0, 1e6])
-def test_instances_divide_as_merged_geometry_does(origin: float) -> None:
+def test_instances_are_partitioned_like_merged_geometry(origin: float) -> None:
     scene = forest(origin)
     corners = scene.triangles()
     merged = soup(corners)
@@ -90,7 +90,7 @@ def test_instances_divide_as_merged_geometry_does(origin: float) -> None:
         for name in SETS:
             np.testing.assert_array_equal(getattr(partition, name), expected[name])
         assert nf.load_curve(scene, center=center).count(r2) == len(expected["nsf"])
-    # At 30 and 50 m boxes decide most trees; only the others are examined.
+    # At 30 and 50 m bounding boxes decide most trees; only the others are examined.
     counts = nf.partition(scene, center=center, r1=30, r2=50).summary()
     assert counts["far_instances"] > 30
     assert 0 < counts["examined"] < total / 2
@@ -111,7 +111,7 @@ def test_moving_triangles_are_geometry_wherever_they_are() -> None:
     assert nf.load_curve(scene, center=(0, 0, 0)).moving_count == 12
 
 
-def test_all_near_and_all_far() -> None:
+def test_scenes_may_be_all_near_or_all_far() -> None:
     scene = soup(town())
     everything = np.arange(scene.triangle_count)
     near = nf.partition(scene, center=(0, 0, 0), r1=1e4, r2=2e4)
@@ -125,7 +125,7 @@ def test_all_near_and_all_far() -> None:
 
 
 @pytest.mark.parametrize("city", ["city/tokyo23/tokyo_core_lod1.glb", "city/manhattan_deckgl/manhattan_core.glb"])
-def test_real_cities(city: str) -> None:
+def test_partitions_of_real_cities_equal_the_definition(city: str) -> None:
     scene = nf.Scene.load(data(city))
     low, high = scene.bounds
     center = (low + high) / 2

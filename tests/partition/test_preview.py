@@ -1,4 +1,4 @@
-"""Tests of the cards that notebooks show of partitions and load curves."""
+"""Tests of notebook cards of partitions and load curves."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ def scene() -> nf.Scene:
 
 
 @pytest.mark.parametrize("shift", [0.0, 1e6])
-def test_the_top_view_shows_zones_where_they_are(scene: nf.Scene, shift: float) -> None:
-    """A flat board in each zone, near the scene's origin and far from it."""
+def test_the_top_view_shows_zones_at_their_positions(scene: nf.Scene, shift: float) -> None:
+    """Uses a flat board in each zone, near the scene's origin and far from it."""
     build = nf.SceneBuilder()
     square = np.array([[-4, 0, -4], [-4, 0, 4], [4, 0, 4], [4, 0, -4]], float)
     places = {"near": (10.0, 0.0), "intermediate": (0.0, 40.0), "far": (-60.0, 0.0)}
@@ -39,7 +39,7 @@ def test_the_top_view_shows_zones_where_they_are(scene: nf.Scene, shift: float) 
     assert picture[5, 5, 3] == 0, "the ground of the picture is the page's"
 
 
-def test_counts_are_those_of_the_summary(scene: nf.Scene) -> None:
+def test_counts_equal_the_summary(scene: nf.Scene) -> None:
     parts = nf.partition(scene, center=CENTER, r1=R1, r2=R2)
     shown, counts = Card(parts._repr_html_()), parts.summary()
     assert shown.facts()["drawn as geometry"] == f"{counts['nsf']:,}"
@@ -47,7 +47,7 @@ def test_counts_are_those_of_the_summary(scene: nf.Scene) -> None:
     assert shown.facts()["centre"] == "3, 1.7, -2 m"
 
 
-def test_of_many_triangles_the_largest_are_drawn(scene: nf.Scene, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_only_the_largest_of_many_triangles_are_drawn(scene: nf.Scene, monkeypatch: pytest.MonkeyPatch) -> None:
     parts = nf.partition(scene, center=CENTER, r1=R1, r2=R2)
     monkeypatch.setattr(preview, "MAX_DRAWN", 2)
     monkeypatch.setattr(preview, "LARGEST", 2)
@@ -60,7 +60,7 @@ def test_of_many_triangles_the_largest_are_drawn(scene: nf.Scene, monkeypatch: p
         np.testing.assert_allclose(one, other, rtol=1e-6)
 
 
-def test_partitions_of_nothing_and_damaged_ones_are_shown(scene: nf.Scene) -> None:
+def test_empty_and_damaged_partitions_are_shown(scene: nf.Scene) -> None:
     empty = scene.subset(triangles=np.zeros(scene.triangle_count, bool))
     assert len(Card(nf.partition(empty, center=CENTER, r1=0, r2=1e-3)._repr_html_()).pictures()) == 1
     broken = nf.partition(scene, center=CENTER, r1=R1, r2=R2)

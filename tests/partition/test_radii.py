@@ -22,7 +22,7 @@ corner = st.one_of(st.tuples(grid, grid, grid), st.tuples(free, free, free))
 
 
 @given(st.lists(st.tuples(corner, corner, corner), min_size=1, max_size=70), corner)
-def test_radii_against_fractions(triangles: list[Any], center: Any) -> None:
+def test_radii_equal_exact_fractions(triangles: list[Any], center: Any) -> None:
     corners = np.array(triangles)
     double = nf.triangle_radii(corners, center=center)
     single = nf.triangle_radii(corners.astype(np.float32), center=center)
@@ -47,12 +47,12 @@ def test_faces_and_corner_lists_agree() -> None:
         assert radii.dtype == dtype
         assert radii.shape == (40_000, 2)
         np.testing.assert_array_equal(radii, nf.triangle_radii(points[faces], center=center))
-        # Rounded once to float32, which is 6e-8 of it; the oracle in float64 is off by less.
+        # Rounded once to float32, a relative error of 6e-8; the float64 oracle has a smaller one.
         np.testing.assert_allclose(radii, numpy_radii(points[faces], center), rtol=1e-7, atol=1e-12)
         assert (radii[:, 0] <= radii[:, 1]).all()
 
 
-def test_a_large_ground_triangle_is_at_the_axis() -> None:
+def test_a_large_ground_triangle_has_radius_zero() -> None:
     ground = [[[-1e3, 0, -1e3], [1e3, 0, -1e3], [0, 0, 1e3]]]
     assert nf.triangle_radii(ground, center=(0, 50, 0))[0, 0] == 0.0
     # Just outside: the distance to the edge, not to a corner.
@@ -73,7 +73,7 @@ def test_walls_and_slivers_are_segments() -> None:
     np.testing.assert_allclose(radii[:, 0], corners.min(1), rtol=1e-14)
 
 
-def test_far_from_the_origin_nothing_is_lost() -> None:
+def test_radii_far_from_the_origin_keep_their_precision() -> None:
     near_zero = town(1)
     shift = np.array([2.0**23, 0.0, -(2.0**23)])
     here = nf.triangle_radii(near_zero.astype(np.float64), center=(0.5, 0, 0.25))
@@ -87,6 +87,6 @@ def test_triangles_without_faces_have_three_corners() -> None:
         nf.triangle_radii([[1, 2, 3]], None, center=(0, 0, 0))
 
 
-def test_no_triangles_have_no_radii() -> None:
+def test_radii_of_no_triangles_are_empty() -> None:
     assert nf.triangle_radii(np.empty((0, 3, 3)), center=(0, 0, 0)).shape == (0, 2)
     assert nf.triangle_radii(np.zeros((5, 3)), np.empty((0, 3), np.uint32), center=(0, 0, 0)).shape == (0, 2)

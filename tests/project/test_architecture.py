@@ -1,4 +1,4 @@
-"""Rules of ARCHITECTURE.md for the Rust crates and for all files: what kernels leave alone, lengths, words."""
+"""Rules of ARCHITECTURE.md for the Rust crates and for all files: dependencies of kernels, file lengths, words."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ GPU = CHECKOUT / "rust" / "gpu" / "src"
 BINDINGS = CHECKOUT / "rust" / "py" / "src"
 PACKAGE = CHECKOUT / "python" / "nearfar"
 BUILT = PACKAGE / "view" / "dist"
-"""The page as a program made it of its sources."""
+"""The page's generated script."""
 
-# Numbers of lines of a file: above the first number it is listed, above the second it fails.
+# Limits of a file's number of lines: above the first one it is listed, above the second one the test fails.
 THINK, SPLIT = 400, 500
 
 
@@ -70,7 +70,7 @@ def test_kernels_do_not_panic_on_purpose() -> None:
     wrong = []
     for path in [*rust_files(CORE), *rust_files(GPU), *rust_files(BINDINGS)]:
         if not is_rust_test(path):
-            # Strings are stripped, so that `.expect("…")` reads `.expect()`; Progress has a method of that name.
+            # Strings are removed, so that `.expect("…")` reads `.expect()`; Progress has a method of that name.
             found = re.findall(r"\.unwrap\(\)|\.expect\(\)|\bpanic!|\bunreachable!", rust_code(path))
             wrong += [f"{path.relative_to(CHECKOUT)}: {name}" for name in found]
     assert wrong == []
@@ -99,7 +99,7 @@ def _block(text: str, start: int) -> str:
 
 
 def tracked() -> list[Path]:
-    """Files under version control, or about to be."""
+    """Files under version control, and untracked files that are not ignored."""
     need("git")
     command = ["git", "ls-files", "--cached", "--others", "--exclude-standard"]
     listed = subprocess.run(command, cwd=CHECKOUT, capture_output=True, text=True, check=True)

@@ -1,4 +1,4 @@
-"""Rules of ARCHITECTURE.md for dependencies, in all languages: no cycles of files, and one way between the parts."""
+"""Rules of ARCHITECTURE.md for dependencies, in all languages: no cycles of files, and one direction between parts."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ SCRIPTS = {
     "orthoview-read.js": "orthoview/decode/worker.ts",
     "orthoview-webgpu.js": "orthoview/draw/webgpu/start.ts",
 }
-"""Files of the page by the names of the scripts that web/build.mjs makes of them."""
+"""Source files of the page by the names of the scripts that web/build.mjs makes of them."""
 
 
 def entries() -> dict[str, str]:
-    """Modules of the package by the names of the entry points by which other packages import them."""
+    """Modules of the package by the names of the entry points through which other packages import them."""
     project = tomllib.loads((CHECKOUT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     points = [*project["entry-points"].values(), project["scripts"]]
     return {name: place.partition(":")[0] for group in points for name, place in group.items()}
@@ -48,7 +48,7 @@ READERS: dict[str, Callable[[Path], Graph]] = {
     "web/src": partial(typescript_modules.file_graph, scripts=SCRIPTS),
     "web/tests": typescript_modules.file_graph,
 }
-"""Reads the graph of each folder's files."""
+"""Readers of the import graph of each folder."""
 
 
 @cache
@@ -57,7 +57,7 @@ def graph_of(source: str) -> Graph:
 
 
 @pytest.mark.parametrize("source", READERS)
-def test_no_file_uses_itself_through_others(source: str) -> None:
+def test_files_have_no_import_cycles(source: str) -> None:
     assert cycles(graph_of(source)) == []
 
 
@@ -67,7 +67,7 @@ def test_no_test_imports_a_test() -> None:
 
 
 @pytest.mark.parametrize("source", TABLES)
-def test_parts_use_what_their_rows_say(source: str) -> None:
+def test_parts_use_what_their_rows_list(source: str) -> None:
     graph, table = graph_of(source), TABLES[source]
     assert list(forbidden(graph, table)) == []
     pairs = {(part_of(file, table), part_of(name, table)) for file, used in graph.items() for name in used}
@@ -75,7 +75,7 @@ def test_parts_use_what_their_rows_say(source: str) -> None:
 
 
 @pytest.mark.parametrize("source", TABLES)
-def test_parts_use_earlier_ones_alone(source: str) -> None:
+def test_parts_use_only_earlier_ones(source: str) -> None:
     order = list(TABLES[source])
     later = {part: set(order[place:]) for place, part in enumerate(order)}
     assert {part: uses & later[part] for part, uses in TABLES[source].items() if uses & later[part]} == {}

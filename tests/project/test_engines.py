@@ -25,7 +25,7 @@ ENGINES = CHECKOUT / "docs" / "engines"
 
 
 def code(language: str) -> list[str]:
-    """Blocks of a language in the page of how-tos."""
+    """Code blocks of a language in the page of how-tos."""
     page = (CHECKOUT / "docs" / "engines.md").read_text(encoding="utf-8")
     return re.findall(rf"```{language}\n(.*?)```", page, re.DOTALL)
 
@@ -55,7 +55,7 @@ float4 TransformWorldToHClip(float3 p) { return float4(p, 1.0); }
 
 
 def compiled(text: str, folder: Path, stage: str, *options: str) -> None:
-    """Fail if glslang finds errors or has warnings."""
+    """Compile a file; fails if glslang reports errors or warnings."""
     need("glslang")
     path = folder / f"shader.{stage}"
     path.write_text(text)
@@ -95,7 +95,7 @@ SIZE = 256
 
 
 def job(case: dict[str, Any], program: int) -> dict[str, Any]:
-    """A case of vectors relative to its centre, as the how-to advises, if float32 doesn't hold the centre."""
+    """A case of the vectors relative to its centre, as the how-to recommends, if float32 cannot hold the centre."""
     center = np.array(case["center"])
     origin = np.zeros(3) if np.array_equal(center, np.float32(center)) else center
     return {
@@ -109,12 +109,12 @@ def job(case: dict[str, Any], program: int) -> dict[str, Any]:
 
 
 def scene() -> dict[str, Any]:
-    """Coloured triangles about a centre, and where a user 8 m beside it is shown them."""
+    """Coloured triangles about a centre, and their displayed positions for a user 8 m beside it."""
     random = np.random.default_rng(5)
     center, user, radii = np.array([3.0, 1.7, -2.0]), np.array([-3.0, 1.7, 3.3]), (12.0, 50.0)
     middles = random.uniform([-80, -4, -80], [80, 12, 80], (6000, 3))
     rho = np.hypot(middles[:, 0], middles[:, 2])
-    # Those beyond r2 come last, and are not drawn.
+    # Triangles beyond r2 come last, and are not drawn.
     middles = np.concatenate([middles[rho < 46], middles[rho > 54]])
     corners = middles[:, None] + random.uniform(-2, 2, (len(middles), 3, 3))
     points = (corners.reshape(-1, 3) + center).astype(np.float32)
@@ -134,10 +134,10 @@ def scene() -> dict[str, Any]:
 
 
 @pytest.mark.slow
-def test_a_browser_computes_what_the_vectors_say(tmp_path: Path) -> None:
+def test_a_browser_computes_the_values_of_the_vectors(tmp_path: Path) -> None:
     need("browser")
     call = "{}(p, user, center, r1, r2, strength)"
-    # A map of whole numbers that bytes hold; what a direction finds is its texel's.
+    # A map of integers that fit into bytes; a lookup in a direction returns its texel's.
     texels = np.arange(6 * 16).reshape(6, 4, 4)
     directions = np.float32(np.random.default_rng(6).normal(size=(500, 3)))
     look_up = "textureLod(map, p, 0.0).rgb * 255.0"

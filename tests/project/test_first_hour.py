@@ -1,4 +1,4 @@
-"""Tests that a newcomer's way works: scenes to light folders, pictures, reports, headset pictures and levels."""
+"""Tests of a newcomer's workflow: scenes to light folders, pictures, reports, headset pictures and levels."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def test_every_picture_shows_something_and_is_on_the_page(way: Path) -> None:
                 assert np.asarray(picture.convert("L")).std() > 1.0, name
 
 
-def test_importing_costs_little_beside_numpy(way: Path) -> None:
+def test_importing_takes_little_time_besides_numpy(way: Path) -> None:
     steps = json.loads((way / "steps.json").read_text(encoding="utf-8"))
     (text,) = [step["text"] for step in steps if step["name"] == "import"]
     own, numpy = map(int, re.findall(r"(\d+) ms", text))
@@ -58,7 +58,7 @@ def test_importing_costs_little_beside_numpy(way: Path) -> None:
 
 
 @pytest.mark.parametrize("name", ["missing.glb", "empty"])
-def test_files_that_are_not_there_are_said(name: str, tmp_path: Path) -> None:
+def test_missing_files_are_named(name: str, tmp_path: Path) -> None:
     (tmp_path / "empty").mkdir()
     command = [sys.executable, str(SCRIPT), str(tmp_path / name), "-o", str(tmp_path / "out")]
     process = subprocess.run(command, cwd=CHECKOUT, capture_output=True, text=True, timeout=600, check=False)

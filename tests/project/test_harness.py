@@ -46,7 +46,7 @@ def test_cases_are_timed_and_compared(tmp_path: Path, monkeypatch: pytest.Monkey
         assert np.asarray(picture.convert("L")).std() > 1
 
 
-def test_nothing_is_drawn_unasked_or_without_errors(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_plots_are_drawn_only_on_request_and_with_errors(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     exact = Comparison("exact", [Result("ours", Timing(1.0, 1.0), 0.0, peer=False)], None, "")
     torn = Comparison("torn", [Result("ours", Timing(1.0, 1.0), 0.1, peer=False)], None, "")
     assert compare.draw([torn], "torn") is None
@@ -55,20 +55,20 @@ def test_nothing_is_drawn_unasked_or_without_errors(tmp_path: Path, monkeypatch:
     assert list(tmp_path.iterdir()) == []
 
 
-def test_the_front_holds_what_none_betters() -> None:
+def test_the_pareto_front_contains_undominated_points() -> None:
     points = [(1.0, 5.0), (2.0, 1.0), (3.0, 1.0), (0.5, 9.0), (4.0, 8.0)]
     front = [point for point in points if not any(compare._better(other, point) for other in points)]
     assert sorted(front) == [(0.5, 9.0), (1.0, 5.0), (2.0, 1.0)]
 
 
-def test_limits_are_of_what_takes_longer() -> None:
+def test_limits_apply_to_slower_results() -> None:
     here = Limits({False: 100.0, True: 50.0}, 10.0)
     assert here.seconds(Work(multiply_adds=1000, bytes=10)) == 10
     assert here.seconds(Work(multiply_adds=1000, double=True)) == 20
     assert here.seconds(Work(multiply_adds=10, bytes=1000)) == 100
 
 
-def test_skipped_tests_are_counted_by_what_they_need() -> None:
+def test_skipped_tests_are_counted_by_requirement() -> None:
     reasons = ["Skipped: vulkan: no adapter", "Skipped: vulkan: no adapter", "Skipped: data: none", "Skipped: rare"]
     assert untested([]) == ""
     assert untested(reasons) == (

@@ -1,4 +1,4 @@
-"""Tests of the shaped link of benchmarks: rate, delay, loss, queue, and that nothing is left of it."""
+"""Tests of the shaped link of benchmarks: rate, delay, loss, queue, and clean-up."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from benchmarks.harness.link.path import Path
 from tests.support import need
 
 GOODPUT = 1448 / 1500
-"""TCP's content of a full packet with the headers of IP and TCP and a time stamp."""
+"""TCP payload of a full packet whose headers are IP's, TCP's and a time stamp."""
 
 
 def path(link: nf.stream.Link, *, queue: int = 10**9, seed: int = 0) -> Path:
@@ -31,7 +31,7 @@ def path(link: nf.stream.Link, *, queue: int = 10**9, seed: int = 0) -> Path:
 
 
 def arrivals(way: Path) -> list[float]:
-    """When what is on the way arrives."""
+    """Arrival times of the packets in transit."""
     times = []
     while (time_due := way.next()) is not None:
         times += [time_due] * len(way.due(time_due))
@@ -50,11 +50,11 @@ def test_a_trace_changes_the_rate() -> None:
     way = path(nf.stream.Link(trace=([0.0, 1.0, 2.0], [8.0, 0.0, 4.0])))
     for now in (0.0, 0.9995, 2.5):
         way.take(now, bytes(1000))
-    # Half of the second one is through when the link stops.
+    # Half of the second packet has passed when the link stops.
     assert arrivals(way) == pytest.approx([0.001, 2.001, 2.502], abs=1e-12)
 
 
-def test_a_full_queue_drops_what_comes_last() -> None:
+def test_a_full_queue_drops_the_last_packets() -> None:
     way = path(nf.stream.Link(8), queue=2500)
     for mark in range(4):
         way.take(0.0, bytes([mark]) * 1000)
@@ -63,7 +63,7 @@ def test_a_full_queue_drops_what_comes_last() -> None:
     assert (way.counts.taken, way.counts.overflowed, way.counts.delivered_bytes) == (5, 2, 3000)
 
 
-def test_losses_are_those_of_the_seed_and_take_their_time() -> None:
+def test_losses_follow_the_seed_and_use_capacity() -> None:
     link = nf.stream.Link(8, loss=0.1)
     ways = [path(link, seed=seed) for seed in (3, 3, 4)]
     for way in ways:
@@ -72,7 +72,7 @@ def test_losses_are_those_of_the_seed_and_take_their_time() -> None:
     first, same, other = (way.due(1e9) for way in ways)
     assert first == same != other
     assert abs(ways[0].counts.lost - 2000) < 5 * (20_000 * 0.1 * 0.9) ** 0.5
-    # Packets are lost behind the bottleneck.
+    # Packets are lost after the bottleneck.
     last = int.from_bytes(first[-1], "big") + 1
     assert ways[0].counts.delivered == len(first)
     slow = path(link, seed=3)
@@ -83,7 +83,7 @@ def test_losses_are_those_of_the_seed_and_take_their_time() -> None:
 
 @dataclass
 class Bulk:
-    """A server at one side that sends bytes to the first who connects."""
+    """A server at one side that sends bytes to the first client."""
 
     address: tuple[str, int]
     kinds: list[str]
@@ -109,7 +109,7 @@ def bulk_server(link: Shaped, count: int) -> Iterator[Bulk]:
 
 
 def download(link: Shaped, address: tuple[str, int], count: int) -> float:
-    """Seconds that a download of some bytes takes."""
+    """Duration of a download of some bytes, seconds."""
     with link.side("client"):
         client = socket.socket()
     start = time.monotonic()
@@ -126,14 +126,14 @@ def test_a_download_is_no_faster_than_the_link() -> None:
     mbps, count = 50.0, 3_000_000
     with shaped(nf.stream.Link(mbps, rtt_ms=20)) as link, bulk_server(link, count) as bulk:
         seconds = download(link, bulk.address, count)
-        # However slow the machine is. `Path` itself has exact times, above.
+        # Only a bound, because the machine may be slow. `Path` itself has exact times, tested above.
         assert seconds > count * 8e-6 / (mbps * GOODPUT)
         # Segments are cut to packets, so that their headers count.
         assert link.counts()["down"]["delivered_bytes"] >= count / GOODPUT
         assert bulk.kinds == ["cubic"]
 
 
-def test_a_round_trip_takes_its_time() -> None:
+def test_a_round_trip_takes_twice_the_delay() -> None:
     need("link")
     with shaped(nf.stream.Link(50, rtt_ms=30)) as link, datagram_sockets(link) as (server, client):
         for mark in range(12):
@@ -142,7 +142,7 @@ def test_a_round_trip_takes_its_time() -> None:
             data, address = server.recvfrom(100)
             server.sendto(data, address)
             assert client.recv(100) == bytes([mark])
-            # No shorter, however slow the machine is.
+            # At least the delay, however slow the machine is.
             assert time.monotonic() - start >= 0.030
 
 
@@ -182,7 +182,7 @@ def wait_for_taken(link: Shaped, count: int) -> None:
 
 @contextmanager
 def datagram_sockets(link: Shaped) -> Iterator[tuple[socket.socket, socket.socket]]:
-    """UDP at the server's side and at the client's."""
+    """UDP sockets at the server's side and at the client's."""
     with link.side("server"):
         server = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     with link.side("client"):
@@ -194,7 +194,7 @@ def datagram_sockets(link: Shaped) -> Iterator[tuple[socket.socket, socket.socke
         yield server, client
 
 
-def test_programs_run_at_a_side_and_the_machine_keeps_its_own_network() -> None:
+def test_programs_run_at_a_side_and_the_machines_network_is_unchanged() -> None:
     need("link")
     before = network()
     with shaped(nf.stream.Link(50)) as link:
@@ -229,7 +229,7 @@ HOLDER = """
 import signal, time
 import nearfar as nf
 from benchmarks.harness.link import shaped
-# Programs in the background of a shell ignore it.
+# Background jobs of a shell ignore SIGINT.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 with shaped(nf.stream.Link(50)) as link:
     print(link._process.pid, flush=True)
@@ -238,7 +238,7 @@ with shaped(nf.stream.Link(50)) as link:
 
 
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT])
-def test_nothing_is_left_when_its_user_dies(number: signal.Signals) -> None:
+def test_a_link_is_removed_when_its_process_dies(number: signal.Signals) -> None:
     need("link")
     command = [sys.executable, "-c", HOLDER]
     with subprocess.Popen(

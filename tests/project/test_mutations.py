@@ -1,4 +1,4 @@
-"""Tests of the script that seeds faults, on made-up faults and outputs of test runs."""
+"""Tests of the script that injects faults, on made-up faults and outputs of test runs."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ CRASH = "TAP version 13\nnot ok 1 - build/tests/walk.test.mjs\n  ---\n  error: '
 
 
 class Ran(Copy):
-    """A copy in which every program ends in one way."""
+    """A copy in which every program has a given result."""
 
     def __init__(self, status: int, output: str) -> None:
         self.folder, self.ended = Path("none"), (status, output)
@@ -54,13 +54,13 @@ def test_faults_are_read_from_tables(tmp_path: Path) -> None:
         (("node", "t"), 1, TAP, [("node: it walks", "'two is one'")]),
     ],
 )
-def test_failures_are_read_from_what_programs_print(
+def test_failures_are_parsed_from_program_output(
     suite: tuple[str, ...], status: int, output: str, expected: list[tuple[str, str]]
 ) -> None:
     assert failures(Ran(status, output), suite) == expected
 
 
-def test_few_tests_that_fail_without_a_fault_are_left_out() -> None:
+def test_a_few_tests_that_fail_without_a_fault_are_ignored() -> None:
     lines = [f"FAILED t/a.py::test_{number} - OSError: gone\n" for number in range(4)]
     assert without_fault(Ran(1, "".join(lines[:3])), ("pytest", "t")) == [
         f"t/a.py::test_{number}" for number in range(3)
@@ -84,6 +84,6 @@ def test_few_tests_that_fail_without_a_fault_are_left_out() -> None:
         (("node", "t"), 1, CRASH),
     ],
 )
-def test_tests_that_do_not_run_catch_nothing(suite: tuple[str, ...], status: int, output: str) -> None:
+def test_suites_that_do_not_run_detect_nothing(suite: tuple[str, ...], status: int, output: str) -> None:
     with pytest.raises(Refused):
         failures(Ran(status, output), suite)

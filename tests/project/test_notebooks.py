@@ -17,7 +17,7 @@ from tests.support import need
 CHECKOUT = Path(__file__).resolve().parents[2]
 NOTEBOOKS = sorted((CHECKOUT / "notebooks").glob("*.ipynb"))
 
-# Run time after which a notebook is taken to hang, in seconds. It takes less than 60 where nothing else runs.
+# Timeout of a notebook in seconds. It takes less than 60 on an idle machine.
 SECONDS = 900.0
 
 

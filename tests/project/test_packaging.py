@@ -27,7 +27,7 @@ BACKEND = CHECKOUT / "scripts" / "nearfar_build.py"
 
 IMPORT_BACKEND = f"import sys; sys.path.insert(0, {str(BACKEND.parent)!r}); import nearfar_build as b"
 
-# Greatest size of the wheel in bytes.
+# Maximum size of the wheel in bytes.
 LARGEST_WHEEL = 12_000_000
 
 HEAVY = ("trimesh", "PIL", "typer", "rich", "matplotlib", "scipy", "cv2", "jsonschema", "networkx")
@@ -45,7 +45,7 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Wheel built from the tree with the environment's maturin; the release build exists, so this only packs."""
     need("release")
     folder = tmp_path_factory.mktemp("wheel")
-    # pyo3 is built for the interpreter that this names; another name would build everything again.
+    # pyo3 is built for the interpreter that this names; another name would rebuild everything.
     process = run(
         *(sys.executable, "-m", "pip", "wheel", "--no-deps", "--no-build-isolation", "--no-index"),
         *("--wheel-dir", folder, CHECKOUT),
@@ -58,9 +58,9 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def installed(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Python of an environment that contains the wheel, the packages that its metadata require, and nothing else.
+    """Python of an environment with only the wheel and its required packages.
 
-    The requirements are linked from this environment, so that no package index is asked.
+    The requirements are linked from this environment, so that no package index is contacted.
     """
     folder = tmp_path_factory.mktemp("empty")
     venv.create(folder, with_pip=False, symlinks=os.name != "nt")
@@ -77,7 +77,7 @@ def installed(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def _requirements(wheel: Path) -> set[Path]:
-    """Top-level files and folders of everything that the wheel requires without extras, directly or not."""
+    """Top-level files and folders of all direct and indirect requirements of the wheel without extras."""
     with zipfile.ZipFile(wheel) as archive:
         (name,) = (name for name in archive.namelist() if name.endswith(".dist-info/METADATA"))
         metadata = email.message_from_bytes(archive.read(name))
@@ -142,12 +142,12 @@ def test_importing_loads_nothing_heavy(installed: Path, tmp_path: Path) -> None:
     )
     process = subprocess.run([installed, "-I", "-c", code], cwd=tmp_path, capture_output=True, text=True, timeout=600)
     opened, loaded = process.stdout.splitlines()
-    # The package tells one protocol which stage serves it.
+    # The package's name tells one protocol which stage serves it.
     assert opened.split() == ["nearfar._render", "nearfar._render.showing"], "each stage is imported on first use"
     assert not set(HEAVY) & set(loaded.split())
 
 
-def test_the_sources_pack(tmp_path: Path) -> None:
+def test_the_source_distribution_is_complete(tmp_path: Path) -> None:
     process = run(sys.executable, "-c", f"{IMPORT_BACKEND}; b.build_sdist({str(tmp_path)!r})")
     assert process.returncode == 0, process.stdout + process.stderr
     (path,) = tmp_path.glob("nearfar-*.tar.gz")
@@ -167,7 +167,7 @@ def test_the_sources_pack(tmp_path: Path) -> None:
     assert not any(name.endswith(".so") for name in names)
 
 
-def test_one_version_everywhere() -> None:
+def test_versions_agree_everywhere() -> None:
     cargo = tomllib.loads((CHECKOUT / "Cargo.toml").read_text(encoding="utf-8"))
     assert cargo["workspace"]["package"]["version"] == nf.__version__
     changes = (CHECKOUT / "CHANGELOG.md").read_text(encoding="utf-8")
@@ -182,8 +182,10 @@ def test_one_version_everywhere() -> None:
         ("nonsense", "but `cargo --version` says 'nonsense'; install Rust 1.89 or newer"),
     ],
 )
-def test_a_build_without_a_good_cargo_says_so_in_one_sentence(output: str | None, words: str, tmp_path: Path) -> None:
-    need("fork")  # the stand-in for cargo is a shell script
+def test_a_build_without_a_suitable_cargo_fails_with_one_sentence(
+    output: str | None, words: str, tmp_path: Path
+) -> None:
+    need("fork")  # The stand-in for cargo is a shell script.
     if output is not None:
         script = tmp_path / "cargo"
         script.write_text(f"#!/bin/sh\necho '{output}'\n")
@@ -196,6 +198,6 @@ def test_a_build_without_a_good_cargo_says_so_in_one_sentence(output: str | None
         assert words in process.stderr
 
 
-def test_every_script_a_person_runs_is_executable() -> None:
+def test_command_line_scripts_are_executable() -> None:
     for name in (".ci/run", "scripts/system-packages.sh", "scripts/dev-build.sh"):
         assert os.access(CHECKOUT / name, os.X_OK), name

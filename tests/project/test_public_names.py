@@ -1,4 +1,4 @@
-"""Tests that public names exist, have documentation and few positional arguments, and that the stub has every
+"""Tests that public names exist, have documentation and few positional arguments, and that the stub contains every
 binding."""
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ def test_public_names_are_documented(name: str, value: Any) -> None:
 
 
 @pytest.mark.parametrize("name", nf.__all__)
-def test_readers_find_every_public_function_by_keyword(name: str) -> None:
+def test_most_arguments_are_keyword_only(name: str) -> None:
     """Arguments after the first two or three are keyword-only, so that a call names its numbers."""
     value = getattr(nf, name)
     if isinstance(value, types.FunctionType):

@@ -1,4 +1,4 @@
-"""Tests of ARCHITECTURE.md's rules for the Python package: its public face, small files, each stage's rooms."""
+"""Tests of ARCHITECTURE.md's rules for the Python package: public names, small files, each stage's folders."""
 
 from __future__ import annotations
 
@@ -53,13 +53,13 @@ ROOMS = {
 }
 
 MAX_ENTRIES = 30
-"""Greatest number of files and folders in python/nearfar."""
+"""Maximum number of files and folders in python/nearfar."""
 
 MEDIAN_LINES, MAX_LINES = 150, 400
-"""Greatest median and greatest number of lines of the package's Python files; the stub may be longer."""
+"""Maximum median and maximum number of lines of the package's Python files; the stub may be longer."""
 
 
-def test_the_command_line_uses_only_the_public_face() -> None:
+def test_the_command_line_uses_only_public_names() -> None:
     wrong = []
     for path in sorted((PACKAGE / "cli").glob("*.py")):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
@@ -70,7 +70,7 @@ def test_the_command_line_uses_only_the_public_face() -> None:
     assert wrong == []
 
 
-def test_the_package_opens_in_the_order_of_the_pipeline() -> None:
+def test_the_package_lists_names_in_the_order_of_the_pipeline() -> None:
     stub = ast.parse((PACKAGE / "__init__.pyi").read_text(encoding="utf-8"))
     modules = [node.module for node in stub.body if isinstance(node, ast.ImportFrom) and node.module]
     opened = [module.partition(".")[0] for module in modules]
@@ -84,7 +84,7 @@ def tracked(folder: Path) -> list[Path]:
     return [path for line in listed.stdout.splitlines() if (path := CHECKOUT / line).is_file()]
 
 
-def test_the_package_is_small_rooms() -> None:
+def test_files_and_folders_of_the_package_are_small() -> None:
     files = tracked(PACKAGE)
     assert len({path.relative_to(PACKAGE).parts[0] for path in files}) <= MAX_ENTRIES
     lines = {path: path.read_text(encoding="utf-8").count("\n") for path in files if path.suffix == ".py"}

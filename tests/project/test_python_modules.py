@@ -1,4 +1,4 @@
-"""Tests of the graph of imports, on a made-up package with every way to hide a cycle."""
+"""Tests of the import graph, on a made-up package with every way to hide a cycle."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def test_every_kind_of_import_counts(tmp_path: Path, back: str) -> None:
     assert cycles(file_graph(root, {"made_a": "made.a"})) == [["a.py", "b.py"]]
 
 
-def test_a_longer_way_round_is_found(tmp_path: Path) -> None:
+def test_longer_cycles_are_found(tmp_path: Path) -> None:
     root = package(tmp_path, a="from made.b import y\n", b="from made.c import z\ny = 1\n", c="from made import a\n")
     assert cycles(file_graph(root)) == [["a.py", "b.py", "c.py"]]
 
@@ -60,14 +60,14 @@ def test_re_exports_lead_to_the_file_that_defines_the_name(tmp_path: Path) -> No
     assert file_graph(root) == {"inner/deep.py": set(), "user.py": {"inner/deep.py"}}
 
 
-def test_names_of_a_stub_lead_to_the_file_that_defines_them(tmp_path: Path) -> None:
+def test_names_in_a_stub_lead_to_the_file_that_defines_them(tmp_path: Path) -> None:
     root = package(tmp_path, a="from made import g\ndef f(): ...\n", b="from made import f\ndef g(): ...\n")
     (root / "__init__.py").write_text("import lazy_loader\n__getattr__ = lazy_loader.attach_stub(__name__, __file__)\n")
     (root / "__init__.pyi").write_text("from .a import f\nfrom .b import g\nfrom . import b\n")
     assert cycles(file_graph(root)) == [["a.py", "b.py"]]
 
 
-def test_a_package_that_joins_its_files_uses_them_and_is_used_by_name(tmp_path: Path) -> None:
+def test_a_package_that_re_exports_depends_on_its_files(tmp_path: Path) -> None:
     joined = "from made import a, b\nNAME = 'made'\ndef make(): return b.g()\na.set_maker(make)\n"
     root = package(tmp_path, __init__=joined, a="import made\ndef set_maker(make): ...\n", b="def g(): ...\n")
     assert file_graph(root)["__init__.py"] == {"a.py", "b.py"}
@@ -76,7 +76,7 @@ def test_a_package_that_joins_its_files_uses_them_and_is_used_by_name(tmp_path: 
     assert cycles(file_graph(root)) == [["__init__.py", "a.py"]]
 
 
-def test_a_folder_that_computes_is_a_file_like_others(tmp_path: Path) -> None:
+def test_a_package_file_with_code_is_a_node_of_the_graph(tmp_path: Path) -> None:
     root = package(
         tmp_path,
         inner__in____init__="from made.inner.deep import f\nLIMIT = 3\n",

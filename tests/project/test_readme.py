@@ -47,12 +47,12 @@ def links(name: str) -> list[Path]:
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_local_links_lead_somewhere(name: str) -> None:
+def test_local_links_exist(name: str) -> None:
     for link in links(name):
         assert link.exists(), link
 
 
-def test_pages_can_be_found_from_the_readme() -> None:
+def test_pages_are_reachable_from_the_readme() -> None:
     found = {*links("README.md"), *links("docs/README.md")}
     assert {(CHECKOUT / name) for name in PAGES if name.startswith("docs/")} <= found
 
@@ -65,7 +65,7 @@ def test_pictures_are_used() -> None:
         assert path in used, path
 
 
-def test_every_work_that_the_sources_cite_is_listed() -> None:
+def test_every_cited_work_is_listed() -> None:
     listed = set(re.findall(r"year\s*=\s*\{(\d{4})\}", (CHECKOUT / "references.bib").read_text(encoding="utf-8")))
     cited = set()
     for path in [*(CHECKOUT / "rust/core/src").rglob("*.rs"), *(CHECKOUT / "python").rglob("*.py")]:

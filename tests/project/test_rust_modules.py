@@ -18,7 +18,7 @@ def crate(folder: Path, files: dict[str, str]) -> dict[str, set[str]]:
     return file_graph(folder)
 
 
-# One stage whose mod.rs only declares and re-exports, and one whose mod.rs computes.
+# One stage whose mod.rs only declares and re-exports, and one whose mod.rs contains code.
 BASE = {
     "lib.rs": "//! Doc.\npub mod shapes;\npub mod walk;\n",
     "shapes/mod.rs": "//! Doc.\nmod cube;\nmod ball;\npub use ball::Ball;\npub use cube::{Cube as Box6, volume};\n",
@@ -156,12 +156,12 @@ def test_tests_comments_and_other_crates_make_no_cycle(tmp_path: Path, name: str
     assert cycles(crate(tmp_path, BASE | {"shapes/ball.rs": INNOCENT[name]})) == []
 
 
-def test_a_program_begins_with_its_main_file(tmp_path: Path) -> None:
+def test_the_graph_of_a_program_starts_at_main(tmp_path: Path) -> None:
     main = {"main.rs": "mod one;\nconst N: u8 = 1;\nfn main() { one::f() }\n", "one.rs": "pub fn f() { crate::N; }\n"}
     assert cycles(crate(tmp_path, main)) == [["main.rs", "one.rs"]]
 
 
-def test_an_item_in_a_mod_file_makes_it_a_file_of_the_graph(tmp_path: Path) -> None:
+def test_a_mod_file_with_an_item_is_a_node_of_the_graph(tmp_path: Path) -> None:
     computing = BASE["shapes/mod.rs"] + "pub const EDGE: f64 = 1.0;\n"
     assert "shapes/mod.rs" in crate(tmp_path / "computing", BASE | {"shapes/mod.rs": computing})
     assert "shapes/mod.rs" not in crate(tmp_path / "declaring", BASE)

@@ -1,4 +1,4 @@
-"""Tests of the choice of slow tests for a change."""
+"""Tests of the selection of slow tests for a change."""
 
 from __future__ import annotations
 
@@ -36,11 +36,11 @@ EXPECTED = {
 
 
 @pytest.mark.parametrize("path", EXPECTED)
-def test_a_change_chooses_its_stage_and_those_that_use_it(path: str) -> None:
+def test_a_change_selects_its_stage_and_dependent_stages(path: str) -> None:
     assert stages_of(path) == EXPECTED[path]
 
 
-def test_every_folder_that_is_chosen_exists() -> None:
+def test_every_selectable_folder_exists() -> None:
     need("git")
     listed = slow.git("ls-files")
     assert listed is not None
@@ -62,7 +62,7 @@ def test_three_commits_run_all_slow_tests(monkeypatch: pytest.MonkeyPatch) -> No
     assert slow.third(reasons) == parts[2]
 
 
-def test_without_the_commit_before_everything_is_chosen(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_without_the_previous_commit_everything_is_selected(monkeypatch: pytest.MonkeyPatch) -> None:
     assert slow.changes(None) == (None, "no commit is given")
     monkeypatch.setattr(slow, "git", lambda *_: None)
     assert slow.changes("0" * 40)[0] is None

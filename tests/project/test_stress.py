@@ -1,4 +1,4 @@
-"""Tests of large sizes, which show errors of memory, 32-bit numbers and complexity; for `make stress` only."""
+"""Tests at large sizes, which reveal errors of memory, 32-bit numbers and complexity; for `make stress` only."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from tests.support import need
 pytestmark = pytest.mark.stress
 
 STATION = (0.0, 1.7, 0.0)
-"""Tokyo Station, the middle of the whole city, world metres."""
+"""Tokyo Station, the centre of the city, world metres."""
 
 City = tuple[NDArray[np.float32], NDArray[np.uint32]]
 
@@ -56,7 +56,7 @@ def test_radii_partition_and_curve_agree_on_every_triangle(arrays: City, tokyo: 
         assert curve.count(r2) == len(zones.nsf)
 
 
-def test_metrics_of_pictures_of_a_gigapixel_are_those_of_their_parts() -> None:
+def test_metrics_of_gigapixel_pictures_equal_those_of_their_parts() -> None:
     # 32,768 × 32,768 bytes: more than 2³⁰ pixels, with repeated rows, so that the result is known.
     random = np.random.default_rng(0)
     a, b = random.integers(0, 256, (2, 512, 32_768), dtype=np.uint8)
@@ -68,7 +68,7 @@ def test_metrics_of_pictures_of_a_gigapixel_are_those_of_their_parts() -> None:
 
 
 def test_breaks_of_a_large_frame_do_not_depend_on_its_size() -> None:
-    # A frontal view of a plane with 4,000 × 4,000 pixels, one half of which is moved by three pixels.
+    # A frontal view of a plane with 4,000 × 4,000 pixels, one half of which is shifted by three pixels.
     side = 4096
     view = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90, 1), size=(side, side))
     step = 2.0 / side
@@ -83,7 +83,7 @@ def test_breaks_of_a_large_frame_do_not_depend_on_its_size() -> None:
     np.testing.assert_allclose(middle, middle.mean(), atol=2e-3)
 
 
-def test_the_map_of_a_whole_city_is_what_rays_meet(tokyo: nf.Scene) -> None:
+def test_the_map_of_a_whole_city_equals_ray_tracing(tokyo: nf.Scene) -> None:
     reduced = nf.reduce(tokyo, center=STATION, r1=30, r2=50, face_size=256, samples=1, channels=("color", "range"))
     assert reduced.env is not None
     assert reduced.env.range is not None
@@ -95,11 +95,11 @@ def test_the_map_of_a_whole_city_is_what_rays_meet(tokyo: nf.Scene) -> None:
         directions = view.rays()[1]
         far = truth * np.hypot(directions[..., 0], directions[..., 2]) > 50.0
         far &= np.isfinite(truth)
-        # One float32 step of the range, met from two starting points.
+        # One float32 step of the range, computed from two starting points.
         np.testing.assert_allclose(baked[far], truth[far], rtol=2e-7)
 
 
-def test_regions_on_demand_of_a_whole_city_have_its_rings_and_look_at_few_buildings() -> None:
+def test_regions_on_demand_of_a_whole_city_examine_few_buildings() -> None:
     need("tokyo")
     found = with_buildings()
     assert found is not None
@@ -131,7 +131,7 @@ def test_a_city_of_hundreds_of_millions_by_instances() -> None:
 
 
 @pytest.mark.parametrize("kind", ["blend", "cylinder"])
-def test_ten_million_points_morph_as_in_float64(kind: str) -> None:
+def test_ten_million_points_are_morphed_as_in_float64(kind: str) -> None:
     index = np.arange(10_000_000, dtype=np.float64)
     # A spiral that fills the disc of 100 m and heights up to 400 m evenly.
     rho, turn = 100 * np.sqrt((index + 0.5) / len(index)), 2.399963 * index

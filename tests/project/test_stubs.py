@@ -11,7 +11,7 @@ import pytest
 CHECKOUT = Path(__file__).resolve().parents[2]
 
 
-# pyo3 defines __all__ with all names; star imports are refused by ruff. The stub has parts, the binary has none.
+# pyo3 defines __all__ with all names; ruff forbids star imports. The stub has parts, the binary has none.
 DIFFERENCES = "\n".join(
     f"nearfar\\._core\\.{name}"
     for name in ("__all__", "export", "gpu", "lod", "orthoview", "serve", "stereo", "stored")

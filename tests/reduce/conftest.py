@@ -1,4 +1,4 @@
-"""The street and its reduced scene, for several tests."""
+"""The street and its reduced scene, shared by several tests."""
 
 from __future__ import annotations
 

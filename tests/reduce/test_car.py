@@ -41,7 +41,7 @@ def scene() -> nf.Scene:
 
 
 @pytest.mark.parametrize("turn", TURNS)
-def test_the_way_is_a_way_for_a_car(scene: nf.Scene, turn: str) -> None:
+def test_the_path_is_drivable(scene: nf.Scene, turn: str) -> None:
     poses = drive(turn)
     away = distances(poses)
     assert away[0] == pytest.approx(np.hypot(15.0, 1.7))
@@ -56,53 +56,53 @@ def test_the_way_is_a_way_for_a_car(scene: nf.Scene, turn: str) -> None:
     np.testing.assert_allclose(np.linalg.det(poses), 1.0, rtol=1e-12)
 
 
-def test_its_middle_jumps_with_the_conventional_method_only() -> None:
+def test_the_car_jumps_with_the_conventional_method_only() -> None:
     poses = drive("left")
     away = distances(poses)
     jump = {method: changes(projected(VIEW, poses, method)) for method in METHODS}
-    # The user is 5.4 m from the centre. From r₁ on the picture turns by that over the distance, a 20 m-th of it each
-    # metre: that begins at once, and so does its end. The truth's own changes, where it turns, come elsewhere.
+    # The user is 5.4 m from the centre. From r₁ on the picture turns by that over the distance, a 20th of it per
+    # metre: this begins abruptly, and so does its end. The truth's own changes, where the car turns, come elsewhere.
     bend = np.linalg.norm(USER - CENTER) / R1 * (SPEED / RATE) / (R2 - R1) * FOCAL * 4.0 / 3.0
     assert jump["continuous"].max() < bend + jump["truth"].max() < 3.1
     # With the conventional method the car jumps at r₂ from the user's view to the centre's: 5 m sideways at 50 m.
     at = int(jump["conventional"].argmax())
     assert abs(away[at + 1] - R2) < 2.0 * SPEED / RATE
     assert jump["conventional"].max() > 0.9 * (USER - CENTER)[0] / R2 * FOCAL > 10.0 * jump["continuous"].max()
-    # In all other pictures both are as steady as the truth.
+    # In all other pictures both motions are as steady as the truth.
     quiet = np.minimum(np.abs(away - R1), np.abs(away - R2))[1:-1] > 2.0 * SPEED / RATE
     for method in ("conventional", "continuous"):
         assert jump[method][quiet].max() < 2.0 * jump["truth"].max(), method
 
 
 def poses_near_radius(radius: float) -> Array:
-    """Poses of pictures in which some of the car is within a metre of a radius."""
+    """Poses of pictures in which part of the car is within a metre of a radius."""
     poses = drive("left")
     # Half of the car's length is 2.25 m.
     return poses[np.abs(distances(poses) - radius) < 3.25]
 
 
 @pytest.mark.parametrize("radius", [R1, R2])
-def test_its_pixels_move_with_its_middle_and_stay_together(scene: nf.Scene, radius: float) -> None:
+def test_pixels_of_the_car_move_together(scene: nf.Scene, radius: float) -> None:
     poses = poses_near_radius(radius)
     assert len(poses) >= 14
     masks = lone_car(scene, VIEW, poses, "continuous")
     offset = centroids(masks) - projected(VIEW, poses, "continuous")
-    # Across a radius one end is morphed otherwise than the other, half a car or 2.25 m further: 2.25 of 20 m of the way
-    # from the user's to the centre's view are 10 px at 30 m. The outline's middle shifts by less than half of it.
+    # Across a radius one end is morphed differently from the other, half a car or 2.25 m further: 2.25 of 20 m of the
+    # transition from the user's to the centre's view are 10 px at 30 m. The outline's middle shifts by less than half.
     assert np.ptp(offset, axis=0).max() < 5.0
     assert not any(map(torn, masks))
-    # The car crosses a radius in ten pictures, which spreads what its middle does at once over them: 2.7 px, above, and
+    # The car crosses a radius within ten pictures, which distribute the change of its middle: 2.7 px, above, and
     # the rounding of four middles of hundreds of pixels, a tenth of a pixel each.
     assert changes(centroids(masks)).max() < 2.7 / 2.0
     if radius == R2:
         conventional = lone_car(scene, VIEW, poses, "conventional")
-        # 48 px apart, and 20 px wide at most: for the 4.5 m of its length it is in both places.
+        # 48 px apart, and at most 20 px wide: for its length of 4.5 m the car is in both places.
         assert sum(map(torn, conventional)) >= 8
         assert np.linalg.norm(np.ptp(centroids(conventional), axis=0)) > 40.0
 
 
 @pytest.mark.parametrize("turn", TURNS)
-def test_vertex_and_exact_pictures_hide_the_same_of_it(scene: nf.Scene, turn: str) -> None:
+def test_vertex_and_exact_pictures_occlude_the_car_equally(scene: nf.Scene, turn: str) -> None:
     channels = ("color", "object_id")
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=512, samples=1, channels=channels)
     number = scene.object_names.index(CAR)
@@ -114,8 +114,8 @@ def test_vertex_and_exact_pictures_hide_the_same_of_it(scene: nf.Scene, turn: st
         )
         seen.append(int(exact.sum()))
         differ += int((vertex ^ exact).sum())
-    # The vertices' morph is off by half a pixel at most, which changes pixels along outlines only, and few of them; a
-    # wrong order of car and tree, or of car and house, would be a good part of it in several of 9 pictures.
+    # The vertices' morph is off by half a pixel at most, which changes only a few pixels along outlines; a
+    # wrong order of car and tree, or of car and house, would change a large part of it in several of 9 pictures.
     assert differ < 0.01 * sum(seen)
     assert seen[0] > 1000
     # The car disappears behind the house; along the park it is visible to the end.

@@ -1,4 +1,4 @@
-"""Moving objects beyond the near part of the conventional method: from the centre, from the user, or not at all."""
+"""Moving objects beyond the near part of the conventional method: shown from the centre, from the user, or omitted."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from tests.support.reduce_cases import ALL, CENTER, R1, R2, camera, place, rho, 
 USER = CENTER + np.array([5.0, 0.3, 4.0])
 AHEAD = (0.9, 0.0, 0.6)
 BEHIND_TOWER, BEFORE_TOWER, ACROSS = place(140.0, 3.0, 91.0), place(70.0, 0.75, 45.0), place(45.8, 0.75, 26.5)
-"""Poses of the car beyond r2, the first hidden from user and centre, and across r2."""
+"""Poses of the car beyond r2, the first one hidden from user and centre, and across r2."""
 
 
 def conventional(pose: np.ndarray[Any, Any] = BEFORE_TOWER, **settings: Any) -> nf.ReducedScene:
@@ -31,7 +31,7 @@ def car_of(frame: nf.Frame, reduced: nf.ReducedScene) -> np.ndarray[Any, Any]:
 
 @pytest.mark.parametrize("env", [True, False])
 @pytest.mark.parametrize("pose", [BEHIND_TOWER, BEFORE_TOWER, ACROSS], ids=["behind", "before", "across"])
-def test_the_user_sees_the_object_where_it_is_over_everything_far(pose: np.ndarray[Any, Any], env: bool) -> None:
+def test_from_the_user_the_object_is_drawn_over_far_geometry(pose: np.ndarray[Any, Any], env: bool) -> None:
     reduced, view = conventional(pose), camera(USER, AHEAD, (320, 180))
     frame = reduced.render(view, conventional_dynamic="user", channels=ALL[:3], env=env)
     alone = reduced.scene.subset(objects=["car"])
@@ -56,7 +56,7 @@ def test_near_geometry_hides_the_object() -> None:
     assert (frame.require("object_id")[near] == names.index("near")).all()
 
 
-def test_what_is_omitted_ends_at_the_near_part() -> None:
+def test_omitted_objects_end_at_the_near_part() -> None:
     reduced, view = conventional(ACROSS), camera(USER, AHEAD, (320, 180))
     frame = reduced.render(view, conventional_dynamic="omit", channels=("object_id", "range"))
     shown = car_of(frame, reduced)
@@ -67,7 +67,7 @@ def test_what_is_omitted_ends_at_the_near_part() -> None:
     assert not car_of(conventional().render(view, conventional_dynamic="omit"), reduced).any()
 
 
-def test_the_centre_is_the_default_and_nothing_is_traced_for_what_is_omitted() -> None:
+def test_the_centre_is_the_default_and_omitted_objects_are_not_traced() -> None:
     reduced, view = conventional(), camera(USER, AHEAD)
     default, named = reduced.render(view), reduced.render(view, conventional_dynamic="center")
     for name in default.channels:
@@ -78,7 +78,7 @@ def test_the_centre_is_the_default_and_nothing_is_traced_for_what_is_omitted() -
 
 
 @pytest.mark.parametrize("limits", [(0.0, 60.0), (70.0, math.inf)])
-def test_limits_of_rays_hold_for_the_object(limits: tuple[float, float]) -> None:
+def test_ray_limits_apply_to_the_object(limits: tuple[float, float]) -> None:
     reduced, view = conventional(), camera(USER, AHEAD, (320, 180))
     whole = reduced.render(view, conventional_dynamic="user", channels=("object_id", "range"))
     part = reduced.render(
@@ -87,7 +87,7 @@ def test_limits_of_rays_hold_for_the_object(limits: tuple[float, float]) -> None
     distance = whole.require("range")
     expected = car_of(whole, reduced) & (distance >= limits[0]) & (distance <= limits[1])
     found = car_of(part, reduced)
-    # Where the nearer faces are cut off, the farther ones are seen.
+    # Where the nearer faces are cut off, the farther ones are visible.
     assert (found | ~expected).all()
     assert expected.any() == found.any()
 
@@ -95,7 +95,7 @@ def test_limits_of_rays_hold_for_the_object(limits: tuple[float, float]) -> None
 @pytest.mark.parametrize("way", ["user", "omit"])
 @pytest.mark.parametrize("env", [True, False])
 @pytest.mark.parametrize("name", ADAPTERS)
-def test_adapters_show_the_same(name: str, env: bool, way: str) -> None:
+def test_adapters_agree_on_moving_objects(name: str, env: bool, way: str) -> None:
     for pose in (BEHIND_TOWER, ACROSS):
         reduced, view = conventional(pose), camera(USER, AHEAD, (320, 180))
         settings: dict[str, Any] = {"channels": ALL[:3], "conventional_dynamic": way, "env": env}

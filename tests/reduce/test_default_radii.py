@@ -1,4 +1,4 @@
-"""Tests of the radii that commands take by default."""
+"""Tests of the default radii of commands."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def room() -> nf.Scene:
     return nf.Scene.from_trimesh(trimesh.Scene([walls, box((1, 0.7, 1))]))
 
 
-def test_cities_have_50_metres_and_the_radius_that_shears_the_ground_little() -> None:
+def test_cities_have_50_metres_and_the_radius_of_little_shear() -> None:
     scene, place = street(), viewpoint.facing((3.0, 1.7, -2.0), (9, 0, 9))
     chosen = default_radii.choose(scene, place)
     expected = nf.choose_radii(scene, place.eye, r2=50)
@@ -45,7 +45,7 @@ def test_rooms_have_radii_within_their_walls() -> None:
     assert chosen.reason.startswith("r2 is two thirds of the way to the walls")
 
 
-def test_objects_are_divided_in_thirds() -> None:
+def test_radii_of_objects_divide_them_in_thirds() -> None:
     helmet = nf.Scene.from_trimesh(box((0.3, 0.7, 0.4)))
     place = viewpoint.find(helmet)
     chosen = default_radii.choose(helmet, place)
@@ -64,7 +64,9 @@ def test_objects_are_divided_in_thirds() -> None:
         ((5.0, 7.0), (5.0, 7.0)),
     ],
 )
-def test_a_missing_radius_fits_the_other(given: tuple[float | None, float | None], radii: tuple[float, float]) -> None:
+def test_a_missing_radius_follows_from_the_other(
+    given: tuple[float | None, float | None], radii: tuple[float, float]
+) -> None:
     assert default_radii.completed(*given) == pytest.approx(radii)
     chosen = default_radii.choose(street(), viewpoint.facing((3.0, 1.7, -2.0), (9, 0, 9)), *given)
     assert (chosen.r1, chosen.r2) == pytest.approx(radii)

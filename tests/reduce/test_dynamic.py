@@ -28,7 +28,7 @@ def reduced(scene: nf.Scene) -> nf.ReducedScene:
 
 
 def car_pixels(reduced: nf.ReducedScene, view: nf.Camera, pose: Array, **how: Any) -> NDArray[np.bool_]:
-    """Pixels in which the car is seen."""
+    """Pixels in which the car is visible."""
     car = reduced.scene.object_names.index("car")
     frame = reduced.render(view, at={"car": pose}, channels=("object_id",), **how)
     return np.asarray(frame.require("object_id") == car)
@@ -39,7 +39,7 @@ def centroid(mask: NDArray[np.bool_]) -> Array:
     return np.array([columns.mean(), rows.mean()]) + 0.5
 
 
-def test_maps_of_scenes_that_move_have_range_and_others_have_none(scene: nf.Scene, reduced: nf.ReducedScene) -> None:
+def test_maps_of_dynamic_scenes_have_range_and_others_do_not(scene: nf.Scene, reduced: nf.ReducedScene) -> None:
     assert reduced.stats["ranges_computed"] == 6 * 1024**2
     still = nf.reduce(street(), center=CENTER, r1=R1, r2=R2, face_size=32, samples=1)
     assert still.stats["ranges_computed"] == 0
@@ -79,8 +79,8 @@ def test_a_car_that_leaves_moves_without_a_jump(scene: nf.Scene, kind: str) -> N
     assert np.linalg.norm(np.diff(broken, axis=0), axis=1).max() > 10.0
 
 
-def test_far_buildings_hide_the_car_in_the_same_pixels_as_in_the_exact_picture(reduced: nf.ReducedScene) -> None:
-    # Positions beside the tower at (100..120, 0..70, 60..80), from the front to behind it.
+def test_far_buildings_occlude_the_car_as_in_the_exact_picture(reduced: nf.ReducedScene) -> None:
+    # Positions beside the tower at (100..120, 0..70, 60..80), from in front of it to behind it.
     view = camera(USER, (1, 0.05, 0.65), SIZE)
     seen = []
     for x in np.arange(70.0, 180.0, 10.0):
@@ -103,7 +103,7 @@ def test_far_buildings_hide_the_car_in_the_same_pixels_as_in_the_exact_picture(r
 
 
 @pytest.mark.slow
-def test_near_parts_are_before_all_that_is_far_wherever_the_user_is(reduced: nf.ReducedScene) -> None:
+def test_near_parts_are_in_front_of_far_ones_for_all_users(reduced: nf.ReducedScene) -> None:
     """Beyond r₁ the picture folds, and displayed distances do not give the order along a ray."""
     user = CENTER + np.array([-35.0, 0.0, 0.0])
     view = camera(user, (1, 0.0, 0.3), SIZE)
@@ -118,7 +118,7 @@ def test_near_parts_are_before_all_that_is_far_wherever_the_user_is(reduced: nf.
     np.testing.assert_array_equal(with_range, without)
 
 
-def test_posing_keeps_what_stands(scene: nf.Scene, reduced: nf.ReducedScene) -> None:
+def test_posing_keeps_static_geometry(scene: nf.Scene, reduced: nf.ReducedScene) -> None:
     posed = [scene.at({"car": place(x, 1, 0)}) for x in (10.0, 45.0, 90.0)]
     assert {tuple(one._core.mesh_ids()) for one in posed} == {tuple(scene._core.mesh_ids())}
     view = camera(USER, (1, 0, 0))
@@ -129,7 +129,7 @@ def test_posing_keeps_what_stands(scene: nf.Scene, reduced: nf.ReducedScene) -> 
     assert len(set(triangles)) == 1
 
 
-def test_moving_objects_are_seen_wherever_they_are() -> None:
+def test_moving_objects_are_visible_at_all_distances() -> None:
     scene = street(dynamic=True).at({"car": place(100, 0.75, 0)})
     car = scene.object_names.index("car")
     for kind in ("blend", "none"):

@@ -1,4 +1,4 @@
-"""Tests of what notebooks show of reduced scenes: the card, and the explorer with its sliders."""
+"""Tests of notebook output of reduced scenes: the card, and the explorer with its sliders."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def test_the_card_shows_counts_radii_and_the_map(blend: nf.ReducedScene) -> None
     assert len(shown.pictures()) == 1
 
 
-def test_without_a_map_the_card_says_why(scene: nf.Scene) -> None:
+def test_without_a_map_the_card_explains_why(scene: nf.Scene) -> None:
     whole = nf.reduce(scene.subset(objects=["near"]), center=CENTER, r1=30, r2=50, face_size=8, backend="cpu")
     assert "there is no map" in Card(whole._repr_html_()).text
 
@@ -58,7 +58,7 @@ def test_without_ipywidgets_the_error_names_the_extra(scene: nf.Scene, monkeypat
         small(scene).explore()
 
 
-def test_pictures_are_those_of_render(explorer: Explorer, scene: nf.Scene) -> None:
+def test_explorer_pictures_equal_render(explorer: Explorer, scene: nf.Scene) -> None:
     explorer.x.value, explorer.heading.value = 6.0, 60.0
     camera = explorer.camera
     assert camera.position == pytest.approx(np.add(CENTER, (6.0, 0.0, 0.0)))
@@ -78,7 +78,7 @@ def test_moving_the_user_changes_both_pictures(explorer: Explorer, name: str) ->
     assert explorer.picture.value != before[1]
 
 
-def test_radii_are_applied_when_released_and_leave_the_truth(explorer: Explorer) -> None:
+def test_radii_are_applied_on_release_and_keep_the_truth(explorer: Explorer) -> None:
     explorer.x.value, explorer.heading.value = 8.0, 90.0
     truth, picture, first = explorer.truth.value, explorer.picture.value, explorer.reduced
     assert not explorer.r1.continuous_update
@@ -121,7 +121,7 @@ def test_the_conventional_method_tears_and_the_continuous_one_does_not(explorer:
     assert float(figures(explorer)["discontinuity, mean"]) > continuous
 
 
-def test_maps_without_range_are_baked_again_at_the_start(scene: nf.Scene) -> None:
+def test_maps_without_range_are_baked_again_at_start(scene: nf.Scene) -> None:
     need("ipywidgets")
     reduced = small(scene)
     assert reduced.env is not None
@@ -145,7 +145,7 @@ def test_a_loaded_scene_has_no_truth_and_fixed_radii(scene: nf.Scene, tmp_path: 
     assert "not saved" in figures(explorer)["far geometry"]
 
 
-def test_a_map_from_r1_knows_the_conventional_method_only(scene: nf.Scene) -> None:
+def test_a_map_from_r1_supports_the_conventional_method_only(scene: nf.Scene) -> None:
     need("ipywidgets")
     explorer = small(scene, morph="none", boundary="r1").explore(size=SIZE, face_size=16)
     assert explorer.morph.options == ("none",)
@@ -154,7 +154,7 @@ def test_a_map_from_r1_knows_the_conventional_method_only(scene: nf.Scene) -> No
     assert "SSIM" in figures(explorer)
 
 
-def test_r2_ends_where_frames_would_take_seconds(scene: nf.Scene, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_r2_is_limited_so_that_frames_are_fast(scene: nf.Scene, monkeypatch: pytest.MonkeyPatch) -> None:
     need("ipywidgets")
     assert small(scene).explore(size=SIZE, face_size=8).r2.max == 4 * R2
     monkeypatch.setattr("nearfar._reduce.explore.MAX_TRIANGLES", 1)
@@ -165,7 +165,7 @@ def test_r2_ends_where_frames_would_take_seconds(scene: nf.Scene, monkeypatch: p
     assert explorer.reduced.stats["nsf"] == reduced.stats["nsf"]
 
 
-def test_failures_are_told_below_the_pictures(explorer: Explorer, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_failures_are_reported_below_the_pictures(explorer: Explorer, monkeypatch: pytest.MonkeyPatch) -> None:
     def fail(*_: object, **__: object) -> None:
         raise nf.DeviceError("<lost>")
 
@@ -174,7 +174,7 @@ def test_failures_are_told_below_the_pictures(explorer: Explorer, monkeypatch: p
     assert figures(explorer) == {"not drawn": "DeviceError: <lost>"}
 
 
-def test_moving_objects_stay_where_they_are_posed() -> None:
+def test_moving_objects_keep_their_poses() -> None:
     need("ipywidgets")
     pose = np.eye(4)
     pose[:3, 3] = 3.0, 0.75, -12.0

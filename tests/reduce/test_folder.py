@@ -1,4 +1,4 @@
-"""Tests of saved reduced scenes: the same pictures after loading, and files that other programs read."""
+"""Tests of saved reduced scenes: equal pictures after loading, and files that other programs read."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def assert_same_pictures(saved: nf.ReducedScene, loaded: nf.ReducedScene, view: 
 
 
 def dressed() -> nf.Scene:
-    """Return a scene with all that a GLB must carry: textures, cut-outs, colours, normals, instances, holders."""
+    """Return a scene with everything that a GLB must store: textures, cut-outs, colours, normals, instances, groups."""
     build = SceneBuilder()
     rng = np.random.default_rng(5)
     leaves = rng.integers(0, 256, (8, 16, 4), dtype=np.uint8)
@@ -95,7 +95,7 @@ def test_a_loaded_scene_shows_the_same_pictures(morph: str, tmp_path: Path) -> N
     assert loaded.scene.triangle_count == reduced.stats["drawn"]
 
 
-def test_everything_that_shading_uses_comes_back_bit_for_bit(tmp_path: Path) -> None:
+def test_all_shading_data_is_restored_bit_for_bit(tmp_path: Path) -> None:
     scene = dressed()
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=32)
     reduced.save(tmp_path / "all", half=False)
@@ -109,7 +109,7 @@ def test_everything_that_shading_uses_comes_back_bit_for_bit(tmp_path: Path) -> 
     np.testing.assert_array_equal(again.triangles(), near.triangles())
 
 
-def test_maps_are_halved_unless_told_otherwise(tmp_path: Path) -> None:
+def test_maps_are_stored_as_half_floats_by_default(tmp_path: Path) -> None:
     reduced = nf.reduce(street(), center=CENTER, r1=R1, r2=R2, face_size=32)
     reduced.save(tmp_path / "half")
     loaded = nf.ReducedScene.load(tmp_path / "half")
@@ -120,7 +120,7 @@ def test_maps_are_halved_unless_told_otherwise(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("boundary", ["r1", "r2"])
-def test_what_is_saved_is_what_is_drawn(boundary: str, tmp_path: Path) -> None:
+def test_saved_geometry_is_the_drawn_geometry(boundary: str, tmp_path: Path) -> None:
     scene = street(dynamic=True)
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=32, morph="none", boundary=boundary)
     reduced.save(tmp_path / "saved", half=False)
@@ -132,7 +132,7 @@ def test_what_is_saved_is_what_is_drawn(boundary: str, tmp_path: Path) -> None:
         assert (tmp_path / "again" / name).read_bytes() == (tmp_path / "saved" / name).read_bytes()
 
 
-def test_far_geometry_was_not_saved(tmp_path: Path) -> None:
+def test_far_geometry_is_not_saved(tmp_path: Path) -> None:
     reduced = nf.reduce(street(), center=CENTER, r1=R1, r2=R2, face_size=16)
     reduced.save(tmp_path / "saved")
     loaded = nf.ReducedScene.load(tmp_path / "saved")
@@ -141,7 +141,7 @@ def test_far_geometry_was_not_saved(tmp_path: Path) -> None:
             scene.render(camera(USER, (1, 0, 0)), env=False)
 
 
-def test_without_anything_far_there_is_no_map(tmp_path: Path) -> None:
+def test_without_far_geometry_there_is_no_map(tmp_path: Path) -> None:
     near = street(ground=False).subset(objects=["near"])
     reduced = nf.reduce(near, center=CENTER, r1=R1, r2=R2)
     reduced.save(tmp_path / "saved")
@@ -152,7 +152,7 @@ def test_without_anything_far_there_is_no_map(tmp_path: Path) -> None:
         assert_same_pictures(reduced, loaded, camera(USER, (1, 0, 1)), env=env)
 
 
-def test_without_anything_near_the_geometry_is_empty(tmp_path: Path) -> None:
+def test_without_near_geometry_the_glb_is_empty(tmp_path: Path) -> None:
     reduced = nf.reduce(street(ground=False).subset(objects=["tower"]), center=CENTER, r1=R1, r2=R2, face_size=16)
     reduced.save(tmp_path / "saved", half=False)
     loaded = nf.ReducedScene.load(tmp_path / "saved")
@@ -160,7 +160,7 @@ def test_without_anything_near_the_geometry_is_empty(tmp_path: Path) -> None:
     assert_same_pictures(reduced, loaded, camera(USER, (1, 0.2, 0.6)))
 
 
-def test_far_from_zero_no_digit_is_lost(tmp_path: Path) -> None:
+def test_far_from_the_origin_saved_scenes_keep_their_digits(tmp_path: Path) -> None:
     offset = np.array([400_000.25, 12.5, -5_000_000.125])
     build = SceneBuilder()
     corners = np.array([[-9, 0, -9], [9, 0, -9], [9, 0.3, 60], [-9, 0.1, 60]]) + offset
@@ -182,7 +182,7 @@ def test_nameless_objects_are_counted(tmp_path: Path) -> None:
     assert_same_pictures(reduced, loaded, camera(USER, (1, 0, 1)))
 
 
-def test_the_document_repeats_nothing_that_the_other_files_have(tmp_path: Path) -> None:
+def test_the_document_does_not_repeat_the_other_files(tmp_path: Path) -> None:
     build = SceneBuilder()
     for number in range(2000):
         z = -8.0 - 0.5 * number
@@ -205,7 +205,7 @@ def test_the_document_repeats_nothing_that_the_other_files_have(tmp_path: Path) 
             np.testing.assert_allclose(frames[0].require("color"), frames[1].require("color"), atol=1e-3)
 
 
-def test_a_moving_object_without_triangles_is_left_out(tmp_path: Path) -> None:
+def test_a_moving_object_without_triangles_is_omitted(tmp_path: Path) -> None:
     build = SceneBuilder()
     for name, faces in (("nothing", np.empty((0, 3), np.uint32)), ("car", np.array([[0, 1, 2]], np.uint32))):
         vertices = np.array([[0, 0, -10], [1, 0, -10], [0, 1, -10]])
@@ -262,7 +262,7 @@ def test_trimesh_sees_the_same_triangles_names_and_textures(tmp_path: Path) -> N
     assert any(mesh.visual.material.baseColorTexture is not None for mesh in textured)
 
 
-def test_our_loader_reads_the_near_part_as_any_glb(tmp_path: Path) -> None:
+def test_our_loader_reads_the_near_part_like_any_glb(tmp_path: Path) -> None:
     reduced = nf.reduce(dressed(), center=CENTER, r1=R1, r2=R2, face_size=16)
     reduced.save(tmp_path / "saved")
     near = nf.ReducedScene.load(tmp_path / "saved").scene
@@ -270,12 +270,12 @@ def test_our_loader_reads_the_near_part_as_any_glb(tmp_path: Path) -> None:
     assert loaded.triangle_count == near.triangle_count
     view = camera(USER, (1, 0, 0.3))
     one, other = nf.render(near, view).require("color"), nf.render(loaded, view).require("color")
-    # The textures must not be flipped; computing 1 − v twice in float32 moves a look-up by a rounding.
+    # The textures must not be flipped; computing 1 − v twice in float32 shifts a lookup by a rounding.
     assert np.mean(np.abs(one - other).max(axis=-1) > 1e-3) < 2e-3
 
 
-def test_accessors_keep_to_the_rules_of_gltf(tmp_path: Path) -> None:
-    """glTF 2.0, 3.6: alignment, extents of positions, strides, and no empty lists."""
+def test_accessors_follow_the_rules_of_gltf(tmp_path: Path) -> None:
+    """Checks glTF 2.0, 3.6: alignment, bounds of positions, strides, and no empty lists."""
     nf.reduce(dressed(), center=CENTER, r1=R1, r2=R2, face_size=16).save(tmp_path / "saved")
     content = (tmp_path / "saved" / "near.glb").read_bytes()
     magic, version, size, length, kind = struct.unpack_from("<4sIII4s", content)
@@ -318,7 +318,7 @@ def test_a_missing_file_is_named(name: str, folder: Path, tmp_path: Path) -> Non
 
 
 @given(name=st.sampled_from(["near.glb", "far.exr", "reduced.json"]), where=st.floats(0, 1), value=st.integers(0, 255))
-def test_damage_is_a_sentence_about_the_file(name: str, where: float, value: int, folder: Path) -> None:
+def test_damage_is_reported_with_the_file(name: str, where: float, value: int, folder: Path) -> None:
     content = bytearray((folder / name).read_bytes())
     for damaged in (content[: int(where * len(content))], content.copy()):
         if len(damaged) == len(content):
@@ -361,7 +361,7 @@ def test_a_wrong_document_is_explained(change: dict[str, Any], word: str, folder
 
 
 @pytest.mark.parametrize("name", ["near.glb", "reduced.json"])
-def test_endless_nesting_is_damage(name: str, folder: Path, tmp_path: Path) -> None:
+def test_extreme_nesting_is_damage(name: str, folder: Path, tmp_path: Path) -> None:
     broken = shutil.copytree(folder, tmp_path / "broken")
     text = b"[" * 100_000
     chunk = len(text).to_bytes(4, "little") + b"JSON" + text
@@ -387,7 +387,7 @@ def test_other_folders_are_left_alone(folder: Path, tmp_path: Path) -> None:
     "file",
     ["city/tokyo23/tokyo_core_lod1.glb", "objects/gltf/FlightHelmet/FlightHelmet.gltf", "interior/garage/garage.gltf"],
 )
-def test_real_scenes_come_back(file: str, tmp_path: Path) -> None:
+def test_real_scenes_are_restored(file: str, tmp_path: Path) -> None:
     need("data")
     scene = nf.Scene.load(data(file))
     middle = scene.bounds.mean(axis=0)

@@ -1,4 +1,4 @@
-"""Documents of saved reduced scenes: what they may claim, and how folders are named."""
+"""Documents of saved reduced scenes: plausibility checks, and names of folders."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tests.support.reduce_cases import CENTER, R1, R2, street
 
 
 @pytest.mark.parametrize("count", [-1, 2**31, 2**70, 1.5, "a", True, ["a", "a"], [1]])
-def test_numbers_of_objects_are_plausible(count: Any, tmp_path: Path) -> None:
+def test_implausible_numbers_of_objects_are_refused(count: Any, tmp_path: Path) -> None:
     nf.reduce(street(), center=CENTER, r1=R1, r2=R2, face_size=8).save(tmp_path / "light")
     document = json.loads((tmp_path / "light" / "reduced.json").read_text(encoding="utf-8"))
     (tmp_path / "light" / "reduced.json").write_text(json.dumps(document | {"object_names": count}))
@@ -38,7 +38,7 @@ def test_a_folder_may_be_named_by_its_document(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("what", "key"), [("accessors", "bufferView"), ("accessors", "count"), ("nodes", "mesh"), ("nodes", "standing")]
 )
-def test_negative_numbers_name_the_file_that_has_them(what: str, key: str, tmp_path: Path) -> None:
+def test_errors_about_negative_numbers_name_the_file(what: str, key: str, tmp_path: Path) -> None:
     from nearfar._base import glb
 
     nf.reduce(street(), center=CENTER, r1=R1, r2=R2, face_size=8).save(tmp_path / "light")

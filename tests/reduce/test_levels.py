@@ -1,4 +1,4 @@
-"""Tests of levels of detail in reduced scenes: near objects change, the map stays, the morph moves spheres."""
+"""Tests of levels of detail in reduced scenes: near objects change, the map stays, and the morph moves spheres."""
 
 from __future__ import annotations
 
@@ -43,11 +43,11 @@ def views(count: int) -> list[nf.Camera]:
     return [nf.Camera.look_at(eye, (0, 1.5, -20), fov=fov, size=(120, 90)) for eye in eyes]
 
 
-def test_near_objects_show_their_levels_before_the_same_map(scene: nf.Scene, reduced: nf.ReducedScene) -> None:
+def test_near_objects_show_their_levels_in_front_of_the_same_map(scene: nf.Scene, reduced: nf.ReducedScene) -> None:
     levels = {"near": 2, "between": 1, "across": 2, "far": 1, "mover": 1}
     coarse = reduced.at_levels(levels)
     assert coarse.env is reduced.env
-    # The near part is that of a scene whose objects have only these levels.
+    # The near part equals that of a scene whose objects have only these levels.
     expected = nf.reduce(scene.at_levels(levels), center=CENTER, r1=R1, r2=R2, face_size=64)
     assert coarse.triangle_count == expected.triangle_count < reduced.triangle_count
     (camera,) = views(1)
@@ -61,7 +61,7 @@ def test_near_objects_show_their_levels_before_the_same_map(scene: nf.Scene, red
 
 
 @pytest.mark.parametrize("lod", ["off", "depth", {"near": 1, "mover": 2}, [2, 1, 2, 1, 2]])
-def test_a_path_shows_what_single_calls_show(reduced: nf.ReducedScene, lod: object) -> None:
+def test_a_path_equals_single_calls(reduced: nf.ReducedScene, lod: object) -> None:
     cameras = views(3)
     along = list(nf.render_path(reduced, cameras, lod=lod, backend="cpu"))  # type: ignore[arg-type]
     for camera, frame in zip(cameras, along, strict=True):
@@ -81,7 +81,7 @@ def test_adapters_draw_chosen_levels_of_reduced_scenes(reduced: nf.ReducedScene,
         assert (gpu.require("object_id") == cpu.require("object_id")).mean() > 0.995
 
 
-def test_poses_and_levels_go_together(scene: nf.Scene, reduced: nf.ReducedScene) -> None:
+def test_poses_and_levels_combine(scene: nf.Scene, reduced: nf.ReducedScene) -> None:
     pose = scene.transform("mover")
     pose[:3, 3] = (0, 2, -9)
     (camera,) = views(1)
@@ -91,18 +91,18 @@ def test_poses_and_levels_go_together(scene: nf.Scene, reduced: nf.ReducedScene)
     assert bytes_of(one) == bytes_of(other)
     assert bytes_of(one) == bytes_of(reduced.at_levels(levels).render(camera, at={"mover": pose}))
     assert not (one.require("object_id") == list(PLACES).index("near")).any()
-    # A moving object that is left out needs no pose.
+    # An omitted moving object needs no pose.
     gone = reduced.at({"mover": pose}).at_levels({"mover": -1}).render(camera)
     assert not (gone.require("object_id") == list(PLACES).index("mover")).any()
 
 
-def test_levels_that_stay_gather_nothing_anew(reduced: nf.ReducedScene) -> None:
+def test_unchanged_levels_are_not_gathered_again(reduced: nf.ReducedScene) -> None:
     first = reduced.at_levels({"near": 1})
     assert reduced.at_levels({"near": 1})._core is first._core
     assert reduced.at_levels({"near": 2})._core is not first._core
 
 
-def test_levels_that_stay_are_drawn_with_the_settings_of_each_picture(reduced: nf.ReducedScene) -> None:
+def test_unchanged_levels_use_the_settings_of_each_picture(reduced: nf.ReducedScene) -> None:
     camera, coarse = views(2)[1], reduced.at_levels({"near": 1})
     grown = bytes_of(coarse.with_growth(0.0).render(camera))
     assert grown != bytes_of(coarse.render(camera))
@@ -120,10 +120,10 @@ place = st.tuples(*[st.floats(-60, 60)] * 3)
 
 
 @given(place, st.floats(0.01, 5), st.tuples(*[st.floats(-0.55, 0.55)] * 3), st.sampled_from(["blend", "cylinder"]))
-def test_shown_spheres_hold_the_points_that_they_held(
+def test_morphed_spheres_enclose_their_points(
     middle: tuple[float, float, float], radius: float, step: tuple[float, float, float], kind: str
 ) -> None:
-    """The bound of the morph's stretching of a ball, for users within half of r₁."""
+    """Tests the bound on the morph's stretching of a ball, for users within half of r₁."""
     user = np.add(CENTER, np.multiply(step, R1))
     sphere = Leveled(("ball",), np.array([0]), (), np.array([0]), np.array([middle], np.float64), np.array([radius]))
     shown = morphed(sphere, user, center=CENTER, kind=kind, grown={"r1": R1, "r2": R2, "strength": 1.0})

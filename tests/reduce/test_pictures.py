@@ -1,4 +1,4 @@
-"""Pictures of reduced scenes: shown positions, content of the map, and continuity where the parts meet."""
+"""Pictures of reduced scenes: displayed positions, content of the map, and continuity at the border of the parts."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ USERS = [(0, 0, 8), (-6, 0.3, -5), (9, -0.5, 0), (0, 6, 0)]
 
 @pytest.mark.parametrize("kind", ["blend", "cylinder"])
 @pytest.mark.parametrize("offset", USERS)
-def test_every_near_pixel_shows_the_point_that_the_morph_puts_there(
+def test_every_near_pixel_shows_the_morphed_point(
     scene: nf.Scene, kind: str, offset: tuple[float, float, float]
 ) -> None:
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=16, samples=1, morph=kind, channels=RANGE)
@@ -38,7 +38,7 @@ def test_every_near_pixel_shows_the_point_that_the_morph_puts_there(
     near = frame.require("face_id") >= 0
     points = frame.require("position")[near]
     assert near.sum() > 3000
-    # Pixels are split at r₂, whatever their triangles reach; float32 holds 50 m to 4e-6 m.
+    # Pixels are split at r₂, regardless of their triangles' extent; float32 resolves 50 m to 4e-6 m.
     assert rho(points).max() <= R2 + 1e-5
     shown = view.project(nf.morph(points.astype(np.float64), user=user, center=CENTER, r1=R1, r2=R2, kind=kind))
     miss = np.abs(shown[:, :2] - pixel_centers(SIZE)[near]).max(axis=1)
@@ -49,7 +49,7 @@ def test_every_near_pixel_shows_the_point_that_the_morph_puts_there(
     assert np.median(miss) < 0.05
 
 
-def test_the_vertex_morph_alone_bends_long_triangles_wrongly(blend: nf.ReducedScene) -> None:
+def test_the_vertex_morph_without_splitting_distorts_long_triangles(blend: nf.ReducedScene) -> None:
     view = camera(CENTER + np.array([0, 0, 8]), (1, -0.05, -0.2))
     frame = blend.render(view, channels=("position", "face_id"), tolerance_px=np.inf)
     near = frame.require("face_id") >= 0
@@ -75,7 +75,7 @@ def test_far_pixels_are_lookups_of_the_map(blend: nf.ReducedScene, offset: tuple
     assert (frame.require("object_id")[far] == blend.env.sample(directions, channel="object_id")).mean() > 0.999
     assert np.isnan(frame.require("normal")[far]).all()
     hit = same & np.isfinite(ranges)
-    # A point of the map is what the centre sees in that direction; float32 holds 2 km to 1.2e-4 m.
+    # A point of the map is what the centre sees in that direction; float32 resolves 2 km to 1.2e-4 m.
     np.testing.assert_allclose(
         frame.require("position")[far][hit], CENTER + directions[hit] * ranges[hit, None], atol=1e-3
     )
@@ -92,10 +92,10 @@ def crossing(reduced: nf.ReducedScene, view: nf.Camera, point: Array) -> tuple[f
     return found[0], found[1]
 
 
-def test_conventional_breaks_by_the_predicted_pixels_and_blend_does_not(
+def test_the_conventional_break_has_the_predicted_width_and_blend_has_none(
     blend: nf.ReducedScene, conventional: nf.ReducedScene
 ) -> None:
-    # Where the wall's face at z = -20 crosses r₂, at the height of the eye.
+    # Where the wall's face at z = -20 crosses r₂, at eye height.
     point = np.array([CENTER[0] + np.sqrt(R2**2 - 18.0**2), 1.7, -20.0])
     # On this side of the centre the near part does not cover the same place in the map.
     user = CENTER + np.array([0, 0, 8])
@@ -115,7 +115,7 @@ def test_conventional_breaks_by_the_predicted_pixels_and_blend_does_not(
 
 @pytest.mark.parametrize("kind", ["blend", "cylinder"])
 @pytest.mark.parametrize("face_size", [32, 256])
-def test_no_cracks_in_the_ground_and_no_sky_in_walls(kind: str, face_size: int) -> None:
+def test_the_ground_has_no_cracks_and_walls_show_no_sky(kind: str, face_size: int) -> None:
     scene = street()
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=face_size, samples=1, morph=kind)
     for offset in USERS:
@@ -128,7 +128,7 @@ def test_no_cracks_in_the_ground_and_no_sky_in_walls(kind: str, face_size: int) 
         np.testing.assert_allclose(color[below], np.broadcast_to(ground, color[below].shape), atol=1e-6)
 
 
-def test_inside_r1_pixels_are_the_truth(scene: nf.Scene, blend: nf.ReducedScene) -> None:
+def test_pixels_inside_r1_equal_the_truth(scene: nf.Scene, blend: nf.ReducedScene) -> None:
     view = camera(CENTER + np.array([2, 0.2, -3]), (1, -0.1, 1.5))
     truth, frame = (nf.render(scene, view, channels=ALL), blend.render(view, channels=ALL))
     near = truth.require("object_id") == scene.object_names.index("near")
@@ -149,13 +149,13 @@ def test_at_the_centre_the_truth_is_reproduced(
     for name in ALL:
         np.testing.assert_array_equal(frame.require(name)[near], truth.require(name)[near], err_msg=name)
     difference = frame.require("color") - truth.require("color")
-    # Far pixels are resampled: they differ only at silhouettes, by the contrast there (0.5) on a few pixels in a
-    # hundred. A shift by one texel would be tolerated; a mirrored or turned map differs by 0.2 everywhere.
+    # Far pixels are resampled: they differ only at silhouettes, by the contrast there (0.5) on a few percent of the
+    # pixels. A shift by one texel would be tolerated; a mirrored or rotated map would differ by 0.2 everywhere.
     assert np.sqrt(np.mean(difference**2)) < 0.03
     assert np.median(np.abs(difference[~near])) < 2e-3
 
 
-def test_nothing_near_leaves_the_map(scene: nf.Scene) -> None:
+def test_without_near_geometry_only_the_map_is_shown(scene: nf.Scene) -> None:
     alone = scene.subset(objects=["tower"])
     reduced = nf.reduce(alone, center=CENTER, r1=R1, r2=R2, face_size=64, samples=1, channels=("color", "object_id"))
     assert reduced.stats["drawn"] == 0
@@ -167,7 +167,7 @@ def test_nothing_near_leaves_the_map(scene: nf.Scene) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", ["blend", "cylinder", "none"])
-def test_users_outside_the_cylinder_look_in(scene: nf.Scene, kind: str) -> None:
+def test_users_outside_the_cylinder_see_inside(scene: nf.Scene, kind: str) -> None:
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=64, samples=1, morph=kind, channels=RANGE)
     view = camera(CENTER + np.array([-90.0, 5, 0]), (1, -0.1, 0))
     frame = reduced.render(view, channels=("color", "position", "face_id"))
@@ -181,7 +181,7 @@ def test_users_outside_the_cylinder_look_in(scene: nf.Scene, kind: str) -> None:
         np.testing.assert_allclose(frame.require("position")[near], truth[near], atol=1e-4)
 
 
-def test_conventional_at_r1_keeps_less(scene: nf.Scene) -> None:
+def test_conventional_at_r1_keeps_less_geometry(scene: nf.Scene) -> None:
     plain = {"morph": "none", "boundary": "r1"}
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=64, samples=1, channels=RANGE, **plain)
     frame = reduced.render(camera(CENTER + np.array([0, 0, 5]), (1, -0.1, 0)), channels=("position", "face_id"))
@@ -190,7 +190,7 @@ def test_conventional_at_r1_keeps_less(scene: nf.Scene) -> None:
     assert reduced.stats["drawn"] == reduced.stats["near"]
 
 
-def test_placed_instances_and_far_origins_agree_with_merged_geometry() -> None:
+def test_instances_and_far_origins_agree_with_merged_geometry() -> None:
     vertices, faces = box((-5, 0, -5), (5, 12, 5))
     spots = [(20.0, 0.0), (40.0, 10.0), (0.0, 48.0), (-70.0, 5.0)]
     shift = np.array([1e6, 0, -2e6])

@@ -1,4 +1,4 @@
-"""The morph's radius of one frame, against a reduction with that radius, and the fold margin that frames report."""
+"""The morph's radius of a single frame, against a reduction with that radius, and the reported fold margin."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from tests.support.reduce_cases import ALL, CENTER, R1, R2, camera, rho
 
 
 def agree(frame: nf.Frame, expected: nf.Frame, *, pixels: int = 0) -> None:
-    """Pixels show the same objects; where surfaces end, some pixels may differ."""
+    """Assert that pixels show the same objects; at silhouettes, some pixels may differ."""
     inner = ~edges(expected.require("object_id"))
     differ = (frame.require("object_id") != expected.require("object_id")) & inner
     assert differ.sum() <= pixels
@@ -30,8 +30,8 @@ def agree(frame: nf.Frame, expected: nf.Frame, *, pixels: int = 0) -> None:
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("method", ["vertex", "exact"])
 @pytest.mark.parametrize("radius", [12.0, 25.0, 41.0])
-def test_a_smaller_radius_shows_the_rest_as_the_centre_sees_it(kind: str, method: str, radius: float) -> None:
-    """A reduction with that radius, whose far part is traced from the centre, shows the same."""
+def test_a_smaller_radius_equals_a_reduction_with_it(kind: str, method: str, radius: float) -> None:
+    """A reduction with that radius, whose far part is traced from the centre, gives the same picture."""
     settings: dict[str, Any] = {"channels": ALL, "env": False, "tolerance_px": 0.1}
     with warnings.catch_warnings():
         # A user 6 m from the axis folds a morph of 12 m.
@@ -48,7 +48,7 @@ def test_a_smaller_radius_shows_the_rest_as_the_centre_sees_it(kind: str, method
 
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("method", ["vertex", "exact"])
-def test_without_a_radius_everything_is_seen_from_the_centre(kind: str, method: str) -> None:
+def test_radius_zero_shows_everything_from_the_centre(kind: str, method: str) -> None:
     whole = reduced(kind)
     frame = whole.render(camera(USER, AHEAD), radius=0.0, method=method, channels=ALL, env=False)
     truth = nf.render(whole.scene, camera(CENTER, AHEAD), channels=ALL)
@@ -75,8 +75,8 @@ def test_the_whole_radius_is_the_default(kind: str, method: str) -> None:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_a_growing_radius_changes_the_picture_continuously(kind: str) -> None:
-    """Points move by less than a pixel for a small step of the radius, so that no step shows a jump."""
+def test_the_picture_is_continuous_in_the_radius(kind: str) -> None:
+    """Points move by less than a pixel for a small step of the radius, so that no step causes a jump."""
     whole = reduced(kind)
     points = whole.scene.triangles().reshape(-1, 3).astype(np.float64) + whole.scene.origin
     points = points[(rho(points) < R2) & (rho(points) > 10.0)]
@@ -130,7 +130,7 @@ def test_auto_bends_rays_only_where_vertices_fold() -> None:
             auto, told = (whole.render(view, method=name, channels=ALL[:2]) for name in ("auto", method))
         np.testing.assert_array_equal(auto.require("color"), told.require("color"))
         assert auto.stats == told.stats
-        # Where rays cannot be bent, vertices are moved.
+        # If rays cannot be bent, vertices are moved.
         for cause in ({"user": view.position + np.array([0.03, 0, 0])}, {"t_max": 500.0}, {"tolerance_px": math.inf}):
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")

@@ -1,4 +1,4 @@
-"""Tests of reductions that are made in the background about another centre."""
+"""Tests of background reductions about another centre."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ ELSEWHERE = np.add(CENTER, [6.0, 0.5, 4.0])
 
 
 def same(one: nf.ReducedScene, other: nf.ReducedScene) -> None:
-    """Expect the same map, counts and picture."""
+    """Assert the same map, counts and picture."""
     assert one.env is not None
     assert other.env is not None
     for name in one.env.channels:
@@ -38,7 +38,7 @@ def same(one: nf.ReducedScene, other: nf.ReducedScene) -> None:
         {"face_size": 16, "samples": 1, "backend": "cpu"},
     ],
 )
-def test_it_is_the_reduction_about_the_new_centre_with_the_same_settings(how: dict[str, Any]) -> None:
+def test_recentring_equals_a_reduction_with_the_same_settings(how: dict[str, Any]) -> None:
     scene = street()
     handle = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, **how).recentered(ELSEWHERE)
     assert handle.center == tuple(ELSEWHERE)
@@ -47,11 +47,11 @@ def test_it_is_the_reduction_about_the_new_centre_with_the_same_settings(how: di
     assert handle.result() is again
     assert (again.center, again.r1, again.r2, again.morph) == (tuple(ELSEWHERE), R1, R2, how.get("morph", "blend"))
     same(again, afresh)
-    # A step onwards keeps the settings, too.
+    # A second step keeps the settings, too.
     same(again.recentered(CENTER).result(), nf.reduce(scene, center=CENTER, r1=R1, r2=R2, **how))
 
 
-def test_another_morph_and_poses_stay() -> None:
+def test_a_changed_morph_and_poses_are_kept() -> None:
     scene = street(dynamic=True).at({"car": place(8.0, 0.75, -8.0)})
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=16, samples=1).with_morph("cylinder")
     pose = {"car": place(-8.0, 0.75, 3.0)}
@@ -79,12 +79,12 @@ def test_trees_and_textures_are_shared() -> None:
     again = reduced.recentered(ELSEWHERE).result()
     # Trees over 200,000 triangles take many times as long as a partition and a map of six texels.
     assert time.process_time() - begin < building / 2
-    # Meshes hold the trees and the compiled scene holds the textures: it is one and the same.
+    # Meshes own the trees and the compiled scene owns the textures: both are the same objects.
     assert again.scene is scene
     assert again.scene._core is scene._core
 
 
-def test_the_caller_goes_on_while_it_is_made(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_caller_continues_during_the_reduction(monkeypatch: pytest.MonkeyPatch) -> None:
     reduced = nf.reduce(street(), center=CENTER, r1=R1, r2=R2, face_size=8, samples=1)
     may_go_on, threads = threading.Event(), []
     original = nf.ReducedScene._again
@@ -105,13 +105,13 @@ def test_the_caller_goes_on_while_it_is_made(monkeypatch: pytest.MonkeyPatch) ->
     assert "ready" in repr(handle)
 
 
-def test_errors_come_with_the_result() -> None:
+def test_errors_are_raised_with_the_result() -> None:
     reduced = nf.reduce(street(), center=CENTER, r1=R1, r2=R2, face_size=8, samples=1)
     with pytest.raises(ValueError, match="center"):
         reduced.recentered((1e300, 0, 0)).result()
 
 
-def test_a_loaded_scene_refuses_and_names_the_cure(tmp_path: Path) -> None:
+def test_a_loaded_scene_refuses_and_suggests_a_remedy(tmp_path: Path) -> None:
     nf.reduce(street(), center=CENTER, r1=R1, r2=R2, face_size=8, samples=1).save(tmp_path / "light")
     with pytest.raises(ValueError, match=r"center: expected the saved one .* reduce the whole scene"):
         nf.ReducedScene.load(tmp_path / "light").recentered(ELSEWHERE)

@@ -1,4 +1,4 @@
-"""The results of reduction: the map with its channels and types, statistics, other morphs, and what is refused."""
+"""Results of reduction: the map with its channels and types, statistics, other morphs, and refusals."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def test_another_morph_shares_map_and_zones(scene: nf.Scene) -> None:
         inner.with_morph("blend")
 
 
-def test_static_scenes_have_no_range_and_small_ones_no_map(scene: nf.Scene) -> None:
+def test_maps_of_static_scenes_have_no_range_and_small_scenes_no_map(scene: nf.Scene) -> None:
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=8, samples=1)
     assert reduced.env is not None
     assert reduced.env.channels == ("color",)
@@ -40,7 +40,7 @@ def test_static_scenes_have_no_range_and_small_ones_no_map(scene: nf.Scene) -> N
         np.testing.assert_array_equal(frame.require(name), truth.require(name), err_msg=name)
 
 
-def test_statistics_add_up(scene: nf.Scene, blend: nf.ReducedScene) -> None:
+def test_statistics_are_consistent(scene: nf.Scene, blend: nf.ReducedScene) -> None:
     stats = blend.stats
     zones = nf.partition(scene, center=CENTER, r1=R1, r2=R2).summary()
     assert {name: stats[name] for name in ("triangles", "near", "intermediate", "nsf", "sf")} == {
@@ -79,7 +79,7 @@ def test_render_refuses(scene: nf.Scene, monkeypatch: pytest.MonkeyPatch) -> Non
                 reduced.render(view, channels=("color", name), **how)  # type: ignore[arg-type]
         with pytest.raises(ValueError, match=rf'reduce with channels=\("color", "{needed}"\)'):
             list(nf.render_path(reduced, [view], channels=("color", name), backend="cpu"))
-    # Without a map, every channel is that of a surface.
+    # Without a map, every channel comes from a surface.
     assert "position" in reduced.render(view, channels=("position",), env=False).channels
     with pytest.raises(ValueError, match="'wall' is not"):
         reduced.render(view, at={"wall": np.eye(4)})
@@ -111,7 +111,7 @@ def test_empty_scenes_reduce_to_the_sky() -> None:
         assert np.isinf(frame.require("range")).all()
 
 
-def test_half_ranges_hide_the_same_pixels() -> None:
+def test_half_float_ranges_occlude_the_same_pixels() -> None:
     """A car beyond the near part, half behind a tower: the bias is eight times the rounding of a half float."""
     scene = street(dynamic=True)
     kinds = (np.float32, np.float16)
@@ -136,7 +136,7 @@ def test_half_ranges_hide_the_same_pixels() -> None:
     assert 0 <= shown[0] < shown[4] < shown[-1]
 
 
-def test_maps_with_objects_know_their_names() -> None:
+def test_maps_with_objects_store_their_names() -> None:
     scene = street()
     named = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=8, channels=["color", "object_id"])
     assert named.env is not None

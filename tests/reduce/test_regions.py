@@ -1,4 +1,4 @@
-"""Tests of the regions of a walk: centres, changes with hysteresis, predicted jumps, and what is made and kept."""
+"""Tests of the regions of a walk: centres, changes with hysteresis, predicted jumps, and background work."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def distances(regions: nf.Regions, place: Array) -> Array:
 
 
 def wait(regions: nf.Regions, number: int) -> None:
-    """Wait until a region is made."""
+    """Wait until a region is computed."""
     deadline = time.monotonic() + 60
     while not regions.ready(number) and time.monotonic() < deadline:
         time.sleep(0.001)
@@ -61,13 +61,13 @@ WALKS = st.lists(st.tuples(st.floats(-200, 200), st.floats(1.0, 2.5), st.floats(
 
 @settings(max_examples=15)
 @given(WALKS, st.sampled_from([(8.0, 1.0, 50.0), (8.0, 0.0, 16.5), (3.0, 2.5, 20.0), (20.0, 4.0, 200.0)]))
-def test_no_place_of_the_path_is_far_from_a_centre_nor_folded(
+def test_every_place_of_the_path_is_near_a_centre_and_unfolded(
     listed: list[tuple[float, float, float]], sizes: tuple[float, float, float]
 ) -> None:
     reach, band, r2 = sizes
     path = np.array(listed)
     if reach == 8.0 and band == 0.0:
-        # The least r2 for this reach has no metre to spare for other heights.
+        # The least r2 for this reach has no margin for other heights.
         path[:, 1] = 1.7
     regions = nf.regions(street(), path, r2=r2, reach=reach, hysteresis=band, **SMALL)
     radii = regions.radii
@@ -82,13 +82,13 @@ def test_no_place_of_the_path_is_far_from_a_centre_nor_folded(
         assert away[number] <= (reach - band) * (1 + 1e-9)
         offset = place - regions.centers[number]
         offsets.append((float(np.hypot(offset[0], offset[2])), float(offset[1])))
-    # The margins of two places are enough: of one as far away and as high as any, and of one as low.
+    # Two places suffice for the margins: the farthest and highest, and the farthest and lowest.
     for height in {sign * max(sign * y for _, y in offsets) for sign in (1.0, -1.0)}:
         farthest = max(away for away, _ in offsets), height, 0.0
-        # Without hysteresis the farthest place may be just where it folds, which is known to 1e-4 (r2 − r1).
+        # Without hysteresis the farthest place may be just at the fold, which is known to 1e-4 (r2 − r1).
         assert nf.fold_margin(farthest, center=(0, 0, 0), r1=radii.r1, r2=radii.r2) > (0.0 if band else -1e-3)
     if len(path) > 1:
-        # Every centre has a part of the path in its cell, be it shorter than a step.
+        # Every centre has a part of the path in its cell, even if shorter than a step.
         apart = [np.hypot(*(places_along(path, 0.2) - center)[:, [0, 2]].T).min() for center in regions.centers]
         assert max(apart) <= (reach - band) + 0.2
 
@@ -99,7 +99,7 @@ def test_an_area_is_covered_an_eye_above_the_ground(scene: nf.Scene) -> None:
     np.testing.assert_allclose(regions.centers[:, 1], 1.6, atol=1e-4)
     for x, z in places_along(np.insert(np.concatenate([corners, corners[:1]]), 1, 0.0, axis=1), 1.0)[:, [0, 2]]:
         assert distances(regions, np.array([x, 0.0, z])).min() <= 7.0 + 1e-9
-    # A rectangle is given by two corners; it needs about its area by that of a cell.
+    # A rectangle is given by two corners; it needs about its area divided by that of a cell.
     square = nf.regions(scene, area=[(-50, -50), (50, 50)], r2=50.0, **SMALL)
     cell = math.sqrt(3) / 2 * square.spacing**2
     assert 100**2 / cell <= len(square) <= (100 + 4 / math.sqrt(3) * square.spacing) ** 2 / cell
@@ -115,7 +115,7 @@ def test_regions_are_numbered_as_the_path_visits_them(regions: nf.Regions) -> No
     )
 
 
-def test_a_budget_is_kept_about_every_centre(scene: nf.Scene) -> None:
+def test_the_budget_is_kept_around_every_centre(scene: nf.Scene) -> None:
     city = nf.datasets.city(blocks=3, detail=0)
     path = [(-60.0, 1.7, 0.0), (60.0, 1.7, 0.0)]
     budget = city.triangle_count // 3
@@ -130,7 +130,7 @@ def test_a_budget_is_kept_about_every_centre(scene: nf.Scene) -> None:
 
 @settings(max_examples=15)
 @given(st.lists(st.tuples(st.floats(-35, 65), st.floats(0, 35)), min_size=2, max_size=40))
-def test_the_region_stays_within_reach_and_changes_are_metres_apart(listed: list[tuple[float, float]]) -> None:
+def test_regions_stay_within_reach_and_changes_are_metres_apart(listed: list[tuple[float, float]]) -> None:
     regions = whole_area()
     steps = places_along(np.insert(np.array(listed), 1, 1.7, axis=1), 0.1)
     current: int | None = None
@@ -149,14 +149,14 @@ def test_the_region_stays_within_reach_and_changes_are_metres_apart(listed: list
         current = number
 
 
-def test_the_predicted_jump_of_the_documentation(scene: nf.Scene) -> None:
+def test_the_documented_predicted_jump(scene: nf.Scene) -> None:
     regions = nf.regions(scene, PATH[:2], r2=50.0, hysteresis=0.0, **SMALL)
     fov = nf.Fov.symmetric(90, 16 / 9)
     across = nf.Camera.look_at((0, 1.7, 0), (0, 1.7, 1), fov=fov, size=(960, 540))
     assert regions.jump(0, 1, across) == pytest.approx(480 * math.sqrt(3) * 8 / 50)
     assert round(regions.jump(0, 1, across, distance=50)) == 133
     assert regions.jump(0, 1, across, distance=100) == pytest.approx(regions.jump(1, 0, across) / 2)
-    # Straight ahead nothing jumps, and at 60° from the way only its part across the line of sight counts.
+    # Straight ahead nothing jumps, and at 60° to the path only the component across the line of sight counts.
     ahead = nf.Camera.look_at((0, 1.7, 0), (1, 1.7, 0), fov=fov, size=(960, 540))
     assert regions.jump(0, 1, ahead) == pytest.approx(0.0, abs=1e-6)
     aside = nf.Camera.look_at((0, 1.7, 0), (0.5, 1.7, math.sqrt(0.75)), fov=fov, size=(960, 540))
@@ -188,7 +188,7 @@ def test_far_points_jump_as_predicted(scene: nf.Scene, turn: float) -> None:
         assert measured == pytest.approx(regions.jump(0, 1, view, distance), rel=1.2 * step / distance)
 
 
-def test_regions_are_made_when_asked_for_and_the_last_are_kept(scene: nf.Scene, regions: nf.Regions) -> None:
+def test_regions_are_computed_on_request_and_the_last_are_kept(scene: nf.Scene, regions: nf.Regions) -> None:
     assert (regions.memory, regions.bytes.sum(), regions.ready(0)) == (0, 0, False)
     first = regions.reduced(0)
     assert first is regions.reduced(0)
@@ -202,7 +202,7 @@ def test_regions_are_made_when_asked_for_and_the_last_are_kept(scene: nf.Scene, 
     assert regions.bytes[0] == first.stats["map_bytes"] + first.stats["near_bytes"] > 0
     for number in (1, 2, 0, 3):
         regions.reduced(number)
-    # 1 was used longest ago.
+    # Region 1 is the least recently used.
     assert [regions.ready(number) for number in range(5)] == [True, False, True, True, False]
     assert regions.memory == regions.bytes[[0, 2, 3]].sum()
     assert (regions.bytes[:4] > 0).all()
@@ -210,7 +210,7 @@ def test_regions_are_made_when_asked_for_and_the_last_are_kept(scene: nf.Scene, 
     assert regions.reduced(0) is first
 
 
-def test_the_region_ahead_is_made_in_the_background(monkeypatch: pytest.MonkeyPatch, regions: nf.Regions) -> None:
+def test_the_region_ahead_is_computed_in_the_background(monkeypatch: pytest.MonkeyPatch, regions: nf.Regions) -> None:
     threads: dict[int, int] = {}
     original = nf.Regions._make
 
@@ -231,14 +231,12 @@ def test_the_region_ahead_is_made_in_the_background(monkeypatch: pytest.MonkeyPa
     wait(regions, 0)
     assert regions.reduced(2).center == pytest.approx(regions.centers[2])
     assert list(threads).count(2) == 1
-    # Outside the reach of a region the next one is the one there.
+    # Outside the reach of a region the next one is the one at the user.
     far = regions.centers[4]
     assert regions.prefetch(far, (1.4, 0.0, 0.0), 1) in (None, 4, 5)
 
 
-def test_what_fails_in_the_background_is_raised_when_it_is_asked_for(
-    monkeypatch: pytest.MonkeyPatch, regions: nf.Regions
-) -> None:
+def test_background_failures_are_raised_on_request(monkeypatch: pytest.MonkeyPatch, regions: nf.Regions) -> None:
     def fail(self: nf.Regions, number: int) -> nf.ReducedScene:
         raise MemoryError("map: no room")
 
@@ -252,7 +250,7 @@ def test_what_fails_in_the_background_is_raised_when_it_is_asked_for(
     assert regions.reduced(1).env is not None
 
 
-def test_what_failed_is_tried_once_and_does_not_keep_others_from_being_made(
+def test_a_failed_region_is_tried_once_and_does_not_block_others(
     monkeypatch: pytest.MonkeyPatch, regions: nf.Regions
 ) -> None:
     tried: list[int] = []

@@ -1,4 +1,4 @@
-"""Tests of the hexagonal grid: nearest centres, cells that a path visits or an area touches, heights of the ground."""
+"""Tests of the hexagonal grid: nearest centres, cells on a path or in an area, heights of the ground."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def dense(path: Array, step: float = STEP) -> Array:
 
 
 def owners(points: Array, grid: Grid = GRID) -> Array:
-    """Numbers in `ALL` of the centres nearest to points (N, 2), by all distances, and how much nearer than the next."""
+    """Indices in `ALL` of the centres nearest to points (N, 2), by brute force, and margins to the second nearest."""
     away = np.linalg.norm(points[:, None] - grid.places(ALL), axis=-1)
     two = np.partition(away, 1, axis=1)
     return np.column_stack([away.argmin(axis=1), two[:, 1] - two[:, 0], two[:, 0]])
@@ -53,7 +53,7 @@ def in_polygon(points: Array, corners: Array) -> NDArray[np.bool_]:
     return np.array(inside, bool)
 
 
-def test_neighbours_are_a_spacing_apart_and_no_place_is_farther_than_the_radius() -> None:
+def test_neighbours_are_a_spacing_apart_and_cells_have_the_radius() -> None:
     places = GRID.places(ALL)
     away = np.linalg.norm(places - GRID.places(np.array([[0, 0]])), axis=1)
     np.testing.assert_allclose(np.sort(away)[1:7], GRID.spacing)
@@ -73,7 +73,7 @@ def test_the_nearest_centre_is_found() -> None:
 
 @pytest.mark.slow
 @given(st.lists(POINTS, min_size=1, max_size=6))
-def test_cells_of_a_path_are_those_that_its_points_lie_in(listed: list[tuple[float, float, float]]) -> None:
+def test_cells_of_a_path_contain_its_points(listed: list[tuple[float, float, float]]) -> None:
     path = np.array(listed)
     cells, facts = GRID.visited(path)
     points = dense(path)
@@ -106,7 +106,7 @@ def test_cells_of_a_path_are_those_that_its_points_lie_in(listed: list[tuple[flo
 @example([(0.0, 0.0), (0.0, 0.0), (1.0, 5e-324)])
 @example([(0.0, 0.0), (0.0, 0.0), (0.0, 5e-324)])
 @given(st.lists(st.tuples(NUMBERS, NUMBERS), min_size=3, max_size=6))
-def test_cells_of_an_area_are_those_that_its_points_lie_in(corners: list[tuple[float, float]]) -> None:
+def test_cells_of_an_area_contain_its_points(corners: list[tuple[float, float]]) -> None:
     outline = np.array(corners)
     cells = {tuple(cell) for cell in GRID.touched(outline).tolist()}
     axis = np.arange(-60.0, 60.5, 2.5)
@@ -116,7 +116,7 @@ def test_cells_of_an_area_are_those_that_its_points_lie_in(corners: list[tuple[f
     found = owners(np.concatenate([inside, border]))
     expected = {tuple(ALL[int(n)]) for n in found[found[:, 1] > 1e-6, 0]}
     assert expected <= cells
-    # None is farther away than its own radius.
+    # No centre is farther away than its own radius.
     places = GRID.places(np.array(sorted(cells)))
     reach = np.concatenate([inside, border, places[in_polygon(places, outline)]])
     away = np.linalg.norm(places[:, None] - reach, axis=-1).min(axis=1)
@@ -124,7 +124,7 @@ def test_cells_of_an_area_are_those_that_its_points_lie_in(corners: list[tuple[f
 
 
 def test_a_straight_path_needs_the_fewest_centres() -> None:
-    """Any cell covers at most 2 c of a straight path, and √3 c of it if the next one is to follow without a gap."""
+    """A cell covers at most 2 c of a straight path, and √3 c of it if the next one is to follow without a gap."""
     path = np.array([[-40.0, 1.7, 7.0], [60.0, 1.7, 80.0]])
     counts = [len(grid.visited(path)[0]) for grid in grids(path[:, [0, 2]], 10.0)]
     assert min(counts) == math.ceil(np.hypot(100, 73) / 10.0) + 1 - math.ceil(np.hypot(100, 73) / 10.0) % 2
@@ -141,17 +141,17 @@ def walled() -> nf.Scene:
     return build.build()
 
 
-def test_the_ground_is_found_beside_roofs_and_without_ground() -> None:
+def test_the_ground_is_found_next_to_roofs_and_without_ground() -> None:
     places = np.array([[20.0, 20.0], [-30.0, 10.0], [0.0, 0.0], [74.0, 0.0], [68.0, 0.0], [120.0, 0.0]])
     heights = ground_heights(walled(), places, 7.0)
-    # On the slope, by its own height; under the house and beside the lone one, by the lowest surface near it.
+    # On the slope, its own height; under the house and next to the lone one, the lowest surface near it.
     np.testing.assert_allclose(heights[:2], [4.0, -6.0], atol=1e-4)
     assert -1.4 - 1e-4 <= heights[2] <= 0.0
     np.testing.assert_allclose(heights[3:], [4.0, 4.0, -10.0], atol=1e-4)
 
 
 @given(st.lists(POINTS, min_size=1, max_size=5), st.lists(POINTS, min_size=1, max_size=3), st.floats(1.0, 30.0))
-def test_climbs_are_those_of_the_points_within_reach(
+def test_climbs_cover_the_points_within_reach(
     listed: list[tuple[float, float, float]], middles: list[tuple[float, float, float]], reach: float
 ) -> None:
     path, centers = np.array(listed), np.array(middles)
@@ -164,7 +164,7 @@ def test_climbs_are_those_of_the_points_within_reach(
             assert sign * climb >= sign * near.max(initial=0.0) - STEP
 
 
-def test_the_margin_known_at_once_is_on_the_safe_side() -> None:
+def test_the_quick_margin_is_conservative() -> None:
     for height in (0.0, 0.1, 0.34, 2.0, -0.0):
         exact = nf.fold_margin((0, height, 0), center=(0, 0, 0), r1=8.0, r2=17.0)
         rounded = walkable("blend", 8.0, 17.0, height)

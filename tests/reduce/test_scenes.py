@@ -22,7 +22,7 @@ def beside(x: float, y: float, z: float) -> Array:
 
 
 def fences() -> nf.Scene:
-    """Return fences with holes within r₁, across r₂ and beyond it, a wall far behind them, and a fence that moves."""
+    """Return fences with holes within r₁, across r₂ and beyond it, a wall far behind them, and a moving fence."""
     texture = np.full((8, 8, 4), 255, np.uint8)
     texture[::2, ::2, 3] = 0
     build = SceneBuilder()
@@ -31,7 +31,7 @@ def fences() -> nf.Scene:
     quad = np.array([[0, 0, -1], [0, 0, 1], [0, 2, 1], [0, 2, -1]], float)
     uvs = np.array([[0, 0], [4, 0], [4, 4], [0, 4]], float)
     fence = build.mesh(quad, [[0, 1, 2], [0, 2, 3]], material=material, uvs=uvs)
-    # The fence across r₂ is turned and stretched; the far one is mirrored.
+    # The fence across r₂ is rotated and stretched; the far one is mirrored.
     turn = np.array([[0.6, 0, 0.8], [0, 1, 0], [-0.8, 0, 0.6]])
     for name, x, z, linear in [
         ("near", 12.0, 0.0, np.diag([1, 4, 8])),
@@ -48,7 +48,7 @@ def fences() -> nf.Scene:
 
 
 @pytest.mark.parametrize("kind", ["blend", "cylinder", "none"])
-def test_holes_are_holes_in_maps_and_near_parts(kind: str) -> None:
+def test_cut_out_holes_are_open_in_maps_and_near_parts(kind: str) -> None:
     scene = fences()
     number = {name: i for i, name in enumerate(scene.object_names)}
     reduced = nf.reduce(
@@ -65,7 +65,7 @@ def test_holes_are_holes_in_maps_and_near_parts(kind: str) -> None:
     assert (ids == expected).mean() > 0.995
     near = np.isin(expected, [number["near"], number["moving"]])
     np.testing.assert_array_equal(ids[near], expected[near])
-    # One step aside, everything near r₁ is still exact, whichever way it is traced.
+    # One step aside, everything near r₁ is still exact with both tracing methods.
     view = nf.Camera.look_at(beside(0, 0.2, 0.5), beside(12, 0, 0.5), fov=fov, size=(200, 200))
     near = nf.render(scene, view, channels=BAKED).require("object_id") == number["near"]
     assert near.sum() > 200
@@ -97,7 +97,7 @@ def digest() -> str:
 
 @pytest.mark.parametrize("kind", ["blend", "cylinder"])
 @pytest.mark.parametrize("offset", [(20.0, 0.0, 10.0), (-20.0, 0.0, -10.0)])
-def test_far_walls_hide_what_moves_behind_them_alone(kind: str, offset: tuple[float, float, float]) -> None:
+def test_far_walls_occlude_only_objects_behind_them(kind: str, offset: tuple[float, float, float]) -> None:
     scene = street(dynamic=True)
     car = scene.object_names.index("car")
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=512, samples=1, morph=kind, channels=BAKED)
@@ -126,7 +126,7 @@ def test_ranges_of_far_pixels_are_displayed_distances(kind: str) -> None:
     np.testing.assert_allclose(frame.require("range")[far], np.linalg.norm(shown - user, axis=1), rtol=0, atol=5e-4)
 
 
-def test_parallel_rays_need_a_scene_that_is_all_near() -> None:
+def test_parallel_rays_require_an_all_near_scene() -> None:
     scene = street()
     view = nf.Camera.look_at(CENTER, beside(1, -0.3, 0), fov=nf.Orthographic(-40, 40, -25, 25), size=(64, 40))
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=8, samples=1)
@@ -150,7 +150,7 @@ def test_moving_objects_beyond_r1_are_drawn_and_counted() -> None:
     assert reduced.stats["drawn"] == reduced.stats["near"] + 12
 
 
-def test_radii_below_what_numbers_tell_apart() -> None:
+def test_radii_that_differ_by_rounding_are_refused() -> None:
     reduced = nf.reduce(street(), center=CENTER, r1=0, r2=1e-300, face_size=16, samples=1)
     assert np.isfinite(reduced.render(camera(CENTER + 1.0, (1, 0, 0))).require("color")).all()
 

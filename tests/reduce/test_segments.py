@@ -1,4 +1,4 @@
-"""Parts of rays before a map: near geometry and what moves by their displayed distances, the map by its range."""
+"""Ray segments and maps: near geometry and moving objects by their displayed distances, the map by its range."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ SEGMENTS: list[dict[str, Any]] = [{"t_max": 35.0}, {"t_min": 35.0}, {"t_min": 27
     ("kind", "where", "segment"),
     [(kind, where, SEGMENTS[(i + j) % 3]) for i, kind in enumerate(KINDS) for j, where in enumerate(PLACES)],
 )
-def test_near_geometry_and_movers_are_seen_between_two_distances(
+def test_near_and_moving_objects_are_visible_between_two_distances(
     kind: str, where: str, segment: dict[str, Any]
 ) -> None:
     view = camera(USER + np.array(APART[0]), AHEAD)
@@ -35,7 +35,7 @@ def test_near_geometry_and_movers_are_seen_between_two_distances(
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_the_map_is_seen_where_rays_have_no_end_and_its_range_is_reached(kind: str) -> None:
+def test_the_map_is_visible_on_unlimited_rays_that_reach_its_range(kind: str) -> None:
     reduced, view = reduced_street(kind), camera(USER, (1, 0.02, 0.6))
     whole = reduced.render(view, channels=ALL, backend="cpu")
     far, away = whole.require("face_id") < 0, whole.require("range")
@@ -56,8 +56,8 @@ def test_the_map_is_seen_where_rays_have_no_end_and_its_range_is_reached(kind: s
 
 @pytest.mark.parametrize("name", ["cpu", *ADAPTERS])
 @pytest.mark.parametrize("kind", KINDS)
-def test_a_surface_of_the_map_that_is_not_seen_hides_nothing(kind: str, name: str) -> None:
-    """A car behind the tower: there once the part of the ray begins behind the tower's front."""
+def test_invisible_map_surfaces_occlude_nothing(kind: str, name: str) -> None:
+    """A car behind the tower is visible once the segment begins behind the tower's front."""
     reduced = reduced_street(kind)
     offset = USER - CENTER if kind != "none" else 0.0
     spot = np.array([130.0, 6.0, 84.0])
@@ -69,11 +69,11 @@ def test_a_surface_of_the_map_that_is_not_seen_hides_nothing(kind: str, name: st
             for t_min, t_max in ((0.0, np.inf), (135.0, np.inf), (0.0, 135.0), (0.0, 200.0))
         ]
     assert seen[1] > 20
-    # Up to an end behind the car the tower hides it still, although maps are not seen there.
+    # Up to an end behind the car the tower still occludes it, although maps are not visible there.
     assert seen[0] == seen[2] == seen[3] == 0
 
 
-def test_a_map_without_range_is_infinitely_far() -> None:
+def test_a_map_without_range_is_at_infinity() -> None:
     reduced = nf.reduce(street(), center=CENTER, r1=R1, r2=R2, face_size=64, samples=1, channels=("color",))
     view = camera(USER, AHEAD)
     channels = ("color", "face_id")
@@ -91,7 +91,7 @@ def test_a_map_without_range_is_infinitely_far() -> None:
 @pytest.mark.parametrize("segment", [*SEGMENTS, {"t_min": 70.0}], ids=str)
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("name", ADAPTERS)
-def test_adapters_draw_what_the_tracer_shows(name: str, kind: str, segment: dict[str, Any]) -> None:
+def test_adapters_agree_with_the_tracer_on_segments(name: str, kind: str, segment: dict[str, Any]) -> None:
     reduced = reduced_street(kind)
     for where, eye in (("between", USER), ("beyond", USER + np.array(APART[1]))):
         view = camera(eye, AHEAD, (320, 180))
@@ -109,7 +109,7 @@ def test_adapters_draw_what_the_tracer_shows(name: str, kind: str, segment: dict
 
 
 @pytest.mark.parametrize("backend", ["cpu", "auto"])
-def test_what_takes_no_part_of_a_ray_says_so(backend: str) -> None:
+def test_methods_without_ray_segments_refuse_them(backend: str) -> None:
     reduced, view = reduced_street("blend"), camera(USER, AHEAD)
     with pytest.raises(ValueError, match="t_min: expected 0 with method='exact'; method='vertex' takes any, got 2"):
         reduced.render(view, method="exact", t_min=2.0, backend=backend)

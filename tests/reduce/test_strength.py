@@ -1,4 +1,4 @@
-"""The morph's strength: points, bent rays, folds and frames between the centre's view and the whole morph."""
+"""The morph's strength: points, bent rays, folds and frames between the centre's view and the full morph."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def unit(vectors: Array) -> Array:
 
 
 def slowly(points: Array, kind: str, strength: float) -> Array:
-    """Eq. 1–3 of 2022 and Alg. 1 of CloVR point by point, with the weight times the strength."""
+    """Evaluate Eq. 1–3 of 2022 and Alg. 1 of CloVR point by point, with the weight times the strength."""
     shown = []
     for point in points:
         a, b, offset = point - USER, point - CENTER, USER - CENTER
@@ -47,10 +47,10 @@ def slowly(points: Array, kind: str, strength: float) -> Array:
 
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("strength", STRENGTHS)
-def test_points_are_shown_by_the_weight_times_the_strength(kind: str, strength: float) -> None:
+def test_points_are_morphed_by_weight_times_strength(kind: str, strength: float) -> None:
     points = scattered(500)
     found = nf.morph(points, kind=kind, strength=strength, **PLACE)
-    # Roots of polynomials by eigenvalues have some ten digits.
+    # Roots of polynomials by eigenvalues have about ten digits.
     np.testing.assert_allclose(found, slowly(points, kind, strength), atol=1e-7)
     single = nf.morph(points.astype(np.float32), kind=kind, strength=strength, **PLACE)
     expected = nf.morph(points.astype(np.float32).astype(float), kind=kind, strength=strength, **PLACE)
@@ -58,7 +58,7 @@ def test_points_are_shown_by_the_weight_times_the_strength(kind: str, strength: 
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_full_strength_is_the_morph_and_none_the_view_from_the_centre(kind: str) -> None:
+def test_strength_1_is_the_morph_and_0_the_view_from_the_centre(kind: str) -> None:
     points = scattered()
     np.testing.assert_array_equal(
         nf.morph(points, kind=kind, strength=1.0, **PLACE), nf.morph(points, kind=kind, **PLACE)
@@ -69,7 +69,7 @@ def test_full_strength_is_the_morph_and_none_the_view_from_the_centre(kind: str)
 
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("strength", [0.0, *STRENGTHS, 0.5])
-def test_bent_rays_hold_the_points_that_are_shown_there(kind: str, strength: float) -> None:
+def test_bent_rays_contain_the_points_displayed_there(kind: str, strength: float) -> None:
     points = scattered()
     points = points[(rho(points) < R2) & (np.linalg.norm(points - USER, axis=1) > 1.0)]
     shown = nf.morph(points, kind=kind, strength=strength, **PLACE)
@@ -85,8 +85,8 @@ def test_bent_rays_hold_the_points_that_are_shown_there(kind: str, strength: flo
         where = np.array([np.interp(s, along, line[:, axis]) for axis in range(3)])
         if s > along[-1]:
             where = line[-1] + (s - along[-1]) * direction
-        # A chord's point is shown within the tolerance of the direction, which moves it by its distance over the length
-        # of the blend of both directions.
+        # A chord's point is displayed within the tolerance of the direction, which moves it by its distance over the
+        # length of the blend of both directions.
         blend = np.linalg.norm(strength * unit(point - USER) + (1 - strength) * unit(point - CENTER))
         assert np.linalg.norm(where - point) < 3 * tolerance * np.linalg.norm(point - USER) / blend + 1e-9
 
@@ -95,7 +95,7 @@ def test_bent_rays_hold_the_points_that_are_shown_there(kind: str, strength: flo
 def test_a_weaker_blend_folds_later(strength: float) -> None:
     margin = nf.fold_margin(CENTER, center=CENTER, r1=R1, r2=R2, strength=strength)
     full = nf.fold_margin(CENTER, center=CENTER, r1=R1, r2=R2)
-    # From a strength of ½ on, users beyond r1 have points in opposite directions.
+    # From a strength of ½, users beyond r1 have points in opposite directions.
     assert min(full / strength, R1) - 0.01 <= margin <= (R2 - R1) / strength
     assert nf.fold_margin(CENTER, center=CENTER, r1=R1, r2=R2, strength=0.0) == math.inf
 
@@ -122,13 +122,13 @@ def test_the_cylinder_never_folds_for_users_within_r1(strength: float) -> None:
         seen = unit(nf.morph(points.reshape(-1, 3), user=user, **place) - user).reshape(points.shape)
         across, up = np.roll(seen, -1, axis=0) - seen, np.diff(seen, axis=1)
         sides = np.einsum("ijk,ijk->ij", np.cross(across[:, :-1], up), seen[:, :-1])
-        # Points of a cylinder as U sees them from within: all turn the same way.
+        # Points of a cylinder as U sees them from within: all have the same winding.
         assert (sides < 0).all() or (sides > 0).all()
 
 
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("method", ["vertex", "exact"])
-def test_without_strength_a_frame_is_that_of_radius_0(kind: str, method: str) -> None:
+def test_a_frame_of_strength_0_equals_radius_0(kind: str, method: str) -> None:
     whole, view = reduced(kind), camera(USER, AHEAD)
     given: dict[str, Any] = {"method": method, "channels": ALL, "env": False}
     none, nothing = whole.render(view, strength=0.0, **given), whole.render(view, radius=0.0, **given)
@@ -141,8 +141,8 @@ def test_without_strength_a_frame_is_that_of_radius_0(kind: str, method: str) ->
 
 
 @pytest.mark.parametrize(("strength", "kind"), [*zip(STRENGTHS, itertools.cycle(KINDS), strict=False)])
-def test_moved_vertices_and_bent_rays_show_the_same(kind: str, strength: float) -> None:
-    """A pixel shows a point that the morph shows there."""
+def test_vertex_morph_and_bent_rays_agree(kind: str, strength: float) -> None:
+    """A pixel shows a point that the morph displays there."""
     whole, view = reduced(kind), camera(USER, AHEAD)
     given: dict[str, Any] = {"strength": strength, "channels": ALL, "env": False}
     # Rays keep their tolerance. Next to a user far from the centre no bound holds for vertices, as the frame says:
@@ -160,7 +160,7 @@ def test_moved_vertices_and_bent_rays_show_the_same(kind: str, strength: float) 
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_growing_strength_moves_points_continuously(kind: str) -> None:
+def test_points_move_continuously_with_strength(kind: str) -> None:
     points = scattered()
     points = points[np.linalg.norm(points - USER, axis=1) > 8.0]
     shown = [unit(nf.morph(points, kind=kind, strength=s, **PLACE) - USER) for s in np.linspace(0.0, 1.0, 201)]
@@ -172,11 +172,11 @@ def test_growing_strength_moves_points_continuously(kind: str) -> None:
 
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("name", ADAPTERS)
-def test_adapters_show_the_same_strength_and_radius(name: str, kind: str) -> None:
+def test_adapters_agree_for_all_strengths_and_radii(name: str, kind: str) -> None:
     whole, view = reduced(kind), camera(USER, AHEAD, (320, 180))
     settings: dict[str, Any] = {"channels": ALL[:4], "method": "vertex", "env": False}
     with adapter(name):
-        # Back to the whole radius: what was split for another one is not taken.
+        # Back to the full radius: pieces split for another one are not reused.
         states: list[dict[str, Any]] = [{"strength": 0.6}, {"strength": 0.3, "radius": 40.0}, {"radius": 25.0}, {}]
         for growth in [*states, {"radius": 0.0}, {}]:
             cpu, gpu = (whole.render(view, backend=backend, **growth, **settings) for backend in ("cpu", "gpu"))
@@ -185,7 +185,7 @@ def test_adapters_show_the_same_strength_and_radius(name: str, kind: str) -> Non
             check_color(cpu, gpu)
 
 
-def test_growth_stays_with_a_scene_and_a_frame_may_change_it() -> None:
+def test_growth_is_stored_in_a_scene_and_frames_may_override_it() -> None:
     whole, view = reduced("cylinder"), camera(USER, AHEAD)
     grown = whole.with_growth(40.0, 0.5)
     expected = whole.render(view, radius=40.0, strength=0.5)
@@ -198,7 +198,7 @@ def test_growth_stays_with_a_scene_and_a_frame_may_change_it() -> None:
     np.testing.assert_array_equal(grown.displayed(points, USER), near)
 
 
-def test_balls_of_a_weaker_morph_hold_their_points() -> None:
+def test_balls_of_a_weaker_morph_enclose_their_points() -> None:
     middle = CENTER + np.array([6.0, 0.0, 2.0])
     ball = Leveled(("ball",), np.array([0]), (), np.array([0]), middle[None], np.array([1.5]))
     grown: dict[str, Any] = {"r1": R1, "r2": R2, "strength": 0.5}

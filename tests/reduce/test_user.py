@@ -22,13 +22,13 @@ def reduced(request: pytest.FixtureRequest) -> nf.ReducedScene:
 
 @pytest.mark.parametrize("where", PLACES)
 @pytest.mark.parametrize("apart", APART)
-def test_a_camera_sees_what_was_morphed_for_the_user(
+def test_a_camera_shows_geometry_morphed_for_the_user(
     reduced: nf.ReducedScene, apart: tuple[float, float, float], where: str
 ) -> None:
     view = camera(USER + np.array(apart), AHEAD)
     frame, expected, radii = pictures(reduced.morph, view, where)
     check_near(frame, expected, radii)
-    # The car is geometry wherever it is: with the camera's parallax, also before the map, which has none.
+    # The car is geometry at all distances: with the camera's parallax, also in front of the map, which has none.
     car = reduced.scene.object_names.index("car")
     cars = [picture.require("object_id") == car for picture in (frame, expected)]
     assert cars[1].sum() > 5
@@ -36,7 +36,7 @@ def test_a_camera_sees_what_was_morphed_for_the_user(
 
 
 @pytest.mark.parametrize("apart", APART)
-def test_every_near_pixel_shows_the_point_that_the_morph_puts_there(
+def test_near_pixels_show_points_morphed_for_the_user(
     reduced: nf.ReducedScene, apart: tuple[float, float, float]
 ) -> None:
     view = camera(USER + np.array(apart), AHEAD)
@@ -52,7 +52,7 @@ def test_every_near_pixel_shows_the_point_that_the_morph_puts_there(
     np.testing.assert_allclose(frame.require("range")[near], away, rtol=3e-3)
 
 
-def test_the_map_is_seen_along_the_camera_s_own_directions(reduced: nf.ReducedScene) -> None:
+def test_the_map_is_sampled_along_the_cameras_directions(reduced: nf.ReducedScene) -> None:
     view = camera(USER + np.array(APART[1]), AHEAD)
     frame = reduced.render(view, user=USER, channels=ALL, backend="cpu")
     far = frame.require("face_id") < 0
@@ -60,7 +60,7 @@ def test_the_map_is_seen_along_the_camera_s_own_directions(reduced: nf.ReducedSc
     assert 0.1 < far.mean() < 0.9
     directions = view.rays()[1][far]
     expected = reduced.env.sample(directions, filter="linear")
-    # Colours that the kernel blends in float32 along directions in float32.
+    # The kernel blends colours in float32 along directions in float32.
     np.testing.assert_allclose(frame.require("color")[far], expected, atol=1e-4)
     beside = reduced.render(view, channels=("color",), backend="cpu").require("color")
     both = far & (reduced.render(view, channels=("face_id",), backend="cpu").require("face_id") < 0)
@@ -68,7 +68,7 @@ def test_the_map_is_seen_along_the_camera_s_own_directions(reduced: nf.ReducedSc
 
 
 @pytest.mark.parametrize("backend", ["cpu", *ADAPTERS])
-def test_the_camera_s_own_position_changes_nothing(reduced: nf.ReducedScene, backend: str) -> None:
+def test_a_user_at_the_cameras_position_changes_nothing(reduced: nf.ReducedScene, backend: str) -> None:
     pose = {"car": place(*PLACES["beyond"])}
     for eye in (USER, CENTER):
         view = camera(eye, AHEAD)
@@ -81,7 +81,7 @@ def test_the_camera_s_own_position_changes_nothing(reduced: nf.ReducedScene, bac
                 np.testing.assert_array_equal(told.require(channel), own.require(channel))
 
 
-def test_a_user_at_the_centre_sees_near_geometry_where_it_is(reduced: nf.ReducedScene) -> None:
+def test_for_a_user_at_the_centre_near_geometry_is_undistorted(reduced: nf.ReducedScene) -> None:
     """The camera beside the centre has parallax, although nothing is morphed."""
     view, pose = camera(CENTER + np.array(APART[1]), AHEAD), {"car": place(*PLACES["beyond"])}
     frame = reduced.render(view, user=CENTER, at=pose, channels=ALL, backend="cpu")
@@ -109,14 +109,14 @@ def test_without_a_morph_there_is_no_user(reduced: nf.ReducedScene, backend: str
 
 @pytest.mark.parametrize(("apart", "env"), [(APART[0], True), (APART[1], False)])
 @pytest.mark.parametrize("name", ADAPTERS)
-def test_adapters_draw_what_the_tracer_shows(
+def test_adapters_agree_with_the_tracer_for_users(
     reduced: nf.ReducedScene, name: str, apart: tuple[float, float, float], env: bool
 ) -> None:
     view = camera(USER + np.array(apart), AHEAD, (320, 180))
     for where in PLACES.values():
         pose = {"car": place(*where)}
         with adapter(name):
-            # The same vertices: what differs is rounding.
+            # The same vertices, so only rounding differs.
             settings: dict[str, Any] = {"user": USER, "at": pose, "channels": ALL, "env": env, "tolerance_px": np.inf}
             cpu, gpu = (reduced.render(view, backend=backend, **settings) for backend in ("cpu", "gpu"))
             split = reduced.render(view, user=USER, at=pose, channels=ALL, env=env, backend="gpu")
@@ -132,8 +132,8 @@ def test_adapters_draw_what_the_tracer_shows(
 
 
 @pytest.mark.parametrize("kind", ["blend", "cylinder"])
-def test_far_instances_at_the_edges_of_a_view_are_drawn(kind: str) -> None:
-    """Culling knows that what is far has no parallax between user and camera."""
+def test_far_instances_at_the_edges_of_a_view_are_not_culled(kind: str) -> None:
+    """Culling takes into account that far geometry has no parallax between user and camera."""
     builder = SceneBuilder()
     angles = np.linspace(0, 2 * np.pi, 120, endpoint=False)
     places = [place(70 * np.cos(angle), 0.0, 70 * np.sin(angle)) for angle in angles]
@@ -151,7 +151,7 @@ def test_far_instances_at_the_edges_of_a_view_are_drawn(kind: str) -> None:
         check_ids(cpu, gpu, share=0.995)
 
 
-def test_bent_rays_begin_at_the_eye_that_they_are_bent_for(reduced: nf.ReducedScene) -> None:
+def test_bent_rays_require_the_users_eye(reduced: nf.ReducedScene) -> None:
     view = camera(USER, AHEAD)
     own = reduced.render(view, method="exact").require("color")
     np.testing.assert_array_equal(reduced.render(view, user=USER, method="exact").require("color"), own)
@@ -161,8 +161,8 @@ def test_bent_rays_begin_at_the_eye_that_they_are_bent_for(reduced: nf.ReducedSc
         reduced.render(view, user=(1e31, 0, 0))
 
 
-def test_two_eyes_of_one_user_see_one_morph(reduced: nf.ReducedScene) -> None:
-    """Pictures of a shot: the geometry is the user's, whichever camera asks."""
+def test_both_eyes_of_a_user_share_one_morph(reduced: nf.ReducedScene) -> None:
+    """In pictures of a shot the geometry is the user's, whichever camera renders."""
     eyes = [camera(USER + np.array([0, 0, side]), AHEAD) for side in (-0.03, 0.03)]
     frames = [nf.render(reduced, eye, user=USER, channels=ALL, backend="cpu") for eye in eyes]
     for frame, eye in zip(frames, eyes, strict=True):
@@ -179,7 +179,7 @@ def test_two_eyes_of_one_user_see_one_morph(reduced: nf.ReducedScene) -> None:
 @pytest.mark.stress
 @pytest.mark.parametrize("count", [1, 64])
 def test_splits_of_very_many_pieces_are_coarser(count: int) -> None:
-    """A square of ground, whole or of many squares, whose tolerance takes more than four million pieces."""
+    """A square of ground, whole or of many squares, whose tolerance requires more than four million pieces."""
     build = SceneBuilder()
     line = np.linspace(-20.0, 20.0, count + 1)
     x, z = (axis.ravel() for axis in np.meshgrid(line, line))
@@ -194,7 +194,7 @@ def test_splits_of_very_many_pieces_are_coarser(count: int) -> None:
     assert fine.stats["tolerance_held"]
     assert not finer.stats["tolerance_held"]
     assert fine.stats["frame_triangles"] < finer.stats["frame_triangles"] <= (1 << 22) + 2 * count * count
-    # The bound holds for 10⁻⁴ as well, so that it is not lost for want of digits.
+    # The bound holds for 10⁻⁴ as well, so that precision does not limit it.
     least = reduced.render(view, tolerance_px=1e-4, backend="cpu")
     assert least.stats["tolerance_held"]
     assert finer.stats["frame_triangles"] == least.stats["frame_triangles"]

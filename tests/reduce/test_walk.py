@@ -1,4 +1,4 @@
-"""Tests of the pictures of a walk: the right region, cross-fades and cuts, waiting, and no folds on the way."""
+"""Tests of the pictures of a walk: the right region, cross-fades and cuts, waiting, and no folds on the path."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def render_region(regions: nf.Regions, number: int, camera: nf.Camera, **options
 
 
 def until_change(regions: nf.Regions, walk: nf.Walk, step: float = 0.5) -> tuple[float, nf.Frame]:
-    """Walk at one metre a second to the first picture of another region; returns the seconds and that picture."""
+    """Walk at 1 m/s until the first picture of another region; returns the seconds and that picture."""
     seconds, first = 0.0, walk.render(view(START), 0.0).stats["region"]
     while True:
         seconds += step
@@ -48,7 +48,7 @@ def until_change(regions: nf.Regions, walk: nf.Walk, step: float = 0.5) -> tuple
             return seconds, frame
 
 
-def test_a_cut_shows_the_region_that_the_user_is_in(regions: nf.Regions) -> None:
+def test_a_cut_shows_the_users_region(regions: nf.Regions) -> None:
     walk = regions.walk(transition="cut")
     current: int | None = None
     assert walk.region is None
@@ -79,12 +79,12 @@ def test_a_fade_blends_both_regions_pictures(regions: nf.Regions) -> None:
         np.testing.assert_allclose(frame.require("color"), (1.0 - share) * one + share * two, atol=1e-6)
         assert (frame.stats["region"], frame.stats["fade"]) == (new, share)
         assert frame.stats["jump"] == (regions.jump(old, new, camera) if share < 1.0 else 0.0)
-        # Statistics of the newer picture stay beside those of the walk.
+        # Statistics of the newer picture are kept besides those of the walk.
         assert frame.stats["tolerance_held"] == render_region(regions, new, camera).stats["tolerance_held"]
     np.testing.assert_array_equal(frame.color, render_region(regions, new, camera).color)
 
 
-def test_other_channels_are_those_of_the_newer_region(scene: nf.Scene) -> None:
+def test_other_channels_come_from_the_newer_region(scene: nf.Scene) -> None:
     regions = nf.regions(scene, [START, END], r2=50.0, **{**SMALL, "channels": ("color", "range")})
     walk = regions.walk(fade=10.0)
     seconds, frame = until_change(regions, walk)
@@ -100,7 +100,7 @@ def test_other_channels_are_those_of_the_newer_region(scene: nf.Scene) -> None:
     np.testing.assert_array_equal(frame.range, render_region(regions, new, camera, channels=("range",)).range)
 
 
-def test_a_fade_of_no_time_is_a_cut(regions: nf.Regions) -> None:
+def test_a_fade_of_zero_duration_is_a_cut(regions: nf.Regions) -> None:
     walks = [regions.walk(fade=0.0), regions.walk(transition="cut")]
     for seconds in range(0, 40, 2):
         frames = [walk.render(view(on_the_way(seconds)), seconds) for walk in walks]
@@ -109,8 +109,8 @@ def test_a_fade_of_no_time_is_a_cut(regions: nf.Regions) -> None:
 
 
 @pytest.mark.slow
-def test_no_picture_folds_although_fades_go_on_beyond_the_reach(scene: nf.Scene) -> None:
-    """With the least r2 for the reach, a region's picture folds where the region ends: its fade has to end there."""
+def test_no_picture_folds_during_fades_beyond_the_reach(scene: nf.Scene) -> None:
+    """With the least r2 for the reach, a region's picture folds at the region's end: its fade has to end there."""
     regions = nf.regions(scene, [START, END], r2=16.5, hysteresis=0.5, **SMALL)
     walk, radii = regions.walk(fade=4.0), regions.radii
     ended_early = 0
@@ -126,7 +126,7 @@ def test_no_picture_folds_although_fades_go_on_beyond_the_reach(scene: nf.Scene)
     assert ended_early > 0
 
 
-def test_it_waits_only_for_regions_that_are_not_ready(scene: nf.Scene) -> None:
+def test_a_walk_waits_only_for_unfinished_regions(scene: nf.Scene) -> None:
     alone = nf.regions(scene, [START, END], r2=50.0, **SMALL)
     walk = alone.walk(ahead=False)
     assert walk.render(view(START), 0.0).stats["waited"] > 0.0
@@ -138,7 +138,7 @@ def test_it_waits_only_for_regions_that_are_not_ready(scene: nf.Scene) -> None:
     assert frame.stats["waited"] == 0.0
 
 
-def test_the_next_region_is_begun_ahead(monkeypatch: pytest.MonkeyPatch, regions: nf.Regions) -> None:
+def test_the_next_region_is_started_ahead(monkeypatch: pytest.MonkeyPatch, regions: nf.Regions) -> None:
     asked: list[tuple[tuple[float, float, float], tuple[float, float, float], int]] = []
     monkeypatch.setattr(regions, "prefetch", lambda *arguments: asked.append(arguments))
     walk = regions.walk()
@@ -148,14 +148,14 @@ def test_the_next_region_is_begun_ahead(monkeypatch: pytest.MonkeyPatch, regions
     np.testing.assert_allclose(velocities, [(0, 0, 0), (2, 0, 0), (2, 0, 0), (2, 0, 0)])
     assert [tuple(position) for position, _, _ in asked] == [tuple(on_the_way(x)) for x in (0.0, 1.0, 1.0, 3.0)]
     assert {number for *_, number in asked} == {0}
-    # Times that are all but equal say nothing of the velocity.
+    # Nearly equal times give no information on the velocity.
     walk.render(view(on_the_way(9.0)), np.nextafter(1.5, 2.0) * (1 + 1e-300))
     assert np.isfinite(asked[-1][1]).all()
     regions.walk(ahead=False).render(view(START), 0.0)
     assert len(asked) == 5
 
 
-def test_both_eyes_of_one_moment_are_in_one_region(regions: nf.Regions) -> None:
+def test_both_eyes_at_one_time_use_one_region(regions: nf.Regions) -> None:
     walk = regions.walk(fade=1.0)
     for seconds in np.arange(0.0, 20.0, 0.5):
         head = on_the_way(seconds)
@@ -181,7 +181,7 @@ def test_moving_objects_are_posed_in_all_regions() -> None:
         )
 
 
-def test_the_measured_jump_of_a_far_tower_is_the_predicted_one(scene: nf.Scene) -> None:
+def test_the_measured_jump_of_a_far_tower_equals_the_prediction(scene: nf.Scene) -> None:
     settings: dict[str, Any] = {"face_size": 512, "samples": 1, "channels": ("color", "object_id"), "backend": "cpu"}
     regions = nf.regions(scene, [START, END], r2=50.0, **settings)
     tower = scene.object_names.index("tower")
@@ -199,5 +199,5 @@ def test_the_measured_jump_of_a_far_tower_is_the_predicted_one(scene: nf.Scene) 
     assert abs(middles[1] - middles[0]) == pytest.approx(predicted, rel=0.1)
 
 
-def test_a_walk_begins_in_no_region(regions: nf.Regions) -> None:
+def test_a_walk_starts_without_a_region(regions: nf.Regions) -> None:
     assert "region None" in repr(regions.walk())

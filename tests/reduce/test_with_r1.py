@@ -1,4 +1,4 @@
-"""Another r1 before the same map, against a reduction with that r1."""
+"""Another r1 with the same map, against a reduction with that r1."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def same(one: nf.ReducedScene, other: nf.ReducedScene) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("morph", ["blend", "cylinder", "none"])
 @pytest.mark.parametrize("unit", ["triangle", "object"])
-def test_another_r1_is_a_reduction_with_it(morph: str, unit: str) -> None:
+def test_another_r1_equals_a_reduction_with_it(morph: str, unit: str) -> None:
     changed, expected = reduced(30.0, morph=morph, unit=unit).with_r1(9.0), reduced(9.0, morph=morph, unit=unit)
     same(changed, expected)
     assert changed.r1 == 9.0
@@ -40,7 +40,7 @@ def test_another_r1_is_a_reduction_with_it(morph: str, unit: str) -> None:
     same(changed.at(moved), expected.at(moved))
 
 
-def test_the_map_is_not_baked_again_and_a_loaded_scene_takes_another_r1(tmp_path: Path) -> None:
+def test_another_r1_keeps_the_map_and_works_for_loaded_scenes(tmp_path: Path) -> None:
     whole = reduced(30.0)
     assert whole.with_r1(9.0).env is whole.env
     whole.save(tmp_path / "light")
@@ -49,7 +49,7 @@ def test_the_map_is_not_baked_again_and_a_loaded_scene_takes_another_r1(tmp_path
     assert loaded.stats["sf"] == whole.stats["sf"]
 
 
-def test_a_map_from_r1_keeps_it() -> None:
+def test_a_map_from_r1_keeps_its_r1() -> None:
     scene = reduced(30.0, morph="none", boundary="r1")
     with pytest.raises(ValueError, match="r1: expected 30, from which the map was baked, got 9"):
         scene.with_r1(9.0)

@@ -1,4 +1,4 @@
-"""Tests of planes and boxes that cut off what lies outside of them: on the CPU and on adapters."""
+"""Tests of clipping planes and boxes: on the CPU and on adapters."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ CLIPS = {
 
 
 def is_kept(clip: nf.Clip, points: NDArray[Any], slack: float = 0.0) -> NDArray[np.bool_]:
-    """Whether points (…, 3) lie in all half-spaces, made wider by a slack in metres."""
+    """Whether points (…, 3) lie in all half-spaces, extended by a slack in metres."""
     kept = np.ones(points.shape[:-1], bool)
     for *normal, d in clip.half_spaces.tolist():
         kept &= points @ np.array(normal) + d >= -slack * np.linalg.norm(normal)
@@ -39,8 +39,8 @@ def view(size: tuple[int, int] = SIZE) -> nf.Camera:
 
 
 @pytest.mark.parametrize("name", CLIPS)
-def test_pixels_show_the_nearest_surface_that_is_kept(name: str) -> None:
-    """Every pixel against all triangles, one by one."""
+def test_pixels_show_the_nearest_unclipped_surface(name: str) -> None:
+    """Compares every pixel with all triangles, one by one."""
     scene, clip, eye = street(dynamic=True).at({"car": place(20.0, 0.75, -10.0)}), CLIPS[name], view((64, 36))
     frame = nf.render(scene, eye, clip=clip, channels=("range", "position", "face_id"))
     origins, ways = (rays.reshape(-1, 3) for rays in eye.rays())
@@ -63,7 +63,7 @@ def test_pixels_show_the_nearest_surface_that_is_kept(name: str) -> None:
 
 @pytest.mark.parametrize("name", CLIPS)
 @pytest.mark.parametrize("projection", [nf.Orthographic(-30, 30, -10, 20), nf.CubeFace(0)], ids=["parallel", "face"])
-def test_every_projection_is_cut(name: str, projection: Any) -> None:
+def test_every_projection_is_clipped(name: str, projection: Any) -> None:
     eye = nf.Camera(tuple(USER), fov=projection, size=(64, 64))
     frame = nf.render(street(), eye, clip=CLIPS[name], channels=("position",))
     position = frame.require("position") + frame.origin
@@ -76,7 +76,7 @@ def test_every_projection_is_cut(name: str, projection: Any) -> None:
 
 @pytest.mark.parametrize("name", CLIPS)
 @pytest.mark.parametrize("kind", ["blend", "cylinder", "none"])
-def test_reduced_scenes_are_cut_where_they_are_shown(name: str, kind: str) -> None:
+def test_reduced_scenes_are_clipped_at_displayed_positions(name: str, kind: str) -> None:
     scene = street(dynamic=True).at({"car": place(30.0, 0.75, -16.0)})
     reduced = nf.reduce(
         scene, center=CENTER, r1=R1, r2=R2, face_size=64, morph=kind, channels=("color", "range", "object_id")
@@ -87,7 +87,7 @@ def test_reduced_scenes_are_cut_where_they_are_shown(name: str, kind: str) -> No
     hit = np.isfinite(frame.require("range"))
     kept = is_kept(clip, np.where(hit[..., None], shown, 0.0), 0.02)
     assert kept[hit].all()
-    # Kept geometry that is not behind something cut off is there.
+    # Kept geometry that is not behind something clipped is visible.
     whole = reduced.render(eye, channels=ALL[:4], method="vertex")
     at = whole.require("range")[..., None] * eye.rays()[1] + np.array(eye.position)
     near = whole.require("face_id") >= 0
@@ -97,7 +97,7 @@ def test_reduced_scenes_are_cut_where_they_are_shown(name: str, kind: str) -> No
 
 
 @pytest.mark.parametrize("adapter_name", ADAPTERS)
-def test_adapters_cut_the_same(adapter_name: str) -> None:
+def test_adapters_clip_like_the_tracer(adapter_name: str) -> None:
     scene = street(dynamic=True).at({"car": place(30.0, 0.75, -16.0)})
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=64, channels=("color", "range", "object_id"))
     sources: list[nf.Renderable] = [scene, reduced, reduced.with_morph("cylinder"), reduced.with_morph("none")]
@@ -114,7 +114,7 @@ def test_adapters_cut_the_same(adapter_name: str) -> None:
         np.testing.assert_allclose(cpu.require("range")[hit], gpu.require("range")[hit], rtol=2e-3)
 
 
-def test_limits_and_planes_hold_together() -> None:
+def test_ray_limits_and_planes_combine() -> None:
     clip = CLIPS["a plane across the wall"]
     eye = view((64, 36))
     both = nf.render(street(), eye, clip=clip, t_min=20.0, t_max=60.0, channels=("range", "position"))
@@ -126,7 +126,7 @@ def test_limits_and_planes_hold_together() -> None:
     assert is_kept(clip, both.require("position")[hit] + both.origin, 1e-3).all()
 
 
-def test_far_from_the_origin_planes_stand_where_they_are_said() -> None:
+def test_planes_far_from_the_origin_keep_their_precision() -> None:
     shift = np.array([1e6, 0.0, -2e6])
     box = np.array([[-5.0, 0.0, -5.0], [5.0, 3.0, 5.0], [5.0, 0.0, 5.0]]) + shift
     scene = nf.Scene.from_arrays(box, np.array([[0, 1, 2]], np.uint32))
@@ -151,7 +151,7 @@ def test_wrong_planes_are_refused(given: dict[str, Any], words: str) -> None:
         nf.Clip(**given)
 
 
-def test_bent_rays_and_a_traced_far_part_take_no_planes() -> None:
+def test_bent_rays_and_a_traced_far_part_refuse_planes() -> None:
     reduced = nf.reduce(street(), center=CENTER, r1=R1, r2=R2, face_size=16)
     clip = CLIPS["a box"]
     for how in ({"method": "exact"}, {"env": False, "method": "vertex"}):

@@ -1,4 +1,4 @@
-"""Pictures of surfaces that emit light or are unlit, by all that draws them, beside brute force in float64."""
+"""Pictures of emissive and unlit surfaces by all renderers, compared with brute force in float64."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ VIEW = nf.Camera.look_at(CENTER, (3, 2, -20), fov=nf.Fov.symmetric(80), size=(16
 
 
 def lamps(dynamic: tuple[str, ...] = ()) -> nf.Scene:
-    """A ground, and boxes near and far: plain, unlit with a texture, and with a bright texture of emission."""
+    """A ground, and boxes near and far: plain, unlit with a texture, and with a bright emission texture."""
     builder = nf.SceneBuilder()
     image, glow = noise(32, 32, 4, seed=8), noise(16, 64, 4, seed=9)
     plain = builder.material((0.4, 0.6, 0.5, 1))
@@ -46,7 +46,7 @@ def lamps(dynamic: tuple[str, ...] = ()) -> nf.Scene:
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
-def test_emission_is_added_and_unlit_is_the_base_colour(backend: str) -> None:
+def test_emission_is_added_and_unlit_shows_the_base_colour(backend: str) -> None:
     glow = Surface(quad((-1, 0, -2), (1, 0, 0), (0, 1, 0)), QUAD, (0.5, 0.25, 1, 1), emission=(1.5, 0.0, 0.25))
     bare = Surface(quad((1, 0, -2), (1, 0, 0), (0, 1, 0)), QUAD, (0.5, 0.25, 1, 1), unlit=True)
     camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(80, 2.0), size=(20, 10))
@@ -58,12 +58,12 @@ def test_emission_is_added_and_unlit_is_the_base_colour(backend: str) -> None:
     assert np.abs(color[ids == 0] - (base * light + (1.5, 0, 0.25))).max() <= 1e-6
     assert (color[ids == 1] == base).all()
     assert (frame.require("albedo")[ids >= 0] == base).all()
-    # Frames hold more than white, pictures of 8 bits clip it.
+    # Frames can exceed white, 8-bit pictures clip it.
     assert color[ids == 0].max() > 1.5
     assert (frame.to_image()[ids == 0][:, 0] == 255).all()
 
 
-def test_frames_of_files_hold_light_beyond_white(tmp_path: Path) -> None:
+def test_saved_frames_keep_light_beyond_white(tmp_path: Path) -> None:
     frame = nf.render(lamps(), VIEW, channels=("color",))
     frame.save(tmp_path / "a.exr")
     np.testing.assert_allclose(nf.Frame.load(tmp_path / "a.exr").require("color"), frame.require("color"), rtol=2e-3)
@@ -72,21 +72,21 @@ def test_frames_of_files_hold_light_beyond_white(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("name", ADAPTERS)
 @pytest.mark.parametrize("samples", [1, 4])
-def test_adapters_show_the_same(name: str, samples: int) -> None:
+def test_adapters_agree_on_emission(name: str, samples: int) -> None:
     with adapter(name):
         settings: dict[str, Any] = {"samples": samples}
         if samples == 1:
             agree(*both(lamps(), VIEW, **settings))
             return
         cpu, gpu = both(lamps(), VIEW, channels=("color",), **settings)
-    # Edges and textures of a pixel that is shaded once differ; what has no texture does not.
+    # Edges and textures of a pixel that is shaded once differ; surfaces without texture do not.
     assert np.median(codes_apart(cpu, gpu)) <= 1
     assert np.abs(cpu.require("color").mean((0, 1)) - gpu.require("color").mean((0, 1))).max() < 0.02
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
-def test_the_conventional_picture_at_the_centre_is_the_truth(backend: str) -> None:
-    """Near geometry and the map show one light; texels are smaller than pixels."""
+def test_the_conventional_picture_at_the_centre_equals_the_truth(backend: str) -> None:
+    """Near geometry and the map have the same light; texels are smaller than pixels."""
     with backend_of(backend) as chosen:
         reduced = nf.reduce(
             lamps(), center=CENTER, r1=15, r2=25, morph="none", face_size=512, samples=1, backend=chosen
@@ -98,11 +98,11 @@ def test_the_conventional_picture_at_the_centre_is_the_truth(backend: str) -> No
     codes = np.abs(srgb(seen.require("color")) - srgb(truth.require("color"))).max(-1)
     near = reduced.render(VIEW, channels=("face_id",)).require("face_id") >= 0
     assert np.percentile(codes[near], 99) <= 2
-    # Those of the map have textures and edges that are filtered once more.
+    # Textures and edges in the map are filtered twice.
     assert np.percentile(codes[~near], 80) <= 6
 
 
-def test_maps_keep_bright_light_in_files(tmp_path: Path) -> None:
+def test_saved_maps_keep_bright_light(tmp_path: Path) -> None:
     reduced = nf.reduce(lamps(), center=CENTER, r1=15, r2=25, face_size=64)
     reduced.save(tmp_path)
     back = nf.ReducedScene.load(tmp_path)
@@ -124,15 +124,15 @@ def test_a_bundle_shows_emission_in_its_map_and_in_its_rings(tmp_path: Path, mov
     truth = nf.render(scene, VIEW, channels=("color",)).require("color")
     all_far, all_near = (bundle.at(ring).render(VIEW, channels=("color",)).require("color") for ring in (0, 2))
     for seen in (all_far, all_near):
-        # Maps of bundles end at white.
+        # Maps of bundles are limited to white.
         codes = np.abs(srgb(seen) - srgb(truth)).max(-1)
         assert np.percentile(codes, 75) <= 4
     assert all_far.max() <= 1.0 or moving
     assert all_near.max() > 2.0
 
 
-def test_images_of_emission_are_files_of_a_bundle(tmp_path: Path) -> None:
-    """Sizes follow what users can see of them, and materials that glow alike are one."""
+def test_emission_textures_are_files_of_a_bundle(tmp_path: Path) -> None:
+    """Texture sizes follow their visible detail, and materials with equal emission are merged."""
     bundle = nf.stream.export(lamps(), tmp_path / "out", center=CENTER, radii=(15.0, 25.0), face_size=64, samples=1)
     near = bundle.at(2).scene
     parts = nf._core.scene_parts(near._core)
@@ -145,7 +145,7 @@ def test_images_of_emission_are_files_of_a_bundle(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
-def test_stereo_pictures_show_the_same_light(backend: str) -> None:
+def test_stereo_pictures_have_the_same_light(backend: str) -> None:
     scene = lamps()
     with backend_of(backend) as chosen:
         shown = rig().render(scene, HEAD, AHEAD, channels=("color",), backend=chosen)

@@ -45,7 +45,7 @@ def full(camera: nf.Camera = CAMERA) -> nf.Frame:
     )
 
 
-def test_the_image_is_the_srgb_code_nearest_to_each_value() -> None:
+def test_images_have_the_nearest_srgb_code() -> None:
     linear = np.linspace(-0.1, 1.2, CAMERA.width * CAMERA.height * 3, dtype=np.float32)
     frame = nf.Frame(CAMERA, color=linear.reshape(CAMERA.height, CAMERA.width, 3))
     x = np.clip(linear.astype(np.float64), 0, 1)
@@ -57,7 +57,7 @@ def test_the_image_is_the_srgb_code_nearest_to_each_value() -> None:
     assert np.abs(image.ravel() - code).max() <= 0.5 + 4e-5
 
 
-def test_png_holds_the_image(tmp_path: Path) -> None:
+def test_png_files_contain_the_image(tmp_path: Path) -> None:
     frame = full()
     frame.save(tmp_path / "a.png")
     np.testing.assert_array_equal(np.asarray(Image.open(tmp_path / "a.png")), frame.to_image())
@@ -68,7 +68,7 @@ PROJECTIONS: list[Projection] = [nf.Fov(-1, 0.1, -0.2, 0.3), nf.Orthographic(-5,
 
 
 @pytest.mark.parametrize("projection", PROJECTIONS)
-def test_exr_comes_back_bit_for_bit(tmp_path: Path, projection: Projection) -> None:
+def test_exr_files_load_bit_for_bit(tmp_path: Path, projection: Projection) -> None:
     frame = full(nf.Camera((1e-3, 1 / 3, 1e9), CAMERA.orientation, fov=projection, size=(16, 16)))
     frame.save(tmp_path / "a.EXR")
     back = nf.Frame.load(tmp_path / "a.EXR")
@@ -80,7 +80,7 @@ def test_exr_comes_back_bit_for_bit(tmp_path: Path, projection: Projection) -> N
 
 
 @pytest.mark.parametrize("name", CHANNELS)
-def test_each_channel_travels_alone(tmp_path: Path, name: str) -> None:
+def test_each_channel_can_be_saved_alone(tmp_path: Path, name: str) -> None:
     image = full().require(name)
     images: dict[str, Any] = {name: image}
     nf.Frame(CAMERA, (0.0, 0.0, 0.0), **images).save(tmp_path / "a.exr")
@@ -97,7 +97,7 @@ def test_the_header_fits_its_schema(tmp_path: Path, projection: Projection) -> N
     assert not valid(document | {"camera": {}}, "frame")
 
 
-def test_missing_channels_say_how_to_get_them(tmp_path: Path) -> None:
+def test_errors_about_missing_channels_suggest_a_remedy(tmp_path: Path) -> None:
     frame = nf.Frame(CAMERA, range=full().range)
     with pytest.raises(ValueError, match=r"no color: render it with channels=\('color', 'range'\)"):
         frame.to_image()
@@ -108,7 +108,7 @@ def test_missing_channels_say_how_to_get_them(tmp_path: Path) -> None:
     assert not list(tmp_path.iterdir())
 
 
-def test_bad_places_are_refused(tmp_path: Path) -> None:
+def test_invalid_paths_are_refused(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match=r"\.png or \.exr, got '.*a\.jpg'"):
         full().save(tmp_path / "a.jpg")
     with pytest.raises(ValueError, match=r"\.png or \.exr"):
@@ -147,7 +147,7 @@ def test_files_that_are_no_frames_are_refused(tmp_path: Path) -> None:
         nf.Frame.load(tmp_path / "absent.exr")
 
 
-def test_parts_of_all_types_come_back_in_order(tmp_path: Path) -> None:
+def test_exr_parts_of_all_types_load_in_order(tmp_path: Path) -> None:
     images: dict[str, np.ndarray] = {
         "half": np.linspace(0, 7, 12, dtype=np.float16).reshape(3, 4),
         "float": np.array([[np.inf, -0.0, 1e-45, np.finfo(np.float32).max]] * 3, np.float32),
@@ -177,7 +177,7 @@ def test_images_that_openexr_cannot_hold_are_refused(tmp_path: Path) -> None:
     assert not list(tmp_path.iterdir())
 
 
-def test_counts_of_a_frame_are_read_only_and_travel_with_it(tmp_path: Path) -> None:
+def test_counts_of_a_frame_are_read_only_and_pickled(tmp_path: Path) -> None:
     counts = {"frame_triangles": 5}
     frame = nf.Frame(CAMERA, color=np.zeros((21, 37, 3), np.float32), stats=counts)
     counts["frame_triangles"] = 6

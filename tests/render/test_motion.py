@@ -1,4 +1,4 @@
-"""Tests of motion: against points followed from frame to frame, for scenes, moving objects and reduced scenes."""
+"""Tests of motion vectors: against points followed over frames, for scenes, moving objects and reduced scenes."""
 
 from __future__ import annotations
 
@@ -29,11 +29,11 @@ def centers() -> NDArray[np.float64]:
 
 
 def followed(points: NDArray[np.float64], camera: nf.Camera) -> NDArray[np.float64]:
-    """Motion (H, W, 2) of pixels whose points (H, W, 3) an earlier camera saw."""
+    """Motion (H, W, 2) of pixels from their points (H, W, 3) in an earlier camera."""
     return np.asarray(centers() - camera.project(points.reshape(-1, 3))[:, :2].reshape(*points.shape[:2], 2))
 
 
-def test_pixels_move_with_the_camera_and_with_their_objects() -> None:
+def test_motion_follows_camera_and_objects() -> None:
     scene = street(dynamic=True)
     then, now = place(7.0, 0.75, -9.0), place(7.5, 0.75, -8.0) @ turn(0.3)
     frame = nf.render(
@@ -50,7 +50,7 @@ def test_pixels_move_with_the_camera_and_with_their_objects() -> None:
     points[car] = (points[car] - now[:3, 3]) @ now[:3, :3] @ then[:3, :3].T + then[:3, 3]
     hit = np.isfinite(frame.require("range"))
     expected = followed(np.where(hit[..., None], points, 0.0), THEN)
-    # Positions are rounded by 1e-4 m on the ground's triangles, which are 2 km long; motion takes them from rays.
+    # Positions are rounded by 1e-4 m on the ground's triangles, which are 2 km long; motion uses ray positions.
     np.testing.assert_allclose(frame.require("motion")[hit], expected[hit], atol=1e-2)
     standing = followed(frame.require("position") + np.array(frame.origin), THEN)
     assert np.linalg.norm(expected - standing, axis=-1)[car].mean() > 2.0
@@ -62,7 +62,7 @@ def turn(angle: float) -> NDArray[np.float64]:
     return matrix
 
 
-def test_the_sky_moves_with_turns_only() -> None:
+def test_the_sky_moves_with_rotation_only() -> None:
     scene = street(ground=False)
     moved = nf.Camera(THEN.position, NOW.orientation, fov=FOV, size=SIZE)
     motions = [nf.render(scene, camera, before=THEN, channels=("motion", "object_id")) for camera in (moved, NOW)]
@@ -74,20 +74,20 @@ def test_the_sky_moves_with_turns_only() -> None:
     np.testing.assert_allclose(motions[0].require("motion")[sky[0]], expected[sky[0]], atol=2e-3)
 
 
-def test_only_what_was_asked_for_is_kept_and_standing_still_is_zero() -> None:
+def test_only_requested_channels_are_kept_and_still_pixels_have_zero_motion() -> None:
     frame = nf.render(street(), NOW, before=NOW, channels=("motion",))
     assert frame.channels == ("motion",)
     np.testing.assert_allclose(frame.require("motion"), 0.0, atol=1e-4)
 
 
-def test_what_was_behind_the_earlier_camera_is_nan() -> None:
+def test_motion_of_points_behind_the_earlier_camera_is_nan() -> None:
     back = looking((3.0, 1.7, -2.0), (-3.0, 1.5, 5.0))
     assert np.isnan(nf.render(street(), NOW, before=back, channels=("motion",)).require("motion")).any()
 
 
 @pytest.mark.parametrize("morph", ["blend", "cylinder", "none"])
-def test_reduced_scenes_move_as_they_are_shown(morph: str) -> None:
-    """Every surface against the place at which the earlier user was shown it."""
+def test_motion_of_reduced_scenes_follows_displayed_positions(morph: str) -> None:
+    """Compares every surface with its displayed position for the earlier user."""
     light = nf.reduce(
         street(), center=CENTER, r1=12.0, r2=30.0, face_size=64, samples=1, morph=morph, channels=("color", "range")
     )

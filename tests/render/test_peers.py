@@ -42,7 +42,7 @@ CASES = {
 
 @dataclass
 class Pictures:
-    """Pictures of one view: nearfar's, pyrender's, and the pixels where both show the inside of a triangle."""
+    """Pictures of one view: nearfar's, pyrender's, and the pixels where both show the interior of a triangle."""
 
     frame: nf.Frame
     depth: np.ndarray
@@ -84,11 +84,11 @@ def rasterised(source: Any, camera: nf.Camera, case: Case) -> tuple[np.ndarray, 
     """Base colours (H, W, 3) uint8 as pyrender stores them, and depth along the viewing axis, 0 for nothing."""
     with warnings.catch_warnings(), pytest.MonkeyPatch.context() as patch:
         warnings.simplefilter("ignore")
-        patch.setattr(np, "infty", np.inf, raising=False)  # pyrender 0.1.45 was written for NumPy 1
+        patch.setattr(np, "infty", np.inf, raising=False)  # pyrender 0.1.45 was written for NumPy 1.
         import pyrender
         from pyrender import renderer as internals
 
-        # Multisampling stores the depth of a point that is not the pixel's centre.
+        # Multisampling stores the depth of a point other than the pixel's centre.
         storage = internals.glRenderbufferStorageMultisample
         patch.setattr(internals, "glRenderbufferStorageMultisample", lambda kind, _, *rest: storage(kind, 0, *rest))
         scene = pyrender.Scene(bg_color=(0.0, 0.0, 0.0, 0.0))
@@ -109,7 +109,7 @@ def rasterised(source: Any, camera: nf.Camera, case: Case) -> tuple[np.ndarray, 
 
 
 def meshes(source: Any, pyrender: Any) -> list[Any]:
-    """A mesh for each geometry; a city without materials is merged to one, because thousands take a minute."""
+    """One mesh per geometry; a city without materials is merged into one, because thousands take a minute."""
     if len(source.geometry) > 1000:
         whole = source.to_mesh()
         corners = np.asarray(whole.vertices)[np.asarray(whole.faces)].reshape(-1, 3)
@@ -124,7 +124,7 @@ def meshes(source: Any, pyrender: Any) -> list[Any]:
     return placed
 
 
-def test_surfaces_lie_where_pyrender_draws_them(pictures: Pictures) -> None:
+def test_depth_equals_pyrender(pictures: Pictures) -> None:
     frame, depth, inside = pictures.frame, pictures.depth, pictures.inside
     assert inside.mean() > 0.02
     axis = rotate(frame.camera.orientation, np.array([0.0, 0.0, -1.0]))
@@ -132,17 +132,17 @@ def test_surfaces_lie_where_pyrender_draws_them(pictures: Pictures) -> None:
     # A 24-bit depth buffer with far/near of 200 resolves 200 · 2⁻²⁴ of the distance at its far end; pyrender's matrices
     # in float32 add as much.
     np.testing.assert_allclose(ours[inside], depth[inside], rtol=3e-5)
-    # Where only one of both shows a surface, the pixel is at an edge.
+    # If only one of both shows a surface, the pixel is at an edge.
     differs = (depth > 0) != np.isfinite(ours)
     assert differs.mean() < 1e-3
 
 
-def test_base_colours_are_those_of_pyrender(pictures: Pictures) -> None:
+def test_base_colours_equal_pyrender(pictures: Pictures) -> None:
     frame, inside = pictures.frame, pictures.inside
     albedo = frame.require("color")[inside] / irradiance(frame.require("normal")[inside].astype(np.float64))
     theirs = pictures.color[inside] / 255.0
     if not pictures.textured:
-        # Without lights pyrender stores factors as they are: one rounding to 8 bits.
+        # Without lights pyrender stores factors unchanged: one rounding to 8 bits.
         np.testing.assert_allclose(albedo, theirs, atol=0.51 / 255)
         return
     # Textures keep their codes, but are filtered as codes, not as light, and at another level: a code in most pixels,

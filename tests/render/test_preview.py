@@ -1,4 +1,4 @@
-"""Tests of the pictures that notebooks show of frames."""
+"""Tests of notebook previews of frames."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def full() -> nf.Frame:
     return nf.render(build.build(), camera, channels=CHANNELS, before=before, backend="cpu")
 
 
-def test_colour_is_shown_as_it_is_saved(full: nf.Frame) -> None:
+def test_colour_is_shown_as_saved(full: nf.Frame) -> None:
     shown = Card(full._repr_html_())
     (picture,) = shown.pictures()
     np.testing.assert_array_equal(picture, full.to_image())
@@ -46,7 +46,7 @@ def test_every_image_alone_has_a_picture(full: nf.Frame, name: str) -> None:
     (picture,) = shown.pictures()
     assert picture.shape == (*SIZE[::-1], 3)
     assert preview.CAPTIONS[name] in shown.text
-    # Pixels without a surface move as the sky does.
+    # Pixels without a surface move like the sky.
     if name not in ("color", "motion"):
         hit = full.require("object_id") >= 0
         assert (picture[~hit] == 48).all()
@@ -59,7 +59,7 @@ def test_near_ranges_are_brighter(full: nf.Frame) -> None:
     assert picture[-1, 160, 0] > picture[120, 160, 0] > picture[106, 160, 0]
 
 
-def test_large_frames_are_thinned_before_they_are_converted() -> None:
+def test_large_frames_are_subsampled_before_conversion() -> None:
     camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90, 4.0), size=(16000, 4000))
     color = np.broadcast_to(np.float32(0.5), (4000, 16000, 3))
     frame = nf.Frame(camera, color=color)
@@ -68,7 +68,7 @@ def test_large_frames_are_thinned_before_they_are_converted() -> None:
     assert picture.shape == (160, 640, 3)
 
 
-def test_frames_without_pixels_to_show_show_their_repr(full: nf.Frame) -> None:
+def test_frames_without_displayable_pixels_show_their_repr(full: nf.Frame) -> None:
     empty = nf.Frame(full.camera)
     assert empty._repr_html_().startswith("<pre>Frame(")
     assert empty._repr_png_() is None

@@ -1,4 +1,4 @@
-"""Tests of a third kind of renderable beside scenes and reduced scenes, and of the shots that each kind receives."""
+"""Tests of a third kind of renderable besides scenes and reduced scenes, and of the shots passed to each kind."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ def test_a_sky_is_rendered_on_an_adapter(sky: Sky, name: str) -> None:
         np.testing.assert_array_equal(single.require("color"), step.require("color"))
 
 
-def test_a_shot_carries_cameras_user_and_part_of_the_rays(sky: Sky) -> None:
+def test_a_shot_contains_cameras_user_and_ray_segment(sky: Sky) -> None:
     renderer = Renderer(sky, ("color",), 4)
     eyes = cameras(2)
     frames = renderer.frames(renderer.shot(eyes, (5, 6, 7), 0.5, 80.0), None, None)
@@ -95,12 +95,12 @@ def test_a_shot_carries_cameras_user_and_part_of_the_rays(sky: Sky) -> None:
     assert (sky.shots[-1].user, sky.shots[-1].t_min, sky.shots[-1].t_max) == ((0, 1, 0), 1.0, 2.0)
 
 
-def test_kinds_that_neither_move_nor_have_levels_say_so(sky: Sky) -> None:
+def test_kinds_without_poses_or_levels_refuse_them(sky: Sky) -> None:
     (camera,) = cameras(1)
     with pytest.raises(ValueError, match="nothing moves"):
         nf.render(sky, camera, at={"car": np.eye(4)})
     with pytest.raises(ValueError, match="which no graphics adapter draws"):
-        Still().begin(None, None)  # type: ignore[arg-type]  # refused before they are looked at
+        Still().begin(None, None)  # type: ignore[arg-type]  # Refused without being read.
 
 
 class Still(nf.Renderable):
@@ -108,7 +108,7 @@ class Still(nf.Renderable):
 
 
 class Moves(Still):
-    """A renderable whose poses are never right."""
+    """A renderable that refuses all poses."""
 
     def at(self, poses: Mapping[str, ArrayLike]) -> Moves:
         raise json.JSONDecodeError("no pose", "text", 3)

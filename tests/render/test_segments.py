@@ -1,4 +1,4 @@
-"""Parts of rays between two distances: against brute force, against scenes cut by hand, and on graphics adapters."""
+"""Ray segments between two distances: against brute force, against scenes cut by hand, and on graphics adapters."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def test_every_channel_agrees_with_brute_force(camera: nf.Camera, segment: tuple
     np.testing.assert_allclose(flat["color"], expected.color, atol=1e-4)
 
 
-def test_samples_of_a_pixel_end_where_their_own_rays_do() -> None:
+def test_samples_of_a_pixel_end_on_their_own_rays() -> None:
     surfaces, camera = room(), nf.Camera((0, 0, 2), fov=WIDE, size=(30, 20))
     frame = nf.render(build(surfaces), camera, samples=2, channels=["color"], t_min=4.0, t_max=7.0, backend="cpu")
     views = [oracle.view(camera, offset, 2) for offset in ((0.25, 0.25), (0.75, 0.75))]
@@ -47,7 +47,7 @@ BACKENDS = ["cpu", *ADAPTERS]
 
 @pytest.fixture(scope="module")
 def rows() -> nf.Scene:
-    """Tilted squares 3 to 5 m and 9 to 12 m away, far ones behind near ones and beside them."""
+    """Tilted squares 3 to 5 m and 9 to 12 m away, far ones behind near ones and next to them."""
     builder = SceneBuilder()
     for number in range(24):
         is_near = number % 2 == 0
@@ -62,7 +62,7 @@ def rows() -> nf.Scene:
 @pytest.mark.parametrize("samples", [1, 4])
 @pytest.mark.parametrize("fov", [nf.Fov.symmetric(75), nf.Orthographic(-4.0, 3.0, -2.0, 2.5)], ids=str)
 @pytest.mark.parametrize("name", BACKENDS)
-def test_scenes_cut_by_hand_are_the_same(
+def test_segments_equal_scenes_cut_by_hand(
     rows: nf.Scene, name: str, fov: nf.Fov | nf.Orthographic, samples: int
 ) -> None:
     camera = nf.Camera((0.1, 0.05, 0.3), fov=fov, size=(120, 80))
@@ -77,19 +77,19 @@ def test_scenes_cut_by_hand_are_the_same(
             by_hand = nf.render(halves[kind], camera, **settings)
             assert 0.05 < np.isfinite(cut.require("range")).mean() < 0.95
             np.testing.assert_array_equal(cut.require("object_id"), by_hand.require("object_id"))
-            # Adapters take the farthest point of a scene as the depth of parallel rays: edges may round otherwise.
+            # Adapters use the farthest point of a scene as the depth of parallel rays: edges may round differently.
             apart = 0.0 if backend == "cpu" else 2e-6
             for channel in ("range", "position", "normal"):
                 np.testing.assert_allclose(cut.require(channel), by_hand.require(channel), rtol=apart, atol=apart)
             if samples == 1 or backend == "cpu":
                 np.testing.assert_allclose(cut.require("color"), by_hand.require("color"), rtol=0, atol=apart)
             else:
-                # Whole rays may take the adapter's own samples.
+                # Whole rays may use the adapter's own samples.
                 check_color(cut, by_hand, codes=60, percentile=98)
 
 
 @pytest.mark.parametrize("name", BACKENDS)
-def test_a_part_that_holds_everything_changes_nothing(name: str) -> None:
+def test_a_segment_with_everything_changes_nothing(name: str) -> None:
     scene, camera = crowd(), view((0, 0.5, 1), (0, 0, -6), size=(160, 120))
     with backend_of(name) as backend:
         whole = nf.render(scene, camera, channels=DRAWN, backend=backend)
@@ -100,7 +100,7 @@ def test_a_part_that_holds_everything_changes_nothing(name: str) -> None:
 
 @pytest.mark.parametrize("segment", SEGMENTS)
 @pytest.mark.parametrize("name", ADAPTERS)
-def test_adapters_cut_where_the_tracer_does(name: str, segment: tuple[float, float]) -> None:
+def test_adapters_cut_like_the_tracer(name: str, segment: tuple[float, float]) -> None:
     bounds = {"t_min": segment[0], "t_max": segment[1]}
     with adapter(name):
         for camera in CAMERAS:
@@ -110,15 +110,15 @@ def test_adapters_cut_where_the_tracer_does(name: str, segment: tuple[float, flo
 
 
 @pytest.mark.parametrize("name", ADAPTERS)
-def test_the_ends_of_a_part_are_as_smooth_as_the_tracers(name: str) -> None:
-    """A ground that ends 6 m away: four samples blend it with the sky, as the tracer's do."""
+def test_segment_ends_are_antialiased_like_the_tracers(name: str) -> None:
+    """A ground that ends 6 m away: four samples blend it with the sky, like the tracer's."""
     scene, camera = crowd(), view((0, 0.5, 1), (0, 0, -6), size=(240, 160))
     with adapter(name):
         cpu, gpu = both(scene, camera, channels=("color",), samples=4, t_max=6.0)
         check_color(cpu, gpu)
 
 
-def test_what_lies_beyond_the_end_is_not_sent_to_the_raster() -> None:
+def test_geometry_beyond_the_end_is_not_rasterised() -> None:
     scene, camera = crowd(("one_7",)), view((0, 0.5, 1), (0, 0, -6), size=(40, 30))
     with adapter("vulkan"):
         device = nf._core.GpuDevice("vulkan")

@@ -1,4 +1,4 @@
-"""Tests of camera paths: the same pictures as single calls, two in progress at a time, and clean ends."""
+"""Tests of camera paths: equal to single calls, two frames in progress at a time, and clean ends."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def backend(request: pytest.FixtureRequest) -> Iterator[str]:
         yield "gpu"
 
 
-def test_frames_are_those_of_single_calls(backend: str) -> None:
+def test_frames_of_a_path_equal_single_calls(backend: str) -> None:
     scene = crowd()
     frames = nf.render_path(scene, CAMERAS, backend=backend)
     for camera, frame in zip(CAMERAS, frames, strict=True):
@@ -63,7 +63,7 @@ def test_objects_move_along_the_path(backend: str) -> None:
     equal(fixed[0], nf.render(scene.at(poses[3]), CAMERAS[0], backend=backend))
 
 
-def test_a_pose_that_is_changed_in_place_is_another_one(backend: str) -> None:
+def test_a_pose_changed_in_place_is_a_new_pose(backend: str) -> None:
     matrix = pose(0.0)
 
     def walk() -> Iterator[dict[str, Any]]:
@@ -75,14 +75,14 @@ def test_a_pose_that_is_changed_in_place_is_another_one(backend: str) -> None:
     assert len({frame.require("object_id").tobytes() for frame in frames}) == 3
 
 
-def test_frames_before_a_wrong_camera_come_before_the_error(backend: str) -> None:
+def test_frames_before_an_invalid_camera_precede_the_error(backend: str) -> None:
     path = nf.render_path(crowd(), iter([*CAMERAS[:2], 3]), backend=backend)  # type: ignore[arg-type]
     assert [next(path).camera, next(path).camera] == CAMERAS[:2]
     with pytest.raises(TypeError, match="cameras: expected Cameras, got int as number 2"):
         next(path)
 
 
-def test_one_camera_is_asked_for_ahead() -> None:
+def test_one_camera_is_requested_ahead() -> None:
     asked = []
 
     def cameras() -> Iterator[nf.Camera]:
@@ -100,17 +100,17 @@ def test_one_camera_is_asked_for_ahead() -> None:
         assert len(list(frames)) == 3
 
 
-def test_an_end_in_the_middle_drops_what_is_under_way(backend: str) -> None:
+def test_stopping_early_drops_frames_in_progress(backend: str) -> None:
     scene = crowd()
     frames = nf.render_path(scene, itertools.repeat(CAMERAS[0]), backend=backend)
     first = [next(frames) for _ in range(3)]
-    frames.close()  # type: ignore[attr-defined]  # a generator
+    frames.close()  # type: ignore[attr-defined]  # A generator.
     with pytest.raises(StopIteration):
         next(frames)
     equal(first[0], nf.render(scene, CAMERAS[0], backend=backend))
 
 
-def test_what_iterators_bring_is_checked_when_it_comes(backend: str) -> None:
+def test_items_of_iterators_are_checked_on_arrival(backend: str) -> None:
     scene = crowd(("one_7",))
     ahead = 2 if backend == "gpu" else 1
     for arguments, error, words in (
@@ -127,7 +127,7 @@ def test_what_iterators_bring_is_checked_when_it_comes(backend: str) -> None:
 
 
 def interrupted(frames: Iterator[nf.Frame], seconds: float) -> float:
-    """CPU-seconds of this process from a Ctrl-C to its exception."""
+    """CPU seconds of this process from a Ctrl-C to its exception."""
     sent = []
 
     def press() -> None:
@@ -160,6 +160,6 @@ def test_a_long_frame_ends_with_control_c(name: str) -> None:
     with adapter(name):
         nf.render(scene, camera, backend="gpu")
         frames = nf.render_path(scene, itertools.repeat(camera), samples=1024, channels=("color",), backend="gpu")
-        # Signals are polled between two of 128 submissions: a software adapter spends a part of a CPU-second on each.
+        # Signals are polled every 128 submissions: a software adapter spends a part of a CPU second on each.
         assert interrupted(frames, 0.4) < 20.0
         assert np.isfinite(nf.render(scene, CAMERAS[0], backend="gpu").require("color")).all()

@@ -1,4 +1,4 @@
-"""Silhouettes and luma from many sides are those of `render`'s pictures, to the byte, wherever they are wanted."""
+"""Silhouettes and luma of many views equal `render`'s pictures, to the byte, for every output."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def cameras(size: tuple[int, int], distance: float = 6.0) -> list[nf.Camera]:
 
 
 def leaves() -> nf.Scene:
-    """A ball with holes in its texture, an instance that was moved, and one that moves."""
+    """A ball with holes in its texture, a moved instance, and a moving one."""
     builder = SceneBuilder()
     vertices, faces = ball(12)
     texture = np.full((16, 16, 4), 200, np.uint8)
@@ -49,7 +49,7 @@ SCENES: dict[str, Callable[[], nf.Scene]] = {
 
 
 def near(shown: NDArray[np.bool_], reach: int) -> NDArray[np.bool_]:
-    """Pixels that lie in a square around one that is shown."""
+    """Pixels within a square around a pixel that is set."""
     rows, columns = np.nonzero(shown)
     found = np.zeros(shown.shape, bool)
     for row, column in zip(rows, columns, strict=True):
@@ -59,7 +59,7 @@ def near(shown: NDArray[np.bool_], reach: int) -> NDArray[np.bool_]:
 
 @pytest.mark.parametrize("name", SCENES)
 @pytest.mark.parametrize("samples", [1, 2, 3, 4, 9, 70])
-def test_pictures_are_those_of_render(name: str, samples: int) -> None:
+def test_silhouettes_and_luma_equal_render(name: str, samples: int) -> None:
     own, size, reach = SCENES[name](), (53, 37), 3
     views = cameras(size)
     frames = [nf.render(own, view, samples=samples, channels=("color", "range"), backend="cpu") for view in views]
@@ -71,12 +71,12 @@ def test_pictures_are_those_of_render(name: str, samples: int) -> None:
     expected = np.stack([frame.to_image() for frame in frames]) @ np.array(LUMA)
     wanted = np.stack([near(one, reach) for one in shown])
     assert not wanted.all()
-    # Sums of three products, in which the last digit may differ.
+    # Sums of three products, whose last digit may differ.
     np.testing.assert_allclose(luma[wanted], expected[wanted], rtol=4e-16, atol=0)
     np.testing.assert_array_equal(luma[~wanted], 0)
 
 
-def test_no_pictures_and_no_pixels_are_no_work() -> None:
+def test_empty_lists_and_empty_pictures_are_accepted() -> None:
     own = scene(6)._core
     assert _core.silhouettes(own, []).size == 0
     nothing = np.zeros((3, 8, 8), bool)

@@ -29,7 +29,7 @@ def test_every_channel_agrees_with_brute_force(camera: nf.Camera) -> None:
     flat = {name: frame.require(name).reshape(41 * 41, *frame.require(name).shape[2:]) for name in DRAWN}
     np.testing.assert_array_equal(flat["object_id"], expected.object_id)
     np.testing.assert_array_equal(flat["face_id"], expected.face_id)
-    # Coordinates of 10 m and distances along them are rounded by 5e-7; slanted surfaces magnify it a little.
+    # Coordinates of 10 m and distances along them are rounded by 5e-7; slanted surfaces amplify it a little.
     np.testing.assert_allclose(flat["range"], expected.range, rtol=2e-6)
     np.testing.assert_allclose(flat["position"], expected.position, atol=1e-5)
     np.testing.assert_allclose(flat["normal"], expected.normal, atol=2e-7)
@@ -38,7 +38,7 @@ def test_every_channel_agrees_with_brute_force(camera: nf.Camera) -> None:
     np.testing.assert_allclose(flat["color"], expected.color, atol=1e-4)
 
 
-def test_colour_is_the_mean_of_its_samples_and_the_rest_stays() -> None:
+def test_colour_is_the_mean_of_its_samples_and_other_channels_are_unchanged() -> None:
     surfaces, camera = room(), nf.Camera((0, 0, 2), fov=WIDE, size=(30, 20))
     scene = build(surfaces)
     one, many = (nf.render(scene, camera, samples=samples, channels=DRAWN) for samples in (1, 8))
@@ -54,7 +54,7 @@ def test_colour_is_the_mean_of_its_samples_and_the_rest_stays() -> None:
 
 
 @pytest.mark.parametrize("channel", DRAWN)
-def test_each_channel_is_the_same_alone(channel: str) -> None:
+def test_each_channel_alone_is_unchanged(channel: str) -> None:
     scene, camera = build(room()), nf.Camera((0, 0, 2), fov=WIDE, size=(33, 17))
     together, alone = nf.render(scene, camera, channels=DRAWN), nf.render(scene, camera, channels=[channel])
     assert alone.channels == (channel,)
@@ -79,7 +79,7 @@ def test_a_white_plane_shows_the_light_that_falls_on_it(normal: tuple[float, flo
         assert frame.require("range")[4, 4] == pytest.approx(3.0, abs=2e-5)
 
 
-def test_a_checkerboard_far_away_is_the_mean_of_its_light() -> None:
+def test_a_distant_checkerboard_has_the_mean_light() -> None:
     # Black and white squares: half of the light, not half of the code (which would be 0.21 of it).
     board = np.kron([[0, 255], [255, 0]], np.ones((4, 4))).astype(np.uint8)
     texture = np.dstack([board, board, board, np.full((8, 8), 255, np.uint8)])
@@ -88,7 +88,7 @@ def test_a_checkerboard_far_away_is_the_mean_of_its_light() -> None:
     camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(60), size=(16, 16))
     color = nf.render(build([plane]), camera).require("color")
     light = oracle.irradiance(np.array([[0.0, 0.0, 1.0]]))[0]
-    # The coarsest level holds the mean in steps of 1/65535.
+    # The coarsest level contains the mean in steps of 1/65535.
     np.testing.assert_allclose(color, np.broadcast_to(0.5 * light, (16, 16, 3)), atol=1 / 65535)
 
 
@@ -103,11 +103,11 @@ def test_textures_are_the_right_way_up() -> None:
     color = nf.render(build([picture]), camera).require("color")
     light = oracle.irradiance(np.array([[0.0, 0.0, 1.0]]))[0]
     expected = np.array([[light * (1, 0, 0), np.zeros(3)], [np.zeros(3), light * (0, 0, 1)]])
-    # Neighbouring texels mix in by the rounding of the texture coordinate.
+    # Neighbouring texels contribute by the rounding of the texture coordinate.
     np.testing.assert_allclose(color, expected, atol=1e-6)
 
 
-def test_holes_of_cut_out_materials_show_what_is_behind() -> None:
+def test_cut_out_holes_show_surfaces_behind() -> None:
     texture = np.full((4, 4, 4), 255, np.uint8)
     texture[:2, :, 3] = 0
     uvs = np.array([[0.0, 0], [1, 0], [1, 1], [0, 1]])
@@ -147,14 +147,14 @@ def test_misses_show_the_sky() -> None:
         assert np.isnan(frame.require(name)).all()
 
 
-def test_an_empty_scene_is_all_sky() -> None:
+def test_an_empty_scene_shows_sky() -> None:
     scene = nf.Scene.from_arrays(np.empty((0, 3)), np.empty((0, 3), int))
     frame = nf.render(scene, nf.Camera((0, 0, 0), fov=WIDE, size=(3, 2)), samples=3, channels=DRAWN)
     assert np.isposinf(frame.require("range")).all()
     assert np.isfinite(frame.require("color")).all()
 
 
-def test_far_from_zero_nothing_is_lost() -> None:
+def test_far_from_the_origin_pictures_keep_their_precision() -> None:
     surfaces = room()
     near = nf.render(build(surfaces), nf.Camera((0, 0, 2), fov=WIDE, size=(24, 16)), channels=("range", "position"))
     offset = np.array([1e7, -2e6, 3e7])
@@ -167,9 +167,9 @@ def test_far_from_zero_nothing_is_lost() -> None:
     frame = nf.render(
         scene, nf.Camera(tuple(eye), fov=WIDE, size=(24, 16)), channels=("range", "position", "object_id")
     )
-    solid = frame.require("object_id") != 3  # the cut-out one is whole here
+    solid = frame.require("object_id") != 3  # The cut-out one is whole here.
     same = solid & (nf.render(build(surfaces), nf.Camera((0, 0, 2), fov=WIDE, size=(24, 16))).require("object_id") != 3)
-    # The origin is in whole metres, so that local coordinates of 10 m lose a float32 rounding and no more.
+    # The origin is in whole metres, so that local coordinates of 10 m lose only a float32 rounding.
     np.testing.assert_allclose(frame.require("range")[same], near.require("range")[same], rtol=3e-6)
     world = np.array(frame.origin) + frame.require("position")
     np.testing.assert_allclose(world[same] - offset, near.require("position")[same], atol=2e-5)
@@ -187,7 +187,7 @@ def test_a_camera_in_a_wall_or_outside_everything_works() -> None:
 
 
 @pytest.mark.parametrize("far", [1.1e30, 1e39, 1e300])
-def test_places_that_float32_cannot_hold_are_refused(far: float) -> None:
+def test_positions_beyond_float32_are_refused(far: float) -> None:
     scene = build(room())
     camera = nf.Camera((far, 0, 0), fov=WIDE, size=(4, 4))
     reduced = nf.reduce(scene, center=(0, 0, 0), r1=1, r2=2, face_size=4)
@@ -202,14 +202,14 @@ def test_places_that_float32_cannot_hold_are_refused(far: float) -> None:
     assert np.isinf(edge.require("range")).all()
 
 
-def test_images_without_room_are_refused() -> None:
+def test_images_that_exceed_memory_are_refused() -> None:
     need("linux")
     code = """
 import resource
 import nearfar as nf
 scene = nf.Scene.from_arrays([[0, 0, -1], [1, 0, -1], [0, 1, -1]], [[0, 1, 2]])
 camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90), size=(65536, 65536))
-nf.render(scene, nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90), size=(4, 4)))  # makes the threads
+nf.render(scene, nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90), size=(4, 4)))  # Creates the threads.
 resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))
 for call in (
     lambda: nf.render(scene, camera),
@@ -223,12 +223,12 @@ for call in (
 """
     process = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=600, check=True)
     refused = r"the result needs \d+ bytes, which the system does not have\n"
-    # The system may have the room that the process may not take.
+    # The system may have memory that the process must not use.
     early = r"camera: a picture of 65536 × 65536 pixels takes 85.9 GB of memory, and .* GB are free\n"
     assert re.fullmatch(f"({early}|{refused})({refused}){{2}}", process.stdout)
 
 
-def test_degenerate_triangles_are_not_seen() -> None:
+def test_degenerate_triangles_are_invisible() -> None:
     vertices = np.array([[0, 0, -1], [1, 0, -1], [2, 0, -1], [0, 0, -1], [0, 0, -1]], np.float32)
     scene = nf.Scene.from_arrays(vertices, np.array([[0, 1, 2], [0, 3, 4]]))
     frame = nf.render(scene, nf.Camera((0, 0, 0), fov=WIDE, size=(9, 9)), channels=DRAWN)

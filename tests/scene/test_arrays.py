@@ -36,7 +36,7 @@ def test_arrays_of_the_right_types_are_borrowed_and_frozen() -> None:
     assert scene.triangles()[0, 0, 0] == 55 != before
 
 
-def test_copies_leave_the_arrays_alone() -> None:
+def test_copies_do_not_change_the_arrays() -> None:
     vertices, faces = soup(10)
     owner = np.arange(10, dtype=np.int32)
     scene = nf.Scene.from_arrays(vertices, faces, owner, copy=True)
@@ -57,14 +57,14 @@ def test_other_types_and_layouts_are_converted(kind: type, order: Any, whole: ty
     np.testing.assert_array_equal(scene.triangles(), given_vertices.astype(np.float32)[faces])
 
 
-def test_slices_and_lists_are_fine() -> None:
+def test_slices_and_lists_are_accepted() -> None:
     vertices, faces = soup(10)
     wide = np.concatenate([vertices, vertices], axis=1)
     np.testing.assert_array_equal(nf.Scene.from_arrays(wide[:, :3], faces[::2]).triangles(), vertices[faces[::2]])
     assert nf.Scene.from_arrays(vertices.tolist(), faces.tolist()).triangle_count == 10
 
 
-def test_an_empty_scene_is_a_scene() -> None:
+def test_an_empty_scene_is_valid() -> None:
     scene = nf.Scene.from_arrays(np.zeros((0, 3)), np.zeros((0, 3), int))
     assert (scene.triangle_count, scene.triangles().shape) == (0, (0, 3, 3))
     assert np.isposinf(scene.bounds[0]).all()
@@ -90,7 +90,7 @@ def test_wrong_arrays_are_refused(change: dict[str, Any], words: str) -> None:
 
 
 @given(st.lists(st.integers(-1, 3), min_size=1, max_size=300))
-def test_objects_are_found_in_every_layout(owner: list[int]) -> None:
+def test_objects_are_found_in_every_face_order(owner: list[int]) -> None:
     vertices, faces = soup(len(owner))
     scene = nf.Scene.from_arrays(vertices, faces, owner, object_names=["a", "b", "c", "d"])
     for number, name in enumerate(scene.object_names):
@@ -109,7 +109,7 @@ def test_far_coordinates_keep_their_digits(offset: tuple[float, float, float]) -
     np.testing.assert_allclose(scene.bounds, [world.min(axis=0), world.max(axis=0)], rtol=0, atol=4e-6)
 
 
-def test_far_float32_coordinates_lose_nothing_more() -> None:
+def test_far_float32_coordinates_are_exact() -> None:
     vertices, faces = soup(100)
     far = vertices + np.float32(1e6)
     scene = nf.Scene.from_arrays(far, faces)
@@ -117,7 +117,7 @@ def test_far_float32_coordinates_lose_nothing_more() -> None:
     np.testing.assert_array_equal(scene.triangles() + scene.origin, far[faces].astype(np.float64))
 
 
-def test_vertices_that_no_face_uses_have_no_part_in_the_bounds() -> None:
+def test_unused_vertices_do_not_affect_bounds() -> None:
     vertices, faces = soup(4)
     builder = SceneBuilder()
     stray = builder.mesh(np.concatenate([vertices, np.full((1, 3), 9e4, np.float32)]), faces)
@@ -129,7 +129,7 @@ def test_vertices_that_no_face_uses_have_no_part_in_the_bounds() -> None:
     scene = builder.build()
     np.testing.assert_array_equal(scene.origin, 0)
     corners = vertices.astype(np.float64) @ matrix[:3, :3].T + matrix[:3, 3]
-    # Float32 of at most 200 m: half a step is 8e-6 m. A turned box of the mesh would be 40 % too large.
+    # Float32 of at most 200 m: half a step is 8e-6 m. A rotated box of the mesh would be 40 % too large.
     turned = scene.subset(objects=["thing_0"]).bounds
     np.testing.assert_allclose(turned, [corners.min(axis=0), corners.max(axis=0)], rtol=0, atol=8e-6)
 
@@ -167,11 +167,11 @@ MEMORY = """
 import numpy as np, nearfar as nf
 def kilobytes(key):
     return int(next(line for line in open("/proc/self/status") if line.startswith(key)).split()[1])
-def arrays(count):  # buildings of 17 triangles, as in Tokyo
+def arrays(count):  # Buildings of 17 triangles, as in Tokyo.
     vertices = np.random.default_rng(0).uniform(-1e4, 1e4, (count * 3 // 4, 3)).astype(np.float32)
     faces = np.random.default_rng(1).integers(0, len(vertices), (count, 3), np.uint32)
     return vertices, faces, (np.arange(count) // 17).astype(np.int32)
-nf.Scene.from_arrays(*arrays(10_000)).bounds  # threads and libraries are not the scene's
+nf.Scene.from_arrays(*arrays(10_000)).bounds  # Threads and libraries are not the scene's.
 given = arrays(3_000_000)
 open("/proc/self/clear_refs", "w").write("5")
 before = kilobytes("VmRSS")

@@ -1,4 +1,4 @@
-"""Materials that blend: drawn opaque, or cut out where alpha is below one half."""
+"""Materials with blending: drawn opaque, or cut out where alpha is below one half."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def pane(alphas: list[int], mode: str | None = "BLEND", **changes: Any) -> bytes
 
 
 def coverage(scene: nf.Scene) -> float:
-    """The part of the picture that shows something."""
+    """Share of the picture that shows a surface."""
     found = nf.render(scene, VIEW).range
     assert found is not None
     return float(np.isfinite(found).mean())
@@ -43,7 +43,7 @@ def coverage(scene: nf.Scene) -> float:
 @pytest.mark.parametrize(
     ("alphas", "part"), [([255] * 4, 1.0), ([255, 255, 0, 0], 0.5), ([128] * 4, 1.0), ([127] * 4, 0.0)]
 )
-def test_what_is_half_transparent_is_cut_out(tmp_path: Path, alphas: list[int], part: float) -> None:
+def test_half_transparent_texels_are_cut_out(tmp_path: Path, alphas: list[int], part: float) -> None:
     (tmp_path / "a.glb").write_bytes(pane(alphas))
     opaque, cut = (nf.Scene.load(tmp_path / "a.glb", blend=blend) for blend in ("opaque", "cutout"))
     assert coverage(opaque) > 0.5
@@ -59,7 +59,7 @@ def test_what_is_half_transparent_is_cut_out(tmp_path: Path, alphas: list[int], 
 
 
 @pytest.mark.parametrize(("mode", "changes"), [(None, {}), ("OPAQUE", {}), ("MASK", {"alphaCutoff": 0.2})])
-def test_other_materials_are_drawn_as_ever(tmp_path: Path, mode: str | None, changes: dict[str, Any]) -> None:
+def test_other_materials_are_drawn_opaque(tmp_path: Path, mode: str | None, changes: dict[str, Any]) -> None:
     (tmp_path / "a.glb").write_bytes(pane([90] * 4, mode, **changes))
     opaque, cut = (nf.Scene.load(tmp_path / "a.glb", blend=blend) for blend in ("opaque", "cutout"))
     assert coverage(opaque) == coverage(cut) > 0.5
@@ -67,7 +67,7 @@ def test_other_materials_are_drawn_as_ever(tmp_path: Path, mode: str | None, cha
     assert not any("alpha" in note or "blending" in note for note in cut.report.notes)
 
 
-def test_files_that_are_written_say_what_is_drawn(tmp_path: Path) -> None:
+def test_written_files_describe_what_is_drawn(tmp_path: Path) -> None:
     (tmp_path / "a.glb").write_bytes(pane([255, 0, 255, 0]))
     for blend, mode in (("opaque", "BLEND"), ("cutout", "MASK")):
         nf.lod.export(nf.Scene.load(tmp_path / "a.glb", blend=blend), tmp_path / "written.glb", view=FOV)
@@ -96,7 +96,7 @@ def test_trimesh_objects_are_cut_out_too() -> None:
         assert bool(np.isfinite(found).any()) == is_seen
 
 
-def test_commands_pass_it_on(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_commands_pass_the_cutoff_on(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "a.glb").write_bytes(pane([255, 0, 255, 0]))
     status, out, _ = command(capsys, "info", "-i", tmp_path / "a.glb", "--blend", "cutout", "--json")
     assert status == 0

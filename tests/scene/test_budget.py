@@ -1,4 +1,4 @@
-"""Files that unpack to far more than they are, and files that never end: errors, before memory or time are taken."""
+"""Decompression bombs and endless files: errors before memory or time is spent."""
 
 from __future__ import annotations
 
@@ -33,14 +33,14 @@ def bomb(size: int) -> bytes:
 
 
 @pytest.mark.parametrize("size", [0, 1, 1 << 22, (1 << 22) + 1, 9_000_000])
-def test_packed_bytes_come_back(size: int) -> None:
+def test_packed_bytes_are_unpacked(size: int) -> None:
     data = os.urandom(size)
     assert Budget().unpacked(gzip.compress(data, 1)) == data
     assert Budget().unpacked(gzip.compress(data, 1) + gzip.compress(b"more") + bytes(512)) == data + b"more"
 
 
 @pytest.mark.parametrize("cut", [5, -1, -9])
-def test_packed_bytes_that_end_too_early_are_damaged(cut: int, tmp_path: Path) -> None:
+def test_truncated_packed_bytes_are_damaged(cut: int, tmp_path: Path) -> None:
     path = tmp_path / "ball.ply.gz"
     path.write_bytes(gzip.compress(BALL.export(file_type="ply"))[:cut])
     with pytest.raises(nf.SceneError, match=r"ball\.ply\.gz: its compressed data is damaged"):
@@ -58,7 +58,7 @@ def test_the_limit_follows_the_bytes_read() -> None:
         one.take(401)
 
 
-def test_small_files_that_unpack_to_gigabytes_are_refused(tmp_path: Path) -> None:
+def test_small_files_that_expand_to_gigabytes_are_refused(tmp_path: Path) -> None:
     path = tmp_path / "a.ply.gz"
     path.write_bytes(4 * bomb(1 << 28))
     need("linux")
@@ -111,7 +111,7 @@ MESH = (
 
 
 def threemf(path: Path, objects: dict[int, list[int]], items: int = 1) -> Path:
-    """A 3MF whose object 0 is a triangle, and other ones are components; `items` times the last one is built."""
+    """A 3MF whose object 0 is a triangle, and the others are components; `items` times the last one is built."""
     parts = [f'<object id="0" type="model">{MESH}</object>']
     for number, below in objects.items():
         components = "".join(f'<component objectid="{part}"/>' for part in below)
@@ -134,7 +134,7 @@ def test_components_of_components_are_counted(tmp_path: Path) -> None:
 
 
 def test_counts_of_components_stay_small() -> None:
-    # Counted exactly, each object of a chain would take a bit more than the one before it: gigabytes for 10⁵ of them.
+    # Counted exactly, each object of a chain would take a bit more than its predecessor: gigabytes for 10⁵ of them.
     chain = {str(n): [str(n - 1)] * 2 for n in range(1, 200)}
     assert threemf_counts._instances(chain, ["5", "199"]) == [63, 1 << 62]
 
@@ -154,7 +154,7 @@ def test_entities_are_not_expanded(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("count", [2_000_000_000, -1])
 @pytest.mark.parametrize("kind", ["ascii", "binary_little_endian"])
-def test_counts_in_headers_are_not_believed(kind: str, count: int, tmp_path: Path) -> None:
+def test_counts_in_headers_are_not_trusted(kind: str, count: int, tmp_path: Path) -> None:
     ply = f"ply\nformat {kind} 1.0\nelement vertex {count}\nproperty float x\nproperty float y\nproperty float z\n"
     ply += f"element face {count}\nproperty list uchar int vertex_indices\nend_header\n"
     contents = {
@@ -172,7 +172,7 @@ def test_counts_in_headers_are_not_believed(kind: str, count: int, tmp_path: Pat
 
 
 def test_files_are_read_once(tmp_path: Path) -> None:
-    """A file that many images name does not raise what the others may unpack to."""
+    """A file named by many images does not raise the limit of the others."""
     (tmp_path / "a.bin").write_bytes(bytes(1000))
     budget = Budget()
     files = budgets.resolver(tmp_path / "a.obj", budget)

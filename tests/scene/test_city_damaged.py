@@ -1,4 +1,4 @@
-"""Cities that are damaged or lie: an error that names the file and the place, soon and in little memory."""
+"""Damaged or inconsistent cities: an error that names the file and the place, soon and in little memory."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ from tests.support.city_cases import (
     polygon_bytes,
     solid,
     square,
-    written,
+    write_json,
 )
 
 Json = dict[str, Any]
 
 
 def message(path: Path, **how: Any) -> str:
-    """The message of the error that loading the file raises, without its name."""
+    """Message of the error that loading the file raises, without the file's name."""
     with pytest.raises(nf.SceneError) as caught:
         nf.Scene.load(path, **how)
     text = str(caught.value)
@@ -44,7 +44,7 @@ def geometry(**changes: Any) -> Json:
     return city({"a": {"type": "Building", "geometry": [{**solid(), **changes}]}})
 
 
-def without(document: Json, key: str) -> Json:
+def remove_key(document: Json, key: str) -> Json:
     return {name: value for name, value in document.items() if name != key}
 
 
@@ -70,7 +70,7 @@ def tree(**changes: Any) -> Json:
 
 
 CITIES: list[tuple[Json, str]] = [
-    (without(city(), "vertices"), "vertices: expected a list, got nothing"),
+    (remove_key(city(), "vertices"), "vertices: expected a list, got nothing"),
     (city(vertices=[]), "CityObjects 'house': geometry[0].boundaries: it names vertex 0 of 0"),
     (city(vertices=None), "vertices: expected a list, got nothing"),
     (city(vertices={"a": 1}), "vertices: expected a list, got dict"),
@@ -88,7 +88,7 @@ CITIES: list[tuple[Json, str]] = [
     (city(transform={"scale": "1", "translate": [0, 0, 0]}), "transform.scale: expected a list, got str '1'"),
     (city(transform=[1]), "transform: expected an object, got list [1]"),
     (city(transform={"scale": [0, 0, 0], "translate": [0, 0, 0]}), "no triangles"),
-    (without(city(), "CityObjects"), "CityObjects: expected an object, got nothing"),
+    (remove_key(city(), "CityObjects"), "CityObjects: expected an object, got nothing"),
     (city(CityObjects=[1]), "CityObjects: expected an object, got list [1]"),
     (city(CityObjects={}), "no triangles"),
     (city(CityObjects={"a": 3}), "CityObjects 'a': expected an object, got int 3"),
@@ -113,7 +113,7 @@ CITIES: list[tuple[Json, str]] = [
     (geometry(semantics=[]), f"{PLACE}.semantics: expected an object, got list []"),
     (geometry(semantics={"surfaces": 3}), f"{PLACE}.semantics.surfaces: expected a list, got int 3"),
     (city(version="3.0"), "it is CityJSON '3.0', and 1.0 to 2.0 are read"),
-    (without(city(), "version"), "it is CityJSON '', and 1.0 to 2.0 are read"),
+    (remove_key(city(), "version"), "it is CityJSON '', and 1.0 to 2.0 are read"),
     (city(metadata={"referenceSystem": "urn:ogc:def:crs:EPSG::4326"}), "its coordinates are degrees"),
     (city(metadata=[]), "metadata: expected an object, got list []"),
     (city(appearance={"materials": [3]}), "appearance.materials[0]: expected an object, got int 3"),
@@ -134,7 +134,7 @@ CITIES: list[tuple[Json, str]] = [
 
 @pytest.mark.parametrize(("document", "words"), CITIES, ids=range(len(CITIES)))
 def test_damaged_cities_are_an_error_with_a_place(tmp_path: Path, document: Json, words: str) -> None:
-    assert words in message(written(tmp_path / "a.city.json", document))
+    assert words in message(write_json(tmp_path / "a.city.json", document))
 
 
 POLYGON = {"type": "Polygon", "coordinates": [square(0, 0, 5)]}
@@ -200,7 +200,7 @@ FOOTPRINTS: list[tuple[Any, str]] = [
 
 @pytest.mark.parametrize(("document", "words"), FOOTPRINTS, ids=range(len(FOOTPRINTS)))
 def test_damaged_footprints_are_an_error_with_a_place(tmp_path: Path, document: Any, words: str) -> None:
-    assert words in message(written(tmp_path / "a.json", document))
+    assert words in message(write_json(tmp_path / "a.json", document))
 
 
 @pytest.mark.parametrize(
@@ -223,10 +223,10 @@ def test_text_that_is_no_document_is_an_error(tmp_path: Path, text: bytes, words
     assert words in message(path)
 
 
-def test_surfaces_and_polygons_can_be_left_out(tmp_path: Path) -> None:
+def test_invalid_surfaces_and_polygons_can_be_omitted(tmp_path: Path) -> None:
     good = feature([square(0, 0, 5)], height=3)
     document = collection(good, feature([[[0, 0], [1, 1]]]), feature([square(0, 0, 9), [[0, 0], [1e31, 0], [1, 1]]]))
-    scene = nf.Scene.load(written(tmp_path / "a.geojson", document), on_invalid="drop")
+    scene = nf.Scene.load(write_json(tmp_path / "a.geojson", document), on_invalid="drop")
     assert scene.triangle_count == 10
     assert "2 polygons left out" in scene.report.notes
 
@@ -238,9 +238,9 @@ GEO = {"version": "1.1.0", "primary_column": "geometry", "columns": {"geometry":
 @pytest.mark.parametrize(
     ("row", "words"),
     [
-        (ROW[:-1], "geometry of row 1: it claims 5 parts, for which its bytes have no room"),
+        (ROW[:-1], "geometry of row 1: it claims 5 parts, more than its bytes can hold"),
         (ROW[:3], "geometry of row 1: it is cut off"),
-        (b"\x05" + ROW[1:], "geometry of row 1: its order of bytes is 5, not 0 or 1"),
+        (b"\x05" + ROW[1:], "geometry of row 1: its byte order is 5, not 0 or 1"),
         (struct.pack("<BII", 1, 3, 2**32 - 1), "geometry of row 1: it claims 4294967295 parts"),
         (struct.pack("<BII", 1, 6, 2**31) + ROW, "geometry of row 1: it claims 2147483648 parts"),
         (ROW + b"x", "geometry of row 1: 1 bytes follow its geometry"),
@@ -290,7 +290,7 @@ VALUES: list[Any] = [None, True, -1, 7, 0.5, 1e31, 2**63, "", "text", [], {}, [[
 
 
 def mutated(document: Any, random: np.random.Generator) -> Any:
-    """A copy in which one value, anywhere, is another, repeated or missing."""
+    """A copy in which one value, anywhere, is replaced, repeated or missing."""
     copied = copy.deepcopy(document)
     places: list[tuple[Any, Any]] = []
 
@@ -316,14 +316,14 @@ def mutated(document: Any, random: np.random.Generator) -> Any:
 def test_documents_with_a_changed_value_are_a_scene_or_an_error(tmp_path: Path, name: str) -> None:
     random, path = np.random.default_rng(23), tmp_path / name
     document = SAMPLES[name]()
-    assert nf.Scene.load(written(path, document)).triangle_count > 10
+    assert nf.Scene.load(write_json(path, document)).triangle_count > 10
     errors = unnamed = 0
     for _ in range(200):
         changed = mutated(document, random)
         for _ in range(random.integers(2)):
             changed = mutated(changed, random)
         try:
-            scene = nf.Scene.load(written(path, changed), on_invalid=["raise", "drop"][random.integers(2)])
+            scene = nf.Scene.load(write_json(path, changed), on_invalid=["raise", "drop"][random.integers(2)])
         except nf.SceneError as error:
             errors += 1
             unnamed += not str(error).startswith(f"{path}: ")
@@ -366,7 +366,7 @@ def test_lines_of_a_sequence_are_named(tmp_path: Path) -> None:
     assert "it is empty" in message(path)
 
 
-def test_rows_that_unpack_to_much_are_refused(tmp_path: Path) -> None:
+def test_rows_that_expand_greatly_are_refused(tmp_path: Path) -> None:
     path = parquet(tmp_path / "a.parquet", [ROW] * 200_000)
     assert path.stat().st_size < 100_000
     assert "it unpacks to more than 10,000,000 bytes" in message(path, max_bytes=10_000_000)

@@ -1,4 +1,4 @@
-"""CityJSON: surfaces of every kind of geometry, their colours, levels, templates and places in national grids."""
+"""CityJSON: surfaces of every kind of geometry, their colours, levels, templates and positions in national grids."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from nearfar._scene.city.classes import OBJECTS, SURFACES
 from nearfar._scene.city.collector import Collector, Part
 from nearfar._scene.city.surfaces import Surfaces
 from tests.support import data as data_file
-from tests.support.city_cases import CUBE, SHELL, city, solid, written
+from tests.support.city_cases import CUBE, SHELL, city, solid, write_json
 
 THREE = "city/cityjson/3dbag_sub.city.json"
 
 
 def load(tmp_path: Path, document: Any, **how: Any) -> nf.Scene:
-    return nf.Scene.load(written(tmp_path / "a.city.json", document), **how)
+    return nf.Scene.load(write_json(tmp_path / "a.city.json", document), **how)
 
 
 def areas(scene: nf.Scene) -> NDArray[np.float64]:
@@ -33,7 +33,7 @@ def areas(scene: nf.Scene) -> NDArray[np.float64]:
     return np.asarray(np.cross(b - a, c - a) / 2)
 
 
-def test_a_cube_in_a_national_grid_stays_where_it_is(tmp_path: Path) -> None:
+def test_a_cube_in_a_national_grid_keeps_its_position(tmp_path: Path) -> None:
     scene = load(tmp_path, city())
     np.testing.assert_array_equal(scene.bounds, [[85000, 2, -447010], [85010, 12, -447000]])
     assert np.abs(scene.origin - scene.bounds.mean(axis=0)).max() <= 0.5
@@ -106,7 +106,7 @@ def test_levels_are_chosen(tmp_path: Path) -> None:
     assert "1 object without a level so low left out" in load(tmp_path, document, lod="1").report.notes
 
 
-def test_parts_stand_in_for_their_building(tmp_path: Path) -> None:
+def test_parts_replace_their_building(tmp_path: Path) -> None:
     flat = {"type": "MultiSurface", "lod": "0", "boundaries": [SHELL[0]]}
     building = {"type": "Building", "children": ["part"], "geometry": [flat]}
     document = city({"whole": building, "part": {"type": "BuildingPart", "parents": ["whole"], "geometry": [solid()]}})
@@ -129,7 +129,7 @@ def test_templates_are_instances(tmp_path: Path) -> None:
     np.testing.assert_allclose(scene.bounds, [[85001, 2, -447012], [85013, 14, -447000]], atol=1e-3)
 
 
-def test_materials_come_before_classes(tmp_path: Path) -> None:
+def test_materials_override_classes(tmp_path: Path) -> None:
     appearance = {"materials": [{"diffuseColor": [1, 0, 0], "transparency": 0.5}, {"name": "plain"}], "textures": [{}]}
     whole = solid(material={"a": {"value": 0}})
     each = solid(material={"b": {"values": [[0, 1, None, 1, 1, 1]]}})
@@ -178,7 +178,7 @@ def test_a_sequence_is_read_line_by_line(tmp_path: Path) -> None:
 
 
 def test_a_plain_json_is_read_by_its_type(tmp_path: Path) -> None:
-    assert nf.Scene.load(written(tmp_path / "a.json", city())).triangle_count == 12
+    assert nf.Scene.load(write_json(tmp_path / "a.json", city())).triangle_count == 12
 
 
 def surfaces_of(document: Any) -> Surfaces:
@@ -195,7 +195,7 @@ def surfaces_of(document: Any) -> Surfaces:
     return collector._usable_surfaces(False)[0]
 
 
-def test_areas_of_a_real_model_are_those_of_newell() -> None:
+def test_areas_of_a_real_model_equal_newell() -> None:
     document = json.loads(data_file(THREE).read_bytes())
     surfaces = surfaces_of(document)
     faces, ends = surfaces.triangles()
@@ -226,14 +226,14 @@ def test_a_real_model_keeps_its_names_and_places() -> None:
     np.testing.assert_allclose(scene.bounds, expected, atol=2e-3)
 
 
-def test_nothing_in_a_document_is_changed() -> None:
+def test_the_document_is_not_modified() -> None:
     document = city()
     before = copy.deepcopy(document)
     read("a", document, None, drop=False)
     assert document == before
 
 
-def test_surfaces_that_are_none_are_an_error_or_left_out(tmp_path: Path) -> None:
+def test_invalid_surfaces_are_an_error_or_omitted(tmp_path: Path) -> None:
     document = city({"a": {"type": "Building", "geometry": [solid(), {**solid(), "boundaries": [[*SHELL, [[0, 1]]]]}]}})
     place = r"CityObjects 'a': geometry\[1\]\.boundaries: surface 6 has a ring of 2 corners"
     with pytest.raises(nf.SceneError, match=place):

@@ -1,4 +1,4 @@
-"""Damaged files of formats that trimesh reads: each sentence is about the file, not about the code that reads it."""
+"""Damaged files of formats that trimesh reads: each message is about the file, not about the code that reads it."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import trimesh
 import nearfar as nf
 from tests.support.verdict import FOREIGN
 
-# trimesh guesses an encoding where charset_normalizer is installed; then the byte is a letter where a number belongs.
+# trimesh guesses an encoding if charset_normalizer is installed; then the byte is a letter in place of a number.
 UNKNOWN = "its text is in an unknown encoding|a row of it has too few or too many numbers|no triangles"
 
 DAMAGED = {
@@ -33,7 +33,7 @@ READERS = ("UnboundLocalError", "AttributeError", "charset_normalizer", "chardet
 
 
 def sentence(path: Path) -> str:
-    """The message of loading a file; "" for a file that can be loaded."""
+    """Message of loading a file; "" for a loadable file."""
     try:
         nf.Scene.load(path)
     except nf.SceneError as error:
@@ -42,7 +42,7 @@ def sentence(path: Path) -> str:
 
 
 @pytest.mark.parametrize(("name", "expected"), [(name, words) for name, (_, words) in DAMAGED.items()])
-def test_sentences_are_about_the_file(tmp_path: Path, name: str, expected: str) -> None:
+def test_messages_are_about_the_file(tmp_path: Path, name: str, expected: str) -> None:
     (tmp_path / name).write_bytes(DAMAGED[name][0])
     with pytest.raises(nf.SceneError, match=expected):
         nf.Scene.load(tmp_path / name)
@@ -62,8 +62,8 @@ def files() -> dict[str, bytes]:
     return {name: data.encode() if isinstance(data, str) else data for name, data in exported.items()}
 
 
-def damaged(data: bytes, chance: random.Random) -> bytes:
-    """A copy with bytes or lines that are changed, added or lost."""
+def damage(data: bytes, chance: random.Random) -> bytes:
+    """A copy with changed, added or lost bytes or lines."""
     place, lines = chance.randrange(len(data)), data.split(b"\n")
     match chance.randrange(6):
         case 0:
@@ -83,11 +83,11 @@ def damaged(data: bytes, chance: random.Random) -> bytes:
 
 
 @pytest.mark.parametrize("name", files())
-def test_no_sentence_is_about_the_reader(tmp_path: Path, name: str) -> None:
+def test_no_message_is_about_the_reader(tmp_path: Path, name: str) -> None:
     chance, data = random.Random(name), files()[name]
     path = tmp_path / f"ball.{name}"
     for _ in range(60):
-        path.write_bytes(damaged(data, chance))
+        path.write_bytes(damage(data, chance))
         said = sentence(path)
         assert not FOREIGN.search(said), said
         assert not any(word in said for word in READERS), said

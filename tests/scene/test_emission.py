@@ -1,4 +1,4 @@
-"""Tests of emission and of unlit materials: how they are read, kept and written."""
+"""Tests of emission and of unlit materials: reading, storage and writing."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def strength(value: Any) -> dict[str, Any]:
     return {"extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": value}}}
 
 
-def loaded(folder: Path, *entries: dict[str, Any], **changes: Any) -> nf.Scene:
+def load_materials(folder: Path, *entries: dict[str, Any], **changes: Any) -> nf.Scene:
     (folder / "source.glb").write_bytes(gltf([PLAIN | entry for entry in entries], **changes))
     return nf.Scene.load(folder / "source.glb")
 
@@ -42,7 +42,7 @@ def emissions(scene: nf.Scene) -> list[list[float]]:
 
 
 def glow(scene: nf.Scene, number: int = 0) -> np.ndarray | None:
-    """The texture of a material's emission."""
+    """The emission texture of a material."""
     parts = parts_of(scene._core)
     link = parts["material_emission_textures"][number]
     return None if link < 0 else np.asarray(parts["textures"][link])
@@ -61,25 +61,25 @@ def glow(scene: nf.Scene, number: int = 0) -> np.ndarray | None:
         ({"emissiveFactor": [1, 1, 1]} | UNLIT, [0, 0, 0]),
     ],
 )
-def test_emission_of_gltf_is_factor_times_strength(
+def test_emission_in_gltf_is_factor_times_strength(
     tmp_path: Path, entry: dict[str, Any], expected: list[float]
 ) -> None:
-    scene = loaded(tmp_path, entry)
+    scene = load_materials(tmp_path, entry)
     assert emissions(scene) == [expected]
     assert parts_of(scene._core)["material_unlit"].tolist() == [entry.get("extensions") == UNLIT["extensions"]]
     assert scene.report.notes == ()
 
 
-def test_unlit_materials_have_no_gloss_nor_maps_to_be_noted(tmp_path: Path) -> None:
+def test_unlit_materials_need_no_notes_on_gloss_or_maps(tmp_path: Path) -> None:
     maps = {"normalTexture": {"index": 1}, "occlusionTexture": {"index": 1}, "pbrMetallicRoughness": {}}
-    assert loaded(tmp_path, maps | UNLIT).report.notes == ()
-    assert len(loaded(tmp_path, maps).report.notes) == 3
+    assert load_materials(tmp_path, maps | UNLIT).report.notes == ()
+    assert len(load_materials(tmp_path, maps).report.notes) == 3
 
 
-def test_a_texture_of_emission_is_read_with_that_of_the_base_colour(tmp_path: Path) -> None:
+def test_emission_textures_are_read_with_the_base_colour(tmp_path: Path) -> None:
     base = {"pbrMetallicRoughness": {"metallicFactor": 0.0, "baseColorTexture": {"index": 2}}}
     lamp = {"emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 3}}
-    scene = loaded(tmp_path, base | lamp, lamp, base | lamp | {"emissiveTexture": {"index": 2}})
+    scene = load_materials(tmp_path, base | lamp, lamp, base | lamp | {"emissiveTexture": {"index": 2}})
     assert scene.report.textures == 2
     for number, image in ((0, 3), (1, 3), (2, 2)):
         np.testing.assert_array_equal(glow(scene, number), texels(picture(image, "png")))
@@ -98,22 +98,22 @@ def test_a_texture_of_emission_is_read_with_that_of_the_base_colour(tmp_path: Pa
         (None, {"index": 77}, "with an unreadable map of emission drawn and saved without it"),
     ],
 )
-def test_emission_that_cannot_be_placed_is_not_drawn(
+def test_emission_with_unsupported_coordinates_is_not_drawn(
     tmp_path: Path, base: dict[str, Any] | None, map_: dict[str, Any], note: str
 ) -> None:
     surface = {"metallicFactor": 0.0} | ({} if base is None else {"baseColorTexture": {"index": 2} | base})
     entry = {"pbrMetallicRoughness": surface, "emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 3} | map_}
-    scene = loaded(tmp_path, entry)
+    scene = load_materials(tmp_path, entry)
     assert emissions(scene) == [[0, 0, 0]]
     assert f"1 material {note}" in scene.report.notes
     nf.lod.export(scene, tmp_path / "written.glb", view=FOV)
-    # The factor alone would let dark parts glow.
+    # With the factor alone dark parts would glow.
     written = materials(tmp_path / "written.glb")[""]
     assert ("emissiveTexture" in written) == ("emissiveFactor" in written) == ("saved" not in note)
     assert emissions(nf.Scene.load(tmp_path / "written.glb")) == [[0, 0, 0]]
 
 
-def test_emission_may_be_a_ktx_2_image(tmp_path: Path) -> None:
+def test_emission_textures_may_be_ktx_2_images(tmp_path: Path) -> None:
     pixels = np.random.default_rng(4).integers(0, 256, (3, 5, 4), np.uint8)
     lamp = PLAIN | {"emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 0}}
     (tmp_path / "a.glb").write_bytes(ktx2_cases.glb(ktx2_cases.ktx2(pixels, 43), materials=[lamp]))
@@ -127,7 +127,7 @@ def test_emission_may_be_a_ktx_2_image(tmp_path: Path) -> None:
     assert binary.count(ktx2_cases.ktx2(pixels, 43)) == 1
 
 
-def test_a_damaged_image_of_emission_is_noted_and_kept(tmp_path: Path) -> None:
+def test_a_damaged_emission_image_is_noted_and_kept(tmp_path: Path) -> None:
     data = gltf([PLAIN | {"emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 3}}])
     start = data.index(picture(3, "png")) + 50
     (tmp_path / "a.glb").write_bytes(data[:start] + bytes(30) + data[start + 30 :])
@@ -139,13 +139,13 @@ def test_a_damaged_image_of_emission_is_noted_and_kept(tmp_path: Path) -> None:
     assert materials(tmp_path / "reduced" / "near.glb")[""]["emissiveFactor"] == [1, 1, 1]
 
 
-def test_meshes_without_coordinates_do_not_show_a_map_of_emission(tmp_path: Path) -> None:
+def test_meshes_without_coordinates_show_no_emission_map(tmp_path: Path) -> None:
     meshes = [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 2, "material": 0}]}]
-    scene = loaded(tmp_path, {"emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 3}}, meshes=meshes)
+    scene = load_materials(tmp_path, {"emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 3}}, meshes=meshes)
     assert emissions(scene) == [[0, 0, 0]]
     ending = "with a map of emission but no texture coordinates drawn and saved without it"
     assert scene.report.notes == (f"1 mesh {ending}",)
-    assert emissions(loaded(tmp_path, {"emissiveFactor": [1, 1, 1]}, meshes=meshes)) == [[1, 1, 1]]
+    assert emissions(load_materials(tmp_path, {"emissiveFactor": [1, 1, 1]}, meshes=meshes)) == [[1, 1, 1]]
 
 
 def wavefront(folder: Path, lines: str) -> nf.Scene:
@@ -159,12 +159,12 @@ def wavefront(folder: Path, lines: str) -> nf.Scene:
     ("lines", "expected"),
     [("Ke 1 0.5 0", [1, 0.5, 0]), ("Ke 0.25", [0.25] * 3), ("Ke 0 0 0", [0] * 3), ("Ke -1 -2 0", [0] * 3)],
 )
-def test_emission_of_wavefront_is_srgb(tmp_path: Path, lines: str, expected: list[float]) -> None:
+def test_emission_in_wavefront_is_srgb(tmp_path: Path, lines: str, expected: list[float]) -> None:
     light = to_linear(np.array(expected)).astype(np.float32)
     np.testing.assert_array_equal(emissions(wavefront(tmp_path, lines)), [light])
 
 
-def test_bright_emission_of_wavefront_is_kept(tmp_path: Path) -> None:
+def test_bright_emission_in_wavefront_is_kept(tmp_path: Path) -> None:
     scene = wavefront(tmp_path, "Ke 10 5 0.5")
     np.testing.assert_allclose(emissions(scene), np.array([[10, 5, float(to_linear(np.array(0.5)))]]), rtol=1e-6)
     nf.lod.export(scene, tmp_path / "written.glb", view=FOV)
@@ -174,7 +174,7 @@ def test_bright_emission_of_wavefront_is_kept(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("lines", "expected"), [("Ke 0.5 1 1", [float(to_linear(np.array(0.5))), 1, 1]), ("", [1, 1, 1])]
 )
-def test_a_map_of_emission_of_wavefront_is_drawn(tmp_path: Path, lines: str, expected: list[float]) -> None:
+def test_an_emission_map_in_wavefront_is_drawn(tmp_path: Path, lines: str, expected: list[float]) -> None:
     (tmp_path / "light of lamp.png").write_bytes(picture(0, "png"))
     scene = wavefront(tmp_path, f"{lines}\nmap_Ke light of lamp.png")
     np.testing.assert_allclose(emissions(scene), [expected], rtol=1e-6)
@@ -196,7 +196,7 @@ def test_emission_of_trimesh_objects_is_drawn() -> None:
 
 
 def same_surfaces(one: nf.Scene, other: nf.Scene) -> None:
-    """Both have the same materials, texel for texel, in whatever order their textures are."""
+    """Assert equal materials, texel for texel, in any order of textures."""
     first, second = parts_of(one._core), parts_of(other._core)
     for name in (*DRAWN, "material_cutoffs"):
         np.testing.assert_array_equal(first[name], second[name], err_msg=name)
@@ -208,17 +208,17 @@ def same_surfaces(one: nf.Scene, other: nf.Scene) -> None:
 
 
 @pytest.mark.parametrize("kind", ["file", "built"])
-def test_files_written_from_a_scene_show_what_it_shows(tmp_path: Path, kind: str) -> None:
+def test_written_files_look_like_the_scene(tmp_path: Path, kind: str) -> None:
     if kind == "built":
         scene = build(glowing())
     else:
         lamp = {key: MATERIALS[0][key] for key in ("emissiveTexture", "emissiveFactor", "extensions")}
         base = {"pbrMetallicRoughness": {"metallicFactor": 0.0, "baseColorTexture": {"index": 1}}}
-        scene = loaded(tmp_path, lamp, base | lamp, base | UNLIT, {"emissiveFactor": [0.1, 0.2, 0.3]})
+        scene = load_materials(tmp_path, lamp, base | lamp, base | UNLIT, {"emissiveFactor": [0.1, 0.2, 0.3]})
     nf.reduce(scene, center=(1, 1, 1), r1=50, r2=90, face_size=4).save(tmp_path / "reduced")
     back = nf.ReducedScene.load(tmp_path / "reduced")
     same_surfaces(scene, back.scene)
-    # Once more, the file has the same bytes.
+    # Written again, the file has the same bytes.
     back.save(tmp_path / "again")
     near = tmp_path / "reduced" / "near.glb"
     assert (tmp_path / "again" / "near.glb").read_bytes() == near.read_bytes()
@@ -248,7 +248,7 @@ def test_copies_and_parts_of_a_scene_keep_emission() -> None:
     same_surfaces(levels[0].scene, scene)
 
 
-def test_materials_that_glow_otherwise_stay_apart() -> None:
+def test_materials_with_different_emission_stay_separate() -> None:
     builder = nf.SceneBuilder()
     image = np.zeros((1, 1, 4), np.uint8)
     kinds: list[dict[str, Any]] = [
@@ -256,7 +256,7 @@ def test_materials_that_glow_otherwise_stay_apart() -> None:
         {"emission": (0, 0, 1), "emission_texture": image},
     ]
     assert [builder.material(**kind) for kind in kinds] == [0, 1, 2, 3, 4]
-    # A texture of no light shows nothing.
+    # A black emission texture shows nothing.
     assert builder.material(emission_texture=image) == 0
 
 

@@ -1,4 +1,4 @@
-"""Models that other programs export look like the plain files that they were made of."""
+"""Models exported by other programs look like the plain files that they were made from."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ MIN = 0.999
 """Least share of pixels within 1/255 of the plain file's."""
 
 NEEDS = {"gltfpack": "exporters", "glTF-Transform": "exporters", "Blender": "blender", "Assimp": "assimp"}
-"""Parts that exporters are; trimesh is always there."""
+"""Required parts of exporters; trimesh is always present."""
 
 
 @pytest.mark.parametrize("exporter", EXPORTERS)
@@ -40,14 +40,14 @@ def test_there_are_forty_models_by_five_exporters() -> None:
 
 @pytest.mark.parametrize("source", SOURCES)
 def test_pictures_show_the_models(source: str) -> None:
-    """Else every model would look like the plain file."""
+    """Otherwise every model would look like the plain file."""
     need("data")
     for camera in cameras(source):
         frame = nf.render(scene(source), camera, channels=("coverage",), samples=1, backend="cpu")
         assert frame.require("coverage").mean() > 0.1
 
 
-def test_what_is_rounded_coarsely_looks_as_another_reader_reads_it(tmp_path: Path) -> None:
+def test_coarsely_quantised_models_look_as_in_another_reader(tmp_path: Path) -> None:
     """By default gltfpack moves edges by more than a thousandth of all pixels; glTF-Transform reads the same file."""
     need("data")
     need("exporters")

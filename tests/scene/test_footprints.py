@@ -1,4 +1,4 @@
-"""Footprints of GeoJSON and GeoParquet: prisms in metres, heights by property, and the rows of a box."""
+"""Footprints from GeoJSON and GeoParquet: prisms in metres, heights from properties, and the rows in a box."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from nearfar._scene.city.index import BoxIndex
 from nearfar._scene.city.read import CityOptions, open_footprints
 from nearfar._scene.content import assemble
 from tests.support import data as data_file, need
-from tests.support.city_cases import collection, feature, parquet, polygon_bytes, square, written
+from tests.support.city_cases import collection, feature, parquet, polygon_bytes, square, write_json
 
 MANHATTAN = "city/manhattan_deckgl/buildings.json"
 TOKYO = "city/tokyo23/tokyo23_buildings.parquet"
@@ -34,14 +34,14 @@ X, Y = 85_000.0, 447_000.0
 
 
 def volume(scene: nf.Scene) -> float:
-    """Volume that the faces enclose, floors left out below y = 0."""
+    """Volume that the faces enclose, with missing floors at y = 0."""
     corners = scene.triangles().astype(np.float64)
     a, b, c = np.moveaxis(corners + (scene.origin - (X, 0, -Y)), 1, 0)
     return float(np.einsum("ij,ij->", a, np.cross(b, c)) / 6)
 
 
 def load(tmp_path: Path, document: Any, **how: Any) -> nf.Scene:
-    return nf.Scene.load(written(tmp_path / "a.geojson", document), **how)
+    return nf.Scene.load(write_json(tmp_path / "a.geojson", document), **how)
 
 
 def test_a_block_stands_on_the_ground_in_its_grid(tmp_path: Path) -> None:
@@ -55,12 +55,12 @@ def test_a_block_stands_on_the_ground_in_its_grid(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("turned", [(False, False), (True, False), (False, True), (True, True)])
-def test_directions_of_rings_do_not_count(tmp_path: Path, turned: tuple[bool, bool]) -> None:
+def test_directions_of_rings_do_not_matter(tmp_path: Path, turned: tuple[bool, bool]) -> None:
     rings = [square(X, Y, 10)[:: -1 if turned[0] else 1], square(X + 2, Y + 2, 6)[:: -1 if turned[1] else 1]]
     assert volume(load(tmp_path, collection(feature(rings, height=2)))) == pytest.approx(128)
 
 
-def test_what_does_not_stand_on_the_ground_has_a_floor(tmp_path: Path) -> None:
+def test_raised_buildings_have_a_floor(tmp_path: Path) -> None:
     scene = load(tmp_path, collection(feature([square(X, Y, 10)], height=7, min_height=4)))
     assert scene.triangle_count == 8 + 4
     assert volume(scene) == pytest.approx(300)
@@ -86,7 +86,7 @@ def test_what_does_not_stand_on_the_ground_has_a_floor(tmp_path: Path) -> None:
         ({"height": 3, "min_height": 3}, 9),
     ],
 )
-def test_heights_are_those_of_the_properties(tmp_path: Path, properties: dict[str, Any], expected: float) -> None:
+def test_heights_come_from_the_properties(tmp_path: Path, properties: dict[str, Any], expected: float) -> None:
     document = collection(feature([square(X, Y, 10)], **properties))
     assert load(tmp_path, document).bounds[1, 1] == pytest.approx(expected)
 
@@ -141,16 +141,16 @@ def test_a_single_geometry_and_a_packed_file_are_read(tmp_path: Path) -> None:
     path = tmp_path / "a.geojson.gz"
     path.write_bytes(gzip.compress(json.dumps(root).encode()))
     assert nf.Scene.load(path).triangle_count == 7
-    assert nf.Scene.load(written(tmp_path / "b.json", {"type": "Feature", "geometry": root})).triangle_count == 7
+    assert nf.Scene.load(write_json(tmp_path / "b.json", {"type": "Feature", "geometry": root})).triangle_count == 7
 
 
-def test_manhattan_is_what_its_glb_has(tmp_path: Path) -> None:
-    """Its GLB was made in metres of UTM's zone 18."""
+def test_manhattan_equals_its_glb(tmp_path: Path) -> None:
+    """The GLB was made in metres of UTM's zone 18."""
     path = data_file(MANHATTAN)
     rows = json.loads(path.read_bytes())
     to_utm = pyproj.Transformer.from_crs("EPSG:4326", "EPSG:32618", always_xy=True)
     features = [feature([np.stack(to_utm.transform(*np.array(r["polygon"]).T), 1).tolist()], **r) for r in rows]
-    prints = open_footprints(written(tmp_path / "a.geojson", collection(*features, epsg=32618)))
+    prints = open_footprints(write_json(tmp_path / "a.geojson", collection(*features, epsg=32618)))
     glb = trimesh.load_scene(data_file("city/manhattan_deckgl/manhattan_core.glb"))
     placed = [glb.graph[f"b{number}"] for number in range(999)]
     other = np.array([trimesh.transform_points(glb.geometry[name].bounds, matrix) for matrix, name in placed])
@@ -170,7 +170,7 @@ def test_manhattan_in_degrees_differs_by_the_projection_only() -> None:
     )
     own = prints.boxes.mean(axis=1)
     fit, *_ = np.linalg.lstsq(np.c_[other, np.ones(999)], own, rcond=None)
-    # Boxes turn with the meridian's convergence of 0.66 degrees, and the Earth curves by half a metre.
+    # Boxes rotate with the meridian's convergence of 0.66 degrees, and the Earth's curvature is half a metre.
     np.testing.assert_allclose(own, np.c_[other, np.ones(999)] @ fit, rtol=0, atol=0.6)
     assert np.arctan2(fit[0, 2], fit[0, 0]) == pytest.approx(np.sin(np.radians(40.716)) * np.radians(1.005), rel=0.01)
 
@@ -183,7 +183,7 @@ def rows_of(random: np.random.Generator, count: int) -> tuple[list[bytes], NDArr
     return rows, random.integers(16, 480, count) / 8
 
 
-def test_geoparquet_is_the_same_as_geojson(tmp_path: Path) -> None:
+def test_geoparquet_equals_geojson(tmp_path: Path) -> None:
     rows, tall = rows_of(np.random.default_rng(1), 50)
     path = parquet(tmp_path / "a.parquet", [*rows, None], height=[*tall, None], id=[f"b{n}" for n in range(51)])
     scene = nf.Scene.load(path)
@@ -210,7 +210,7 @@ def test_geoparquet_is_the_same_as_geojson(tmp_path: Path) -> None:
         ),
     ],
 )
-def test_geoparquet_says_what_its_coordinates_are(tmp_path: Path, crs: Any, words: str) -> None:
+def test_coordinate_systems_of_geoparquet_are_read(tmp_path: Path, crs: Any, words: str) -> None:
     column = {"encoding": "WKB", "crs": crs}
     geo = {"version": "1.1.0", "primary_column": "geometry", "columns": {"geometry": column}}
     path = parquet(tmp_path / "a.parquet", [polygon_bytes([square(4, 52, 0.001)])], geo=geo)
@@ -221,7 +221,7 @@ def test_geoparquet_says_what_its_coordinates_are(tmp_path: Path, crs: Any, word
     assert "local frame at longitude 4.0005°, latitude 52.0005°" in str(nf.Scene.load(path).report)
 
 
-def test_feet_are_metres(tmp_path: Path) -> None:
+def test_feet_are_converted_to_metres(tmp_path: Path) -> None:
     unit = {"type": "LinearUnit", "name": "US survey foot", "conversion_factor": 0.3048006096}
     crs = {"type": "ProjectedCRS", "name": "NAD83 / Texas", "coordinate_system": {"axis": [{"unit": unit}]}}
     geo = {"primary_column": "geometry", "columns": {"geometry": {"encoding": "WKB", "crs": crs}}}
@@ -230,11 +230,11 @@ def test_feet_are_metres(tmp_path: Path) -> None:
 
 
 def faces_in(scene: nf.Scene) -> set[bytes]:
-    """Each triangle's world corners."""
+    """World corners of each triangle."""
     return {row.tobytes() for row in scene.triangles().astype(np.float64) + scene.origin}
 
 
-def test_rows_of_boxes_are_those_of_a_plain_search_and_make_the_same_triangles(tmp_path: Path) -> None:
+def test_rows_of_boxes_equal_a_linear_search(tmp_path: Path) -> None:
     random = np.random.default_rng(2)
     rows, tall = rows_of(random, 3000)
     path = parquet(tmp_path / "a.parquet", rows, height=tall)
@@ -256,7 +256,7 @@ def test_rows_of_boxes_are_those_of_a_plain_search_and_make_the_same_triangles(t
     assert seen == faces_in(whole)
 
 
-def test_a_box_index_finds_what_touches_its_border() -> None:
+def test_a_box_index_finds_boxes_that_touch_its_border() -> None:
     boxes = np.array([[[0, 0, 0], [1, 1, 1]], [[np.inf] * 3, [-np.inf] * 3], [[1, 1, 1], [2, 2, 2]]], np.float64)
     index = BoxIndex(boxes)
     assert index.touching(np.array([[1.0, 1, 1], [1, 1, 1]])).tolist() == [0, 2]
@@ -272,8 +272,8 @@ def test_no_rows_have_no_triangles(tmp_path: Path) -> None:
     assert prints.content().names == 1
 
 
-def test_arguments_that_a_file_has_no_use_for_are_refused(tmp_path: Path) -> None:
-    path = written(tmp_path / "a.geojson", collection(feature([square(X, Y, 1)])))
+def test_arguments_without_effect_on_a_file_are_refused(tmp_path: Path) -> None:
+    path = write_json(tmp_path / "a.geojson", collection(feature([square(X, Y, 1)])))
     with pytest.raises(ValueError, match=r"lod: expected none for a\.geojson"):
         nf.Scene.load(path, lod="2")
     with pytest.raises(ValueError, match=r"lod: expected a level of detail such as '2\.2'"):
@@ -285,12 +285,12 @@ def test_arguments_that_a_file_has_no_use_for_are_refused(tmp_path: Path) -> Non
     with pytest.raises(ValueError, match="triangles: expected none with"):
         nf.Scene.load(path, triangles=5)
     with pytest.raises(nf.SceneError, match="it is no tileset: error does not apply to it"):
-        nf.Scene.load(written(tmp_path / "a.json", collection(feature([square(X, Y, 1)]))), error=2)
+        nf.Scene.load(write_json(tmp_path / "a.json", collection(feature([square(X, Y, 1)]))), error=2)
     with pytest.raises(nf.SceneError, match="lod does not apply"):
-        nf.Scene.load(written(tmp_path / "a.json", collection(feature([square(X, Y, 1)]))), lod="2")
+        nf.Scene.load(write_json(tmp_path / "a.json", collection(feature([square(X, Y, 1)]))), lod="2")
 
 
-def test_columns_of_text_and_marks_are_heights() -> None:
+def test_text_columns_with_units_are_heights() -> None:
     found = heights.numbers(["3", None, "x", 4.5, True, "1e3 m", "12'", 10**400, "9" * 50])
     assert found is not None
     np.testing.assert_allclose(found, [3, np.nan, np.nan, 4.5, np.nan, 1000, 12 * 0.3048, np.nan, np.nan])
@@ -316,7 +316,7 @@ def tokyo(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Footprints]:
 
 
 @pytest.mark.stress
-def test_the_whole_of_tokyo_is_what_the_tool_beside_the_data_makes(tokyo: tuple[Path, Footprints]) -> None:
+def test_the_whole_of_tokyo_equals_the_tool_of_the_data(tokyo: tuple[Path, Footprints]) -> None:
     need("tokyo")
     _, prints = tokyo
     content = prints.content()
@@ -325,7 +325,7 @@ def test_the_whole_of_tokyo_is_what_the_tool_beside_the_data_makes(tokyo: tuple[
     assert made is not None
     vertices, faces, building = made
     assert prints.count == 1_768_202
-    # Where rings touch themselves, ear clippers do not agree on one triangle more or less of 34 buildings.
+    # Where rings touch themselves, ear clippers disagree on one triangle for 34 buildings.
     assert abs(len(shape.faces) - len(faces)) <= 10
     assert shape.face_object is not None
     counts = [np.bincount(owner, minlength=prints.count) for owner in (shape.face_object, building)]
@@ -349,7 +349,7 @@ def plan_areas(vertices: NDArray[Any], faces: NDArray[Any], owner: NDArray[Any],
 
 
 @pytest.mark.slow
-def test_cells_of_tokyo_are_its_triangles(tokyo: tuple[Path, Footprints]) -> None:
+def test_cells_of_tokyo_contain_its_triangles(tokyo: tuple[Path, Footprints]) -> None:
     _, prints = tokyo
     centre = prints.bounds.mean(axis=0)
     whole = prints.content(prints.rows_touching(np.stack([centre - 900, centre + 900])))
@@ -364,7 +364,7 @@ def test_cells_of_tokyo_are_its_triangles(tokyo: tuple[Path, Footprints]) -> Non
     assert seen.sum() == len(whole.shapes["footprints"].faces)
 
 
-def test_parquet_without_its_package_says_what_brings_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_parquet_without_its_package_names_the_extra(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = parquet(tmp_path / "a.parquet", [polygon_bytes([square(X, Y, 1)])])
     monkeypatch.setattr("nearfar._scene.city.geoparquet.find_spec", lambda name: None)
     with pytest.raises(nf.SceneError, match=r'pip install "nearfar\[formats\]"'):

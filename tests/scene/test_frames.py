@@ -1,4 +1,4 @@
-"""Coordinates on the Earth's ellipsoid, beside PROJ's."""
+"""Coordinates on the Earth's ellipsoid, compared with PROJ's."""
 
 from __future__ import annotations
 
@@ -13,20 +13,20 @@ _TO_EARTH = pyproj.Transformer.from_crs("EPSG:4979", "EPSG:4978", always_xy=True
 
 
 def places() -> NDArray[np.float64]:
-    """Longitudes and latitudes in radians and heights in metres, also at poles, the equator and the date line."""
+    """Longitudes and latitudes in radians and heights in metres, including poles, the equator and the date line."""
     random = np.random.default_rng(5)
     rows = random.uniform((-np.pi, -np.pi / 2, -11_000), (np.pi, np.pi / 2, 400_000), (1000, 3))
     corners = [(x, y, h) for x in (-np.pi, 0, np.pi) for y in (-np.pi / 2, 0, np.pi / 2) for h in (-5e6, 0, 3.6e7)]
     return np.concatenate([rows, np.array(corners)])
 
 
-def test_earth_centred_coordinates_are_those_of_proj() -> None:
+def test_earth_centred_coordinates_equal_proj() -> None:
     rows = places()
     expected = np.stack(_TO_EARTH.transform(*np.degrees(rows[:, :2]).T, rows[:, 2]), axis=-1)
     np.testing.assert_allclose(earth_centred(rows), expected, rtol=0, atol=1e-7)
 
 
-def test_geodetic_coordinates_come_back() -> None:
+def test_geodetic_coordinates_are_inverted() -> None:
     rows = places()
     back = geodetic(earth_centred(rows))
     np.testing.assert_allclose(back[:, 1:], rows[:, 1:], rtol=0, atol=1e-7)

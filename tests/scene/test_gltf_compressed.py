@@ -1,4 +1,4 @@
-"""glTF files that meshoptimizer has compressed: the arrays that were compressed, or an error that names the file."""
+"""glTF files compressed by meshoptimizer: the original arrays, or an error that names the file."""
 
 from __future__ import annotations
 
@@ -37,14 +37,14 @@ def square(faces: Stream | None = None) -> list[Stream]:
 
 
 def count_triangles(corners: NDArray[Any]) -> Counter[Any]:
-    """Triangles (N, 3, 3), rounded to whole numbers, in any order and with any corner first."""
+    """Counts of triangles (N, 3, 3), rounded to integers, in any order and with any corner first."""
     faces = np.rint(corners).astype(np.int64).tolist()
     return Counter(min((a, b, c), (b, c, a), (c, a, b)) for a, b, c in (map(tuple, face) for face in faces))
 
 
 @pytest.mark.parametrize("name", [EXTENSION, "KHR_meshopt_compression"])
 @pytest.mark.parametrize("kind", [np.uint16, np.uint32])
-def test_rows_and_indices_come_back(tmp_path: Path, name: str, kind: type[np.generic]) -> None:
+def test_rows_and_indices_are_decoded(tmp_path: Path, name: str, kind: type[np.generic]) -> None:
     for faces in (triangles(FACES.astype(kind)), indices(FACES.astype(kind).ravel())):
         scene = load(tmp_path, glb(square(faces), name=name, meshes=PLAIN))
         np.testing.assert_array_equal(scene.triangles(), CORNERS[FACES])
@@ -52,7 +52,7 @@ def test_rows_and_indices_come_back(tmp_path: Path, name: str, kind: type[np.gen
 
 
 @pytest.mark.parametrize("count", [1, 15, 16, 17, 255, 256, 257, 1000])
-def test_blocks_of_every_length_come_back(tmp_path: Path, count: int) -> None:
+def test_blocks_of_every_length_are_decoded(tmp_path: Path, count: int) -> None:
     corners = np.random.default_rng(count).normal(size=(3 * count, 3)).astype(np.float32)
     meshes = [{"primitives": [{"attributes": {"POSITION": 0}}]}]
     scene = load(tmp_path, glb([attributes(corners)], meshes=meshes))
@@ -61,9 +61,7 @@ def test_blocks_of_every_length_come_back(tmp_path: Path, count: int) -> None:
 
 @pytest.mark.parametrize("kind", [np.int8, np.uint8, np.int16, np.uint16])
 @pytest.mark.parametrize("normalized", [True, False])
-def test_whole_numbers_of_every_kind_are_coordinates(
-    tmp_path: Path, kind: type[np.integer[Any]], normalized: bool
-) -> None:
+def test_integers_of_every_type_are_coordinates(tmp_path: Path, kind: type[np.integer[Any]], normalized: bool) -> None:
     limits = np.iinfo(kind)
     numbers = np.array([[limits.min, 0, limits.max], [limits.max, 1, 0], [limits.min + 1, 7, 9]], kind)
     uvs = np.abs(numbers[:, :2] // 2).astype(kind)
@@ -79,7 +77,7 @@ def test_whole_numbers_of_every_kind_are_coordinates(
             images=[{"uri": f"data:image/png;base64,{base64.b64encode(picture(0, 'png')).decode()}"}],
         ),
     )
-    # Equation of glTF 2.0, 3.11: the least of signed numbers counts as −1.
+    # Equation of glTF 2.0, 3.11: the least signed number counts as −1.
     expected = np.maximum(numbers / limits.max, -1) if normalized else numbers.astype(np.float64)
     parts = nf._core.mesh_parts(scene._core.merged())
     np.testing.assert_allclose(parts["positions"] + scene.origin, expected, rtol=1e-6)
@@ -140,8 +138,8 @@ def test_real_files_with_webp_are_textured() -> None:
     assert nf.Scene.load(data(f"{folder}/BoxTexturedWebp.gltf")).report.textures == 1
 
 
-def test_plain_bytes_beside_compressed_ones_are_preferred(tmp_path: Path) -> None:
-    """A view whose buffer has bytes needs no decoder, so that damage to the stream does not matter."""
+def test_plain_bytes_are_preferred_to_compressed_ones(tmp_path: Path) -> None:
+    """A view whose buffer has bytes needs no decoder, so damage to the stream does not matter."""
     stream = replace(attributes(CORNERS), data=b"none")
     document, binary = split(glb([stream, triangles(FACES)], meshes=PLAIN))
     document["buffers"][1] |= {"uri": "plain.bin"}
@@ -156,8 +154,8 @@ def split(content: bytes) -> tuple[dict[str, Any], bytes]:
     return document, content[28 + length :]
 
 
-def changed(**changes: Any) -> bytes:
-    """A square whose first stream is described otherwise."""
+def square_with(**changes: Any) -> bytes:
+    """A square with a changed description of its first stream."""
     first = square()[0]
     return glb([replace(first, extension=first.extension | changes), triangles(FACES)], meshes=PLAIN)
 
@@ -187,23 +185,23 @@ def changed(**changes: Any) -> bytes:
 )
 def test_streams_that_cannot_be_decoded_are_errors(tmp_path: Path, changes: dict[str, Any], words: str) -> None:
     with pytest.raises(nf.SceneError, match=f"a\\.glb: .*({words})"):
-        load(tmp_path, changed(**changes))
+        load(tmp_path, square_with(**changes))
 
 
-def test_rows_of_another_length_than_their_view_are_errors(tmp_path: Path) -> None:
+def test_rows_whose_length_differs_from_their_view_are_errors(tmp_path: Path) -> None:
     document, binary = split(glb(square(), meshes=PLAIN))
     document["bufferViews"][0]["byteStride"] = 16
     with pytest.raises(nf.SceneError, match=r"a\.glb: its buffer view 0 has rows of 16 bytes"):
         load(tmp_path, encode(document, binary))
 
 
-def test_corners_that_name_no_vertex_are_errors(tmp_path: Path) -> None:
+def test_corners_without_a_vertex_are_errors(tmp_path: Path) -> None:
     faces = np.array([[0, 1, 2], [9, 2, 1]], np.uint16)
     with pytest.raises(nf.SceneError, match=r"a\.glb: 1 face with vertices that do not exist"):
         load(tmp_path, glb(square(triangles(faces)), meshes=PLAIN))
 
 
-def test_streams_that_are_cut_off_are_errors(tmp_path: Path) -> None:
+def test_truncated_streams_are_errors(tmp_path: Path) -> None:
     for number, stream in enumerate(square()):
         for length in range(len(stream.data)):
             streams = square()
@@ -229,11 +227,11 @@ def test_damaged_streams_are_errors_or_other_rows(tmp_path: Path) -> None:
     assert 0 < refused < 2000
 
 
-def test_counts_are_not_believed(tmp_path: Path) -> None:
-    """2³¹ rows of 12 bytes, which the limit refuses, and the decoder where the limit is raised."""
+def test_claimed_counts_are_not_trusted(tmp_path: Path) -> None:
+    """2³¹ rows of 12 bytes, refused by the limit, and by the decoder if the limit is raised."""
     need("linux")
     path = tmp_path / "a.glb"
-    path.write_bytes(changed(count=1 << 31))
+    path.write_bytes(square_with(count=1 << 31))
     code = f"{PEAK}\nimport sys, nearfar as nf\nstart = peak()\nfor most in (None, 1 << 40):\n"
     code += "    try: nf.Scene.load(sys.argv[1], max_bytes=most)\n"
     code += "    except nf.SceneError as error: print(error)\nprint(peak() - start)"
@@ -241,11 +239,11 @@ def test_counts_are_not_believed(tmp_path: Path) -> None:
     first, second, more = done.stdout.splitlines()
     assert "a.glb: it unpacks to more than 268,435,456 bytes" in first
     assert "a.glb: its buffer view 0 cannot be decoded: 2147483648 rows of 12 bytes cannot come from 237" in second
-    # Trimesh and its imports take some.
+    # trimesh and its imports take some memory.
     assert int(more) < 200e6
 
 
-def test_decoded_bytes_count(tmp_path: Path) -> None:
+def test_decoded_bytes_count_towards_the_limit(tmp_path: Path) -> None:
     content = glb(square(), meshes=PLAIN)
     assert load(tmp_path, content, max_bytes=48 + 12).triangle_count == 2
     with pytest.raises(nf.SceneError, match=r"a\.glb: it unpacks to more than 59 bytes"):

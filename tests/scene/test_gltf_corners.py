@@ -1,4 +1,4 @@
-"""Triangles of glTF's strips and fans, and what is said of points and lines."""
+"""Triangles of glTF's strips and fans, and notes on points and lines."""
 
 from __future__ import annotations
 
@@ -48,8 +48,8 @@ def primitive(mode: int, corners: np.ndarray | None) -> bytes:
     return encode(document, binary)
 
 
-def expected(mode: int, corners: list[int]) -> list[tuple[int, int, int]]:
-    """Triangle by triangle, as glTF 2.0, 3.7.2.1 writes them; those with two equal corners are left out."""
+def expected_triangles(mode: int, corners: list[int]) -> list[tuple[int, int, int]]:
+    """Triangles one by one, as in glTF 2.0, 3.7.2.1, without those with two equal corners."""
     found = []
     for i in range(len(corners) - 2):
         if mode == STRIP:
@@ -62,7 +62,7 @@ def expected(mode: int, corners: list[int]) -> list[tuple[int, int, int]]:
 
 
 def least_corner_first(faces: Any) -> list[tuple[int, ...]]:
-    """Triangles with their least corner first, whichever corner they begin at."""
+    """Triangles rotated so that the least corner is first."""
     rows = [tuple(map(int, face)) for face in faces]
     return [min((a, b, c), (b, c, a), (c, a, b)) for a, b, c in rows]
 
@@ -70,9 +70,9 @@ def least_corner_first(faces: Any) -> list[tuple[int, ...]]:
 @given(
     st.sampled_from([STRIP, FAN]), st.lists(st.integers(0, 11), max_size=40), st.sampled_from(sorted(KINDS, key=str))
 )
-def test_triangles_are_those_of_the_specification(mode: int, corners: list[int], kind: type[np.generic]) -> None:
+def test_triangles_equal_the_specification(mode: int, corners: list[int], kind: type[np.generic]) -> None:
     faces = of_corners.faces(mode, np.array(corners, kind), is_indexed=True)
-    assert least_corner_first(faces) == least_corner_first(expected(mode, corners))
+    assert least_corner_first(faces) == least_corner_first(expected_triangles(mode, corners))
 
 
 @pytest.mark.parametrize("mode", [STRIP, FAN])
@@ -80,7 +80,7 @@ def test_triangles_are_those_of_the_specification(mode: int, corners: list[int],
 def test_strips_and_fans_load(tmp_path: Path, mode: int, kind: type[np.generic] | None) -> None:
     corners = None if kind is None else np.array([3, 1, 4, 1, 5, 9, 2, 6, 5, 5, 5, 8], kind)
     scene = load(tmp_path, primitive(mode, corners))
-    faces = expected(mode, list(range(len(POINTS))) if corners is None else corners.tolist())
+    faces = expected_triangles(mode, list(range(len(POINTS))) if corners is None else corners.tolist())
     numbers = [[int(np.argmin(np.abs(POINTS - corner).sum(axis=1))) for corner in face] for face in scene.triangles()]
     assert sorted(least_corner_first(numbers)) == sorted(least_corner_first(faces))
     assert scene.report.degenerate_faces == 0
@@ -89,7 +89,7 @@ def test_strips_and_fans_load(tmp_path: Path, mode: int, kind: type[np.generic] 
 
 @pytest.mark.parametrize("mode", [STRIP, FAN])
 @pytest.mark.parametrize("kind", list(KINDS))
-def test_restarts_are_refused(tmp_path: Path, mode: int, kind: type[np.integer[Any]]) -> None:
+def test_primitive_restarts_are_refused(tmp_path: Path, mode: int, kind: type[np.integer[Any]]) -> None:
     most = np.iinfo(kind).max
     content = primitive(mode, np.array([0, 1, 2, most, 3, 4, 5], kind))
     with pytest.raises(nf.SceneError, match=f"a.glb: a strip or fan of its meshes has the index {most}"):
@@ -110,13 +110,13 @@ def test_restarts_are_refused(tmp_path: Path, mode: int, kind: type[np.integer[A
         ("x", "1 primitive of an unknown mode ignored"),
     ],
 )
-def test_other_primitives_are_notes(tmp_path: Path, mode: Any, note: str) -> None:
+def test_other_primitives_are_noted(tmp_path: Path, mode: Any, note: str) -> None:
     with pytest.raises(nf.SceneError, match=f"a.glb: no triangles; {note}"):
         load(tmp_path, primitive(mode, None))
 
 
 def test_real_primitives_of_every_mode() -> None:
-    """Points, three kinds of lines, a list, a strip and a fan of two hexagons of 4 and 6 triangles."""
+    """The file has points, three kinds of lines, a list, a strip and a fan of two hexagons of 4 and 6 triangles."""
     folder = "wild/cesium-native/CesiumGltfReader/test/data"
     scene = nf.Scene.load(data(f"{folder}/MeshPrimitiveModes/MeshPrimitiveModes.gltf"))
     assert scene.report.notes == ("1 point primitive ignored", "3 line primitives ignored")

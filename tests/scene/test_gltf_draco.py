@@ -1,4 +1,4 @@
-"""glTF files that Draco has compressed: the arrays that were compressed, or an error that names the file, in time."""
+"""glTF files compressed by Draco: the original arrays, or an error that names the file, in limited time."""
 
 from __future__ import annotations
 
@@ -45,13 +45,13 @@ def square(level: int = 7) -> tuple[bytes, dict[str, int]]:
 
 
 def simple(stream: bytes, numbers: dict[str, int], **changes: Any) -> bytes:
-    """A file whose mesh has nothing but positions."""
+    """A file whose mesh has only positions."""
     written, binary = document(stream, numbers, {"POSITION": POSITIONS}, FACES)
     return encode(written | changes, binary)
 
 
 def by_position(scene: nf.Scene) -> dict[str, NDArray[Any]]:
-    """The mesh's arrays, its vertices in the order of POSITIONS."""
+    """The mesh's arrays, with vertices in the order of POSITIONS."""
     parts = nf._core.mesh_parts(scene._core.merged())
     rows = [int(np.argmin(np.abs(parts["positions"] - place).sum(axis=1))) for place in POSITIONS]
     return {
@@ -62,7 +62,7 @@ def by_position(scene: nf.Scene) -> dict[str, NDArray[Any]]:
 
 
 @pytest.mark.parametrize("level", [0, 1, 4, 7, 10])
-def test_triangles_come_back(tmp_path: Path, level: int) -> None:
+def test_triangles_are_decoded(tmp_path: Path, level: int) -> None:
     scene = load(tmp_path, simple(*square(level)))
     found = np.sort(scene.triangles().reshape(len(FACES), -1).mean(axis=1))
     np.testing.assert_allclose(found, np.sort(POSITIONS[FACES].reshape(len(FACES), -1).mean(axis=1)), atol=PLACE)
@@ -71,7 +71,7 @@ def test_triangles_come_back(tmp_path: Path, level: int) -> None:
 
 @pytest.mark.parametrize("number", [0, 1])
 def test_attributes_are_found_by_their_numbers(tmp_path: Path, number: int) -> None:
-    """Two sets of texture coordinates, of which the material uses one, normals and colours."""
+    """Two sets of texture coordinates, one of which the material uses, normals and colours."""
     normals = DICE.normal(size=(20, 3)).astype(np.float32)
     arrays: dict[str, NDArray[Any]] = {
         "TEXCOORD_0": DICE.random((20, 2)).astype(np.float32),
@@ -93,7 +93,7 @@ def test_attributes_are_found_by_their_numbers(tmp_path: Path, number: int) -> N
 
 @pytest.mark.parametrize("kind", [np.uint8, np.uint16])
 @pytest.mark.parametrize("normalized", [True, False])
-def test_whole_numbers_may_stand_for_fractions(tmp_path: Path, kind: type[np.integer[Any]], normalized: bool) -> None:
+def test_integers_may_represent_fractions(tmp_path: Path, kind: type[np.integer[Any]], normalized: bool) -> None:
     most = np.iinfo(kind).max
     uvs = DICE.integers(0, most, (20, 2), kind, endpoint=True)
     stream, numbers = compress(POSITIONS, FACES, {"TEXCOORD_0": uvs})
@@ -134,7 +134,7 @@ def test_real_files_have_the_triangles_that_trimesh_reads(name: str) -> None:
     np.testing.assert_allclose(rows[0], rows[1], atol=1e-5)
 
 
-def test_a_real_box_is_that_of_the_plain_file() -> None:
+def test_a_real_box_equals_the_plain_file() -> None:
     packed = nf.Scene.load(data(f"{BOXES}/extensions/test/in/BoxDraco.gltf"))
     plain = nf.Scene.load(data(f"{BOXES}/core/test/in/Box_glTF-Binary/Box.glb"))
     corners = [{tuple(np.rint(2 * corner)) for corner in part.triangles().reshape(-1, 3)} for part in (packed, plain)]
@@ -181,26 +181,26 @@ def test_descriptions_that_do_not_fit_are_errors(tmp_path: Path, change: Any, wo
 
 
 def test_fewer_vertices_may_be_stated(tmp_path: Path) -> None:
-    """As COLLADA2GLTF does, which wrote Cesium's milk truck."""
+    """The number is that of COLLADA2GLTF, which wrote Cesium's milk truck."""
     written, binary = document(*square(), {"POSITION": POSITIONS}, FACES)
     written["accessors"][1]["count"] = 7
     assert load(tmp_path, encode(written, binary)).triangle_count == len(FACES)
 
 
-def test_points_are_no_mesh(tmp_path: Path) -> None:
+def test_point_clouds_are_refused(tmp_path: Path) -> None:
     stream, numbers = compress(POSITIONS, None, {})
     with pytest.raises(nf.SceneError, match=r"a\.glb: a Draco stream of its meshes holds no mesh"):
         load(tmp_path, simple(stream, numbers))
 
 
-def test_streams_that_are_cut_off_are_errors(tmp_path: Path) -> None:
+def test_truncated_draco_streams_are_errors(tmp_path: Path) -> None:
     stream, numbers = square()
     for length in range(len(stream)):
         with pytest.raises(nf.SceneError, match=r"a\.glb: a Draco stream of its meshes"):
             load(tmp_path, simple(stream[:length], numbers))
 
 
-def damaged(stream: bytes, seed: int) -> bytes:
+def damage(stream: bytes, seed: int) -> bytes:
     dice = np.random.default_rng(seed)
     changed = bytearray(stream)
     for _ in range(dice.choice([1, 1, 2, 8])):
@@ -215,14 +215,14 @@ def test_damaged_streams_are_errors_or_other_triangles(tmp_path: Path, level: in
     refused = 0
     for seed in range(150):
         try:
-            assert load(tmp_path, simple(damaged(stream, seed), numbers)).triangle_count <= len(FACES)
+            assert load(tmp_path, simple(damage(stream, seed), numbers)).triangle_count <= len(FACES)
         except nf.SceneError as error:
             assert str(error).startswith(str(tmp_path / "a.glb: "))  # noqa: PT017
             refused += 1
     assert 0 < refused < 150
 
 
-def test_streams_that_keep_draco_busy_are_errors(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_streams_that_exceed_the_time_limit_are_errors(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A limit of a microsecond of CPU time is exceeded, whether or not the clock ticks meanwhile."""
     rows = DICE.normal(size=(100_000, 3)).astype(np.float32)
     faces = np.arange(len(rows) - len(rows) % 3, dtype=np.uint32).reshape(-1, 3)
@@ -237,7 +237,7 @@ def test_streams_that_keep_draco_busy_are_errors(tmp_path: Path, monkeypatch: py
     assert load(tmp_path, encode(written, binary)).triangle_count == len(faces)
 
 
-def test_a_decoder_that_stands_still_is_ended(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_stalled_decoder_is_killed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     need("linux")
     content = simple(*square())
     load(tmp_path, content)
@@ -251,8 +251,8 @@ def test_a_decoder_that_stands_still_is_ended(tmp_path: Path, monkeypatch: pytes
     assert load(tmp_path, content).triangle_count == len(FACES)
 
 
-def test_counts_are_not_believed(tmp_path: Path) -> None:
-    """2³¹ triangles in the stream and in the document: refused, and by the decoder where the limit is raised."""
+def test_claimed_counts_of_draco_are_not_trusted(tmp_path: Path) -> None:
+    """2³¹ triangles in stream and document: refused by the limit, and by the decoder if the limit is raised."""
     need("linux")
     stream, numbers = square(0)
     most = (1 << 31) // 3 * 3
@@ -264,7 +264,7 @@ def test_counts_are_not_believed(tmp_path: Path) -> None:
     first, second, more = refused_twice(tmp_path / "a.glb")
     assert "a.glb: it unpacks to more than 268,435,456 bytes" in first
     assert "a.glb: a Draco stream of its meshes is damaged" in second
-    # Trimesh and its imports take some.
+    # trimesh and its imports take some memory.
     assert more < 200e6
 
 
@@ -276,11 +276,11 @@ def _varint(value: int) -> bytes:
     return written + bytes([value])
 
 
-def test_decoded_bytes_count_twice(tmp_path: Path) -> None:
-    """For what Draco takes beside them."""
+def test_decoded_bytes_count_twice_towards_the_limit(tmp_path: Path) -> None:
+    """Once more for the memory that Draco itself takes."""
     content = simple(*square())
     size = 2 * (len(FACES) * 12 + len(POSITIONS) * 12)
-    # Besides them the picture's texels, and arrays that are free because the file has more bytes.
+    # The texture's texels are added, and arrays that are free because the file has more bytes.
     assert load(tmp_path, content, max_bytes=size + 4 * 48).triangle_count == len(FACES)
     with pytest.raises(nf.SceneError, match=r"a\.glb: it unpacks to more than"):
         load(tmp_path, content, max_bytes=size - 1)

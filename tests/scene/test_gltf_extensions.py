@@ -1,4 +1,4 @@
-"""Tests of glTF's extensions: what cannot be decoded is an error that names it, never a shape of zeros."""
+"""Tests of glTF's extensions: undecodable data is an error that names it, never a shape of zeros."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def wild(name: str) -> Path:
 
 
 def mesh_with(**arrays: np.ndarray) -> bytes:
-    """A GLB of a mesh with these attributes, whole numbers normalised."""
+    """A GLB of a mesh with these attributes, normalised if integers."""
     components = {np.float32: FLOAT, np.int16: SHORT, np.uint16: UNSIGNED_SHORT, np.uint8: UNSIGNED_BYTE}
     views: list[dict[str, Any]] = []
     accessors: list[dict[str, Any]] = []
@@ -81,13 +81,13 @@ def test_draco_without_a_decoder_is_an_error(tmp_path: Path, monkeypatch: pytest
     for lists in ({"extensionsUsed": [DRACO]}, {"extensionsRequired": [DRACO]}, {}):
         with pytest.raises(nf.SceneError, match=r"a\.glb: it needs the extension KHR_draco.*pip"):
             load(tmp_path, gltf([], meshes=compressed, nodes=[{"mesh": 0}], accessors=bare, **lists))
-    # A file with plain data beside the compressed one needs no decoder.
+    # A file with plain data besides the compressed data needs no decoder.
     plain = [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 2, "extensions": {DRACO: {"bufferView": 0}}}]}]
     scene = load(tmp_path, gltf([], meshes=plain, nodes=[{"mesh": 0}], scenes=[{"nodes": [0]}]))
     np.testing.assert_array_equal(scene.bounds, [[0, 0, 0], [1, 1, 0]])
 
 
-def test_extensions_that_leave_zeros_are_an_error(tmp_path: Path) -> None:
+def test_extensions_that_would_give_zeros_are_an_error(tmp_path: Path) -> None:
     compressed = [{"primitives": [{"attributes": {"POSITION": 0}, "extensions": {"ACME_squeeze": {}}}]}]
     bare = [{"componentType": FLOAT, "count": 3, "type": "VEC3"}]
     with pytest.raises(nf.SceneError, match="its extension ACME_squeeze was not decoded"):
@@ -105,7 +105,7 @@ def test_extensions_that_leave_zeros_are_an_error(tmp_path: Path) -> None:
         ({"extensionsRequired": ["KHR_materials_clearcoat", "KHR_texture_transform"]}, None),
     ],
 )
-def test_what_a_file_needs_is_read_or_an_error(tmp_path: Path, lists: dict[str, Any], error: str | None) -> None:
+def test_required_extensions_are_read_or_an_error(tmp_path: Path, lists: dict[str, Any], error: str | None) -> None:
     data = gltf(MATERIALS, **lists)
     if error is not None:
         with pytest.raises(nf.SceneError, match=error):
@@ -137,7 +137,7 @@ def test_meshopt_with_a_fallback_is_read_without_a_decoder(tmp_path: Path) -> No
     np.testing.assert_array_equal(scene.bounds, [[0, 0, 0], [1, 2, 0]])
 
 
-def test_quantised_meshes_have_their_shape_and_texture_coordinates(tmp_path: Path) -> None:
+def test_quantised_meshes_keep_shape_and_texture_coordinates(tmp_path: Path) -> None:
     corners = np.array([[-1, 0, 0.5], [1, 0, 0.5], [0, 1, -0.25]])
     uvs = np.array([[0, 0.25], [1, 0.5], [0.5, 1]])
     normals = np.array([[0, 0, 1], [0, 1, 0], [1, 0, 0]])
@@ -156,7 +156,7 @@ def test_quantised_meshes_have_their_shape_and_texture_coordinates(tmp_path: Pat
     assert scene.report.notes[-1] == "1 material with single-sided faces drawn from both sides"
 
 
-def test_sparse_accessors_change_their_rows(tmp_path: Path) -> None:
+def test_sparse_accessors_replace_rows(tmp_path: Path) -> None:
     corners = np.array([[0, 0, 0], [1, 0, 0], [0, 2, 0]], np.float32)
     binary = corners.tobytes() + np.array([2, 0], np.uint16).tobytes() + np.full(3, 5, np.float32).tobytes()
     views = [{"buffer": 0, "byteOffset": start, "byteLength": length} for start, length in ((0, 36), (36, 4), (40, 12))]
@@ -190,7 +190,7 @@ def test_sparse_accessors_change_their_rows(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("kind", ["webp", "avif"])
-def test_textures_of_other_kinds_are_drawn_and_exported(tmp_path: Path, kind: str) -> None:
+def test_textures_of_extensions_are_drawn_and_exported(tmp_path: Path, kind: str) -> None:
     if not features.check(kind):
         pytest.skip(f"Pillow was built without {kind}")
     file = io.BytesIO()
@@ -212,7 +212,7 @@ def test_textures_of_other_kinds_are_drawn_and_exported(tmp_path: Path, kind: st
     assert file.getvalue() in (tmp_path / "written.glb").read_bytes()
 
 
-def test_names_of_files_may_be_encoded(tmp_path: Path) -> None:
+def test_file_names_may_be_percent_encoded(tmp_path: Path) -> None:
     corners = np.array([[0, 0, 0], [1, 0, 0], [0, 2, 0]], np.float32).tobytes()
     (tmp_path / "ein Würfel.bin").write_bytes(corners)
     changes = {"buffers": [{"byteLength": 36, "uri": quote("ein Würfel.bin")}]}
@@ -249,12 +249,12 @@ def test_real_draco_files_are_right_or_an_error(name: str, monkeypatch: pytest.M
         ("ACMEBox.gltf", "ACME_gizmo"),
     ],
 )
-def test_real_files_that_need_more_are_errors(name: str, words: str) -> None:
+def test_real_files_with_unsupported_extensions_are_errors(name: str, words: str) -> None:
     with pytest.raises(nf.SceneError, match=f"{name}: it needs the extension {words}"):
         nf.Scene.load(wild(name))
 
 
-def test_real_files_with_encoded_names_load(tmp_path: Path) -> None:
+def test_real_files_with_percent_encoded_names_load(tmp_path: Path) -> None:
     path = wild("Unicode*Test.gltf")
     shutil.copytree(path.parent, tmp_path / "copy")
     assert nf.Scene.load(tmp_path / "copy" / path.name).report.textures == 1

@@ -19,14 +19,14 @@ MESH = [{"primitives": [{"attributes": {"POSITION": 0}}]}]
 PLACES = np.array([[5, 0, 0], [0, 6, 0], [0, 0, 7]], np.float32)
 HALF = np.sqrt(0.5)
 QUATERNIONS = np.array([[0, 0, 0, 1], [0, 0, HALF, HALF], [1, 0, 0, 0]])
-"""None, a quarter of a turn about z, half of one about x."""
+"""No rotation, a quarter rotation about z, a half one about x."""
 TURNED = np.array([CORNERS, [[0, 0, 0], [0, 1, 0], [-1, 0, 0]], [[0, 0, 0], [1, 0, 0], [0, -1, 0]]])
 """The corners after these rotations."""
 SCALES = np.array([[1, 1, 1], [2, 3, 1], [1, 2, -1]], np.float32)
 
 
 def document(arrays: list[NDArray[Any]], **changes: Any) -> bytes:
-    """A GLB whose accessors are these arrays, whole numbers normalised; the corners are the first one."""
+    """A GLB with these arrays as accessors, normalised if integers; the corners are the first one."""
     views: list[dict[str, Any]] = []
     accessors: list[dict[str, Any]] = []
     binary = b""
@@ -56,7 +56,7 @@ def load(folder: Path, content: bytes, **options: Any) -> nf.Scene:
     return nf.Scene.load(folder / "a.glb", **options)
 
 
-def test_instances_share_one_mesh_and_stand_in_the_files_order(tmp_path: Path) -> None:
+def test_instances_share_one_mesh_in_the_files_order(tmp_path: Path) -> None:
     scene = load(tmp_path, document([PLACES], nodes=[node(TRANSLATION=1)]))
     np.testing.assert_array_equal(scene.triangles(), CORNERS + PLACES[:, None])
     assert scene._core.instance_count == 3
@@ -66,7 +66,7 @@ def test_instances_share_one_mesh_and_stand_in_the_files_order(tmp_path: Path) -
 
 
 @pytest.mark.parametrize("kind", [np.float32, np.int8, np.int16])
-def test_rotations_may_be_whole_numbers(tmp_path: Path, kind: type[Any]) -> None:
+def test_rotations_may_be_integers(tmp_path: Path, kind: type[Any]) -> None:
     most = 1 if kind is np.float32 else np.iinfo(kind).max
     turns = QUATERNIONS * most
     rows = turns.astype(kind) if kind is np.float32 else np.rint(turns).astype(kind)
@@ -75,7 +75,7 @@ def test_rotations_may_be_whole_numbers(tmp_path: Path, kind: type[Any]) -> None
     np.testing.assert_allclose(scene.triangles(), TURNED, atol=1e-6)
 
 
-def test_parts_are_scaled_then_rotated_then_translated_then_placed_by_the_node(tmp_path: Path) -> None:
+def test_transforms_apply_scale_rotation_translation_and_node(tmp_path: Path) -> None:
     parent = {"name": "root", "translation": [100, 0, 0], "children": [1]}
     many = node(TRANSLATION=1, ROTATION=2, SCALE=3) | {"scale": [2, 2, 2]}
     scene = load(tmp_path, document([PLACES, QUATERNIONS.astype(np.float32), SCALES], nodes=[parent, many]))
@@ -85,7 +85,7 @@ def test_parts_are_scaled_then_rotated_then_translated_then_placed_by_the_node(t
     expected = [100 * np.eye(3)[0] + 2 * ((CORNERS * scale) @ turn.T + place) for turn, scale, place in parts]
     found = [scene.subset(objects=[name]).triangles()[0] for name in ("tree", "tree_1", "tree_2")]
     for triangle, corners in zip(found, expected, strict=True):
-        # A mirrored mesh has its faces turned.
+        # The faces of a mirrored mesh are reversed.
         order = np.lexsort(corners.T), np.lexsort(np.round(triangle, 3).T)
         np.testing.assert_allclose(triangle[order[1]], corners[order[0]], atol=1e-5)
 
@@ -99,14 +99,14 @@ def test_objects_have_all_primitives_and_names_that_no_other_has(tmp_path: Path)
     np.testing.assert_array_equal(scene.subset(objects=["tree_3"]).triangles(), [CORNERS + PLACES[2]] * 2)
 
 
-def test_children_of_instances_stand_once(tmp_path: Path) -> None:
+def test_children_of_instances_are_placed_once(tmp_path: Path) -> None:
     nodes = [node(TRANSLATION=1) | {"children": [1]}, {"mesh": 0, "name": "bird"}]
     scene = load(tmp_path, document([PLACES], nodes=nodes))
     assert scene.triangle_count == 4
     np.testing.assert_array_equal(scene.subset(objects=["bird"]).triangles()[0], CORNERS)
 
 
-def test_one_instance_is_placed_and_further_attributes_are_not_read(tmp_path: Path) -> None:
+def test_a_single_instance_is_placed_and_other_attributes_are_ignored(tmp_path: Path) -> None:
     ids = np.zeros((1, 3), np.float32)
     scene = load(tmp_path, document([PLACES[:1], ids], nodes=[node(TRANSLATION=1, _FEATURE_ID_0=2)]))
     np.testing.assert_array_equal(scene.triangles()[0], CORNERS + PLACES[0])
@@ -117,7 +117,7 @@ def test_one_instance_is_placed_and_further_attributes_are_not_read(tmp_path: Pa
 
 
 def test_instances_may_be_compressed(tmp_path: Path) -> None:
-    # The largest part of a quaternion is left out: two bits say which; 2047 stands for √½ (12 bits).
+    # The largest component of a quaternion is omitted: two bits give its index; 2047 represents √½ (12 bits).
     packed = np.array([[0, 0, 0, 0x7FF], [0, 0, 2047, 0x7FF], [0, 0, 0, 0x7FC]], np.int16)
     streams: list[Stream] = [
         attributes(CORNERS),
@@ -142,13 +142,13 @@ def test_instances_may_be_compressed(tmp_path: Path) -> None:
         ({"SCALE": "a"}, "another type|does not hold|not well-formed"),
     ],
 )
-def test_attributes_that_do_not_fit_are_errors(tmp_path: Path, attributes: dict[str, Any], words: str) -> None:
+def test_invalid_instance_attributes_are_errors(tmp_path: Path, attributes: dict[str, Any], words: str) -> None:
     content = document([PLACES, QUATERNIONS[:2].astype(np.float32)], nodes=[node(**attributes)])
     with pytest.raises(nf.SceneError, match=rf"a\.glb: .*({words})"):
         load(tmp_path, content)
 
 
-def test_transforms_that_are_not_finite_are_errors_or_left_out(tmp_path: Path) -> None:
+def test_non_finite_transforms_are_errors_or_omitted(tmp_path: Path) -> None:
     places = PLACES.copy()
     places[1, 0] = np.nan
     content = document([places], nodes=[node(TRANSLATION=1)])
@@ -157,8 +157,8 @@ def test_transforms_that_are_not_finite_are_errors_or_left_out(tmp_path: Path) -
     assert load(tmp_path, content, on_invalid="drop").object_names == ("tree", "tree_2")
 
 
-def test_instances_count_before_they_are_made(tmp_path: Path) -> None:
-    """Many nodes name the same array, and one array claims rows that the file has not."""
+def test_instances_are_counted_before_allocation(tmp_path: Path) -> None:
+    """Many nodes share the same array, and one array claims rows that the file does not have."""
     places = np.zeros((2000, 3), np.float32)
     nodes = [node(TRANSLATION=1)] * 2000
     content = document([places], nodes=nodes, scenes=[{"nodes": list(range(2000))}])

@@ -1,4 +1,4 @@
-"""Textures in KTX 2: Basis Universal and plain pixels are drawn; all else is an error, before memory is taken."""
+"""Textures in KTX 2: Basis Universal and plain pixels are drawn; others are errors, before memory is allocated."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def gamma(light: NDArray[Any]) -> NDArray[Any]:
     ],
 )  # fmt: skip
 @pytest.mark.parametrize("packed", [False, True])
-def test_plain_pixels_come_back(tmp_path: Path, kind: int, type_: str, channels: str, packed: bool) -> None:
+def test_plain_pixels_are_read(tmp_path: Path, kind: int, type_: str, channels: str, packed: bool) -> None:
     shape = (5, 7, len(channels))
     levels = DICE.random(shape)
     pixels = levels.astype(type_) if type_[0] == "f" else (levels * np.iinfo(type_).max).astype(type_)
@@ -61,20 +61,20 @@ def test_plain_pixels_come_back(tmp_path: Path, kind: int, type_: str, channels:
         assert (texels[..., 3] == 255).all()
 
 
-def test_row_0_may_be_the_lowest(tmp_path: Path) -> None:
+def test_row_0_may_be_the_bottom(tmp_path: Path) -> None:
     pixels = DICE.integers(0, 256, (3, 4, 4), np.uint8)
     found = only_texture(load(tmp_path, glb(ktx2(pixels, 43, notes=b"\x12\0\0\0KTXorientation\0ru\0\0"))))
     np.testing.assert_array_equal(found, pixels[::-1])
 
 
 @pytest.mark.parametrize("name", ["kota-onelevel", "kota-mipmaps", "kota-automipmap"])
-def test_basis_pictures_look_like_their_source(tmp_path: Path, name: str) -> None:
+def test_basis_pictures_resemble_their_source(tmp_path: Path, name: str) -> None:
     need("opengl_basisu")
     texels = only_texture(load(tmp_path, glb(data(f"{KOTA}/{name}.ktx2").read_bytes())))
     with Image.open(data(f"{KOTA}/kota.jpg")) as image:
         source = np.asarray(image.convert("RGB"), np.float64)
     assert texels.shape == (*source.shape[:2], 4)
-    # The codec is lossy, as is JPEG: 27 dB, and 8 dB for a picture upside down.
+    # The codec is lossy, like JPEG: 27 dB, and 8 dB for a picture upside down.
     assert 10 * np.log10(255**2 / np.square(texels[..., :3] - source).mean()) > 27
 
 
@@ -89,7 +89,7 @@ def test_both_codecs_are_read(tmp_path: Path, name: str, color: tuple[int, int, 
 @pytest.mark.parametrize("name", ["rgb8", "rgba8", "rgba16_linear", "rgba32_linear"])
 def test_real_plain_pixels_are_green(tmp_path: Path, name: str) -> None:
     texels = only_texture(load(tmp_path, glb(data(f"{FILES}/2d_{name}.ktx2").read_bytes())))
-    # All were made from one green, which was linear light or sRGB.
+    # All were made from one green, either linear or sRGB.
     np.testing.assert_allclose(np.median(texels, axis=(0, 1)), [78, 178, 75, 255], atol=6)
 
 
@@ -99,8 +99,8 @@ def test_other_compressions_are_named(tmp_path: Path, name: str, words: str) -> 
         load(tmp_path, glb(data(f"{FILES}/2d_{name}.ktx2").read_bytes()))
 
 
-def test_files_written_from_a_scene_hold_all_textures(tmp_path: Path) -> None:
-    """The base colour as PNG, as all are, and other maps as they were."""
+def test_written_files_contain_all_textures(tmp_path: Path) -> None:
+    """The base colour is stored as PNG, like all base colours, and other maps unchanged."""
     pixels, other = DICE.integers(0, 256, (2, 6, 4, 3), np.uint8)
     surface = {"metallicFactor": 0, "baseColorTexture": {"index": 0}}
     material = {"pbrMetallicRoughness": surface, "normalTexture": {"index": 1}}
@@ -117,8 +117,8 @@ def test_files_written_from_a_scene_hold_all_textures(tmp_path: Path) -> None:
     np.testing.assert_array_equal(only_texture(again), only_texture(scene))
 
 
-def test_pictures_beside_it_need_no_decoder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A plain picture beside the packed one, and packed maps that are not drawn."""
+def test_plain_alternatives_need_no_decoder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A plain picture is present besides the packed one, and the packed maps are not drawn."""
     monkeypatch.setattr(reader, "find_spec", lambda name: None)
     packed = data(f"{FILES}/2d_etc1s.ktx2").read_bytes()
     plain = [{"source": 1, "extensions": {EXTENSION: {"source": 0}}}]
@@ -129,7 +129,7 @@ def test_pictures_beside_it_need_no_decoder(tmp_path: Path, monkeypatch: pytest.
 
 
 @pytest.mark.parametrize("name", ["etc1s", "uastc"])
-def test_without_the_package_the_line_that_brings_it_is_named(
+def test_without_the_package_the_install_command_is_named(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
 ) -> None:
     monkeypatch.setattr(reader, "find_spec", lambda name: None)
@@ -155,24 +155,24 @@ PLAIN = "no single picture of two dimensions"
         ({"scheme": 77}, "Zstandard|not read"),
     ],
 )  # fmt: skip
-def test_headers_that_lie_are_errors(tmp_path: Path, changes: dict[str, Any], words: str) -> None:
+def test_inconsistent_headers_are_errors(tmp_path: Path, changes: dict[str, Any], words: str) -> None:
     with pytest.raises(nf.SceneError, match=rf"a\.glb: .*({words})"):
         load(tmp_path, glb(ktx2(SMALL, 43, **changes)))
 
 
-def test_zeros_that_unpack_to_much_are_errors(tmp_path: Path) -> None:
-    """64 MiB that zlib packs to 64 kB."""
+def test_zeros_that_expand_greatly_are_errors(tmp_path: Path) -> None:
+    """64 MiB that zlib compresses to 64 kB."""
     bomb = ktx2(np.zeros((1, 1 << 26, 1), np.uint8), 43, packed=True, width=4, height=4, unpacked=64)
     with pytest.raises(nf.SceneError, match=r"a\.glb: .*has a level of 65 bytes for 4 × 4 texels"):
         load(tmp_path, glb(bomb))
 
 
 @pytest.mark.parametrize("name", ["etc1s", "uastc", "rgba8"])
-def test_files_that_are_cut_off_are_errors(tmp_path: Path, name: str) -> None:
+def test_truncated_ktx_2_files_are_errors(tmp_path: Path, name: str) -> None:
     need("opengl_basisu")
     content = data(f"{FILES}/2d_{name}.ktx2").read_bytes()
     for length in range(12, len(content), max(1, len(content) // 100)):
-        # Bytes are kept behind the largest level of some.
+        # In some files bytes follow the largest level.
         try:
             assert only_texture(load(tmp_path, glb(content[:length]))).shape == (40, 40, 4)
         except nf.SceneError as error:
@@ -200,8 +200,8 @@ def test_damaged_files_are_errors_or_other_pictures(tmp_path: Path, name: str) -
     assert 0 < refused < 200
 
 
-def test_absurd_sizes_take_no_memory(tmp_path: Path) -> None:
-    """Basis Universal of a size that its bytes do not have, which the default limit and a larger one refuse."""
+def test_impossible_sizes_take_no_memory(tmp_path: Path) -> None:
+    """Basis Universal data that claims more than its bytes, refused by the default limit and a larger one."""
     need("linux")
     need("opengl_basisu")
     content = bytearray(data(f"{FILES}/2d_uastc.ktx2").read_bytes())

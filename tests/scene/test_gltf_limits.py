@@ -1,4 +1,4 @@
-"""glTF files with very many parts, and parts that claim more than the file has: errors, before memory is taken."""
+"""glTF files with very many parts, and parts that claim more than the file has: errors, before memory is allocated."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def load(folder: Path, data: bytes, **options: Any) -> nf.Scene:
 
 
 def triangle(**changes: Any) -> dict[str, Any]:
-    """Document of one triangle, whose corners are all that the buffer has."""
+    """A document of one triangle, whose corners fill the buffer."""
     return {
         "asset": {"version": "2.0"},
         "scenes": [{"nodes": [0]}],
@@ -34,7 +34,7 @@ def triangle(**changes: Any) -> dict[str, Any]:
 
 
 def many(number: int) -> bytes:
-    """A thousand triangles that share one long array of vertices, each in a mesh of its own."""
+    """A thousand triangles that share one long array of vertices, each in a separate mesh."""
     vertices = np.zeros((number, 3), np.float32)
     vertices[: len(CORNERS)] = CORNERS
     faces = np.array([0, 1, 2], np.uint32)
@@ -56,7 +56,7 @@ def many(number: int) -> bytes:
     return encode(document, vertices.tobytes() + faces.tobytes())
 
 
-def test_triangles_keep_the_vertices_that_they_use_of_shared_ones(tmp_path: Path) -> None:
+def test_triangles_keep_only_their_vertices_of_shared_arrays(tmp_path: Path) -> None:
     scene = load(tmp_path, many(100_000))
     assert scene.triangle_count == 1000
     np.testing.assert_array_equal(scene.triangles()[999], CORNERS)
@@ -64,7 +64,7 @@ def test_triangles_keep_the_vertices_that_they_use_of_shared_ones(tmp_path: Path
     assert load(tmp_path, many(100_000), max_bytes=1 << 20).triangle_count == 1000
 
 
-def test_arrays_that_many_meshes_repeat_count(tmp_path: Path) -> None:
+def test_repeated_arrays_count_towards_the_limit(tmp_path: Path) -> None:
     vertices = np.zeros((30_000, 3), np.float32)
     accessor = {"bufferView": 0, "componentType": FLOAT, "count": len(vertices), "type": "VEC3"}
     document = triangle(
@@ -93,12 +93,12 @@ def test_arrays_that_many_meshes_repeat_count(tmp_path: Path) -> None:
         },
     ],
 )
-def test_rows_that_the_file_has_not_count(accessor: dict[str, Any], tmp_path: Path) -> None:
+def test_claimed_rows_count_towards_the_limit(accessor: dict[str, Any], tmp_path: Path) -> None:
     with pytest.raises(nf.SceneError, match="it unpacks to more than 268,435,456 bytes"):
         load(tmp_path, encode(triangle(accessors=[accessor]), CORNERS.tobytes()))
 
 
-def test_copies_of_flat_instances_count(tmp_path: Path) -> None:
+def test_copies_of_flat_instances_count_towards_the_limit(tmp_path: Path) -> None:
     """Instances without an inverse are merged, each as a copy."""
     vertices = np.random.default_rng(0).random((3000, 3)).astype(np.float32)
     accessor = {"bufferView": 0, "componentType": FLOAT, "count": len(vertices), "type": "VEC3"}
@@ -123,7 +123,7 @@ def test_images_that_many_textures_share_are_kept_once(tmp_path: Path) -> None:
     assert (scene.report.materials, scene.report.textures) == (2000, 1)
 
 
-def test_many_nodes_stand_where_the_file_says(tmp_path: Path) -> None:
+def test_many_nodes_have_the_files_transforms(tmp_path: Path) -> None:
     places = np.random.default_rng(1).integers(-1000, 1000, (20_000, 3))
     nodes = [{"mesh": 0, "translation": place} for place in places.tolist()]
     scene = load(
@@ -141,7 +141,7 @@ def test_long_chains_of_nodes_multiply_their_transforms(tmp_path: Path) -> None:
     assert scene.object_names == ("end",)
 
 
-def test_equal_names_get_numbers_that_no_other_has(tmp_path: Path) -> None:
+def test_equal_names_get_unique_numbers(tmp_path: Path) -> None:
     nodes = [{"mesh": 0, "name": name} for name in ("a", "a_1", "a", "a", "a_1")]
     scene = load(tmp_path, encode(triangle(nodes=nodes, scenes=[{"nodes": [0, 1, 2, 3, 4]}]), CORNERS.tobytes()))
     assert scene.object_names == ("a", "a_1", "a_2", "a_3", "a_1_1")
@@ -162,7 +162,7 @@ def test_equal_names_get_numbers_that_no_other_has(tmp_path: Path) -> None:
         ({"asset": {"version": "1.0"}}, "only glTF 2 is read"),
     ],
 )
-def test_numbers_that_name_nothing_are_errors(changes: dict[str, Any], words: str, tmp_path: Path) -> None:
+def test_out_of_range_indices_are_errors(changes: dict[str, Any], words: str, tmp_path: Path) -> None:
     with pytest.raises(nf.SceneError, match=f"a\\.glb: .*{words}"):
         load(tmp_path, encode(triangle(**changes), CORNERS.tobytes()))
 

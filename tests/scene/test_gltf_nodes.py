@@ -1,4 +1,4 @@
-"""Nodes of glTF files that are no trees: errors, instead of meshes that are drawn twice or endlessly."""
+"""Nodes of glTF files that do not form trees: errors, instead of meshes that are drawn twice or endlessly."""
 
 from __future__ import annotations
 

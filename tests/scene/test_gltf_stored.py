@@ -1,4 +1,4 @@
-"""Meshes that the core reads as they lie in a file are those that are read array by array."""
+"""Meshes that the core reads from a file as stored equal those read array by array."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def both(path: Path, patch: pytest.MonkeyPatch, **how: Any) -> tuple[nf.Scene, n
 
 
 def faces_of(scene: nf.Scene) -> NDArray[np.float64]:
-    """Faces as rows (F, K) of all that their corners have, in a fixed order."""
+    """Faces as rows (F, K) of all corner attributes, in a fixed order."""
     parts, mesh = _core.scene_parts(scene._core), _core.mesh_parts(scene._core.merged())
     faces, count = mesh["faces"], len(mesh["faces"])
     owners, materials = mesh["objects"], mesh["materials"]
@@ -68,7 +68,7 @@ def assert_alike(stored: nf.Scene, slow: nf.Scene) -> None:
 
 # files ---------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("name", [*FILES[:-1], pytest.param(FILES[-1], marks=pytest.mark.stress)])
-def test_real_files_are_read_alike(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_real_files_are_read_equally(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     need("data")
     path = data_files.find(name)
     assert path is not None
@@ -81,16 +81,16 @@ def test_real_files_are_read_alike(name: str, monkeypatch: pytest.MonkeyPatch) -
 
 
 @pytest.mark.slow
-def test_files_in_the_wild_are_read_alike(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_files_in_the_wild_are_read_equally(monkeypatch: pytest.MonkeyPatch) -> None:
     need("data")
     folder = data_files.find("wild")
     assert folder is not None
     scenes = 0
     for path in sorted(path for path in folder.rglob("*") if path.suffix in (".glb", ".gltf")):
-        stored = loaded(path)
+        stored = load_or_message(path)
         with monkeypatch.context() as within:
             within.setattr(load, "read_gltf", partial(document.read, stores=False))
-            slow = loaded(path)
+            slow = load_or_message(path)
         if isinstance(stored, nf.Scene) and isinstance(slow, nf.Scene):
             assert_alike(stored, slow)
             assert stored._notes == slow._notes
@@ -100,8 +100,8 @@ def test_files_in_the_wild_are_read_alike(monkeypatch: pytest.MonkeyPatch) -> No
     assert scenes > 30
 
 
-def loaded(path: Path) -> nf.Scene | str:
-    """The scene of a file, or why there is none."""
+def load_or_message(path: Path) -> nf.Scene | str:
+    """The scene of a file, or the error message."""
     try:
         return nf.Scene.load(path)
     except SceneError as error:
@@ -114,7 +114,7 @@ HALVES = np.array([[0], [1], [2], [0], [2], [3]], np.uint16)
 
 
 def square(primitive: dict[str, Any] | None = None, **document: Any) -> bytes:
-    """A GLB with a square; accessor 0 has its corners, and 1 the numbers of its halves' ones."""
+    """A GLB with a square; accessor 0 has its corners, and 1 the indices of its two triangles."""
     writer = Writer(np.random.default_rng(0))
     writer.add(SQUARE)
     writer.add(HALVES)
@@ -132,13 +132,13 @@ def square(primitive: dict[str, Any] | None = None, **document: Any) -> bytes:
         {"attributes": {"POSITION": -1}},
     ],
 )
-def test_numbers_below_zero_name_nothing(tmp_path: Path, primitive: dict[str, Any]) -> None:
+def test_negative_indices_are_ignored(tmp_path: Path, primitive: dict[str, Any]) -> None:
     (tmp_path / "a.glb").write_bytes(square(primitive))
     with pytest.raises(SceneError, match="it refers to something that it does not hold"):
         nf.Scene.load(tmp_path / "a.glb")
 
 
-def test_arrays_that_are_not_needed_need_not_be_there(tmp_path: Path) -> None:
+def test_unneeded_arrays_may_be_missing(tmp_path: Path) -> None:
     header = json.loads(square()[20 : 20 + int.from_bytes(square()[12:16], "little")])
     binary = square()[28 + int.from_bytes(square()[12:16], "little") :]
     (tmp_path / "a.bin").write_bytes(binary)
@@ -162,7 +162,7 @@ def test_a_document_without_meshes_has_no_triangles(tmp_path: Path) -> None:
         nf.Scene.load(tmp_path / "b.glb")
 
 
-def test_materials_of_meshes_without_a_place_are_left_out(tmp_path: Path) -> None:
+def test_materials_of_unplaced_meshes_are_omitted(tmp_path: Path) -> None:
     materials = [{"pbrMetallicRoughness": {"baseColorFactor": [n / 9, 0.5, 1.0, 1.0]}} for n in range(9)]
     rows = [{"attributes": {"POSITION": 0}, "indices": 1, "material": n} for n in range(9)]
     meshes = [{"primitives": [row]} for row in rows]
@@ -225,9 +225,11 @@ def test_textures_of_one_image_share_its_bytes() -> None:
 
 
 # random files --------------------------------------------------------------------------------------------------------
-# With another scale than a power of two, equal coordinates may be rounded apart, and faces be sorted in another order.
+# With scales other than powers of two, equal coordinates may be rounded differently, and faces be sorted differently.
 @given(seed=st.integers(0, 2**32 - 1), scale=st.sampled_from([None, 2.0**-7]))
-def test_random_files_are_read_alike(tmp_path_factory: pytest.TempPathFactory, seed: int, scale: float | None) -> None:
+def test_random_files_are_read_equally(
+    tmp_path_factory: pytest.TempPathFactory, seed: int, scale: float | None
+) -> None:
     path = tmp_path_factory.mktemp("random") / "random.glb"
     path.write_bytes(random_glb(np.random.default_rng(seed)))
     with pytest.MonkeyPatch.context() as patch:

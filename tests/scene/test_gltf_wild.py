@@ -63,7 +63,7 @@ LOADED: dict[str, tuple[int, int, tuple[str, ...]]] = {
     f"{META}/SharedPropertyTable.gltf": (16, 0, (FEATURES, METADATA)),
     f"{META}/SimplePropertyTexture.gltf": (2, 1, (METADATA, NEAREST)),
 }
-"""Triangles, textures and notes of the files that load, by the ends of their paths."""
+"""Triangles, textures and notes of the loadable files, by suffix of their paths."""
 
 REFUSED = {
     "SpzSplat/basic.glb": "it needs the extension KHR_gaussian_splatting, which is not read",
@@ -72,7 +72,7 @@ REFUSED = {
 }
 
 COMPRESSED = ("Draco", "Meshopt.", "Duck-vp")
-"""Parts of names of the files whose arrays the oracle does not read; other tests compare them with plain ones."""
+"""Parts of names of files whose arrays the oracle does not read; other tests compare them with plain ones."""
 
 
 def wild() -> list[Path]:
@@ -87,7 +87,7 @@ def find(name: str) -> Path:
 
 
 def rows(triangles: Any) -> NDArray[Any]:
-    """Triangles (N, 9) with their least corner first, in the order of their middles, all to 1e-5."""
+    """Triangles (N, 9) with their least corner first, ordered by centroid, all to 1e-5."""
     corners = np.round(np.asarray(triangles, np.float64), 5) + 0.0
     turned = []
     for face in corners:
@@ -114,13 +114,13 @@ def test_files_load_with_their_notes(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", list(REFUSED))
-def test_files_that_are_not_read_say_why(name: str) -> None:
+def test_unsupported_files_are_refused_with_a_reason(name: str) -> None:
     with pytest.raises(nf.SceneError, match=REFUSED[name]):
         nf.Scene.load(find(name))
 
 
 @pytest.mark.parametrize("name", [name for name in LOADED if not any(part in name for part in COMPRESSED)])
-def test_triangles_are_those_of_a_slow_reader(name: str) -> None:
+def test_triangles_equal_a_slow_reader(name: str) -> None:
     found, expected = rows(nf.Scene.load(find(name)).triangles()), rows(Document(find(name)).triangles())
     # One step of the rounding, where a number lies between two.
     np.testing.assert_allclose(found, expected, atol=1.1e-5)
@@ -130,7 +130,7 @@ TEXTURED = [name for name, (_, textures, _) in LOADED.items() if textures and "S
 
 
 @pytest.mark.parametrize("name", TEXTURED)
-def test_textures_are_those_that_pillow_reads(name: str) -> None:
+def test_textures_equal_pillow(name: str) -> None:
     need("DracoPy") if "Draco" in name else None
     document = Document(find(name))
     materials = document.json["materials"]

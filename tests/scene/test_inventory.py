@@ -1,4 +1,4 @@
-"""Tests of what a scene says that it uses of its source, and of what it says that it does not."""
+"""Tests of the inventory of a scene's source: used and unused parts."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def report(path: Path) -> Report:
     return nf.Scene.load(path).report
 
 
-def test_glb_files_tell_their_maker_and_their_parts(tmp_path: Path) -> None:
+def test_glb_inventories_list_generator_and_parts(tmp_path: Path) -> None:
     (tmp_path / "a.glb").write_bytes(trimesh.Scene({"one": trimesh.creation.box()}).export(file_type="glb"))
     used = report(tmp_path / "a.glb").used
     assert used[0].startswith("glTF 2.0, made by 'https://github.com/mikedh/trimesh")
@@ -51,7 +51,7 @@ def test_other_formats_are_named(suffix: str, name: str, tmp_path: Path) -> None
     assert report(tmp_path / f"box.{suffix}").used[0] == name
 
 
-def test_scenes_without_a_source_use_none() -> None:
+def test_scenes_without_a_source_have_no_inventory() -> None:
     scene = nf.Scene.from_arrays(np.eye(3, dtype=np.float32), np.array([[0, 1, 2]], np.uint32))
     assert scene.report.used == ()
 

@@ -22,9 +22,9 @@ def shift(x: float = 0.0, y: float = 0.0, z: float = 0.0) -> NDArray[np.float64]
 
 
 def sorted_triangles(triangles: NDArray[np.floating]) -> NDArray[np.float64]:
-    """Triangles in an order of their own, each from its least corner on: what a file's order does not change.
+    """Triangles in a canonical order, each with its least corner first, so that a file's order does not matter.
 
-    Millimetres decide, so that rounding does not.
+    The order is by millimetres, so that rounding does not affect it.
     """
 
     def key(corners: list[list[float]]) -> list[list[float]]:
@@ -35,14 +35,14 @@ def sorted_triangles(triangles: NDArray[np.floating]) -> NDArray[np.float64]:
 
 
 def reference_triangles(path: Path | trimesh.Scene) -> NDArray[np.float32]:
-    """Trimesh's result, through its scene graph."""
+    """trimesh's result, through its scene graph."""
     scene = path if isinstance(path, trimesh.Scene) else trimesh.load_scene(path, process=False)
     return np.asarray(scene.to_mesh().triangles, np.float32)
 
 
 @pytest.fixture
 def town() -> trimesh.Scene:
-    """Two houses of one mesh, the second turned and mirrored, under a moved node; and a single tower."""
+    """Two houses of one mesh, the second rotated and mirrored, under a translated node; and a single tower."""
     scene = trimesh.Scene()
     house, tower = trimesh.creation.box((2, 3, 4)), trimesh.creation.icosphere(2, 1.5)
     scene.graph.update(frame_to="block", frame_from="world", matrix=shift(10, 0, -7))
@@ -74,7 +74,7 @@ def test_instances_stay_instances_and_nodes_are_objects(tmp_path: Path, town: tr
     town.export(tmp_path / "town.glb")
     for scene in (nf.Scene.load(tmp_path / "town.glb"), nf.Scene.from_trimesh(town)):
         assert sorted(scene.object_names) == ["house_a", "house_b", "tower"]
-        assert (scene.report.instances, scene.report.meshes) == (3, 3)  # the mirrored house is a twin
+        assert (scene.report.instances, scene.report.meshes) == (3, 3)  # The mirrored house is a twin.
         expected = town.graph.get("house_b")[0]
         np.testing.assert_allclose(scene.transform("house_b"), expected, atol=1e-12)
 
@@ -173,7 +173,7 @@ def test_the_upward_axis_becomes_y(tmp_path: Path, up: str, expected: tuple[floa
         ("las", "Open3D"),
     ],
 )
-def test_known_formats_name_a_program_that_reads_them(tmp_path: Path, suffix: str, reader: str) -> None:
+def test_errors_about_known_formats_name_a_converter(tmp_path: Path, suffix: str, reader: str) -> None:
     path = tmp_path / f"model.{suffix.upper()}"
     path.write_bytes(b"whatever")
     with pytest.raises(nf.SceneError, match=f"model.{suffix.upper()}: nearfar does not read"):
@@ -187,7 +187,7 @@ def test_a_packed_file_is_unpacked(tmp_path: Path) -> None:
     assert (scene.triangle_count, scene.object_names) == (320, ("ball",))
 
 
-def test_the_dragon_comes_packed() -> None:
+def test_the_packed_dragon_loads() -> None:
     need("data")
     assert nf.Scene.load(data_files.require("objects/dragon/dragon_vrip_res3.ply.gz")).triangle_count == 47_794
 

@@ -1,4 +1,4 @@
-"""Tests of damaged, empty, missing and foreign files: a scene with a report, or an error sentence, in short time."""
+"""Tests of damaged, empty, missing and foreign files: a scene with a report, or an error message, in short time."""
 
 from __future__ import annotations
 
@@ -21,19 +21,19 @@ from nearfar._base import data as data_files
 from tests.support import need
 
 LONGEST = 2.0
-"""CPU-seconds that any bad file may take."""
+"""CPU seconds allowed for any malformed file."""
 
 
 @pytest.fixture(autouse=True)
 def nothing_leaks(capfd: pytest.CaptureFixture[str]) -> Iterator[None]:
-    """Nothing may be printed; warnings are errors in all tests."""
+    """Assert that nothing is printed; warnings are errors in all tests."""
     yield
     captured = capfd.readouterr()
     assert captured.out + captured.err == ""
 
 
 def outcome(path: Path, on_invalid: str = "raise") -> nf.Scene | nf.SceneError:
-    """Load a file as a user would; only a scene that works or a SceneError that names the file will do."""
+    """Load a file like a user; accepts only a working scene or a SceneError that names the file."""
     start = time.process_time()
     result: nf.Scene | nf.SceneError
     try:
@@ -52,10 +52,10 @@ def outcome(path: Path, on_invalid: str = "raise") -> nf.Scene | nf.SceneError:
     return result
 
 
-def test_every_malformed_file_gives_a_scene_or_a_sentence() -> None:
+def test_every_malformed_file_gives_a_scene_or_a_message() -> None:
     need("data")
     files = [path for path in sorted(data_files.require("malformed").rglob("*")) if path.is_file()]
-    outcome(files[0])  # imports the reader
+    outcome(files[0])  # Imports the reader.
     tracemalloc.start()
     results = {path.name: (outcome(path), outcome(path, "drop")) for path in files}
     peak = tracemalloc.get_traced_memory()[1]
@@ -79,7 +79,7 @@ def test_every_malformed_file_gives_a_scene_or_a_sentence() -> None:
         ("trimesh/empty.stl", "no triangles"),
     ],
 )
-def test_sentences_say_what_is_wrong(name: str, words: str) -> None:
+def test_messages_explain_the_defect(name: str, words: str) -> None:
     need("data")
     result = outcome(data_files.require(f"malformed/{name}"))
     assert isinstance(result, nf.SceneError)
@@ -112,7 +112,7 @@ def test_missing_materials_and_textures_are_reported(tmp_path: Path) -> None:
     assert result.report.notes == ()
 
 
-def test_the_system_s_own_errors_pass_through(tmp_path: Path) -> None:
+def test_operating_system_errors_pass_through(tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError, match=r"nowhere\.glb"):
         nf.Scene.load(tmp_path / "nowhere.glb")
     with pytest.raises(IsADirectoryError, match="expected a file, got a folder: "):
@@ -139,7 +139,7 @@ def test_unknown_kinds_are_refused(tmp_path: Path, name: str) -> None:
     assert re.search("the kind of file|damaged|no triangles|it is no JSON", str(outcome(tmp_path / name)))
 
 
-def test_archives_are_to_be_unpacked(tmp_path: Path) -> None:
+def test_archives_must_be_unpacked(tmp_path: Path) -> None:
     for name in ("a.zip", "a.tar.gz", "a.tar"):
         (tmp_path / name).write_bytes(b"PK")
         assert re.search("is an archive|damaged", str(outcome(tmp_path / name)))
@@ -175,7 +175,7 @@ def sample(folder: Path) -> dict[str, bytes]:
     }
 
 
-def damaged(data: bytes, dice: random.Random) -> bytes:
+def corrupt(data: bytes, dice: random.Random) -> bytes:
     """Cut a file off, flip some of its bytes, or repeat a piece."""
     if dice.random() < 0.25:
         return data[: dice.randrange(len(data))]
@@ -201,13 +201,13 @@ def test_damaged_files_never_do_more_than_raise(tmp_path: Path) -> None:
     for name, data in files.items():
         for seed in range(30):
             dice = random.Random(f"{name} {seed}")
-            (tmp_path / name).write_bytes(damaged(data, dice))
+            (tmp_path / name).write_bytes(corrupt(data, dice))
             kinds[type(outcome(tmp_path / name, dice.choice(["raise", "drop"])))] += 1
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     # Each file has a few kilobytes; readers may use little memory, not the amount that a changed count claims.
     assert peak < 300e6
-    assert min(kinds.values()) > 20  # the damage is neither always fatal nor always harmless
+    assert min(kinds.values()) > 20  # The damage is neither always fatal nor always harmless.
 
 
 def glb(header: object, binary: bytes = b"") -> bytes:
@@ -218,7 +218,7 @@ def glb(header: object, binary: bytes = b"") -> bytes:
 
 
 def triangle(**changes: object) -> bytes:
-    """A GLB of one triangle, with some of its header's entries replaced."""
+    """A GLB of one triangle, with some entries of its header replaced."""
     corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], np.float32).tobytes()
     header: dict[str, object] = {
         "asset": {"version": "2.0"},
@@ -242,7 +242,7 @@ def accessor(**changes: object) -> list[dict[str, object]]:
         (triangle(accessors=accessor(count=10**12)), "does not hold"),
         (triangle(accessors=[{"componentType": 5126, "count": 10**12, "type": "VEC3"}]), "unpacks to more than"),
         (triangle(accessors=accessor(count=-3)), "does not hold"),
-        # Bytes from the end of the buffer, to Python.
+        # A negative index counts from the end in Python.
         (
             triangle(bufferViews=[{"buffer": 0, "byteOffset": -24, "byteLength": 12}], accessors=accessor(count=1)),
             "does not hold",
@@ -259,7 +259,7 @@ def accessor(**changes: object) -> list[dict[str, object]]:
         (triangle(asset={"version": "3\n4" * 300}), "only glTF 2 is read|glTF 3"),
         (triangle(extensionsRequired=["A\nB" * 300]), "needs the extension A B"),
         (triangle(nodes=[{"mesh": 0, "name": "a\nb" * 300, "scale": [float("nan"), 1, 1]}]), r"at node 'a\\nb"),
-        (triangle(nodes=[{"mesh": 0, "name": "\ud800"}]), "a text in it holds a lone surrogate"),
+        (triangle(nodes=[{"mesh": 0, "name": "\ud800"}]), "a string in it contains a lone surrogate"),
         (triangle(meshes=[{"primitives": [{"attributes": {"POSITION": 0}, "mode": 3}]}]), "; 1 line primitive ignored"),
         (triangle(buffers=[{"byteLength": 36, "uri": "gone.bin"}]), "refers to cannot be read"),
         (triangle()[:-4], "cannot be read"),
@@ -277,13 +277,13 @@ def test_broken_gltf_is_explained(tmp_path: Path, data: bytes, words: str) -> No
 
 
 @pytest.mark.parametrize("children", [[0], [1, 1]], ids=["circle", "self"])
-def test_nodes_in_circles_end(tmp_path: Path, children: list[int]) -> None:
+def test_cyclic_nodes_are_errors(tmp_path: Path, children: list[int]) -> None:
     nodes = [{"name": "root", "children": [1]}, {"name": "thing", "mesh": 0, "children": children}]
     (tmp_path / "a.glb").write_bytes(triangle(nodes=nodes))
     outcome(tmp_path / "a.glb")
 
 
-def test_a_deep_chain_of_nodes_is_fine(tmp_path: Path) -> None:
+def test_a_deep_chain_of_nodes_loads(tmp_path: Path) -> None:
     nodes: list[dict[str, object]] = [
         {"name": str(k), "children": [k + 1], "translation": [1, 0, 0]} for k in range(5000)
     ]
@@ -311,7 +311,7 @@ def test_cameras_and_skipped_meshes_do_not_misplace_their_children(tmp_path: Pat
     assert result.report.notes == ("1 camera ignored", "1 line primitive ignored")
 
 
-def test_good_triangles_beside_bad_placements_can_be_kept(tmp_path: Path) -> None:
+def test_valid_triangles_can_be_kept_despite_invalid_placements(tmp_path: Path) -> None:
     nodes = [{"mesh": 0, "name": "good"}, {"mesh": 0, "name": "bad", "translation": [float("inf"), 0, 0]}]
     (tmp_path / "a.glb").write_bytes(triangle(nodes=nodes, scenes=[{"nodes": [0, 1]}]))
     assert "at node 'bad'" in str(outcome(tmp_path / "a.glb"))

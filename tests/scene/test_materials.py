@@ -30,7 +30,7 @@ PBR = trimesh.visual.material.PBRMaterial
 
 
 def source_of(path: Path) -> Content:
-    """The content of a file, all of it as arrays."""
+    """The content of a file as arrays."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(load, "read_gltf", partial(document.read, stores=False))
         return load._read(str(path), path, path.read_bytes(), Budget())
@@ -53,7 +53,7 @@ def textured_box(material: trimesh.visual.material.Material) -> trimesh.Trimesh:
 
 def test_srgb_is_inverted_and_meets_its_fixed_points() -> None:
     light = np.linspace(0, 1, 1001)
-    # IEC 61966-2-1's constants are rounded: both branches meet within 3e-8 only.
+    # IEC 61966-2-1's constants are rounded: both branches meet only within 3e-8.
     np.testing.assert_allclose(to_linear(to_srgb(light)), light, atol=1e-7)
     assert to_srgb(np.array(0.5)) == pytest.approx(0.7353569830524495, rel=1e-12)
     np.testing.assert_allclose(to_srgb(np.array([0.0, 1.0])), [0, 1], atol=1e-15)
@@ -74,7 +74,7 @@ def test_linear_colours_are_encoded_and_srgb_ones_kept(kind: type, channels: int
     assert (encoded[:, 3] == (levels[:, 3] if channels == 4 else 255)).all()
 
 
-def test_colours_that_fit_no_mesh_are_left_out() -> None:
+def test_colours_that_fit_no_mesh_are_omitted() -> None:
     assert colors_of(np.zeros((3, 4), np.uint8), 4, linear=False) is None
     assert colors_of(np.zeros((4, 2), np.uint8), 4, linear=False) is None
     np.testing.assert_array_equal(colors_of(np.full((1, 3), np.nan), 1, linear=True), [[0, 0, 0, 255]])
@@ -82,7 +82,7 @@ def test_colours_that_fit_no_mesh_are_left_out() -> None:
 
 def test_gltf_keeps_factor_texture_and_cutoff(tmp_path: Path) -> None:
     image = picture()
-    factor = [0.001, 0.25, 1.0, 0.5]  # the first is below half a step of 8 bits
+    factor = [0.001, 0.25, 1.0, 0.5]  # The first value is below half a step of 8 bits.
     box = textured_box(PBR(baseColorTexture=image, alphaMode="MASK", alphaCutoff=0.3))
     data = box.export(file_type="glb")
     (tmp_path / "box.glb").write_bytes(with_factor(data, factor))
@@ -111,7 +111,7 @@ def with_factor(data: bytes, factor: list[float]) -> bytes:
     return data[:8] + struct.pack("<III", 20 + len(text) + len(rest), len(text), 0x4E4F534A) + text + rest
 
 
-def test_cutoffs_beyond_float32_cut_all(tmp_path: Path) -> None:
+def test_cutoffs_beyond_float32_cut_everything(tmp_path: Path) -> None:
     data = textured_box(PBR(baseColorTexture=picture(), alphaMode="MASK", alphaCutoff=0.125)).export(file_type="glb")
     assert data.count(b'"alphaCutoff":0.125') == 1
     (tmp_path / "box.glb").write_bytes(data.replace(b'"alphaCutoff":0.125', b'"alphaCutoff":9e200'))
@@ -165,13 +165,13 @@ def test_colours_of_faces_become_materials() -> None:
         ("map_d holes.png\nTr x", ["with an opacity map drawn and saved without it"]),
     ],
 )
-def test_what_is_not_drawn_of_wavefront_materials_is_noted(lines: str, notes: list[str], tmp_path: Path) -> None:
+def test_undrawn_properties_of_wavefront_materials_are_noted(lines: str, notes: list[str], tmp_path: Path) -> None:
     (tmp_path / "a.mtl").write_text(f"newmtl m\nKd 0.5 0.4 0.3\n{lines}\n")
     (tmp_path / "a.obj").write_text("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n")
     assert list(nf.Scene.load(tmp_path / "a.obj").report.notes) == [f"1 material {note}" for note in notes]
 
 
-def test_what_gltf_has_of_wavefront_materials_is_saved(tmp_path: Path) -> None:
+def test_wavefront_properties_that_gltf_supports_are_saved(tmp_path: Path) -> None:
     (tmp_path / "a.mtl").write_text("newmtl m\nKd 0.5 0.4 0.3\nKe 1 0.5 0\nPm 0.25\nPr 0.5\nTr 0.75\n")
     (tmp_path / "a.obj").write_text("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n")
     scene = nf.Scene.load(tmp_path / "a.obj")
@@ -196,7 +196,7 @@ def test_wavefront_materials_are_srgb_with_texture(tmp_path: Path) -> None:
     texture = materials[True].texture
     assert texture is not None
     np.testing.assert_array_equal(texture[..., :3], np.asarray(picture(channels=3)))
-    # Trimesh keeps 8 bits of Kd: 128/255 and 64/255.
+    # trimesh stores 8 bits of Kd: 128/255 and 64/255.
     np.testing.assert_allclose(materials[False].factor[:3], to_linear(np.array([128, 64, 0]) / 255), atol=1e-12)
     assert nf.Scene.load(tmp_path / "a.obj").report.textures == 1
 
@@ -247,7 +247,7 @@ def test_the_helmet_has_its_textures() -> None:
     assert "1 material with blending drawn opaque" in report.notes
 
 
-def test_sources_that_say_nothing_are_light_grey(tmp_path: Path) -> None:
+def test_sources_without_materials_are_light_grey(tmp_path: Path) -> None:
     trimesh.creation.box().export(tmp_path / "a.stl")
     assert shape_of(tmp_path / "a.stl").materials == []
     assert BaseColor().factor == (1, 1, 1, 1)

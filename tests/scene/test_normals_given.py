@@ -89,7 +89,7 @@ def test_normals_of_files_are_kept(tmp_path: Path, suffix: str) -> None:
     assert parts["normals"] is None
 
 
-def test_corners_of_an_obj_have_normals_and_coordinates_of_their_own(tmp_path: Path) -> None:
+def test_corners_of_an_obj_have_separate_normals_and_coordinates(tmp_path: Path) -> None:
     """A box of eight vertices and six normals: each vertex has three."""
     box = trimesh.creation.box()
     sides, side = np.unique(np.rint(box.face_normals), axis=0, return_inverse=True)
@@ -106,19 +106,19 @@ def test_corners_of_an_obj_have_normals_and_coordinates_of_their_own(tmp_path: P
     np.testing.assert_allclose(parts["normals"][parts["faces"]], np.repeat(box.face_normals[:, None], 3, 1), atol=1e-6)
 
 
-def test_normals_that_are_no_numbers_count_as_none(tmp_path: Path) -> None:
+def test_nan_normals_count_as_missing(tmp_path: Path) -> None:
     lines = ["v 0 0 0", "v 1 0 0", "v 0 1 0", "vn nan 0 1", "vn 0 0 1", "f 1//1 2//2 3//2"]
     (tmp_path / "a.obj").write_text("\n".join(lines))
     (parts,) = parts_of(nf.Scene.load(tmp_path / "a.obj"))
     np.testing.assert_array_equal(parts["normals"][parts["faces"][0]], [[0, 0, 0], [0, 0, 1], [0, 0, 1]])
 
 
-def test_what_trimesh_works_out_is_not_taken() -> None:
+def test_normals_computed_by_trimesh_are_ignored() -> None:
     box = trimesh.creation.box()
     for _ in range(2):
         (parts,) = parts_of(nf.Scene.from_trimesh(box))
         assert parts["normals"] is None
-        assert box.vertex_normals.shape == (8, 3)  # now it lies where given ones do
+        assert box.vertex_normals.shape == (8, 3)  # Now it is stored where given normals are.
     turned = box.copy()
     assert turned.vertex_normals.shape == (8, 3)
     turned.apply_transform(TURN)
@@ -138,7 +138,7 @@ def test_real_files_are_smooth(name: str) -> None:
         corners = parts["positions"][parts["faces"]].astype(np.float64)
         flat = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
         mean = parts["normals"][parts["faces"]].mean(axis=1)
-        # Normals point to the side that the faces' corners go around, but at a few slivers.
+        # Normals point to the side of counter-clockwise faces, except at a few slivers.
         assert (np.einsum("ij,ij->i", flat, mean) >= 0).mean() > 0.98
 
 
@@ -172,7 +172,7 @@ def test_saved_scenes_have_the_same_normals() -> None:
     loaded = nf.Scene(decoded, Names(scene.object_names))
     for x in (-4, 0, 2):
         np.testing.assert_array_equal(colors(loaded, camera((x, 0, 0))), colors(scene, camera((x, 0, 0))))
-    # If an object has no normals in a mesh where others have some, the file has none, which is flat in glTF too.
+    # If an object lacks normals in a mesh where others have some, the file has none, which is flat in glTF too.
     document = Reader(encoded).document
     with_normals = {
         node["name"]: "NORMAL" in document["meshes"][node["mesh"]]["primitives"][0]["attributes"]

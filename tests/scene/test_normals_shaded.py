@@ -17,9 +17,9 @@ from tests.support.render_oracle import Surface
 
 
 def to_world(vertices: Array, faces: Array, normals: Array, place: Array, **attributes: Any) -> Surface:
-    """The mesh in world coordinates by textbook formulas, with outsides outside."""
+    """The mesh in world coordinates by textbook formulas, with faces outwards."""
     linear = place[:3, :3]
-    rows = normals @ np.linalg.inv(linear)  # rows times the inverse are columns times the inverse transpose
+    rows = normals @ np.linalg.inv(linear)  # Rows times the inverse are columns times the inverse transpose.
     length = np.linalg.norm(rows, axis=1, keepdims=True)
     rows = np.divide(rows, length, out=np.zeros_like(rows), where=length > 0)
     order = [0, 2, 1] if np.linalg.det(linear) < 0 else [0, 1, 2]
@@ -51,8 +51,8 @@ def test_colours_agree_with_brute_force(place: Array, how: str) -> None:
 
 
 @pytest.mark.parametrize("lean", [0.5, 2.0, 8.0])
-def test_normals_that_lean_away_from_the_viewer_stay_so(lean: float) -> None:
-    """A quad from all sides; at 8 to 1 most viewers see its leaning normals from behind."""
+def test_normals_facing_away_from_the_viewer_are_kept(lean: float) -> None:
+    """A quad from all sides; at 8 to 1 most viewers see its tilted normals from behind."""
     corners = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], float)
     normals = corners * lean + [0, 0, 1]
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
@@ -62,7 +62,7 @@ def test_normals_that_lean_away_from_the_viewer_stay_so(lean: float) -> None:
         check(scene_of(corners, faces, normals), [Surface(corners, faces, normals=normals)], view)
 
 
-def test_a_few_triangles_are_shaded_as_the_sphere_that_they_stand_for() -> None:
+def test_a_coarse_sphere_is_shaded_like_an_exact_one() -> None:
     vertices, faces = ball(3)
     eye = camera(distance=20.0).position
     view = nf.Camera.look_at(eye, (0, 0, 0), fov=nf.Fov.symmetric(6.5), size=(200, 200))
@@ -77,7 +77,7 @@ def test_a_few_triangles_are_shaded_as_the_sphere_that_they_stand_for() -> None:
     assert inside.sum() > 10_000
     exact = 0.8 * oracle.irradiance(points[inside])
     errors = [np.abs(f.require("color").reshape(-1, 3)[inside] - exact).max(axis=1) for f in (smooth, flat)]
-    # Faces lie below the sphere by at most the sagitta s of their circumscribed circle: rays go on by up to
+    # Faces lie below the sphere by at most the sagitta s of their circumscribed circle: rays continue by up to
     # s / cos, which is s tan across the sphere. Light changes by at most SUN + (SKY_HIGH - SKY_LOW) / 2 = 0.765 for
     # each radian.
     corners = vertices[faces].astype(float)
@@ -93,7 +93,7 @@ def test_a_few_triangles_are_shaded_as_the_sphere_that_they_stand_for() -> None:
     np.testing.assert_allclose(smooth.require("color").reshape(-1, 3)[inside], ideal, atol=1e-5)
 
 
-def test_zeros_stand_for_the_faces_own_normal() -> None:
+def test_zero_normals_mean_the_face_normal() -> None:
     vertices, faces = ball()
     flat, zeros = (scene_of(vertices, faces, n) for n in (None, np.zeros_like(vertices)))
     np.testing.assert_array_equal(colors(zeros), colors(flat))
@@ -105,7 +105,7 @@ def test_zeros_stand_for_the_faces_own_normal() -> None:
     check(scene_of(vertices, faces, some), [to_world(vertices, faces, some.astype(float), np.eye(4))], camera())
 
 
-def test_normals_may_point_inwards_as_those_of_files_do() -> None:
+def test_normals_may_point_inwards_as_in_files() -> None:
     """Both sides of faces are visible, so the order of their corners does not matter."""
     vertices, faces = ball()
     reference = colors(scene_of(vertices, faces, vertices))
@@ -113,18 +113,18 @@ def test_normals_may_point_inwards_as_those_of_files_do() -> None:
         np.testing.assert_allclose(colors(other), reference, atol=1e-6)
 
 
-def test_poses_turn_stretch_and_mirror_normals() -> None:
+def test_poses_rotate_stretch_and_mirror_normals() -> None:
     vertices, faces = ball()
     scene = scene_of(vertices, faces, vertices, np.eye(4), dynamic=True)
     for place in PLACES.values():
         check(scene.at({"ball 0": place}), [to_world(vertices, faces, vertices.astype(float), place)], camera())
 
 
-def test_whether_a_mesh_is_merged_changes_nothing() -> None:
+def test_merged_meshes_are_shaded_like_instances() -> None:
     vertices, faces = ball()
     for name, place in PLACES.items():
         merged, instance = (scene_of(vertices, faces, vertices, place, dynamic=dynamic) for dynamic in (False, True))
-        # At pixels on edges rounding decides between faces, whose colours are the same there.
+        # At pixels on edges rounding decides between faces, whose colours are equal there.
         np.testing.assert_allclose(colors(instance), colors(merged), atol=2e-5, err_msg=name)
 
 
@@ -155,8 +155,8 @@ def test_meshes_without_normals_stay_flat_among_others() -> None:
     check(scene, surfaces, camera(distance=6.0))
 
 
-def test_split_triangles_are_shaded_as_whole_ones() -> None:
-    """The mean of two normals is normalised, which turns those between it and the ends slightly."""
+def test_split_triangles_are_shaded_like_whole_ones() -> None:
+    """The mean of two normals is normalised, which slightly rotates those between it and the ends."""
     vertices, faces = ball(1)
     place = np.diag([12.0, 9.0, 12.0, 1.0])
     place[:3, 3] = 40, 4, 1
@@ -185,7 +185,7 @@ def test_a_split_trimesh_keeps_the_normals_that_it_was_given() -> None:
     made = nf.tessellate(mesh, camera=view, **settings)
     expected = made.vertices / 160 + [0, 1, 0]
     expected /= np.linalg.norm(expected, axis=1, keepdims=True)
-    # Corners' lengths differ by nothing: the mean of unit normals is the mean of what they were made of.
+    # Corners' lengths differ by rounding only: the mean of unit normals equals the mean of the originals.
     np.testing.assert_allclose(made.vertex_normals, expected, atol=1e-12)
     plain = nf.tessellate(trimesh.Trimesh(corners, [[0, 1, 2], [0, 2, 3]], process=False), camera=view, **settings)
     assert "vertex_normals" not in plain._cache.cache
@@ -193,7 +193,7 @@ def test_a_split_trimesh_keeps_the_normals_that_it_was_given() -> None:
 
 @pytest.mark.parametrize("morph", ["blend", "cylinder", "none"])
 @pytest.mark.parametrize("method", ["vertex", "exact"])
-def test_a_user_in_the_centre_of_a_reduced_scene_sees_the_truth(morph: str, method: Any) -> None:
+def test_a_user_at_the_centre_of_a_reduced_scene_sees_the_truth(morph: str, method: Any) -> None:
     center = np.array([3.0, 1.7, -2.0])
     scene = scene_around(center)
     channels = ("color", "object_id")
@@ -206,9 +206,9 @@ def test_a_user_in_the_centre_of_a_reduced_scene_sees_the_truth(morph: str, meth
     near = np.isfinite(truth.require("range")) & (truth.require("range") < 24)
     near &= (truth.require("object_id") < 3) & (shown.require("object_id") == truth.require("object_id"))
     assert near.sum() > 300
-    # Split vertices are float32 of some tens of metres, and their weights as exact.
+    # Split vertices are float32 of some tens of metres, and their weights have the same precision.
     np.testing.assert_allclose(shown.require("color")[near], truth.require("color")[near], atol=2e-4)
     far = truth.require("object_id") == 3
     assert far.sum() > 100
-    # The map has the colours of its texels' centres: balls beyond it are smooth as well.
+    # The map has the colours of its texels' centres: balls beyond are smooth as well.
     assert np.median(np.abs(shown.require("color")[far] - truth.require("color")[far])) < 0.01

@@ -1,4 +1,4 @@
-"""Triangles of polygons beside Mapbox's own program and formulas, prisms, and WKB."""
+"""Triangulated polygons against Mapbox's own program and formulas, prisms, and WKB."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def packed(polygons: Sequence[Sequence[Ring]]) -> tuple[NDArray[np.float64], NDA
 
 
 def shoelace(ring: Ring) -> float:
-    """Signed area of a ring, the plain way."""
+    """Signed area of a ring by the shoelace formula."""
     total = 0.0
     local = ring - ring[0]
     for (x0, y0), (x1, y1) in zip(local, np.roll(local, -1, axis=0), strict=True):
@@ -40,7 +40,7 @@ def areas(points: NDArray[np.float64], faces: NDArray[np.uint32]) -> NDArray[np.
 
 
 def star(random: np.random.Generator, count: int, scale: float, centre: tuple[float, float]) -> Ring:
-    """A ring around a centre, which crosses itself nowhere."""
+    """A ring around a centre without self-intersections."""
     angle = (np.arange(count) + random.uniform(0, 0.9, count)) * 2 * np.pi / count
     radius = random.uniform(0.5, 1, count) * scale
     ring = np.stack([np.cos(angle), np.sin(angle)], axis=-1) * radius[:, None] + centre
@@ -73,7 +73,7 @@ def in_polygon(polygon: Sequence[Ring], points: NDArray[np.float64]) -> NDArray[
     return odd
 
 
-def test_areas_are_those_of_the_shoelace_formula_and_nothing_lies_outside() -> None:
+def test_areas_equal_the_shoelace_formula_and_triangles_lie_inside() -> None:
     made = polygons(3, 300)
     points, rings, runs = packed(made)
     faces, ends = _core.triangulate_polygons(points, rings, runs)
@@ -86,7 +86,7 @@ def test_areas_are_those_of_the_shoelace_formula_and_nothing_lies_outside() -> N
         assert in_polygon(polygon, points[big].mean(axis=1)).all()
 
 
-def test_triangles_are_as_many_as_those_of_mapbox() -> None:
+def test_triangle_counts_equal_mapbox() -> None:
     made = polygons(5, 500)
     points, rings, runs = packed(made)
     _, ends = _core.triangulate_polygons(points, rings, runs)
@@ -98,7 +98,7 @@ def test_triangles_are_as_many_as_those_of_mapbox() -> None:
     assert np.array_equal(np.diff(ends), counts)
 
 
-def test_degenerate_rings_have_an_answer() -> None:
+def test_degenerate_rings_are_triangulated() -> None:
     line = np.array([[0.0, 0], [1, 1], [2, 2]])
     twice = np.array([[0.0, 0], [0, 0], [4, 0], [4, 4], [4, 4], [0, 4]])
     bow = np.array([[0.0, 0], [4, 4], [4, 0], [0, 4]])
@@ -114,13 +114,13 @@ def test_degenerate_rings_have_an_answer() -> None:
 
 
 @pytest.mark.parametrize("wrong", [np.nan, np.inf, -1e31])
-def test_coordinates_that_are_none_are_refused(wrong: float) -> None:
+def test_non_finite_coordinates_are_refused(wrong: float) -> None:
     points, rings, runs = packed([[np.array([[0.0, 0], [1, wrong], [1, 0]])]])
     with pytest.raises(ValueError, match="points: expected numbers up to 1e30"):
         _core.triangulate_polygons(points, rings, runs)
 
 
-def test_offsets_that_do_not_fit_are_refused() -> None:
+def test_inconsistent_offsets_are_refused() -> None:
     points = np.zeros((4, 2))
     for rings, runs in (([0, 5], [0, 1]), ([0, 4], [0, 2]), ([1, 4], [0, 1]), ([0, 3, 2, 4], [0, 3]), ([], [])):
         with pytest.raises(ValueError, match="expected numbers that rise from 0"):
@@ -129,7 +129,7 @@ def test_offsets_that_do_not_fit_are_refused() -> None:
 
 @given(st.lists(st.tuples(st.integers(-3, 3), st.integers(-3, 3)), min_size=3, max_size=30), st.integers(0, 30))
 @settings(deadline=None)
-def test_any_rings_have_an_answer(corners: list[tuple[int, int]], cut: int) -> None:
+def test_random_rings_are_triangulated(corners: list[tuple[int, int]], cut: int) -> None:
     points = np.array(corners, np.float64)
     rings = np.array([0, min(cut, len(points)), len(points)])
     faces, ends = _core.triangulate_polygons(points, rings, np.array([0, 2]))
@@ -166,7 +166,7 @@ def wkb(polygon: Sequence[Ring]) -> bytes:
     return data
 
 
-def test_wkb_gives_the_polygons_back() -> None:
+def test_wkb_is_decoded() -> None:
     made = polygons(13, 40)
     rows = [wkb(polygon) for polygon in made]
     data = np.frombuffer(b"".join(rows), np.uint8)
@@ -178,7 +178,7 @@ def test_wkb_gives_the_polygons_back() -> None:
     assert skipped == 0
 
 
-def test_wkb_that_ends_too_early_names_its_row() -> None:
+def test_errors_about_truncated_wkb_name_the_row() -> None:
     row = wkb(polygons(13, 1)[0])
     data = np.frombuffer(row + row[:-3], np.uint8)
     with pytest.raises(SceneError, match="row 1: it "):

@@ -1,4 +1,4 @@
-"""Tests of the card that notebooks show of scenes, above all that its cost is bounded."""
+"""Tests of notebook cards of scenes, in particular that their cost is bounded."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def test_counts_extent_and_notes_are_listed() -> None:
     assert len(np.unique(picture.reshape(-1, 3), axis=0)) > 100
 
 
-def test_notes_and_flawed_faces_are_told() -> None:
+def test_notes_and_invalid_faces_are_listed() -> None:
     made = grid(2)
     scene = nf.Scene(made._core, made._names, dropped=3, notes=("a note <&>",))
     shown = Card(scene._repr_html_())
@@ -44,14 +44,14 @@ def test_notes_and_flawed_faces_are_told() -> None:
     assert "a note <&>" in shown.text
 
 
-def test_the_camera_sees_where_the_triangles_are() -> None:
-    """Four far corners of ground must not make the rest a dot."""
+def test_the_camera_frames_the_triangles() -> None:
+    """Four distant corners of ground must not shrink the rest to a dot."""
     room = nf.datasets.room()
     camera = preview.view(room._core, room.bounds)
     assert np.linalg.norm(np.array(camera.position) - room.bounds.mean(axis=0)) < 150.0
 
 
-def test_large_scenes_are_sampled_and_their_own_trees_are_not_built(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_large_scenes_are_sampled_without_building_their_trees(monkeypatch: pytest.MonkeyPatch) -> None:
     scene = grid(400)
     drawn = []
     render = _core.render_truth
@@ -73,13 +73,13 @@ def test_large_scenes_are_sampled_and_their_own_trees_are_not_built(monkeypatch:
     assert drawn == [scene._core]
 
 
-def test_instances_cost_what_their_meshes_cost() -> None:
+def test_instances_cost_as_much_as_their_meshes() -> None:
     scene = nf.datasets.city(blocks=4, detail=1)
     assert preview.cost(scene._core) < scene.triangle_count
 
 
 @pytest.mark.parametrize(("total", "wanted"), [(0, 5), (3, 5), (1000, 10), (100_000, 5_000)])
-def test_samples_are_even_and_not_too_large(total: int, wanted: int) -> None:
+def test_samples_are_evenly_spaced_and_limited(total: int, wanted: int) -> None:
     chosen = preview.every(total, wanted)
     assert chosen.shape == (total,)
     assert chosen.sum() <= wanted + 1

@@ -13,7 +13,7 @@ from tests.support import leveled_cases
 from tests.support.query_cases import BOXES, contents, soup, touching
 
 CENTERS = ((0.0, 0.0, 0.0), (300.0, -2.0, 40.0), (4.0e6, 10.0, -9.0e5))
-"""Middles of scenes: the last one has an origin elsewhere than in 0."""
+"""Centres of scenes: the last one has a nonzero origin."""
 
 
 @pytest.fixture(scope="module", params=CENTERS, ids=["near", "off", "far"])
@@ -31,7 +31,7 @@ def about(scene: nf.Scene, box: ArrayLike) -> NDArray[np.float64]:
 
 
 @pytest.mark.parametrize("box", BOXES)
-def test_it_returns_the_triangles_that_touch_with_all_that_they_have(scene: nf.Scene, box: ArrayLike) -> None:
+def test_queries_return_touching_triangles_with_their_attributes(scene: nf.Scene, box: ArrayLike) -> None:
     aabb = about(scene, box)
     mask = touching(scene, aabb)
     assert mask.any()
@@ -44,7 +44,7 @@ def test_it_returns_the_triangles_that_touch_with_all_that_they_have(scene: nf.S
     assert np.array_equal(part.origin, scene.origin)
 
 
-def test_many_small_boxes_return_what_touches(scene: nf.Scene) -> None:
+def test_many_small_boxes_return_touching_triangles(scene: nf.Scene) -> None:
     random, corners = np.random.default_rng(5), scene.triangles()
     for _ in range(40):
         middle = random.uniform(-9, 9, 3)
@@ -71,7 +71,7 @@ def _meshes(scene: nf.Scene) -> list[dict[str, np.ndarray]]:
     return [_core.mesh_parts(_core.scene_parts(scene._core)["meshes"][at]) for at in first]
 
 
-def test_names_and_surfaces_are_shared_and_the_source_stays(scene: nf.Scene) -> None:
+def test_names_and_surfaces_are_shared_and_the_source_is_unchanged(scene: nf.Scene) -> None:
     before = scene.triangles().copy()
     part = scene.query(about(scene, BOXES[0]))
     assert part._names is scene._names
@@ -104,14 +104,14 @@ def test_a_cell_of_a_large_world_takes_the_memory_of_the_cell() -> None:
     assert len(part._rest) * 500 < len(world._rest)
 
 
-def test_the_whole_comes_back_from_an_infinite_box(scene: nf.Scene) -> None:
+def test_an_infinite_box_returns_the_whole_scene(scene: nf.Scene) -> None:
     whole = scene.query(EVERYWHERE)
     assert np.array_equal(whole._core.mesh_ids(), scene._core.mesh_ids())
     assert np.array_equal(whole.bounds, scene.bounds)
     assert whole.poses.keys() == scene.poses.keys()
 
 
-def test_moving_objects_keep_their_pose_and_can_be_posed_on(scene: nf.Scene) -> None:
+def test_moving_objects_keep_their_pose_and_can_be_posed_again(scene: nf.Scene) -> None:
     turned = scene.poses["car 2"].copy()
     turned[0, 3] += 3.0
     moved = scene.at({"car 2": turned})
@@ -129,7 +129,7 @@ def test_moving_objects_keep_their_pose_and_can_be_posed_on(scene: nf.Scene) -> 
     assert back.triangle_count == only.triangle_count
 
 
-def test_a_side_belongs_to_the_box() -> None:
+def test_boxes_include_their_faces() -> None:
     scene = nf.Scene.from_arrays([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
     assert scene.query([[1, 0, 0], [2, 1, 1]]).triangle_count == 1
     assert scene.query(((0.5, 0.5, 0.0), (2.0, 2.0, 2.0))).triangle_count == 1
@@ -137,14 +137,14 @@ def test_a_side_belongs_to_the_box() -> None:
     assert scene.query([[0.25, 0.25, 0], [0.25, 0.25, 0]]).triangle_count == 1
 
 
-def test_copies_of_a_triangle_all_come_back() -> None:
+def test_all_copies_of_a_triangle_are_returned() -> None:
     faces = [[0, 1, 2], [3, 4, 5], [0, 1, 2], [2, 0, 1]]
     corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [9, 0, 0], [10, 0, 0], [9, 1, 0]]
     scene = nf.Scene.from_arrays(corners, faces, [0, 1, 2, 3])
     assert contents(scene.query([[-1, -1, -1], [2, 2, 2]]))["objects"].tolist() == [0, 2, 3]
 
 
-def test_nothing_there_is_an_empty_scene(scene: nf.Scene) -> None:
+def test_an_empty_box_gives_an_empty_scene(scene: nf.Scene) -> None:
     empty = scene.query(about(scene, [[1e5] * 3, [2e5] * 3]))
     assert empty.triangle_count == 0
     assert empty.object_names == scene.object_names
@@ -159,7 +159,7 @@ def test_parts_of_parts_and_pickles(scene: nf.Scene) -> None:
     assert np.array_equal(pickle.loads(pickle.dumps(part)).triangles(), part.triangles())
 
 
-def test_a_scene_with_levels_returns_what_it_shows() -> None:
+def test_a_scene_with_levels_returns_its_displayed_levels() -> None:
     leveled = nf.lod.place([leveled_cases.model_of((1, 0))], [0, 0], _row(2), names=["one", "two"])
     coarse = leveled.at_levels([1, 0])
     aabb = ((-1e9, -1e9, -1e9), (1.5, 1e9, 1e9))
@@ -174,7 +174,7 @@ def _row(count: int) -> np.ndarray:
     return places
 
 
-def test_pictures_of_the_part_are_those_of_the_triangles() -> None:
+def test_pictures_of_a_part_equal_those_of_its_triangles() -> None:
     scene = soup()
     camera = nf.Camera.look_at((0, 0, 30), (0, 0, 0), fov=nf.Fov.symmetric(40), size=(96, 96))
     aabb = [[-4, -4, -4], [4, 4, 4]]

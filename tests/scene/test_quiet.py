@@ -1,4 +1,4 @@
-"""Tests of silence in one thread, whatever other threads do at the same time."""
+"""Tests of silenced warnings in one thread while other threads work."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def test_warnings_of_this_thread_alone_are_hidden(caplog: pytest.LogCaptureFixtu
     assert logging.getLogger("trimesh").propagate
 
 
-def test_threads_that_overlap_leave_nothing_behind() -> None:
+def test_overlapping_threads_restore_the_state() -> None:
     before = list(warnings.filters)
     order = [threading.Event() for _ in range(3)]
 

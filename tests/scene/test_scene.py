@@ -41,16 +41,16 @@ def street() -> tuple[SceneBuilder, list[int]]:
     return builder, meshes
 
 
-def test_handles_of_any_type_and_no_placements_are_fine() -> None:
+def test_handles_of_any_type_and_no_placements_are_accepted() -> None:
     builder = SceneBuilder()
     mesh = builder.mesh(TRIANGLE, FACE)
-    builder.instance(np.uint64(mesh), name="a")  # type: ignore[arg-type]  # NumPy's numbers are numbers
+    builder.instance(np.uint64(mesh), name="a")  # type: ignore[arg-type]  # NumPy's numbers are accepted.
     builder.instance(mesh, shift(x=9), name="b")
     builder.place_many(mesh, np.zeros((0, 4, 4)), "none")
     assert builder.build().object_names == ("a", "b")
 
 
-def test_what_is_used_once_is_merged_and_the_rest_are_instances() -> None:
+def test_meshes_used_once_are_merged_and_others_are_instances() -> None:
     scene = street()[0].build()
     assert scene.object_names == ("wall", "house", "tree_0", "tree_1", "tree_2", "car")
     assert (scene.report.instances, scene.report.meshes, scene.triangle_count) == (4, 2, 6)
@@ -58,22 +58,22 @@ def test_what_is_used_once_is_merged_and_the_rest_are_instances() -> None:
     np.testing.assert_array_equal(scene.bounds, [[0, 0, 0], [6, 3, 2]])
 
 
-def test_what_moves_is_split_out_and_posed_in_the_world() -> None:
+def test_moving_objects_are_separated_and_posed_in_the_world() -> None:
     scene = street()[0].build()
     moving = scene.with_dynamic(["car", "tree_1"])
-    assert scene.report.dynamic == 0  # scenes are immutable
+    assert scene.report.dynamic == 0  # Scenes are immutable.
     assert (moving.report.dynamic, moving.triangle_count) == (2, scene.triangle_count)
     pose = shift(x=100) @ turn(0.3)
     posed = moving.at({"car": pose})
     car = posed.subset(objects=["car"]).triangles()[0]
-    # The pose replaces the load transform: corners are the mesh's own, moved. One rounding to float32 at 100 m: 4e-6.
+    # The pose replaces the loaded transform: corners are the mesh's own, moved. One rounding to float32 at 100 m: 4e-6.
     np.testing.assert_allclose(car, TRIANGLE @ pose[:3, :3].T + pose[:3, 3], atol=4e-6)
     rest = ["wall", "house", "tree_0", "tree_1", "tree_2"]
     np.testing.assert_array_equal(posed.subset(objects=rest).triangles(), moving.subset(objects=rest).triangles())
 
 
 @pytest.mark.parametrize("early", [False, True])
-def test_objects_move_alike_whether_they_were_merged_or_not(early: bool) -> None:
+def test_merged_and_separate_objects_move_equally(early: bool) -> None:
     builder, _ = street()
     scene = builder.build(["house"]) if early else builder.build().with_dynamic(["house"])
     posed = scene.at({"house": shift(z=3)})
@@ -83,7 +83,7 @@ def test_objects_move_alike_whether_they_were_merged_or_not(early: bool) -> None
     )
 
 
-def test_the_load_transform_puts_things_back_bit_for_bit() -> None:
+def test_the_loaded_transform_restores_positions_bit_for_bit() -> None:
     scene = street()[0].build(["car", "house", "tree_2"])
     away = scene.at({name: shift(1, 2, 3) for name in ("car", "house", "tree_2")})
     back = away.at({name: scene.transform(name) for name in ("car", "house", "tree_2")})
@@ -98,7 +98,7 @@ def test_poses_are_kept_until_replaced_and_survive_subsets() -> None:
     assert tops == {"car": 51, "house": 61, "wall": 1}
     assert posed.subset(objects=["house", "wall"]).at({"house": shift(y=5)}).bounds[1, 1] == 6
     kept = np.arange(posed.triangle_count) >= posed.triangle_count - 2
-    assert posed.subset(triangles=kept).at({"wall": shift(y=7)}).bounds[1, 1] == 51  # the car
+    assert posed.subset(triangles=kept).at({"wall": shift(y=7)}).bounds[1, 1] == 51  # The car.
 
 
 def test_a_rigid_object_of_several_meshes_moves_as_one() -> None:
@@ -124,7 +124,7 @@ def test_scenes_made_from_a_scene_share_meshes_and_trees() -> None:
         np.testing.assert_array_equal(other._core.mesh_ids(), scene._core.mesh_ids())
         start = time.process_time()
         other._core.build()
-        # Trees over 200,000 triangles take a tenth of a second; to find that they exist, microseconds.
+        # Trees over 200,000 triangles take a tenth of a second; to find an existing one takes microseconds.
         assert time.process_time() - start < built / 3
 
 
@@ -135,7 +135,7 @@ def test_scenes_made_from_a_scene_share_meshes_and_trees() -> None:
         (lambda s: s.subset(objects=["tre_1"]), "did you mean 'tree_1'"),
     ],
 )
-def test_mistakes_are_said(call: Callable[[nf.Scene], object], words: str) -> None:
+def test_invalid_calls_of_scenes_are_errors(call: Callable[[nf.Scene], object], words: str) -> None:
     with pytest.raises(ValueError, match=words):
         call(street()[0].build(["car"]))
 
@@ -146,7 +146,7 @@ def test_names_are_strings() -> None:
 
 
 @given(st.data())
-def test_subsets_are_what_numpy_selects(data: st.DataObject) -> None:
+def test_subsets_equal_numpy_selections(data: st.DataObject) -> None:
     scene = street()[0].build(["car"]).at({"car": shift(9)})
     numbers = data.draw(st.lists(st.integers(0, 5), unique=True))
     part = scene.subset(triangles=np.array(numbers, np.int64))

@@ -61,7 +61,7 @@ def picture(scene: nf.Scene) -> dict[str, Any]:
 @pytest.mark.parametrize(
     "way", [lambda scene: pickle.loads(pickle.dumps(scene)), copy.deepcopy], ids=["pickle", "copy"]
 )
-def test_pictures_are_the_same_bytes(name: str, way: Any) -> None:
+def test_pictures_of_pickled_scenes_have_the_same_bytes(name: str, way: Any) -> None:
     scene = SCENES[name]()
     back = way(scene)
     assert back.object_names == scene.object_names
@@ -84,14 +84,14 @@ def test_moving_objects_can_be_posed_as_before() -> None:
         np.testing.assert_array_equal(one[channel], other[channel])
 
 
-def test_meshes_that_are_shared_travel_once() -> None:
+def test_shared_meshes_are_pickled_once() -> None:
     scene = furnished()
     parts = parts_of(scene._core)
     assert len(parts["meshes"]) < scene.report.instances
     assert len(np.unique(core_of_parts(parts).mesh_ids())) == scene.report.meshes
 
 
-def test_hashes_tell_content_and_nothing_else(tmp_path: Path) -> None:
+def test_hashes_depend_on_content_only(tmp_path: Path) -> None:
     key = cache.key(parts_of(furnished()._core))
     code = "from tests.scene import test_serialize as own\nprint(own.cache.key(own.parts_of(own.furnished()._core)))"
     process = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=600)

@@ -1,4 +1,4 @@
-"""Which texture coordinates of a glTF file are drawn, and what the maps that are not drawn keep of theirs."""
+"""Texture coordinates of glTF files: the drawn set, and those kept for maps that are not drawn."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def base(**stated: Any) -> dict[str, Any]:
 
 
 def content(materials: list[dict[str, Any]], sets: list[list[int]] | None = None, **changes: Any) -> bytes:
-    """Squares with one to three sets of texture coordinates; `sets` names those of each square."""
+    """Squares with one to three sets of texture coordinates; `sets` lists those of each square."""
     document, binary = split(gltf(materials))
     start = len(binary)
     document["bufferViews"].append({"buffer": 0, "byteOffset": start, "byteLength": SETS.nbytes})
@@ -67,7 +67,7 @@ def load(folder: Path, file: bytes) -> nf.Scene:
 
 
 def first_square(scene: nf.Scene) -> NDArray[Any]:
-    """Texture coordinates (4, 2) of the first square's corners in their order in the file, v pointing down."""
+    """Texture coordinates (4, 2) of the first square's corners in file order, v pointing down."""
     parts = nf._core.mesh_parts(scene._core.merged())
     corners = np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
     places = parts["positions"][:, :2] - parts["positions"][:, :2].min(axis=0)
@@ -82,7 +82,7 @@ def picture_of(scene: nf.Scene, view: nf.Camera) -> NDArray[np.float32]:
 
 
 def transform_uv(uv: Any, transform: dict[str, Any]) -> tuple[float, float]:
-    """One point, scaled, then turned counter-clockwise in an image whose v points down, then moved."""
+    """A point scaled, then rotated counter-clockwise in an image whose v points down, then moved."""
     u, v = (float(x) * s for x, s in zip(uv, transform.get("scale", (1, 1)), strict=True))
     turn = complex(u, -v) * complex(math.cos(angle := transform.get("rotation", 0)), math.sin(angle))
     offset = transform.get("offset", (0, 0))
@@ -90,7 +90,7 @@ def transform_uv(uv: Any, transform: dict[str, Any]) -> tuple[float, float]:
 
 
 @given(TRANSFORMS, st.lists(NUMBERS, min_size=2, max_size=2))
-def test_points_move_as_the_extension_says(transform: dict[str, Any], uv: list[float]) -> None:
+def test_points_are_transformed_as_the_extension_defines(transform: dict[str, Any], uv: list[float]) -> None:
     found = coordinates.from_texture_info(info(**transform)).upwards(np.array([uv], np.float32))
     u, v = transform_uv(uv, transform)
     # One rounding to float32 of numbers up to 4 · 4 · √2 + 4 + 1.
@@ -98,7 +98,7 @@ def test_points_move_as_the_extension_says(transform: dict[str, Any], uv: list[f
 
 
 def test_the_example_of_the_extension_shows_the_lower_left_quarter() -> None:
-    """Of the image, "rotated clockwise 90°": its lower left corner goes to the upper left one of the square."""
+    """The image is "rotated clockwise 90°": its lower left corner goes to the upper left one of the square."""
     example = coordinates.from_texture_info(info(offset=[0, 1], rotation=1.57079632679, scale=[0.5, 0.5]))
     corners = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], np.float32)
     found = example.upwards(corners) * [1, -1] + [0, 1]
@@ -110,7 +110,7 @@ def test_the_example_of_the_extension_shows_the_lower_left_quarter() -> None:
     [({}, 0), ({"number": 1}, 1), ({"number": 2}, 2), ({"texCoord": 2}, 2), ({"number": 1, "texCoord": 0}, 0)],
 )
 @pytest.mark.parametrize("transform", [{}, {"offset": [0.25, -3], "rotation": 0.7, "scale": [2, -0.5]}])
-def test_the_base_colour_has_its_set_and_its_transform(
+def test_the_base_colour_uses_its_set_and_transform(
     tmp_path: Path, stated: dict[str, Any], number: int, transform: dict[str, Any]
 ) -> None:
     scene = load(tmp_path, content([base(**stated, **transform)]))
@@ -120,7 +120,7 @@ def test_the_base_colour_has_its_set_and_its_transform(
     assert not any("ignored" in note or "coordinates" in note for note in scene.report.notes)
 
 
-def test_a_picture_is_that_of_coordinates_that_were_moved_before(tmp_path: Path) -> None:
+def test_a_transform_equals_transformed_coordinates(tmp_path: Path) -> None:
     transform = {"offset": [0.1, 0.2], "rotation": 0.4, "scale": [3, 2]}
     scene = load(tmp_path, content([base(number=1, **transform)]))
     baked = np.array([transform_uv(uv, transform) for uv in SETS[1]], np.float32)
@@ -135,18 +135,18 @@ def test_a_picture_is_that_of_coordinates_that_were_moved_before(tmp_path: Path)
 
 
 def test_squares_that_share_a_material_use_their_own_sets(tmp_path: Path) -> None:
-    """The second square has other coordinates at the same place, and the third one none there."""
+    """The second square has different coordinates at the same position, and the third one none there."""
     document, binary = split(content([base(number=1)] * 3, [[0, 1], [0, 2], [0]]))
     for mesh in document["meshes"]:
         mesh["primitives"][0]["material"] = 0
     scene = load(tmp_path, encode(document, binary))
     for square, number in ((0, 1), (1, 2)):
         np.testing.assert_allclose(first_square(scene.subset(objects=[f"square{square}"])), SETS[number], atol=1e-6)
-    assert scene.report.materials == 2  # with a texture and without
+    assert scene.report.materials == 2  # With a texture and without.
 
 
-def test_coordinates_of_small_whole_numbers_are_moved_in_full(tmp_path: Path) -> None:
-    """gltfpack writes whole numbers without a unit, which a scale of 1 / 4095 makes fractions."""
+def test_small_integer_coordinates_are_transformed_exactly(tmp_path: Path) -> None:
+    """gltfpack writes unnormalised integers, which a scale of 1 / 4095 makes fractions."""
     document, binary = split(content([base(scale=[1 / 4095] * 2)]))
     rows = np.array([[0, 4095], [1, 2], [77, 3000], [4095, 0]], np.uint16)
     place = document["bufferViews"][-1]["byteOffset"]
@@ -157,13 +157,13 @@ def test_coordinates_of_small_whole_numbers_are_moved_in_full(tmp_path: Path) ->
 
 
 @given(TRANSFORMS, TRANSFORMS, st.lists(NUMBERS, min_size=2, max_size=2))
-def test_maps_keep_their_place_on_the_shape(one: dict[str, Any], other: dict[str, Any], uv: list[float]) -> None:
+def test_maps_keep_their_position_on_the_shape(one: dict[str, Any], other: dict[str, Any], uv: list[float]) -> None:
     """The transform stated for a map leads from the base colour's coordinates to its own; or nothing is stated."""
     shown_first, own = coordinates.from_texture_info(info(**one)), coordinates.from_texture_info(info(**other))
     stated = coordinates.relative(info(**other), shown_first)
     linear = shown_first.matrix[:, :2]
     if stated is None:
-        # Only transforms that shear, and those of a shape whose coordinates lie on a line, cannot be stated.
+        # Only transforms that shear, and those of a shape whose coordinates are collinear, cannot be stated.
         if np.linalg.cond(linear) < 1e10:
             first, second = (own.matrix[:, :2] @ np.linalg.inv(linear)).T
             assert abs(first @ second) > 1e-10 * np.hypot(*first) * np.hypot(*second)
@@ -182,20 +182,20 @@ def test_maps_keep_their_place_on_the_shape(one: dict[str, Any], other: dict[str
         {"scale": [-1, 1], "rotation": math.pi / 2},
     ],
 )
-def test_turns_and_scales_can_be_stated(transform: dict[str, Any]) -> None:
+def test_rotations_and_scales_can_be_stated(transform: dict[str, Any]) -> None:
     assert coordinates.relative(info(), coordinates.from_texture_info(info(**transform))) is not None
     assert coordinates.relative(info(**transform), coordinates.from_texture_info(info(**transform))) == {}
     assert coordinates.relative(info(**transform), coordinates.from_texture_info(info())) == transform
 
 
-def test_shears_and_lost_coordinates_cannot_be_stated() -> None:
+def test_shears_and_degenerate_coordinates_cannot_be_stated() -> None:
     turned = coordinates.from_texture_info(info(rotation=0.5, scale=[1, 3]))
     assert coordinates.relative(info(rotation=0.1), turned) is None
     assert coordinates.relative(info(), coordinates.from_texture_info(info(scale=[0, 1]))) is None
     assert coordinates.relative(info(number=1), coordinates.from_texture_info(info())) is None
 
 
-def test_files_written_from_a_scene_show_each_map_where_it_was(tmp_path: Path) -> None:
+def test_written_files_keep_the_position_of_each_map(tmp_path: Path) -> None:
     one, other = {"scale": [2, 2], "rotation": 0.3, "offset": [0.5, 0]}, {"scale": [4, 4], "rotation": -0.4}
     material = base(number=1, **one) | {
         "name": "wall",
@@ -223,7 +223,7 @@ def test_files_written_from_a_scene_show_each_map_where_it_was(tmp_path: Path) -
     np.testing.assert_allclose(first_square(again), [transform_uv(uv, one) for uv in SETS[1]], atol=1e-6)
 
 
-def test_without_a_base_colour_the_emission_or_the_first_map_has_its_coordinates(tmp_path: Path) -> None:
+def test_without_a_base_colour_emission_or_the_first_map_supplies_coordinates(tmp_path: Path) -> None:
     moves: dict[str, Any] = {"scale": [2, 3], "offset": [1, 1]}
     glow = {"emissiveTexture": info(1, **moves), "normalTexture": info(1, 1, **moves), "emissiveFactor": [1.0] * 3}
     scene = load(tmp_path, content([glow]))
@@ -249,14 +249,14 @@ def test_entries_of_wrong_types_count_as_absent(tmp_path: Path, transform: dict[
 
 
 @pytest.mark.parametrize("scale", [1e30, 1e300])
-def test_huge_scales_are_drawn_somehow(tmp_path: Path, scale: float) -> None:
+def test_huge_scales_are_drawn_without_an_error(tmp_path: Path, scale: float) -> None:
     scene = load(tmp_path, content([base(scale=[scale, scale])]))
     view = nf.Camera.look_at((0.5, 0.5, 1.2), (0.5, 0.5, 0), fov=FOV, size=(8, 8))
     assert np.isfinite(picture_of(scene, view)).all()
 
 
-def test_packed_ducks_look_like_the_plain_one() -> None:
-    """Their coordinates have 12 and 15 bits, and a transform; 3 and 6 bits would move edges by whole pixels."""
+def test_compressed_ducks_look_like_the_plain_one() -> None:
+    """Coordinates have 12 and 15 bits, and a transform; 3 and 6 bits would move edges by whole pixels."""
     folder = "wild/cesium-native/CesiumGltfReader/test/data/DucksMeshopt"
     view = nf.Camera.look_at((2.2, 1.6, 2.2), (0.1, 0.8, 0), fov=nf.Fov.symmetric(50, 1), size=(160, 160))
     plain = picture_of(nf.Scene.load(data(f"{folder}/Duck.glb")), view)

@@ -1,4 +1,4 @@
-"""Tests of the files of tiles: instances, batches, composites, and the frames that their glTF may have."""
+"""Tests of the content of tiles: instances, batches, composites, and the frames of their glTF."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ TO_SCENE = np.array([[1.0, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]])
 
 
 def model_transforms(path: Path) -> NDArray[np.float64]:
-    """Transforms model→tile (N, 4, 4) of a tile that lies nowhere on the Earth, z up."""
+    """Transforms model→tile (N, 4, 4) of a tile without a position on the Earth, z up."""
     nodes = Tileset.open(path).read().nodes
     return np.asarray(np.linalg.inv(TO_SCENE) @ nodes.transforms)
 
@@ -42,7 +42,7 @@ def turns(seed: int, count: int = 3) -> NDArray[np.float64]:
     return np.asarray(matrices * np.sign(np.linalg.det(matrices))[:, None, None])
 
 
-def test_instances_turn_and_grow(tmp_path: Path) -> None:
+def test_instances_are_rotated_and_scaled(tmp_path: Path) -> None:
     rotations = turns(1)
     sizes = np.array([[1, 2, 3], [0.5, 0.5, 0.5], [4, 1, 1]], np.float32)
     rows: dict[str, Any] = {
@@ -87,7 +87,7 @@ def test_packed_instances(tmp_path: Path) -> None:
 
 
 @given(st.lists(st.tuples(*[st.floats(-1, 1)] * 3).filter(lambda v: np.linalg.norm(v) > 0.1), min_size=1, max_size=9))
-def test_packed_axes_are_near_the_given_ones(vectors: list[tuple[float, float, float]]) -> None:
+def test_packed_axes_are_near_the_originals(vectors: list[tuple[float, float, float]]) -> None:
     units = np.array(vectors) / np.linalg.norm(vectors, axis=1, keepdims=True)
     found = instances.from_octahedron(encoded(units))
     # Half a step of each of two numbers, which the sphere stretches by up to 3.
@@ -95,11 +95,11 @@ def test_packed_axes_are_near_the_given_ones(vectors: list[tuple[float, float, f
 
 
 def test_instances_stand_upright_on_the_earth(tmp_path: Path) -> None:
-    """Also those of a turned tile, whose axes are not the Earth's."""
+    """Includes instances of a rotated tile, whose axes are not the Earth's."""
     angles = np.array([[0.3, 0.6, 100.0], [0.3001, 0.6001, 0.0]])
     center = earth_centred(angles[0])
     turn = turns(4, 1)[0]
-    local = (earth_centred(angles) - center) @ turn  # the tile's frame has its origin at the centre
+    local = (earth_centred(angles) - center) @ turn  # The tile's frame has its origin at the centre.
     matrix = np.eye(4)
     matrix[:3, :3], matrix[:3, 3] = turn, center
     tile_file = instanced(glb(), 2, POSITION=local.astype(np.float32), EAST_NORTH_UP=True)
@@ -107,7 +107,7 @@ def test_instances_stand_upright_on_the_earth(tmp_path: Path) -> None:
     path = write(tmp_path, {"tileset.json": tileset(described), "a.i3dm": tile_file})
     degrees = (*np.degrees(angles[0, :2]).tolist(), 100.0)
     scene = nf.Scene.load(path, origin=degrees)
-    # The model's x, y and z point east, up and south, as the scene's do at its origin.
+    # The model's x, y and z point east, up and south, like the scene's at its origin.
     np.testing.assert_allclose(scene.bounds[:, 1] - scene.bounds[0, 1], [0, scene.bounds[1, 1] - scene.bounds[0, 1]])
     np.testing.assert_allclose(scene.transform("a/0"), np.eye(4), atol=1e-6)
     up = frames.east_north_up(angles)
@@ -117,7 +117,7 @@ def test_instances_stand_upright_on_the_earth(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("embedded", [True, False])
-def test_models_beside_an_i3dm(tmp_path: Path, embedded: bool) -> None:
+def test_external_models_of_an_i3dm(tmp_path: Path, embedded: bool) -> None:
     model = glb()
     data = instanced(model if embedded else b"models/box%20one.glb  \0", 3, embedded=embedded, POSITION=PLACES)
     path = write(tmp_path, {"a.i3dm": data, "models/box one.glb": model})
@@ -179,7 +179,7 @@ def points() -> bytes:
     return b"pnts" + np.array([1, 28, 0, 0, 0, 0], "<u4").tobytes()
 
 
-def test_tables_without_bytes_state_their_rows(tmp_path: Path) -> None:
+def test_tables_without_bytes_have_their_stated_rows(tmp_path: Path) -> None:
     data = instanced(glb(), 2, POSITION=[0, 0, 0, 10, 0, 0], SCALE=[1, 2])
     np.testing.assert_allclose(
         model_transforms(write(tmp_path, {"a.i3dm": data})), [rigid(np.eye(3), 0), rigid(np.eye(3), [10, 0, 0], 2)]
@@ -194,7 +194,7 @@ def test_packed_tiles(tmp_path: Path) -> None:
     assert nf.Scene.load(alone).triangle_count == 12
 
 
-def test_a_gltf_with_files_of_its_own(tmp_path: Path) -> None:
+def test_a_gltf_with_external_files(tmp_path: Path) -> None:
     document = glb()
     size = int.from_bytes(document[12:16], "little")
     text, binary = document[20 : 20 + size], document[28 + size :]

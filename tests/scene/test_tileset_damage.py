@@ -28,7 +28,7 @@ from tests.support.tile_cases import (
 CUBE = b3dm(glb())
 
 
-def damaged(data: bytes, at: int, value: int) -> bytes:
+def damage(data: bytes, at: int, value: int) -> bytes:
     return data[:at] + struct.pack("<I", value) + data[at + 4 :]
 
 
@@ -41,14 +41,14 @@ INSTANCES = instanced(glb(), 3, POSITION=np.zeros((3, 3), np.float32))
         ("a.b3dm", b"", "it is empty"),
         ("a.b3dm", b"b3dm\1\0", "it ends within its header"),
         ("a.b3dm", b"b3xm" + CUBE[4:], "it begins with b'b3xm'"),
-        ("a.b3dm", damaged(CUBE, 4, 2), "it is b3dm of version 2"),
-        ("a.b3dm", damaged(CUBE, 8, len(CUBE) + 1), f"states {len(CUBE) + 1:,} bytes, and it has {len(CUBE):,}"),
-        ("a.b3dm", damaged(CUBE, 8, 0), "its header states 0 bytes"),
+        ("a.b3dm", damage(CUBE, 4, 2), "it is b3dm of version 2"),
+        ("a.b3dm", damage(CUBE, 8, len(CUBE) + 1), f"states {len(CUBE) + 1:,} bytes, and it has {len(CUBE):,}"),
+        ("a.b3dm", damage(CUBE, 8, 0), "its header states 0 bytes"),
         ("a.b3dm", CUBE[:-1], f"states {len(CUBE):,} bytes"),
-        ("a.b3dm", damaged(CUBE, 8, 20), "it ends within its header of 28 bytes"),
-        ("a.b3dm", damaged(CUBE, 12, 0xFFFFFFFF), "its tables have 4,294,967,295"),
-        ("a.b3dm", damaged(CUBE, 24, 0x7FFFFFFF), "2,147,483,647 bytes as its header states"),
-        ("a.b3dm", damaged(CUBE, 12, 4), "it cannot be read"),
+        ("a.b3dm", damage(CUBE, 8, 20), "it ends within its header of 28 bytes"),
+        ("a.b3dm", damage(CUBE, 12, 0xFFFFFFFF), "its tables have 4,294,967,295"),
+        ("a.b3dm", damage(CUBE, 24, 0x7FFFFFFF), "2,147,483,647 bytes as its header states"),
+        ("a.b3dm", damage(CUBE, 12, 4), "it cannot be read"),
         ("a.b3dm", b3dm(glb(), {"BATCH_LENGTH": 10**30}), "feature table, BATCH_LENGTH: expected a whole number"),
         ("a.b3dm", b3dm(glb(), {"BATCH_LENGTH": -1}), "feature table, BATCH_LENGTH: expected a whole number"),
         ("a.b3dm", b3dm(glb(), {"BATCH_LENGTH": {"byteOffset": 9}}), "feature table, BATCH_LENGTH.byteOffset"),
@@ -93,10 +93,10 @@ INSTANCES = instanced(glb(), 3, POSITION=np.zeros((3, 3), np.float32))
             instanced(glb(), 1, POSITION_QUANTIZED=np.zeros((1, 3), np.uint16)),
             "QUANTIZED_VOLUME_OFFSET: expected 3",
         ),
-        ("a.i3dm", damaged(INSTANCES, 28, 7), "it states the format 7 of its model"),
+        ("a.i3dm", damage(INSTANCES, 28, 7), "it states the format 7 of its model"),
         ("a.i3dm", instanced(b"missing.glb", 1, embedded=False, POSITION=[0, 0, 0]), "missing.glb"),
         ("a.i3dm", INSTANCES[:40], "bytes"),
-        ("a.cmpt", damaged(cmpt(CUBE), 12, 10**9), "it states 1,000,000,000 tiles, and ends after 1"),
+        ("a.cmpt", damage(cmpt(CUBE), 12, 10**9), "it states 1,000,000,000 tiles, and ends after 1"),
         ("a.cmpt", cmpt(CUBE[:-9]), f"states {len(CUBE):,} bytes"),
         ("a.cmpt", cmpt()[:14] + bytes(2), "no triangles"),
     ],
@@ -168,7 +168,7 @@ def test_composites_within_each_other(tmp_path: Path) -> None:
 )
 def test_damaged_documents(tmp_path: Path, root: Any, words: str) -> None:
     assert words in refusal(write(tmp_path, {"t.json": tileset(root)}))
-    # The same document, as another one refers to it.
+    # The same document, referred to by another one.
     if root is not None and "triangles" not in words:
         files = {"u.json": tileset(tile(0.0, "sub/t.json")), "sub/t.json": tileset(root)}
         assert f"sub/t.json: {words.split(':')[0]}" in refusal(write(tmp_path, files)) or words in refusal(
@@ -187,13 +187,13 @@ def test_damaged_documents(tmp_path: Path, root: Any, words: str) -> None:
         ({"extensionsRequired": 5}, "extensionsRequired: expected a list, got int 5"),
     ],
 )
-def test_documents_that_are_not_understood(tmp_path: Path, changes: dict[str, Any], words: str) -> None:
+def test_unsupported_documents_are_refused(tmp_path: Path, changes: dict[str, Any], words: str) -> None:
     path = write(tmp_path, {"t.json": tileset(tile(0.0, "a.b3dm"), **changes), "a.b3dm": CUBE})
     assert refusal(path).startswith(words)
 
 
 def wrong_subtree(**changes: Any) -> bytes:
-    """A JSON subtree of two levels with its bits beside it, and changed entries."""
+    """A JSON subtree of two levels with external bits, and changed entries."""
     data, _ = subtree([True] * 5, [True] * 5, [False] * 16, binary=False)
     return json.dumps(json.loads(data) | changes).encode()
 

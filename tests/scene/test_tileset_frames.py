@@ -14,7 +14,7 @@ def radians(places: np.ndarray) -> np.ndarray:
     return np.column_stack([np.radians(places[:, :2]), places[:, 2]])
 
 
-def test_a_local_frame_is_that_of_proj() -> None:
+def test_a_local_frame_equals_proj() -> None:
     need("pyproj")
     import pyproj
 
@@ -34,14 +34,14 @@ def test_a_local_frame_is_that_of_proj() -> None:
     np.testing.assert_allclose(found, np.column_stack([east, up, -north]), rtol=0, atol=1e-8)
 
 
-def test_a_default_frame_is_the_stated_one() -> None:
+def test_an_explicit_default_frame_changes_nothing() -> None:
     frame = frames.local_frame_at(earth_centred(np.array([0.123456789123, -0.7, 12.3456])))
     assert frame is not None
     assert frame.origin is not None
     np.testing.assert_array_equal(frame.to_scene, frames.local(frame.origin).to_scene)
     assert f"longitude {frame.origin[0]:.9f}°" in frame.note
     assert frames.local_frame_at(np.zeros(3)) is None
-    assert frames.local_frame_at(np.array([500_000.0, 5_300_000.0, 100.0])) is None  # a national grid
+    assert frames.local_frame_at(np.array([500_000.0, 5_300_000.0, 100.0])) is None  # A national grid.
 
 
 def test_boxes_hold_their_regions() -> None:
@@ -56,7 +56,7 @@ def test_boxes_hold_their_regions() -> None:
         low, high = region.bounds(frame)
         assert (placed >= low - 1e-6).all()
         assert (placed <= high + 1e-6).all()
-        # They are not much larger: by a part of the sagitta of an eighth of the sides.
+        # They are slightly larger: by a part of the sagitta of an eighth of the sides.
         assert (np.ptp(region.bounds(frame), axis=0) <= 2.6 * (np.ptp(placed, axis=0) + 60)).all()
 
 
@@ -68,7 +68,7 @@ def test_parts_fill_their_volume(axes: int, cells: int) -> None:
     size = [abs(np.linalg.det(part.axes)) for part in parts]
     assert sum(size) == pytest.approx(abs(np.linalg.det(whole.axes)))
     np.testing.assert_allclose(np.mean([part.middle for part in parts], axis=0), whole.middle, atol=1e-12)
-    region = volumes.Region(3.0, 0.1, 3.4, 0.3, 0.0, 100.0)  # across the date line
+    region = volumes.Region(3.0, 0.1, 3.4, 0.3, 0.0, 100.0)  # Across the date line.
     last = region.part(3, (7,) * axes)
     assert (last.east, last.north, last.high) == pytest.approx((3.4, 0.3, 100.0))
     assert last.low == pytest.approx(87.5 if axes == 3 else 0.0)

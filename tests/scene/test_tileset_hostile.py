@@ -48,7 +48,7 @@ def test_tilesets_that_refer_to_themselves(tmp_path: Path) -> None:
 
 
 def test_tilesets_that_refer_to_each_other_many_times(tmp_path: Path) -> None:
-    """Thirty documents, each with two references to the next one, have a thousand million tiles."""
+    """Thirty documents, each with two references to the next one, have a billion tiles."""
     both = [tile(1.0, "{}.json"), tile(1.0, "{}.json")]
     files = {
         f"{n}.json": tileset(json.loads(json.dumps(tile(1.0, children=both)).replace("{}", str(n + 1))))
@@ -100,7 +100,7 @@ def test_references_outside_the_folder(tmp_path: Path, uri: str) -> None:
     assert "which lies outside its folder" in refusal(path)
 
 
-def test_nothing_outside_is_read_for_textures_and_buffers(tmp_path: Path) -> None:
+def test_textures_and_buffers_outside_the_folder_are_not_read(tmp_path: Path) -> None:
     write(tmp_path, {"secret.bin": bytes(1000)})
     document = glb()
     size = struct.unpack_from("<I", document, 12)[0]
@@ -110,14 +110,14 @@ def test_nothing_outside_is_read_for_textures_and_buffers(tmp_path: Path) -> Non
 
 
 def test_absurd_trees(tmp_path: Path) -> None:
-    """Thousands of millions of tiles, by constant bits and by subtrees that are all the same file."""
+    """Billions of tiles, by constant bits and by subtrees that are all the same file."""
     everything = subtree(True, True, True)[0]
     for name, levels in (("wide.json", (16, 16)), ("deep.json", (1, 64)), ("both.json", (16, 64))):
         tiling = QUAD | {"subtreeLevels": levels[0], "availableLevels": levels[1]}
         root = tile(9.0, "{level}.{x}.{y}.b3dm", implicitTiling=tiling)
         path = write(tmp_path, {name: tileset(root), "s.subtree": everything})
         assert refusal(path).startswith("more than")
-    # A part of them, or a coarse view, is fine.
+    # A part of them, or a coarse view, is accepted.
     (tmp_path / "0.0.0.b3dm").write_bytes(CUBE)
     assert nf.Scene.load(path, error=9).triangle_count == 12
     octree = tile(
@@ -140,7 +140,7 @@ def test_packed_bombs(tmp_path: Path) -> None:
 
 
 def sound(folder: Path) -> dict[str, bytes]:
-    """Files of a sound tileset that has a bit of everything."""
+    """Files of a valid tileset with every feature."""
     tiling = QUAD | {"availableLevels": 2}
     children = [
         tile(0.0, "a.b3dm", box((0, 0, 0), (1, 1, 1))),
@@ -167,9 +167,9 @@ def sound(folder: Path) -> dict[str, bytes]:
     }
 
 
-def test_a_sound_tileset(tmp_path: Path) -> None:
+def test_a_valid_tileset_loads(tmp_path: Path) -> None:
     scene = nf.Scene.load(write(tmp_path, sound(tmp_path)))
-    # The first tile of the implicit tiling is replaced by those below it.
+    # The first tile of the implicit tiling is replaced by its children.
     assert scene.triangle_count == 12 * (1 + 3 + 4 + 1 + 2)
     assert not any("left out" in note for note in scene.report.notes)
 
@@ -199,7 +199,7 @@ def mutated(data: bytes, chance: random.Random) -> bytes:
 @pytest.mark.slow
 @given(seed=st.integers(0, 2**32 - 1))
 @settings(max_examples=300)
-def test_any_mutation_gives_a_scene_or_a_sentence(tmp_path_factory: pytest.TempPathFactory, seed: int) -> None:
+def test_any_mutation_gives_a_scene_or_a_message(tmp_path_factory: pytest.TempPathFactory, seed: int) -> None:
     chance = random.Random(seed)
     folder = tmp_path_factory.getbasetemp() / "mutated"
     files = sound(folder)

@@ -1,4 +1,4 @@
-"""Boxes of implicit tiles that metadata states: they take the place of the parts of the tiling's volume."""
+"""Bounding boxes of implicit tiles in metadata: they replace the parts of the tiling's volume."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ TILING = {
     "subtrees": {"uri": "{level}.subtree"},
 }
 BOXES = [((-5, -5, -5), (30, 30, 30)), ((0, 0, 0), (9, 1, 1)), ((20, 20, 20), (21, 21, 21))]
-"""Of the root, of its first child and of its last one; z up."""
+"""Boxes of the root, of its first child and of its last one; z up."""
 
 
 def schema(component: str = "FLOAT64", **changes: Any) -> dict[str, Any]:
@@ -32,7 +32,9 @@ def schema(component: str = "FLOAT64", **changes: Any) -> dict[str, Any]:
     return {"id": "s", "classes": {"kind": {"properties": {"n": other, "b": stated | changes}}}}
 
 
-def written(folder: Path, *, rows: Any = None, component: str = "FLOAT64", count: int = 3, **changes: Any) -> Path:
+def write_tileset(
+    folder: Path, *, rows: Any = None, component: str = "FLOAT64", count: int = 3, **changes: Any
+) -> Path:
     """A tileset whose root has the tile's box of 16 m, and whose children's boxes lie elsewhere."""
     numbers = np.array([box(*pair)["box"] for pair in BOXES]) if rows is None else rows
     data = np.asarray(numbers, "<f4" if component == "FLOAT32" else "<f8").tobytes()
@@ -60,14 +62,14 @@ def written(folder: Path, *, rows: Any = None, component: str = "FLOAT64", count
 
 @pytest.mark.parametrize("component", ["FLOAT32", "FLOAT64"])
 def test_boxes_decide_which_tiles_touch(component: str, tmp_path: Path) -> None:
-    opened = Tileset.open(written(tmp_path, component=component))
+    opened = Tileset.open(write_tileset(tmp_path, component=component))
 
     def touched(low: Any, high: Any) -> set[str]:
         """Tiles that touch a box, z up; the scene's z is −y of tiles."""
         part = np.array([[low[0], low[2], -high[1]], [high[0], high[2], -low[1]]], float)
         return {name.split("#")[0].removesuffix(".b3dm") for name in opened.read(box=part).nodes.objects}
 
-    # Parts of the volume would be those of 8 m beside (0, 0, 0) and before (16, 16, 16).
+    # The volume's parts would be the 8 m cubes at (0, 0, 0) and up to (16, 16, 16).
     assert touched((8.5, 0.5, 0.5), (9, 1, 1)) == {"0.0.0", "1.0.0"}
     assert touched((9.5, 0, 0), (15, 15, 15)) == {"0.0.0"}
     assert touched((2, 2, 2), (15, 15, 15)) == {"0.0.0"}
@@ -76,8 +78,8 @@ def test_boxes_decide_which_tiles_touch(component: str, tmp_path: Path) -> None:
 
 def test_metadata_of_other_classes_is_ignored(tmp_path: Path) -> None:
     table = [{"class": "other", "count": 1, "properties": {}}]
-    assert nf.Scene.load(written(tmp_path, propertyTables=table)).triangle_count == 3 * 12
-    assert nf.Scene.load(written(tmp_path, tileMetadata=None)).triangle_count == 3 * 12
+    assert nf.Scene.load(write_tileset(tmp_path, propertyTables=table)).triangle_count == 3 * 12
+    assert nf.Scene.load(write_tileset(tmp_path, tileMetadata=None)).triangle_count == 3 * 12
 
 
 @pytest.mark.parametrize(
@@ -96,7 +98,7 @@ def test_metadata_of_other_classes_is_ignored(tmp_path: Path) -> None:
     ],
 )
 def test_damaged_metadata_is_refused(changes: dict[str, Any], words: str, tmp_path: Path) -> None:
-    assert words in refusal(written(tmp_path, **changes))
+    assert words in refusal(write_tileset(tmp_path, **changes))
 
 
 @pytest.mark.parametrize(
@@ -107,7 +109,7 @@ def test_damaged_metadata_is_refused(changes: dict[str, Any], words: str, tmp_pa
     ],
 )
 def test_boxes_of_another_type_are_refused(changes: dict[str, Any], words: str, tmp_path: Path) -> None:
-    path = written(tmp_path)
+    path = write_tileset(tmp_path)
     document = json.loads(path.read_text())
     path.write_text(json.dumps(document | {"schema": schema(**changes)}))
     assert words in refusal(path)

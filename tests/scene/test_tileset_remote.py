@@ -1,4 +1,4 @@
-"""Tests of tilesets behind URLs: what is asked for, what is kept, and what is refused."""
+"""Tests of tilesets behind URLs: requests, caching, and refusals."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ CUBE = b3dm(glb())
 
 
 class Served:
-    """A folder behind a URL, and the requests that were made."""
+    """A folder behind a URL, and the requests for it."""
 
     def __init__(self, folder: Path, url: str, asked: list[str]) -> None:
         self.folder, self.url, self.asked = folder, url, asked
 
     def gets(self) -> list[str]:
-        """Paths that were read since the last call, in order of their names."""
+        """Paths that were read since the last call, sorted."""
         found = sorted(line.split()[1] for line in self.asked if line.startswith("GET"))
         self.asked.clear()
         return found
@@ -125,9 +125,9 @@ def test_other_files_at_urls_are_refused(served: Served) -> None:
         nf.Scene.load(f"{served.url}/a.glb")
 
 
-def test_a_full_cache_loses_what_was_used_the_longest_ago(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_a_full_cache_evicts_the_least_recently_used_files(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path / "kept"))
-    monkeypatch.setenv("NEARFAR_CACHE_MAX_GB", "1e-5")  # 10,000 bytes
+    monkeypatch.setenv("NEARFAR_CACHE_MAX_GB", "1e-5")  # 10,000 bytes.
 
     def fill(path: Path) -> None:
         path.write_bytes(bytes(900))

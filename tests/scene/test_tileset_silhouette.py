@@ -1,4 +1,4 @@
-"""A tileset of Manhattan, cut by numbers of triangles, beside all of it: pictures, and where there is sky."""
+"""A tileset of Manhattan cut by triangle budgets, compared with the full one: pictures, and the area of the sky."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from tests.support.tile_cases import b3dm, box, glb, tile, tileset, write
 pytestmark = pytest.mark.slow
 
 SHARES = (0.3, 0.55, 1.0)
-"""Triangles of each level's tiles, by the ones they show."""
+"""Triangles of each level's tiles, as shares of the full geometry."""
 
 ERRORS = (40.0, 15.0, 0.0)
 
@@ -84,7 +84,7 @@ def test_a_cut_keeps_its_silhouette(tmp_path: Path) -> None:
                     np.mean(sky[0] != sky[1]),
                 )
             )
-    # Parents of few triangles are rough: the last cut is the first tile alone.
+    # Parents with few triangles are rough: the last cut is the first tile alone.
     bounds = {0.8: (0.87, 0.04), 0.6: (0.86, 0.045), 0.41: (0.79, 0.14)}
     for share, _, similarity, wrong in found:
         assert similarity > bounds[share][0], found

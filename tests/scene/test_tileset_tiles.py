@@ -1,4 +1,4 @@
-"""Tests of the tiles of a tileset: external documents, transforms, implicit trees, and which tiles are chosen."""
+"""Tests of the tiles of a tileset: external documents, transforms, implicit trees, and selection of tiles."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def names(path: Path, **how: Any) -> set[str]:
 
 
 def test_external_tilesets_and_transforms(tmp_path: Path) -> None:
-    turned = [0.0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 5, 0, 0, 1]  # x to y, and then 5 m along x
+    turned = [0.0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 5, 0, 0, 1]  # x to y, and then 5 m along x.
     inner = tileset(tile(0.0, "cube.b3dm", transform=shift(2)), asset={"version": "1.0", "gltfUpAxis": "Z"})
     outer = tile(
         9.0, "parts/inner.json", transform=turned, children=[tile(0.0, "other.b3dm", transform=shift(0, 0, 7))]
@@ -77,13 +77,13 @@ def test_detail_follows_the_number_of_triangles(quadtree: Path) -> None:
     for triangles in (one, one + 29, four, four + 30, most - 1, most, 10 * most):
         scene = nf.Scene.load(quadtree, triangles=triangles)
         assert scene.triangle_count <= triangles
-        # Refining one more tile of each level would be too much: from 26 to 4 · 14, from 14 to 4 · 11.
+        # Refining one more tile of each level would exceed the budget: from 26 to 4 · 14, from 14 to 4 · 11.
         assert scene.triangle_count > triangles - 31 or triangles >= most
     with pytest.raises(nf.SceneError, match="its coarsest tiles have 74 triangles, more than 73"):
         nf.Scene.load(quadtree, triangles=73)
 
 
-def test_great_errors_are_refined_first(tmp_path: Path) -> None:
+def test_large_errors_are_refined_first(tmp_path: Path) -> None:
     children = [
         tile(error, f"{name}.b3dm", refine="REPLACE", children=[tile(0.0, f"{name}{n}.b3dm") for n in range(2)])
         for name, error in (("a", 4.0), ("b", 8.0), ("c", 2.0))
@@ -135,7 +135,7 @@ def test_many_missing_files_are_counted(tmp_path: Path) -> None:
 @pytest.mark.parametrize("binary", [True, False])
 @pytest.mark.parametrize("scheme", ["QUADTREE", "OCTREE"])
 def test_implicit_trees_of_several_subtrees(tmp_path: Path, scheme: str, binary: bool) -> None:
-    """Random availability of five levels in subtrees of two, against a walk that knows only sets of cells."""
+    """Random availability of five levels in subtrees of two, compared with sets of cells."""
     axes = 2 if scheme == "QUADTREE" else 3
     rng = np.random.default_rng(axes)
     there: set[tuple[int, ...]] = {(0,) * (axes + 1)}
@@ -197,13 +197,13 @@ def test_implicit_trees_of_several_subtrees(tmp_path: Path, scheme: str, binary:
 
 
 @given(st.lists(st.booleans(), min_size=1, max_size=200))
-def test_bits_come_back(values: list[bool]) -> None:
+def test_bits_are_decoded(values: list[bool]) -> None:
     read = subtrees.Bits(len(values), bits(values))
     assert [read.bit(n) for n in range(len(values))] == read.unpacked().tolist() == values
 
 
 def test_regions_of_implicit_tiles_hold_their_content() -> None:
-    """The bounds of a tileset grow from the volumes of its tiles."""
+    """The bounds of a tileset are the union of its tiles' volumes."""
     from tests.support import data
 
     path = data("wild/cesium-native/Cesium3DTilesSelection/test/data/ImplicitTileset/tileset_1.1.json")
@@ -218,11 +218,11 @@ def test_regions_of_implicit_tiles_hold_their_content() -> None:
         assert (high <= opened.bounds[1] + 0.01).all()
 
 
-def test_a_box_reads_only_what_touches_it(tmp_path: Path) -> None:
+def test_a_box_reads_only_touching_tiles(tmp_path: Path) -> None:
     children = [tile(0.0, f"{n}.b3dm", box((10 * n, 0, 0), (10 * n + 9, 9, 9))) for n in range(20)]
     path = write(tmp_path, {"t.json": tileset(tile(9.0, None, box((0, 0, 0), (200, 9, 9)), children=children))})
     for n in range(20):
-        if n != 7:  # never asked for
+        if n != 7:  # Never requested.
             (tmp_path / f"{n}.b3dm").write_bytes(CUBE)
     opened = Tileset.open(path)
     content = opened.read(box=np.array([[99.0, 0, -9], [110, 9, 0]]))
@@ -231,7 +231,7 @@ def test_a_box_reads_only_what_touches_it(tmp_path: Path) -> None:
     np.testing.assert_allclose(opened.bounds, [[0, 0, -9], [200, 9, 0]])
 
 
-def test_detail_is_only_for_tilesets(tmp_path: Path) -> None:
+def test_detail_requires_a_tileset(tmp_path: Path) -> None:
     path = write(tmp_path, {"a.glb": glb(), "b.json": json.dumps({"a": 1}).encode()})
     values: dict[str, Any] = {"error": 1.0, "triangles": 10, "origin": (0, 0, 0)}
     for name, value in values.items():
@@ -244,7 +244,7 @@ def test_detail_is_only_for_tilesets(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("origin", [(200, 91, 0), (0, 0), (0, 0, np.inf), "here", (1e9, 0, 0)])
-def test_an_origin_is_a_place_on_the_earth(tmp_path: Path, origin: Any) -> None:
+def test_an_origin_must_be_a_place_on_the_earth(tmp_path: Path, origin: Any) -> None:
     path = write(tmp_path, {"t.json": tileset(tile(0.0, "a.b3dm")), "a.b3dm": CUBE})
     with pytest.raises((ValueError, TypeError), match=r"^origin: expected"):
         nf.Scene.load(path, origin=origin)

@@ -1,4 +1,4 @@
-"""Tests of tilesets that other programs made: those of cesium-native, and what 3d-tiles-tools writes."""
+"""Tests of tilesets made by other programs: those of cesium-native, and output of 3d-tiles-tools."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def write_samples(folder: Path, *names: str) -> Path:
 
 
 def on_earth(path: Path) -> NDArray[np.float64]:
-    """Corners (T, 3, 3) of a b3dm of one mesh in the Earth's frame, read by other code than nearfar's."""
+    """Corners (T, 3, 3) of a b3dm of one mesh in the Earth's frame, read by independent code."""
     file = path.read_bytes()
     lengths = struct.unpack_from("<4I", file, 12)
     center = json.loads(file[28 : 28 + lengths[0]])["RTC_CENTER"]
@@ -60,7 +60,7 @@ def on_earth(path: Path) -> NDArray[np.float64]:
 
 
 def topocentric(points: NDArray[np.float64], origin: tuple[float, float, float]) -> NDArray[np.float64]:
-    """Points (…, 3) of the Earth's frame in the scene's about a place, by PROJ."""
+    """Points (…, 3) of the Earth's frame in the scene's frame about a place, by PROJ."""
     need("pyproj")
     import pyproj
 
@@ -71,7 +71,7 @@ def topocentric(points: NDArray[np.float64], origin: tuple[float, float, float])
 
 
 def ordered(triangles: NDArray[np.floating]) -> NDArray[np.float64]:
-    """Triangles by their middles in steps of a centimetre."""
+    """Triangles ordered by centroid in steps of a centimetre."""
     middles = np.rint(triangles.mean(axis=1) * 100)
     return np.asarray(triangles, np.float64)[np.lexsort(middles.T)]
 
@@ -106,7 +106,7 @@ def test_tiles_that_replace_others(error: float | None, names: str) -> None:
     assert_same(scene, [folder / f"{name}.b3dm" for name in names.split()], ORIGIN)
 
 
-def test_a_tileset_lies_about_its_middle_by_default() -> None:
+def test_the_default_origin_of_a_tileset_is_its_middle() -> None:
     path = data(f"{WILD}/ReplaceTileset/tileset.json")
     scene = nf.Scene.load(path)
     middle = (-1.3197209591796106 - 1.3196390408203893) / 2, (0.6988424218 + 0.6989055782) / 2
@@ -117,7 +117,7 @@ def test_a_tileset_lies_about_its_middle_by_default() -> None:
     assert not scene.origin.any()
 
 
-def test_a_damaged_child_is_named_and_left_out() -> None:
+def test_a_damaged_child_is_named_and_omitted() -> None:
     folder = data(f"{WILD}/ErrorChildrenAddTileset")
     scene = nf.Scene.load(folder / "tileset.json", origin=ORIGIN)
     assert scene.object_names == ("parent", "ur", "ul")
@@ -130,7 +130,7 @@ def test_a_damaged_child_is_named_and_left_out() -> None:
     ("folder", "name"),
     [("InstancedOrientation", "instancedOrientation"), ("InstancedWithBatchIds", "instancedWithBatchIds")],
 )
-def test_instances_are_where_another_program_puts_them(folder: str, name: str) -> None:
+def test_instances_equal_another_program(folder: str, name: str) -> None:
     tileset = Tileset.open(data(f"{WILD}/i3dm/{folder}/{name}.i3dm"))
     content = tileset.read()
     converted: Content = read_gltf(
@@ -183,8 +183,8 @@ def test_tiles_of_3d_tiles_tools(tmp_path: Path, name: str) -> None:
     np.testing.assert_allclose(scene.bounds, [[0.5, 1.5, 2.5], [1.5, 2.5, 3.5]], atol=1e-3 if "draco" in name else 1e-6)
 
 
-def test_a_tileset_that_3d_tiles_tools_places_on_the_earth(tmp_path: Path) -> None:
+def test_a_tileset_placed_on_the_earth_by_3d_tiles_tools(tmp_path: Path) -> None:
     path = write_samples(tmp_path, "tileset.json", "cube.i3dm")
     scene = nf.Scene.load(path, origin=(139.767, 35.681, 40))
-    # Tilesets turn y to z, and the scene's frame turns it back.
+    # Tilesets rotate y to z, and the scene's frame rotates it back.
     np.testing.assert_allclose(scene.bounds, [[0.5, 1.5, 2.5], [1.5, 2.5, 3.5]], rtol=0, atol=MILLIMETRE / 1000)

@@ -1,4 +1,4 @@
-"""Names of trimesh that are not public, without which files would be refused or read wrongly."""
+"""Private names of trimesh, without which files would be refused or read wrongly."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ import pytest
         ("trimesh.resolvers", ["FilePathResolver.absolute"]),
     ],
 )
-def test_trimesh_has_what_is_not_public(module: str, names: list[str]) -> None:
+def test_trimesh_has_the_private_names(module: str, names: list[str]) -> None:
     for name in names:
         found: object = importlib.import_module(module)
         for part in name.split("."):

@@ -1,4 +1,4 @@
-"""Tests of what is not drawn of materials: reports say it, and files written from a scene hold it."""
+"""Tests of material properties that are not drawn: reports note them, and written files keep them."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ PBR = trimesh.visual.material.PBRMaterial
 PLAIN: dict[str, Any] = {"pbrMetallicRoughness": {"metallicFactor": 0.0}, "doubleSided": True}
 
 
-def loaded(folder: Path, data: bytes, **options: Any) -> nf.Scene:
+def load_bytes(folder: Path, data: bytes, **options: Any) -> nf.Scene:
     (folder / "source.glb").write_bytes(data)
     return nf.Scene.load(folder / "source.glb", **options)
 
@@ -65,16 +65,17 @@ def saved_near(scene: nf.Scene, folder: Path) -> Path:
         ),
     ],
 )
-def test_each_difference_is_a_note(tmp_path: Path, change: dict[str, Any], note: str) -> None:
-    assert loaded(tmp_path, gltf([PLAIN])).report.notes == ()
-    assert f"1 material {note}" in loaded(tmp_path, gltf([PLAIN | change])).report.notes
+def test_each_undrawn_property_is_noted(tmp_path: Path, change: dict[str, Any], note: str) -> None:
+    assert load_bytes(tmp_path, gltf([PLAIN])).report.notes == ()
+    assert f"1 material {note}" in load_bytes(tmp_path, gltf([PLAIN | change])).report.notes
     assert (
-        f"2 materials {note}" in loaded(tmp_path, gltf([PLAIN | change, {"name": "b"} | PLAIN | change])).report.notes
+        f"2 materials {note}"
+        in load_bytes(tmp_path, gltf([PLAIN | change, {"name": "b"} | PLAIN | change])).report.notes
     )
 
 
 @pytest.mark.parametrize("suffix", ["ply", "glb"])
-def test_transparent_vertices_are_a_note(tmp_path: Path, suffix: str) -> None:
+def test_transparent_vertices_are_noted(tmp_path: Path, suffix: str) -> None:
     box = trimesh.creation.box()
     box.visual.vertex_colors = np.full((8, 4), 255, np.uint8)
     box.export(tmp_path / f"a.{suffix}")
@@ -84,8 +85,8 @@ def test_transparent_vertices_are_a_note(tmp_path: Path, suffix: str) -> None:
     assert "1 mesh with vertex alpha below 1 drawn opaque" in nf.Scene.load(tmp_path / f"a.{suffix}").report.notes
 
 
-def test_the_near_part_holds_materials_as_their_file(tmp_path: Path) -> None:
-    scene = loaded(tmp_path, gltf())
+def test_the_near_part_keeps_the_materials_of_the_file(tmp_path: Path) -> None:
+    scene = load_bytes(tmp_path, gltf())
     near = saved_near(scene, tmp_path / "reduced")
     assert_same_materials(near, tmp_path / "source.glb")
     used = ["KHR_materials_emissive_strength", "KHR_texture_transform"]
@@ -97,7 +98,7 @@ def test_the_near_part_holds_materials_as_their_file(tmp_path: Path) -> None:
 
 
 def test_other_programs_see_the_same_materials(tmp_path: Path) -> None:
-    near = saved_near(loaded(tmp_path, gltf()), tmp_path / "reduced")
+    near = saved_near(load_bytes(tmp_path, gltf()), tmp_path / "reduced")
     seen = {}
     for path in (near, tmp_path / "source.glb"):
         meshes = trimesh.load_scene(path).geometry.values()
@@ -114,8 +115,8 @@ def test_other_programs_see_the_same_materials(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("how", ["plain", "levels", "model", "place"])
-def test_levels_hold_materials_as_their_file(tmp_path: Path, how: str) -> None:
-    scene = loaded(tmp_path, gltf())
+def test_levels_keep_the_materials_of_the_file(tmp_path: Path, how: str) -> None:
+    scene = load_bytes(tmp_path, gltf())
     target = tmp_path / "written.glb"
     levels = nf.lod.simplify(scene, [0.5], name="squares")
     a, b, c, d, rms = (np.array([x]) for x in (1.0, 1.0, 1.0, 0.95, 0.0))
@@ -144,9 +145,9 @@ def test_levels_hold_materials_as_their_file(tmp_path: Path, how: str) -> None:
     assert_same_materials(target, tmp_path / "source.glb")
 
 
-def test_materials_that_look_alike_stay_apart(tmp_path: Path) -> None:
+def test_materials_that_look_alike_stay_separate(tmp_path: Path) -> None:
     pair = [PLAIN, PLAIN | {"name": "glowing", "emissiveFactor": [1.0, 1.0, 0.0]}]
-    scene = loaded(tmp_path, gltf(pair))
+    scene = load_bytes(tmp_path, gltf(pair))
     assert scene.report.materials == 2
     for way in (pickle.loads(pickle.dumps(scene)), copy.deepcopy(scene), scene.subset(objects=["square1"])):
         nf.lod.export(way, tmp_path / "written.glb", view=FOV)
@@ -156,7 +157,7 @@ def test_materials_that_look_alike_stay_apart(tmp_path: Path) -> None:
 def test_meshes_without_texture_coordinates_have_no_textures(tmp_path: Path) -> None:
     document_meshes = [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 2, "material": 0}]}]
     lamp = {key: value for key, value in MATERIALS[0].items() if key != "pbrMetallicRoughness"}
-    scene = loaded(tmp_path, gltf([lamp], meshes=document_meshes))
+    scene = load_bytes(tmp_path, gltf([lamp], meshes=document_meshes))
     nf.lod.export(scene, tmp_path / "written.glb", view=FOV)
     written = materials(tmp_path / "written.glb")["lamp"]
     assert "emissiveFactor" not in written
@@ -164,8 +165,8 @@ def test_meshes_without_texture_coordinates_have_no_textures(tmp_path: Path) -> 
     assert "textures" not in decode(tmp_path / "written.glb")[0]
 
 
-def test_mirrored_instances_show_their_outsides_in_other_programs(tmp_path: Path) -> None:
-    """glTF reverses the faces of nodes whose matrix mirrors them, which matters where backs are invisible."""
+def test_mirrored_instances_face_outwards_in_other_programs(tmp_path: Path) -> None:
+    """glTF reverses the faces of nodes with a mirroring matrix, which matters if back faces are culled."""
     builder = nf.SceneBuilder()
     box = trimesh.creation.box()
     mesh = builder.mesh(np.asarray(box.vertices, np.float32), np.asarray(box.faces, np.uint32))
@@ -181,7 +182,7 @@ def test_mirrored_instances_show_their_outsides_in_other_programs(tmp_path: Path
 
     assert volume(scene.triangles()) == pytest.approx(2, rel=1e-5)
     assert volume(back.triangles()) == pytest.approx(2, rel=1e-5)
-    # In the mesh's own frame both nodes' faces look outwards.
+    # In the mesh's own frame both nodes' faces point outwards.
     seen = trimesh.load_scene(tmp_path / "boxes.glb")
     assert all(part.volume == pytest.approx(1, rel=1e-5) for part in seen.geometry.values())
     reduced = nf.reduce(scene, center=(2, 0, 3), r1=50, r2=90, face_size=4)
@@ -233,7 +234,7 @@ def test_wrong_entries_count_as_absent(tmp_path: Path, key: str, value: Any) -> 
     try:
         scene = nf.Scene.load(tmp_path / "source.glb")
     except nf.SceneError:
-        return  # trimesh refuses some
+        return  # trimesh refuses some.
     nf.lod.export(scene, tmp_path / "written.glb", view=FOV)
     assert nf.Scene.load(tmp_path / "written.glb").triangle_count == 2
 

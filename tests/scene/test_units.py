@@ -1,4 +1,4 @@
-"""Tests of units: those that trimesh's objects and files state, those that the caller states, and extents that suggest
+"""Tests of units: stated by trimesh's objects and files or by the caller, and extents that suggest
 another unit."""
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ ROOM = np.array([(4000.0, 2500.0, 5000.0), (300.0, 1800.0, 600.0)])
 
 
 def boxes(unit: str | None = None) -> trimesh.Scene:
-    """Two boxes that stand on the ground; the second is placed by a turned node."""
+    """Two boxes that stand on the ground; the second is placed by a rotated node."""
     scene = trimesh.Scene()
     for name, sides, turn in zip(("room", "shelf"), ROOM, (0.0, 0.5), strict=True):
         placed = trimesh.transformations.rotation_matrix(turn, (0, 1, 0))
@@ -41,7 +41,7 @@ def test_a_scene_in_millimetres_keeps_its_near_triangles() -> None:
     ("unit", "metres"),
     [("mm", 0.001), ("inches", 0.0254), ("feet", 0.3048), ("km", None), ("m", 1.0), ("0.5 * meters", 0.5)],
 )
-def test_units_of_trimesh_are_its_factors(unit: str, metres: float | None) -> None:
+def test_units_have_trimeshs_factors(unit: str, metres: float | None) -> None:
     if metres is None:
         with pytest.raises(nf.SceneError, match=r"trimesh object: expected a unit .* got 'km'; scale="):
             nf.Scene.from_trimesh(boxes(unit))
@@ -65,7 +65,7 @@ def test_meshes_of_several_units_are_refused_unless_the_scale_is_stated() -> Non
     assert nf.Scene.from_trimesh(scene, scale=0.01).bounds[1, 1] == pytest.approx(25.0)
 
 
-def test_meshes_without_a_unit_are_in_metres_like_those_that_say_so() -> None:
+def test_meshes_without_a_unit_are_in_metres() -> None:
     scene = boxes("meters")
     next(iter(scene.geometry.values())).metadata.pop("units")
     report = nf.Scene.from_trimesh(scene).report
@@ -88,12 +88,12 @@ def test_files_are_scaled(tmp_path: Path, kind: str) -> None:
 
 def test_a_file_states_its_unit(tmp_path: Path) -> None:
     path = tmp_path / "room.3mf"
-    boxes().export(path)  # 3MF is in millimetres unless it says otherwise
+    boxes().export(path)  # 3MF is in millimetres unless it states another unit.
     assert nf.Scene.load(path).bounds[1, 1] == pytest.approx(2.5)
 
 
 def test_scaled_objects_are_posed_in_metres() -> None:
-    """Their own axes are scaled, not their transforms, so that a pose is a rotation and a place."""
+    """Their own axes are scaled, not their transforms, so that a pose is a rotation and a position."""
     scene = nf.Scene.from_trimesh(boxes("mm")).with_dynamic(["shelf"])
     pose = scene.transform("shelf")
     assert np.allclose(pose[:3, :3] @ pose[:3, :3].T, np.eye(3))
@@ -104,12 +104,12 @@ def test_scaled_objects_are_posed_in_metres() -> None:
     assert np.allclose(moved.bounds, [(9.85, 0.0, -0.3), (10.15, 1.8, 0.3)], atol=1e-5)
 
 
-def test_up_and_scale_go_together() -> None:
+def test_up_and_scale_combine() -> None:
     scene = nf.Scene.from_trimesh(boxes("mm"), up="z")
     assert np.allclose(scene.bounds, [(-2.0, -2.5, -2.5), (2.0, 2.5, 0.0)])
 
 
-def test_a_scale_that_leaves_float32_is_a_flaw_of_the_source() -> None:
+def test_a_scale_beyond_float32_is_an_error_of_the_source() -> None:
     with pytest.raises(nf.SceneError, match="coordinates that are not finite in mesh"):
         nf.Scene.from_trimesh(boxes(), scale=1e38)
 
@@ -129,13 +129,13 @@ def test_a_scale_that_leaves_float32_is_a_flaw_of_the_source() -> None:
         ((0.3, 0.0, 0.3), ""),
     ],
 )
-def test_extents_that_suggest_another_unit_are_said(sides: tuple[float, ...], said: str) -> None:
+def test_extents_that_suggest_another_unit_are_noted(sides: tuple[float, ...], said: str) -> None:
     note = extent_note(np.array([np.zeros(3), sides]))
     assert (said in note) if said else note == ""
     assert extent_note(np.array([np.full(3, np.inf), np.full(3, -np.inf)])) == ""
 
 
-def test_the_report_says_what_the_extent_suggests() -> None:
+def test_the_report_notes_the_unit_that_the_extent_suggests() -> None:
     plain: Any = nf.Scene.from_trimesh(boxes())
     assert plain.report.unit_note.startswith("the scene has 4,000 × 2,500 × 5,000 m, higher than buildings")
     assert plain.report.unit_note in str(plain.report)

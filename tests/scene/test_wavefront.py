@@ -1,4 +1,4 @@
-"""Wavefront OBJ against a reader of a few lines: how indices count, lines that are easily missed, wrong indices."""
+"""Wavefront OBJ against a reader of a few lines: index rules, unusual lines, wrong indices."""
 
 from __future__ import annotations
 
@@ -35,8 +35,8 @@ def triangles_of(text: str) -> NDArray[np.float64]:
     return np.array(triangles)
 
 
-def written(random: np.random.Generator) -> str:
-    """A text in which the same things are said in many ways."""
+def random_text(random: np.random.Generator) -> str:
+    """A random text that uses every notation of the format."""
     lines, count, normals = [], 0, 0
 
     def blank() -> str:
@@ -66,16 +66,16 @@ def written(random: np.random.Generator) -> str:
 
 
 def in_any_order(triangles: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Rows of nine numbers that do not depend on the order of triangles, nor on the corner that they begin with."""
+    """Rows of nine numbers, independent of the order of triangles and of their first corners."""
     corners = np.round(triangles, 5).tolist()
     turned = [min(t[k:] + t[:k] for k in range(3)) for t in corners]
     return np.array(sorted(turned)).reshape(len(triangles), 9)
 
 
-def test_every_way_to_say_it_gives_the_same_triangles(tmp_path: Path) -> None:
+def test_every_notation_gives_the_same_triangles(tmp_path: Path) -> None:
     random = np.random.default_rng(0)
     for _ in range(150):
-        text = written(random)
+        text = random_text(random)
         expected = in_any_order(triangles_of(text))
         found = in_any_order(load(tmp_path, text).triangles().astype(np.float64))
         np.testing.assert_allclose(found, expected, rtol=0, atol=2e-5)
@@ -92,7 +92,7 @@ def test_every_way_to_say_it_gives_the_same_triangles(tmp_path: Path) -> None:
         ("f 1.0 2 3", "line 5: a face has '1.0' where an index belongs"),
     ],
 )
-def test_indices_that_name_nothing_are_errors(faces: str, words: str, tmp_path: Path) -> None:
+def test_out_of_range_obj_indices_are_errors(faces: str, words: str, tmp_path: Path) -> None:
     with pytest.raises(nf.SceneError, match=f"a.obj: {words}"):
         load(tmp_path, f"{CORNERS}{faces}\n")
 
@@ -103,7 +103,7 @@ def test_texts_of_any_encoding_are_read(tmp_path: Path) -> None:
         assert load(tmp_path, text.encode(encoding)).triangle_count == 1
 
 
-def test_long_lines_of_blanks_take_no_time(tmp_path: Path) -> None:
+def test_long_blank_lines_are_fast(tmp_path: Path) -> None:
     for keyword in ("mtllib", "usemtl", "f", "v"):
         text = f"{CORNERS}f 1 2 3\n{keyword} {' ' * 400_000}\n"
         try:
@@ -119,14 +119,14 @@ def test_many_objects_keep_their_own_vertices(tmp_path: Path) -> None:
     np.testing.assert_array_equal(scene.triangles()[1234, :, 0], [1234, 1235, 1234])
 
 
-def test_faces_of_an_object_may_lie_apart(tmp_path: Path) -> None:
+def test_faces_of_an_object_need_not_be_consecutive(tmp_path: Path) -> None:
     scene = load(tmp_path, f"{CORNERS}o b\nf 1 2 3\no a\nf 2 3 1\no b\nf 3 1 2\nf 1 2\n")
     assert scene.object_names == ("b", "a")
     np.testing.assert_array_equal(np.bincount(scene.subset(objects=["b"]).triangles()[:, 0, 1].astype(int)), [1, 1])
     assert "1 face with fewer than three corners ignored" in scene.report.notes
 
 
-def test_long_names_of_many_parts_count(tmp_path: Path) -> None:
+def test_long_names_of_many_parts_count_towards_the_limit(tmp_path: Path) -> None:
     (tmp_path / "a.mtl").write_text("newmtl m0\nnewmtl m1\n" + "".join(f"newmtl m{n}\n" for n in range(2, 400)))
     uses = "".join(f"usemtl m{n}\nf 1 2 3\n" for n in range(400))
     with pytest.raises(nf.SceneError, match=r"a\.obj: it unpacks to more than 268,435,456 bytes"):
@@ -142,7 +142,7 @@ def test_materials_come_from_all_libraries(tmp_path: Path) -> None:
     assert "material file 'gone.mtl' cannot be read, drawn without it" in scene.report.notes
 
 
-def test_corners_without_normals_are_flat_beside_those_with(tmp_path: Path) -> None:
+def test_corners_without_normals_are_flat_among_others(tmp_path: Path) -> None:
     scene = load(tmp_path, f"{CORNERS}vn 1 0 1\nf 1//2 2//2 3//2\nf 1 3 2\n")
     frame = nf.render(
         scene, nf.Camera.look_at((0.2, 0.2, 2), (0.2, 0.2, 0), fov=nf.Fov.symmetric(10), size=(4, 4)), backend="cpu"

@@ -1,4 +1,4 @@
-"""`nearfar serve`: it serves what it is told to until it is asked to end, and says what it cannot use."""
+"""`nearfar serve`: it serves bundles and scenes until it is stopped, and names unusable arguments."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def _cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.parametrize("ends", [signal.SIGINT, signal.SIGTERM])
-def test_it_serves_until_it_is_asked_to_end(place: Path, ends: signal.Signals) -> None:
+def test_it_serves_until_it_receives_a_signal(place: Path, ends: signal.Signals) -> None:
     with serving(place, "--log", "json") as (running, url):
         assert get(f"{url}manifest.json").json() == json.loads((place / "manifest.json").read_text())
         running.send_signal(ends)
@@ -40,7 +40,7 @@ def test_it_encrypts_for_headsets(place: Path) -> None:
     assert log == ""
 
 
-def test_regions_of_scenes_are_made_where_clients_ask(place: Path, tmp_path: Path) -> None:
+def test_regions_of_scenes_are_made_on_request(place: Path, tmp_path: Path) -> None:
     settings = ("--radii", "4,8", "--face-size", "64", "--samples", "1", "--log", "off")
     with serving("room", f"files={place}", *settings) as (running, url):
         region = get(f"{url}room/at/0.3,1.6,0.2/manifest.json").json()
@@ -55,7 +55,7 @@ def test_regions_of_scenes_are_made_where_clients_ask(place: Path, tmp_path: Pat
     assert len(kept) == 1
 
 
-def test_a_scene_that_cannot_be_loaded_is_told_and_others_are_served(place: Path, tmp_path: Path) -> None:
+def test_a_scene_that_cannot_be_loaded_is_reported_and_others_are_served(place: Path, tmp_path: Path) -> None:
     broken = tmp_path / "broken.glb"
     broken.write_bytes(b"glTF but not much more")
     with serving(broken, f"files={place}", "--log", "off") as (running, url):
@@ -70,7 +70,7 @@ def test_a_scene_that_cannot_be_loaded_is_told_and_others_are_served(place: Path
     assert told.exit_code == 1
 
 
-def test_what_would_be_served_is_told(place: Path) -> None:
+def test_served_sites_are_listed(place: Path) -> None:
     told = CliRunner().invoke(app, ["serve", f"files={place}", "room", "--check", "--port", "0"])
     assert told.exit_code == 0
     bundle, scene, loaded = told.stdout.splitlines()
@@ -79,7 +79,7 @@ def test_what_would_be_served_is_told(place: Path) -> None:
     assert loaded.startswith("room is loaded: ")
 
 
-def test_names_are_told_as_addresses(place: Path) -> None:
+def test_host_names_are_printed_as_addresses(place: Path) -> None:
     names = ("--name", "Example.org", "--name", "[::1]")
     with serving(place, *names, "--log", "off") as (running, url):
         port = url.rstrip("/").rpartition(":")[2]
@@ -117,7 +117,7 @@ def test_a_folder_with_nothing_to_show_is_named(tmp_path: Path, capsys: pytest.C
         (("--name", ""), "names: expected names of hosts"),
     ],
 )
-def test_what_cannot_be_used_is_named(
+def test_unusable_arguments_are_named(
     place: Path,
     arguments: tuple[str, ...],
     reason: str,

@@ -1,4 +1,4 @@
-"""Intruders and clients at fault: nothing else is served, and others notice nothing."""
+"""Intruders and faulty clients: nothing else is served, and other clients are not disturbed."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from tests.support.waiting import wait_until
 
 SECRET = b"nobody may see this"
 LARGE = 1 << 25
-"""Bytes of a document that no socket's buffers hold."""
+"""Size of a document that exceeds all socket buffers."""
 
 
 @pytest.fixture(scope="module")
@@ -42,8 +42,8 @@ def server(place: Path) -> Iterator[Server]:
 
 
 @contextmanager
-def served(**limits: Any) -> Iterator[Server]:
-    """A server with a large document within these limits."""
+def large_server(**limits: Any) -> Iterator[Server]:
+    """A server with a large document and the given limits."""
     site = Site({"files/large": bytes(LARGE), "files/other": b"other"})
     with Server({"": site}, limits=Limits(**limits)) as running:
         yield running
@@ -59,7 +59,7 @@ def connect(server: Server, receives: int | None = None) -> socket.socket:
 
 
 def exchange(server: Server, text: bytes) -> bytes:
-    """All that the server answers to a text, until it closes the connection."""
+    """The server's complete response to a text, until it closes the connection."""
     with connect(server) as line:
         line.sendall(text)
         received = b""
@@ -108,7 +108,7 @@ def copied(place: Path, folder: Path) -> tuple[Path, str]:
 
 
 @pytest.mark.parametrize("linked", ["above", "above/bundle", "above/bundle/files", "file"])
-def test_links_that_come_later_are_not_followed(place: Path, tmp_path: Path, linked: str) -> None:
+def test_links_created_later_are_not_followed(place: Path, tmp_path: Path, linked: str) -> None:
     (tmp_path / "above").mkdir()
     bundle, name = copied(place, tmp_path / "above")
     replaced = bundle / name if linked == "file" else tmp_path / linked
@@ -123,7 +123,7 @@ def test_links_that_come_later_are_not_followed(place: Path, tmp_path: Path, lin
         assert get(server.url + name).status_code == 200
 
 
-def test_what_is_no_file_is_not_waited_for(place: Path, tmp_path: Path) -> None:
+def test_the_server_does_not_block_on_special_files(place: Path, tmp_path: Path) -> None:
     bundle, name = copied(place, tmp_path)
     with Server.of_bundle(bundle) as server:
         (bundle / name).unlink()
@@ -134,24 +134,24 @@ def test_what_is_no_file_is_not_waited_for(place: Path, tmp_path: Path) -> None:
         assert get(server.url + name).status_code == 404
 
 
-def test_requests_that_are_sent_in_half_end_alone() -> None:
+def test_incomplete_requests_time_out_alone() -> None:
     halves = (b"", b"GET", b"GET / HTTP/1.1\r\nHost: localhost\r\n", b"GET /files/other HTTP/1.1\r\nHo")
-    with served(header_seconds=1.0) as hasty:
+    with large_server(header_seconds=1.0) as hasty:
         lines = []
         for text in 20 * halves:
             lines.append(connect(hasty))
             lines[-1].sendall(text)
         assert get(hasty.url + "files/other").content == b"other"
         for line in lines:
-            # Its own limit ends it, with 408 or without a word.
+            # Its own limit ends it, with 408 or without a response.
             answer = line.recv(1 << 16)
             assert not answer or answer.startswith(b"HTTP/1.1 408")
             line.close()
         wait_until(lambda: count(hasty, "nearfar_connections ") == 1)
 
 
-def test_headers_that_drip_end_in_time() -> None:
-    with served(header_seconds=1.0) as hasty:
+def test_slow_headers_time_out() -> None:
+    with large_server(header_seconds=1.0) as hasty:
         with connect(hasty) as line:
             line.sendall(b"GET / HTTP/1.1\r\nHost: localhost\r\n")
 
@@ -166,8 +166,8 @@ def test_headers_that_drip_end_in_time() -> None:
         wait_until(lambda: count(hasty, "nearfar_connections ") == 1)
 
 
-def test_clients_that_do_not_read_are_let_go() -> None:
-    with served(silent_seconds=0.5) as hasty:
+def test_clients_that_do_not_read_are_disconnected() -> None:
+    with large_server(silent_seconds=0.5) as hasty:
         lines = [connect(hasty, receives=4096) for _ in range(10)]
         for line in lines:
             line.sendall(b"GET /files/large HTTP/1.1\r\nHost: localhost\r\n\r\n")
@@ -178,8 +178,8 @@ def test_clients_that_do_not_read_are_let_go() -> None:
             line.close()
 
 
-def test_a_client_that_reads_slowly_gets_all() -> None:
-    with served(silent_seconds=2.0) as hasty, connect(hasty, receives=4096) as line:
+def test_a_slow_client_receives_everything() -> None:
+    with large_server(silent_seconds=2.0) as hasty, connect(hasty, receives=4096) as line:
         line.sendall(
             b"GET /files/large HTTP/1.1\r\nHost: localhost\r\nRange: bytes=0-199999\r\nConnection: close\r\n\r\n"
         )
@@ -191,15 +191,15 @@ def test_a_client_that_reads_slowly_gets_all() -> None:
     assert len(body) == 200_000
 
 
-def test_clients_that_vanish_leave_nothing() -> None:
-    with served() as server:
+def test_vanished_clients_leave_nothing_behind() -> None:
+    with large_server() as server:
         for taken in (0, 1, 70_000):
             lines = [connect(server, receives=4096) for _ in range(20)]
             for line in lines:
                 line.sendall(b"GET /files/large HTTP/1.1\r\nHost: localhost\r\n\r\n")
                 if taken:
                     line.recv(taken)
-                # Reset, as if the machine were gone.
+                # Reset, as if the machine had crashed.
                 line.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
                 line.close()
             assert get(server.url + "files/other").content == b"other"

@@ -1,4 +1,4 @@
-"""Floods of requests for regions, full disks and kills: bounded, fair, and nothing half-written is served."""
+"""Floods of requests for regions, full disks and kills: bounded, fair, and no partial file is served."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ KILLS = 2
 
 
 def request_region(stack: ExitStack, server: Server, place: str, source: str) -> http.client.HTTPResponse:
-    """The answer to a client that asks for a region, of which the head has come; the client goes with the stack."""
+    """The response to a request for a region whose header has arrived; the client is closed with the stack."""
     line = http.client.HTTPConnection(urlsplit(server.url).netloc, timeout=300, source_address=(source, 0))
     stack.callback(line.close)
     line.request("GET", f"/at/{place}/parts")
@@ -34,7 +34,7 @@ def request_region(stack: ExitStack, server: Server, place: str, source: str) ->
     return answer
 
 
-def waiting(server: Server) -> int:
+def count_waiting(server: Server) -> int:
     lines = get(server.url + "metrics").text.splitlines()
     return sum(int(line.rsplit(" ", 1)[1]) for line in lines if line.startswith("nearfar_regions_waiting"))
 
@@ -44,7 +44,7 @@ def last_event(answer: http.client.HTTPResponse) -> dict[str, Any]:
     return event
 
 
-def test_a_flood_is_bounded_and_others_come_next() -> None:
+def test_a_flood_is_bounded_and_other_clients_are_next() -> None:
     kitchen = Kitchen()
     with Server({"": kitchen.site()}, limits=Limits(threads=1)) as server, ExitStack() as stack:
         flood = [request_region(stack, server, f"{10 * number},0,0", "127.0.0.1") for number in range(60)]
@@ -52,15 +52,15 @@ def test_a_flood_is_bounded_and_others_come_next() -> None:
         wait_until(lambda: len(kitchen.begun) == 1)
         other = request_region(stack, server, "-50,0,0", "127.0.0.2")
         assert get(server.url + "files/other").content == b"another file"
-        # The one that was begun ends, and then the other client's turn comes before the flood's.
+        # The running request ends, and then the other client's turn precedes the flood's.
         kitchen.let(2)
         assert last_event(other) == {"event": "end", "center": [-50.0, 0.0, 0.0]}
         assert kitchen.begun[1] == [-50.0, 0.0, 0.0]
         stack.close()
-        wait_until(lambda: waiting(server) == 0)
+        wait_until(lambda: count_waiting(server) == 0)
 
 
-def test_a_flood_from_many_addresses_is_bounded_and_leaves_nothing() -> None:
+def test_a_flood_from_many_addresses_is_bounded_and_leaves_nothing_behind() -> None:
     kitchen = Kitchen()
     limits = Limits(regions=16, regions_per_client=2)
     with Server({"": kitchen.site()}, limits=limits) as server, ExitStack() as stack:
@@ -73,16 +73,16 @@ def test_a_flood_from_many_addresses_is_bounded_and_leaves_nothing() -> None:
         assert statuses.count(200) == 16
         assert set(statuses) == {200, 429, 503}
         assert all(answer.headers["retry-after"] for answer in flood if answer.status != 200)
-        assert waiting(server) == 16
+        assert count_waiting(server) == 16
         assert get(server.url + "files/other").content == b"another file"
         stack.close()
-        wait_until(lambda: waiting(server) == 0)
+        wait_until(lambda: count_waiting(server) == 0)
         kitchen.let(1)
         assert last_event(request_region(stack, server, "-50,0,0", "127.0.0.2"))["event"] == "end"
 
 
 def check(url: str, place: str = "0,0,0") -> None:
-    """The region of a place comes whole, its files with the content that they should have."""
+    """Check that the region of a place is complete, with the right content of its files."""
     assert get(f"{url}at/{place}/parts").status_code == 200
     manifest: dict[str, Any] = get(f"{url}at/{place}/manifest.json").json()
     assert len(manifest["files"]) == FILES
@@ -98,7 +98,7 @@ def has_more(folder: Path, count: int) -> bool:
 
 
 @pytest.mark.slow
-def test_a_kill_while_a_region_is_written_leaves_nothing_half_written(tmp_path: Path) -> None:
+def test_a_kill_while_a_region_is_written_leaves_no_partial_file(tmp_path: Path) -> None:
     cache = tmp_path / "cache"
     for number in range(KILLS):
         with serving(cache) as (running, url):
@@ -107,7 +107,7 @@ def test_a_kill_while_a_region_is_written_leaves_nothing_half_written(tmp_path: 
             place = f"{10 * number},0,0"
             line = http.client.HTTPConnection(urlsplit(url).netloc, timeout=300)
             line.request("GET", f"/at/{place}/parts")
-            # Some of its files, by chance whole or in part, are there when the server is killed.
+            # Some of its files exist, complete or partial by chance, when the server is killed.
             wait_until(partial(has_more, files, before))
             running.send_signal(signal.SIGKILL)
             running.wait()
@@ -119,7 +119,7 @@ def test_a_kill_while_a_region_is_written_leaves_nothing_half_written(tmp_path: 
 
 
 @pytest.mark.slow
-def test_a_kill_while_files_are_sent_is_seen_by_clients(tmp_path: Path) -> None:
+def test_clients_notice_a_kill_while_files_are_sent(tmp_path: Path) -> None:
     cache = tmp_path / "cache"
     with serving(cache) as (running, url):
         check(url)
@@ -133,7 +133,7 @@ def test_a_kill_while_files_are_sent_is_seen_by_clients(tmp_path: Path) -> None:
                 taken = 1000 + sum(len(piece) for piece in pieces)
             except httpx.TransportError:
                 taken = 0
-            # All of it was under way, or the client knows that some is missing.
+            # All of it was in transit, or the client knows that some is missing.
             assert taken in (0, BYTES)
     path = cache / name
     path.write_bytes(path.read_bytes()[:-1] + b"x")
@@ -145,7 +145,7 @@ def test_a_kill_while_files_are_sent_is_seen_by_clients(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("damage", ["a file is gone", "a file is shorter", "the manifest is gone", "a file is a link"])
-def test_what_is_damaged_while_the_server_runs_is_made_anew(tmp_path: Path, damage: str) -> None:
+def test_files_damaged_while_the_server_runs_are_made_again(tmp_path: Path, damage: str) -> None:
     cache = tmp_path / "cache"
     with serving(cache) as (_, url):
         check(url)
@@ -165,14 +165,14 @@ def test_what_is_damaged_while_the_server_runs_is_made_anew(tmp_path: Path, dama
 
 
 @pytest.mark.slow
-def test_what_a_full_disk_does_not_take_is_served_from_memory(tmp_path: Path) -> None:
+def test_with_a_full_disk_regions_are_served_from_memory(tmp_path: Path) -> None:
     cache = tmp_path / "cache"
     with serving(cache, most=BYTES // 2) as (_, url):
         for _ in range(2):
             check(url)
         assert not list((cache / "at").iterdir())
         assert not list(cache.rglob("*.part"))
-    # With space again it is kept.
+    # With space again it is stored.
     with serving(cache) as (_, url):
         check(url)
         assert len(list((cache / "at").iterdir())) == 1

@@ -1,4 +1,4 @@
-"""Connections of HTTP/2 that keep a place without using it end, and others notice nothing."""
+"""Idle HTTP/2 connections are closed, and other clients are not disturbed."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ from tests.support.waiting import wait_until
 
 
 @pytest.fixture(scope="module")
-def served(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Server]:
-    """Makes servers of a bundle within limits."""
+def make_server(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Server]:
+    """A factory of servers of a bundle with limits."""
     folder = tmp_path_factory.mktemp("serve")
     nf.stream.export(nf.datasets.room(), folder / "room", center=(0.3, 1.6, 0.2), radii=[1.5], face_size=64, samples=1)
     certificate = Certificate.self_signed(folder / "tls", ["localhost", "127.0.0.1"])
@@ -36,22 +36,22 @@ def served(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Server]:
 
 
 @pytest.fixture(scope="module")
-def idle(served: Callable[..., Server]) -> Iterator[Server]:
-    """A server whose clients may not wait long before they ask for something: for the sum of both limits."""
-    with served(header_seconds=2, silent_seconds=1) as running:
+def idle(make_server: Callable[..., Server]) -> Iterator[Server]:
+    """A server with short timeouts for idle clients, for the sum of both limits."""
+    with make_server(header_seconds=2, silent_seconds=1) as running:
         yield running
 
 
 @pytest.fixture(scope="module")
-def silent(served: Callable[..., Server]) -> Iterator[Server]:
-    """A server whose clients may not wait long before they take something."""
-    with served(silent_seconds=1) as running:
+def silent(make_server: Callable[..., Server]) -> Iterator[Server]:
+    """A server with short timeouts for clients that do not read."""
+    with make_server(silent_seconds=1) as running:
         yield running
 
 
 @contextmanager
 def line(server: Server, window: int = 65535) -> Iterator[tuple[ssl.SSLSocket, h2.connection.H2Connection]]:
-    """A connection of HTTP/2, whose client takes so many bytes of each answer at first."""
+    """An HTTP/2 connection whose client accepts a number of bytes of each response at first."""
     context = ssl.SSLContext(ssl.PROTOCOL_TLS_CLIENT)
     context.check_hostname, context.verify_mode = False, ssl.CERT_NONE
     context.set_alpn_protocols(["h2"])
@@ -74,7 +74,7 @@ def ask(encrypted: ssl.SSLSocket, state: h2.connection.H2Connection, path: str) 
 
 
 def until_it_ends(encrypted: ssl.SSLSocket, state: h2.connection.H2Connection) -> list[h2.events.Event]:
-    """Answer pings, but take nothing, until the server closes the connection."""
+    """Answer pings, but read nothing, until the server closes the connection."""
     events: list[h2.events.Event] = []
     try:
         while data := encrypted.recv(1 << 16):
@@ -92,7 +92,7 @@ def lost(server: Server, reason: str) -> float:
     return 0.0
 
 
-def test_clients_that_never_end_their_handshakes_are_let_go(idle: Server) -> None:
+def test_clients_with_unfinished_handshakes_are_disconnected(idle: Server) -> None:
     where = urlsplit(idle.url)
     with ExitStack() as stack:
         lines = [
@@ -105,7 +105,7 @@ def test_clients_that_never_end_their_handshakes_are_let_go(idle: Server) -> Non
                 pass
 
 
-def test_a_client_that_asks_for_nothing_is_let_go(idle: Server) -> None:
+def test_a_client_without_requests_is_disconnected(idle: Server) -> None:
     before = lost(idle, "idle")
     with line(idle) as (encrypted, state):
         until_it_ends(encrypted, state)
@@ -113,7 +113,7 @@ def test_a_client_that_asks_for_nothing_is_let_go(idle: Server) -> None:
 
 
 @pytest.mark.parametrize("window", [0, 30_000])
-def test_a_client_that_takes_nothing_is_let_go(silent: Server, window: int) -> None:
+def test_a_client_that_reads_nothing_is_disconnected(silent: Server, window: int) -> None:
     before = lost(silent, "silence")
     with line(silent, window) as (encrypted, state):
         ask(encrypted, state, "/page.js")
@@ -124,17 +124,17 @@ def test_a_client_that_takes_nothing_is_let_go(silent: Server, window: int) -> N
     wait_until(lambda: lost(silent, "silence") == before + 1)
 
 
-def test_a_client_that_sends_half_of_its_headers_is_let_go(idle: Server) -> None:
+def test_a_client_with_incomplete_headers_is_disconnected(idle: Server) -> None:
     with line(idle) as (encrypted, _):
-        # HEADERS of stream 1 without their end, and no frame after it.
+        # HEADERS of stream 1 without END_HEADERS, and no frame after it.
         encrypted.sendall(bytes.fromhex("000001 01 01 00000001 82"))
         assert encrypted.recv(1 << 16)
         while encrypted.recv(1 << 16):
             pass
 
 
-def test_many_answers_at_once_are_those_of_the_files(served: Callable[..., Server]) -> None:
-    with served() as server, httpx.Client(http2=True, verify=False, timeout=60) as asking:
+def test_many_concurrent_responses_equal_the_files(make_server: Callable[..., Server]) -> None:
+    with make_server() as server, httpx.Client(http2=True, verify=False, timeout=60) as asking:
         contents = {asking.get(server.url + "page.js").content for _ in range(20)}
         assert len(contents) == 1
         assert (

@@ -1,4 +1,4 @@
-"""A server that makes regions of a scene when clients ask for them."""
+"""A server that makes regions of a scene on request."""
 
 from __future__ import annotations
 
@@ -50,14 +50,14 @@ def parts(server: Server, place: str, source: str = "127.0.0.1") -> list[dict[st
     return [json.loads(line) for line in content.splitlines()]
 
 
-def test_parts_tell_of_files_that_are_there(server: Server) -> None:
+def test_announced_parts_have_files(server: Server) -> None:
     told = [line for line in parts(server, "3.3,1.7,-2.2") if line["event"] != "waiting"]
     assert [(line["event"], line.get("ring")) for line in told] == [
         *[("begin", None), ("ring", 0), ("ring", 1), ("ring", 2)] * 2,
         ("end", None),
     ]
     whole = json.loads(ask(server, "/city/at/4,1.75,-2/manifest.json")[1])
-    # Coarse maps are there for slow clients even when full ones are made.
+    # Coarse maps remain available for slow clients even when full ones exist.
     coarse = {name: entry for line in told if line.get("stage") == 0 for name, entry in line["files"].items()}
     assert coarse.keys() - whole["files"].keys()
     for name, described in {**coarse, **whole["files"]}.items():
@@ -72,16 +72,16 @@ def test_a_place_is_a_bundle(server: Server, scene: nf.Scene, tmp_path: Path) ->
         found.verify()
         expected = nf.stream.export(still, tmp_path / "out", center=(3.3, 1.75, -2.2), **QUICK)
         assert found.files == expected.files
-        # Again, from memory; the page shows it from the same address.
+        # Requested again, from memory; the page shows it from the same address.
         assert nf.stream.open(f"{alone.url}at/4,1.7,-2").files == expected.files
         assert ask(alone, "/")[0] == 200
     with Server({"": Site.of_scene(OnDemand(still, **QUICK), tmp_path / "cache")}) as alone:
-        # The first time while it is made, then from disk.
+        # The first response while it is made, then from disk.
         for _ in range(2):
             nf.stream.open(f"{alone.url}at/4,1.75,-2").verify()
 
 
-def test_regions_that_are_complete_are_kept_on_disk(scene: nf.Scene, tmp_path: Path) -> None:
+def test_complete_regions_are_kept_on_disk(scene: nf.Scene, tmp_path: Path) -> None:
     site = Site.of_scene(OnDemand(scene, **QUICK), tmp_path / "cache")
     with Server({"city": site}) as server:
         assert parts(server, "0,1.75,0")[-1]["event"] == "end"
@@ -90,7 +90,7 @@ def test_regions_that_are_complete_are_kept_on_disk(scene: nf.Scene, tmp_path: P
         assert parts(server, "0,1.75,0") == [whole]
         assert whole["event"] == "whole"
         name = next(iter(whole["manifest"]["files"]))
-        # One byte of it changes while the server does not run.
+        # One byte of it changes while the server is stopped.
     path = tmp_path / "cache" / name
     path.write_bytes(bytes([path.read_bytes()[0] ^ 1]) + path.read_bytes()[1:])
     with Server({"city": site}) as server:
@@ -99,7 +99,7 @@ def test_regions_that_are_complete_are_kept_on_disk(scene: nf.Scene, tmp_path: P
         assert parts(server, "0,1.75,0") == [whole]
 
 
-def test_clients_at_once_are_served_the_same(server: Server) -> None:
+def test_concurrent_clients_receive_the_same(server: Server) -> None:
     found: list[list[dict[str, Any]]] = []
     threads = [
         threading.Thread(target=lambda name=name: found.append(parts(server, "-6,1.75,8", f"127.0.0.{name}")))
@@ -132,7 +132,7 @@ def test_other_paths_are_refused(server: Server, path: str, status: int) -> None
     assert ask(server, path)[0] == status
 
 
-def test_a_place_that_cannot_be_made_is_told_in_a_sentence(scene: nf.Scene) -> None:
+def test_a_place_that_cannot_be_made_is_reported_in_a_sentence(scene: nf.Scene) -> None:
     settings = {name: value for name, value in SETTINGS.items() if name != "radii"}
     with Server({"": Site.of_scene(OnDemand(scene, **settings), None)}) as server:
         status, content = ask(server, "/at/90000,1.75,0/parts")
@@ -149,9 +149,9 @@ def test_a_client_may_wait_for_a_few_places_only(scene: nf.Scene) -> None:
         lines = [http.client.HTTPConnection(urlsplit(server.url).netloc, timeout=300) for _ in range(6)]
         for number, line in enumerate(lines):
             line.request("GET", f"/at/{10 * number},1.75,0/parts")
-        # Connections are served side by side.
+        # Connections are served concurrently.
         assert sorted(line.getresponse().status for line in lines) == [200] * 4 + [429] * 2
-        # Others are served meanwhile.
+        # Other clients are served meanwhile.
         assert ask(server, "/", "127.0.0.2")[0] == 200
         for line in lines:
             line.close()

@@ -1,4 +1,4 @@
-"""HTTP/1.1 and 2, certificates, compression, other origins, several sites, counts and the log."""
+"""HTTP/1.1 and 2, certificates, compression, CORS, several sites, metrics and the log."""
 
 from __future__ import annotations
 
@@ -35,13 +35,13 @@ def encrypted(place: Path, certificate: Certificate) -> Iterator[Server]:
 
 
 def client(certificate: Certificate, **settings: Any) -> httpx.Client:
-    """A client that trusts a certificate, and no other one."""
+    """A client that trusts only the given certificate."""
     trusted = ssl.create_default_context(cafile=str(certificate.certificate))
     return httpx.Client(verify=trusted, timeout=60, **settings)
 
 
 @pytest.mark.parametrize("version", ["HTTP/1.1", "HTTP/2"])
-def test_encrypted_connections_give_all_files(
+def test_encrypted_connections_serve_all_files(
     encrypted: Server, certificate: Certificate, place: Path, version: str
 ) -> None:
     with client(certificate, http2=version == "HTTP/2") as asking:
@@ -55,13 +55,13 @@ def test_encrypted_connections_give_all_files(
         assert asking.get(encrypted.url, headers={"Host": "evil.example"}).status_code == 403
 
 
-def test_a_client_that_does_not_trust_it_sees_nothing(encrypted: Server) -> None:
+def test_a_client_that_does_not_trust_it_receives_nothing(encrypted: Server) -> None:
     with pytest.raises(httpx.ConnectError, match="certificate verify failed"):
         get(encrypted.url)
     assert get(encrypted.url, verify=False).status_code == 200
 
 
-def test_clients_that_do_not_encrypt_are_led_to_the_encrypted_address(encrypted: Server) -> None:
+def test_plain_http_is_redirected_to_the_encrypted_address(encrypted: Server) -> None:
     plain = encrypted.url.replace("https:", "http:")
     answer = get(f"{plain}manifest.json?x=1")
     assert (answer.status_code, answer.headers["location"]) == (308, f"{encrypted.url}manifest.json?x=1")
@@ -95,7 +95,7 @@ def test_certificates_that_cannot_be_used_are_named(tmp_path: Path, place: Path)
         Server({"": Site.of_bundle(place)}, certificate=made)
 
 
-def test_what_is_not_compressed_is_sent_so(place: Path) -> None:
+def test_uncompressed_files_are_sent_uncompressed(place: Path) -> None:
     with Server({"": Site.of_bundle(place)}) as server, httpx.Client(timeout=60) as asking:
         plain = {"Accept-Encoding": "identity"}
         for name in ("page.js", "manifest.json", next(n for n in nf.stream.open(place).files if n.endswith(".glb"))):
@@ -118,14 +118,14 @@ def test_what_is_not_compressed_is_sent_so(place: Path) -> None:
         assert "content-encoding" not in asking.get(server.url + picture).headers
 
 
-def test_what_was_packed_is_what_gzip_unpacks(place: Path) -> None:
+def test_compressed_responses_are_valid_gzip(place: Path) -> None:
     with Server({"": Site.of_bundle(place)}) as server, httpx.Client(timeout=60) as asking:
         with asking.stream("GET", server.url + "page.js", headers={"Accept-Encoding": "gzip"}) as answer:
             raw = b"".join(answer.iter_raw())
         assert gzip.decompress(raw) == asking.get(server.url + "page.js").content
 
 
-def test_pages_of_another_origin_may_read_files_if_they_are_allowed(place: Path) -> None:
+def test_allowed_origins_may_read_files(place: Path) -> None:
     with Server({"": Site.of_bundle(place)}, origin="https://example.org") as server:
         answer = get(f"{server.url}manifest.json")
         assert answer.headers["access-control-allow-origin"] == "https://example.org"
@@ -139,7 +139,7 @@ def test_pages_of_another_origin_may_read_files_if_they_are_allowed(place: Path)
         Server({"": Site.of_bundle(place)}, origin="a\nb")
 
 
-def test_several_sites_are_listed_and_apart(place: Path, tmp_path: Path) -> None:
+def test_several_sites_are_listed_and_separate(place: Path, tmp_path: Path) -> None:
     other = tmp_path / "b"
     nf.stream.export(nf.datasets.room(), other, center=(1.0, 1.6, 0.2), radii=[1.5], face_size=64, samples=1)
     sites = {"one & two": Site.of_bundle(place), "b": Site.of_bundle(other)}
@@ -163,7 +163,7 @@ def test_several_sites_are_listed_and_apart(place: Path, tmp_path: Path) -> None
         Server({})
 
 
-def test_counts_tell_what_was_answered(place: Path) -> None:
+def test_metrics_count_responses(place: Path) -> None:
     with Server({"": Site.of_bundle(place)}) as server, httpx.Client(base_url=server.url, timeout=60) as asking:
         for path in ("/", "/nothing", "/nothing"):
             asking.get(path)
@@ -180,7 +180,7 @@ def test_counts_tell_what_was_answered(place: Path) -> None:
 def metrics(asking: httpx.Client) -> dict[str, float]:
     answer = asking.get("/metrics")
     assert answer.headers["content-type"].startswith("application/openmetrics-text")
-    # Each text is another one, of which no compressed copy is kept.
+    # Each text differs, so no compressed copy is cached.
     assert "content-encoding" not in answer.headers
     assert answer.text.endswith("# EOF\n")
     lines = (line.rsplit(" ", 1) for line in answer.text.splitlines() if not line.startswith("#"))
@@ -188,7 +188,7 @@ def metrics(asking: httpx.Client) -> dict[str, float]:
 
 
 @pytest.mark.parametrize("as_json", [True, False])
-def test_the_log_tells_of_answers(place: Path, as_json: bool) -> None:
+def test_the_log_records_responses(place: Path, as_json: bool) -> None:
     script = (
         "import sys, urllib.request\n"
         "from nearfar.serve import _log\n"
@@ -200,7 +200,7 @@ def test_the_log_tells_of_answers(place: Path, as_json: bool) -> None:
         "    except OSError: pass\n"
     )
     ran = subprocess.run([sys.executable, "-c", script, place], capture_output=True, text=True, check=True)
-    # Two connections are served side by side, and so are their records.
+    # Two connections are served concurrently, so their records may be in either order.
     lines = sorted((line for line in ran.stderr.splitlines() if "answered" in line), key=lambda line: "%0A" in line)
     assert len(lines) == 2
     if as_json:

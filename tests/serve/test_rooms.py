@@ -1,4 +1,4 @@
-"""Rooms of a server: who may enter, with which token, and how many."""
+"""Rooms of a server: admission by token, and limits."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ need("aiohttp")
 NEEDS_TOKEN = Rooms(key=KEY, needs_token=True)
 
 
-def test_nobody_enters_without_a_valid_token() -> None:
+def test_entering_requires_a_valid_token() -> None:
     later = int(time.time()) + 3600
     made_for_this_room = "expected a token that was made for this room"
 
@@ -32,7 +32,7 @@ def test_nobody_enters_without_a_valid_token() -> None:
             ("1.2&token=3", made_for_this_room),
             (token("yard", KEY), made_for_this_room),
             (token("hall", bytes(16)), made_for_this_room),
-            (_core.room_token("hall", 1000, bytes(16), KEY), "expected a token that has not ended"),
+            (_core.room_token("hall", 1000, bytes(16), KEY), "expected a token that has not expired"),
         ]:
             error = await is_refused(server, token=given)
             assert (error.reason, error.sentence) == ("token", sentence)
@@ -49,7 +49,7 @@ def test_nobody_enters_without_a_valid_token() -> None:
         run(script(server))
 
 
-def test_names_of_rooms_of_any_letters_have_tokens() -> None:
+def test_room_names_in_any_script_have_tokens() -> None:
     name = "Saal é?&=%2F#"
 
     async def script(server: Server) -> None:
@@ -62,7 +62,7 @@ def test_names_of_rooms_of_any_letters_have_tokens() -> None:
         run(script(server))
 
 
-def test_rooms_and_servers_are_full_in_words() -> None:
+def test_full_rooms_and_servers_are_reported() -> None:
     async def script(server: Server) -> None:
         async with join(server.url, room="hall") as one:
             error = await is_refused(server)
@@ -96,15 +96,15 @@ def test_a_site_does_not_hide_rooms() -> None:
         ({"key": "secret" * 5}, "key: expected bytes, got str"),
         ({"peers": 1}, "peers: expected"),
         ({"datagrams": None}, "datagrams: expected"),
-        ({"needs_token": True}, "needs_token: expected a key beside it"),
+        ({"needs_token": True}, "needs_token: expected a key as well, got none"),
     ],
 )
-def test_limits_that_cannot_be_used_are_named(given: dict[str, object], message: str) -> None:
+def test_unusable_limits_are_named(given: dict[str, object], message: str) -> None:
     with pytest.raises((ValueError, TypeError), match=message):
         Rooms(**given)  # type: ignore[arg-type]
 
 
-def test_tokens_of_nothing_are_named() -> None:
+def test_tokens_of_empty_rooms_are_refused() -> None:
     for room, hours, message in [("a/b", 1.0, "room: "), ("hall", 0.0, "hours: "), ("hall", 1e6, "hours: ")]:
         with pytest.raises(ValueError, match=message):
             token(room, KEY, hours=hours)
@@ -112,7 +112,7 @@ def test_tokens_of_nothing_are_named() -> None:
     assert "secret" not in repr(Rooms(key=b"a secret of 20 bytes"))
 
 
-def test_a_key_is_kept_for_its_owner_alone(tmp_path: Path) -> None:
+def test_a_key_file_is_readable_by_its_owner_only(tmp_path: Path) -> None:
     place = tmp_path / "folder" / "key"
     made = kept_key(place)
     assert (len(made), kept_key(place), read_key(place)) == (32, made, made)

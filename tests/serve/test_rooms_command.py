@@ -84,7 +84,7 @@ def test_an_invitation_lets_a_user_in(place: Path, tmp_path: Path) -> None:
         (("invite", "hall", "--rooms-key", "long", "--url", "http://here/?a=b"), "url: expected"),
     ],
 )
-def test_what_cannot_be_used_is_named(
+def test_unusable_room_arguments_are_named(
     place: Path,
     tmp_path: Path,
     arguments: tuple[str, ...],

@@ -1,4 +1,4 @@
-"""The site of a scene: what it tells the page, while the scene is loaded, when it is there, and when it is not."""
+"""The site of a scene: its document for the page while the scene is loading, loaded, or failed."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def ask(server: Server, path: str) -> tuple[int, dict[str, str], bytes]:
 
 
 def document(server: Server, site: str = "") -> dict[str, Any]:
-    """The document on a scene that the page reads."""
+    """The document about a scene that the page reads."""
     manifest = json.loads(ask(server, f"{site}/manifest.json")[2])
     assert valid(manifest, "on_demand")
     found: dict[str, Any] = json.loads(ask(server, f"{site}/{manifest['scene']}")[2])
@@ -43,7 +43,7 @@ def document(server: Server, site: str = "") -> dict[str, Any]:
 
 
 def last_line(server: Server, path: str) -> dict[str, Any]:
-    """The last line that tells of a region."""
+    """The last line of a region's response."""
     status, _, content = ask(server, path)
     assert status == 200
     return dict(json.loads(content.splitlines()[-1]))
@@ -67,7 +67,7 @@ def test_a_scene_is_described(room: nf.Scene) -> None:
     assert np.allclose((-np.sin(yaw), 0, -np.cos(yaw)), chosen.forward)
 
 
-def test_who_asks_before_the_scene_is_there_waits(room: nf.Scene) -> None:
+def test_requests_before_the_scene_is_loaded_wait(room: nf.Scene) -> None:
     may_load = threading.Event()
 
     def load() -> nf.Scene:
@@ -85,7 +85,7 @@ def test_who_asks_before_the_scene_is_there_waits(room: nf.Scene) -> None:
         ]
         for thread in asked:
             thread.start()
-        # The page and other sites are there meanwhile.
+        # The page and other sites are served meanwhile.
         assert ask(server, "/late/")[0] == 200
         assert last_line(server, "/there/at/0,1.5,0/parts")["event"] == "end"
         assert answers == []
@@ -97,7 +97,7 @@ def test_who_asks_before_the_scene_is_there_waits(room: nf.Scene) -> None:
     assert found["start"] == {"position": [1, 2, 3], "yaw": 0}
 
 
-def test_a_scene_that_cannot_be_loaded_is_told_in_a_sentence(room: nf.Scene, tmp_path: Path) -> None:
+def test_a_scene_that_cannot_be_loaded_is_reported_in_a_sentence(room: nf.Scene, tmp_path: Path) -> None:
     (tmp_path / "broken.glb").write_bytes(b"glTF, but not really")
     sites = {
         "broken": Site.of_scene(LoadedScene.of_file(tmp_path / "broken.glb", **SETTINGS), None),
@@ -117,7 +117,7 @@ def test_a_scene_that_cannot_be_loaded_is_told_in_a_sentence(room: nf.Scene, tmp
         assert last_line(server, "/there/at/0,1.5,0/parts")["event"] == "end"
 
 
-def test_settings_are_checked_before_the_scene_is_there() -> None:
+def test_settings_are_checked_before_the_scene_is_loaded() -> None:
     with pytest.raises(ValueError, match="face_size"):
         LoadedScene(nf.datasets.room, **{**SETTINGS, "face_size": 100})
     with pytest.raises(TypeError, match="title"):
@@ -135,7 +135,7 @@ def boxes(path: Path) -> None:
     made.export(path)
 
 
-def test_a_file_is_served_and_kept_for_its_content(tmp_path: Path, monkeypatch: Any) -> None:
+def test_a_file_is_served_and_cached_by_content(tmp_path: Path, monkeypatch: Any) -> None:
     monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path / "cache"))
     path = tmp_path / "boxes.glb"
     boxes(path)
@@ -158,7 +158,7 @@ def test_a_file_is_served_and_kept_for_its_content(tmp_path: Path, monkeypatch: 
 
 
 @pytest.mark.parametrize("kind", ["gltf", "obj"])
-def test_files_that_a_scene_refers_to_count(kind: str, tmp_path: Path) -> None:
+def test_referenced_files_are_part_of_the_cache_key(kind: str, tmp_path: Path) -> None:
     path = tmp_path / f"scene.{kind}"
     if kind == "gltf":
         path.write_text(

@@ -1,4 +1,4 @@
-"""The server of the page: it answers with the page and one bundle, and with nothing else."""
+"""The server of the page: it serves the page and one bundle, and nothing else."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def server(place: Path) -> Iterator[Server]:
 
 
 def ask(server: Server, path: str, method: str = "GET", **headers: str) -> tuple[int, dict[str, str], bytes]:
-    """Status, headers and content of an answer; the path is sent as it is."""
+    """Status, headers and content of a response; the path is sent unchanged."""
     connection = http.client.HTTPConnection(urlsplit(server.url).netloc, timeout=60)
     try:
         connection.request(method, path, headers=headers)
@@ -51,7 +51,7 @@ def test_the_page_and_all_files_of_the_bundle_are_served(server: Server, place: 
         assert "immutable" in headers["cache-control"]
 
 
-def test_what_a_browser_has_is_not_sent_again(server: Server) -> None:
+def test_cached_files_are_not_sent_again(server: Server) -> None:
     _, headers, _ = ask(server, "/page.js")
     status, again, content = ask(server, "/page.js", **{"If-None-Match": headers["etag"]})
     assert (status, content, again["etag"]) == (304, b"", headers["etag"])
@@ -82,7 +82,7 @@ def test_other_methods_and_other_names_of_this_machine_are_refused(server: Serve
     ("asked", "part"),
     [("bytes=0-9", (0, 10)), ("bytes=-7", (-7, None)), ("bytes=5-", (5, None)), ("bytes=0-1,4-5", None)],
 )
-def test_parts_of_files_are_sent(server: Server, place: Path, asked: str, part: tuple[int, int | None] | None) -> None:
+def test_byte_ranges_are_sent(server: Server, place: Path, asked: str, part: tuple[int, int | None] | None) -> None:
     name = next(name for name in nf.stream.open(place).files if name.endswith(".glb"))
     whole = (place / name).read_bytes()
     status, headers, content = ask(server, f"/{name}", Range=asked)
@@ -95,7 +95,7 @@ def test_parts_of_files_are_sent(server: Server, place: Path, asked: str, part: 
     assert headers["content-range"] == f"bytes {first}-{first + len(expected) - 1}/{len(whole)}"
 
 
-def test_parts_beyond_the_end_and_of_another_version(server: Server, place: Path) -> None:
+def test_ranges_beyond_the_end_and_of_another_version(server: Server, place: Path) -> None:
     name = next(name for name in nf.stream.open(place).files if name.endswith(".glb"))
     whole = (place / name).read_bytes()
     status, headers, _ = ask(server, f"/{name}", Range=f"bytes={len(whole)}-")
@@ -106,7 +106,7 @@ def test_parts_beyond_the_end_and_of_another_version(server: Server, place: Path
         assert ask(server, f"/{name}", **{"Range": "bytes=0-3", "If-Range": other})[0] == 200
 
 
-def test_clients_that_vanish_or_send_nonsense_disturb_nobody(server: Server) -> None:
+def test_vanished_or_malformed_clients_do_not_disturb_others(server: Server) -> None:
     port = urlsplit(server.url).port or 0
     nonsense = [
         b"",
@@ -121,7 +121,7 @@ def test_clients_that_vanish_or_send_nonsense_disturb_nobody(server: Server) -> 
     assert ask(server, "/")[0] == 200
 
 
-def test_a_file_that_goes_is_missing(place: Path, tmp_path: Path) -> None:
+def test_a_removed_file_is_missing(place: Path, tmp_path: Path) -> None:
     folder = tmp_path / "copy"
     folder.mkdir()
     (folder / "files").mkdir()
@@ -154,7 +154,7 @@ def test_links_and_files_of_another_size_are_not_served(place: Path, tmp_path: P
         Server.of_bundle(linked_folder)
 
 
-def test_a_port_that_is_taken_is_named(server: Server, place: Path) -> None:
+def test_a_port_in_use_is_named(server: Server, place: Path) -> None:
     port = urlsplit(server.url).port
     with pytest.raises(OSError, match="choose another port") as caught:
         Server.of_bundle(place, port=port or 0)
@@ -163,7 +163,7 @@ def test_a_port_that_is_taken_is_named(server: Server, place: Path) -> None:
         Server.of_bundle(place.parent / "nothing")
 
 
-def test_the_page_beside_a_bundle_needs_no_server_of_ours(place: Path, tmp_path: Path) -> None:
+def test_the_page_beside_a_bundle_works_with_any_server(place: Path, tmp_path: Path) -> None:
     scene, folder = nf.datasets.room(), tmp_path / "bundle"
     settings: dict[str, Any] = {"center": (0.3, 1.6, 0.2), "radii": [1.5, 3.0], "face_size": 64, "samples": 1}
     nf.stream.export(scene, folder, **settings)
@@ -173,7 +173,7 @@ def test_the_page_beside_a_bundle_needs_no_server_of_ours(place: Path, tmp_path:
         assert name in index
         assert (folder / name).stat().st_size > 0
     nf.stream.open(folder).verify()
-    # The page does not keep a later export from its folder.
+    # The page does not prevent a later export into its folder.
     nf.stream.export(scene, folder, **settings)
     with pytest.raises(FileNotFoundError):
         nf.view.write_page(tmp_path)

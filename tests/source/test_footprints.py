@@ -1,4 +1,4 @@
-"""Tests of files of footprints as sources."""
+"""Tests of footprint files as sources."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from tests.support.query_cases import touching
 GRID = 12
 """Rows and columns of buildings, 30 m apart."""
 FAR = 5_000_000.0
-"""Metres from 0, as coordinates of national grids are."""
+"""Offset in metres, as in coordinates of national grids."""
 
 
 def outline(x: float, y: float, wide: float) -> list[list[list[float]]]:
@@ -30,7 +30,7 @@ def outline(x: float, y: float, wide: float) -> list[list[list[float]]]:
 
 @pytest.fixture
 def town(tmp_path: Path) -> Path:
-    """Buildings in a projected system, one of them with a height of its own name."""
+    """Buildings in a projected coordinate system, one of which names its height differently."""
     features = [
         {
             "type": "Feature",
@@ -59,7 +59,7 @@ def rows_of(triangles: NDArray[Any]) -> NDArray[Any]:
     return rows[np.lexsort(rows.T)]
 
 
-def test_queries_are_what_touches_of_the_whole(town: Path) -> None:
+def test_queries_return_touching_triangles_of_the_whole(town: Path) -> None:
     source, whole = open_footprints(town), nf.Scene.load(town)
     np.testing.assert_array_equal(source.bounds, whole.bounds)
     assert isinstance(source, nf.SceneSource)
@@ -73,7 +73,7 @@ def test_queries_are_what_touches_of_the_whole(town: Path) -> None:
         assert set(part.object_names) <= set(whole.object_names)
 
 
-def test_cells_together_are_the_whole_in_equal_bits(town: Path) -> None:
+def test_cells_together_equal_the_whole_bit_for_bit(town: Path) -> None:
     source, whole = open_footprints(town), nf.Scene.load(town)
     low, high = source.bounds
     parts = []
@@ -86,12 +86,12 @@ def test_cells_together_are_the_whole_in_equal_bits(town: Path) -> None:
     np.testing.assert_array_equal(rows_of(np.concatenate(parts)), rows_of(whole.triangles()))
 
 
-def test_the_property_of_the_height_is_chosen(town: Path) -> None:
+def test_the_height_property_can_be_chosen(town: Path) -> None:
     assert open_footprints(town, height="ridge").bounds[1, 1] == 50
     assert open_footprints(town).bounds[1, 1] == 22
 
 
-def test_empty_places_give_empty_scenes_in_the_same_frame(town: Path) -> None:
+def test_empty_boxes_give_empty_scenes_in_the_same_frame(town: Path) -> None:
     source = open_footprints(town)
     empty = source.query([[0, 0, 0], [1, 1, 1]])
     assert empty.triangle_count == 0
@@ -141,7 +141,7 @@ def test_the_whole_of_tokyo_takes_the_memory_of_a_cell(tmp_path: Path) -> None:
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     count, largest, growth = map(int, done.stdout.split())
     assert count == 29_824_563
-    # As arrays the whole has 1.2 GB. A cell's vertices, faces and tests of centroids take some 300 bytes a triangle.
+    # As arrays the whole takes 1.2 GB. A cell's vertices, faces and tests of centroids take some 300 bytes a triangle.
     assert growth < 1_000 * largest < 300e6
 
 

@@ -12,14 +12,14 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._source.tiles import TileFolder
-from tests.support.city_cases import everything, written
+from tests.support.city_cases import everything, write_json
 from tests.support.gltf_cases import MATERIALS, gltf
 from tests.support.query_cases import BOXES, soup
 from tests.support.tile_cases import tile, tileset, write
 
 
 class Halves:
-    """A user's world: the part of a scene with x below 0, as a class of its own."""
+    """A user-defined source: the part of a scene with x below 0."""
 
     def __init__(self, scene: nf.Scene) -> None:
         self._scene = scene
@@ -39,7 +39,7 @@ def test_scenes_and_users_classes_are_sources() -> None:
     assert not isinstance(object(), nf.SceneSource)
 
 
-def test_a_scene_file_is_read_whole(tmp_path: Path) -> None:
+def test_a_scene_file_is_read_completely(tmp_path: Path) -> None:
     nf.lod.export(soup(), tmp_path / "soup.glb", view=nf.Fov.symmetric(90))
     source, loaded = nf.open_source(tmp_path / "soup.glb"), nf.Scene.load(tmp_path / "soup.glb")
     assert np.array_equal(source.query(BOXES[0]).triangles(), loaded.query(BOXES[0]).triangles())
@@ -49,7 +49,7 @@ def test_a_scene_file_is_read_whole(tmp_path: Path) -> None:
 
 
 def test_cities_are_read_up_to_a_level(tmp_path: Path) -> None:
-    path = written(tmp_path / "town.city.json", everything())
+    path = write_json(tmp_path / "town.city.json", everything())
     source, loaded = nf.open_source(path, lod=1), nf.Scene.load(path, lod=1)
     assert isinstance(source, nf.Scene)
     assert 0 < source.triangle_count == loaded.triangle_count < nf.Scene.load(path).triangle_count
@@ -78,14 +78,14 @@ def test_other_folders_are_refused(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("given", [{"up": "z"}, {"scale": 2.0}, {"max_bytes": 9}, {"lod": 1}, {"blend": "cutout"}])
-def test_what_folders_of_tiles_do_not_take_is_refused(tmp_path: Path, given: dict[str, Any]) -> None:
+def test_unsupported_arguments_of_tile_folders_are_refused(tmp_path: Path, given: dict[str, Any]) -> None:
     nf.write_tiles(soup(), tmp_path / "tiles", cell=8)
     with pytest.raises(ValueError, match=f"^{next(iter(given))}: expected none"):
         nf.open_source(tmp_path / "tiles", **given)
 
 
 def assert_same_in_another_process(source: nf.SceneSource) -> None:
-    """A source answers alike after it was pickled, as it is for the workers of a cluster, and after it was used."""
+    """Check that a source gives the same results after pickling, as for cluster workers, and after use."""
     box = np.array([[-np.inf] * 3, [np.inf] * 3]) if np.isfinite(source.bounds).all() else np.array([[0] * 3, [90] * 3])
     expected = source.query(box)
     again = pickle.loads(pickle.dumps(source))

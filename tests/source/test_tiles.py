@@ -20,7 +20,7 @@ EVERYWHERE = np.array([[-np.inf] * 3, [np.inf] * 3])
 
 
 @pytest.fixture(scope="module", params=[(0, 0, 0), (4.0e6, 10.0, -9.0e5)], ids=["near", "far"])
-def written(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[nf.Scene, Path]:
+def scene_and_folder(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[nf.Scene, Path]:
     scene = soup(request.param)
     folder = tmp_path_factory.mktemp("written") / "tiles"
     nf.write_tiles(scene, folder, cell=3)
@@ -34,7 +34,7 @@ def open_tiles(folder: Path, **given: Any) -> TileFolder:
 
 
 def rows(scene: nf.Scene) -> NDArray[Any]:
-    """All triangles with object names, materials' colours apart, sorted: tiles come in another order."""
+    """All triangles with object names and materials' colours, sorted, since tiles are in another order."""
     found = contents(scene)
     names = np.array([*scene.object_names, ""])[found["objects"]]
     kinds: list[tuple[str, Any]] = [("name", names.dtype)]
@@ -49,8 +49,8 @@ def rows(scene: nf.Scene) -> NDArray[Any]:
     return np.sort(table)
 
 
-def test_every_triangle_is_in_one_tile_with_all_its_bits(written: tuple[nf.Scene, Path]) -> None:
-    scene, folder = written
+def test_every_triangle_is_in_one_tile_bit_for_bit(scene_and_folder: tuple[nf.Scene, Path]) -> None:
+    scene, folder = scene_and_folder
     source = open_tiles(folder)
     assert len(source) > 10
     assert source.triangle_count == scene.triangle_count
@@ -61,8 +61,8 @@ def test_every_triangle_is_in_one_tile_with_all_its_bits(written: tuple[nf.Scene
 
 
 @pytest.mark.parametrize("box", BOXES)
-def test_queries_are_those_of_the_scene(written: tuple[nf.Scene, Path], box: ArrayLike) -> None:
-    scene, folder = written
+def test_queries_equal_those_of_the_scene(scene_and_folder: tuple[nf.Scene, Path], box: ArrayLike) -> None:
+    scene, folder = scene_and_folder
     aabb = np.asarray(box, np.float64) + np.rint(scene.bounds.mean(axis=0))
     part, expected = open_tiles(folder).query(aabb), scene.query(aabb)
     assert expected.triangle_count
@@ -71,8 +71,8 @@ def test_queries_are_those_of_the_scene(written: tuple[nf.Scene, Path], box: Arr
     assert not open_tiles(folder).touches(aabb + 10**6) or np.isinf(aabb).any()
 
 
-def test_materials_and_pictures_are_the_same(written: tuple[nf.Scene, Path]) -> None:
-    scene, folder = written
+def test_materials_and_pictures_are_unchanged(scene_and_folder: tuple[nf.Scene, Path]) -> None:
+    scene, folder = scene_and_folder
     middle = scene.bounds.mean(axis=0)
     camera = nf.Camera.look_at(middle + np.array([0, 5, 30]), middle, fov=nf.Fov.symmetric(40), size=(96, 96))
     shown = nf.render(open_tiles(folder).query(EVERYWHERE), camera, channels=("color", "range"))
@@ -85,8 +85,8 @@ def test_materials_and_pictures_are_the_same(written: tuple[nf.Scene, Path]) -> 
     assert (np.abs(shown.color - truth.color).max(axis=2) < 1 / 255).mean() > 0.999
 
 
-def test_moving_objects_stay_one_object_that_moves(written: tuple[nf.Scene, Path]) -> None:
-    scene, folder = written
+def test_a_moving_object_stays_one_moving_object(scene_and_folder: tuple[nf.Scene, Path]) -> None:
+    scene, folder = scene_and_folder
     whole = open_tiles(folder).query(EVERYWHERE)
     assert whole.poses.keys() == scene.poses.keys()
     pose = scene.poses["car 2"].copy()
@@ -96,8 +96,8 @@ def test_moving_objects_stay_one_object_that_moves(written: tuple[nf.Scene, Path
     assert np.array_equal(whole.transform("car 2"), scene.transform("car 2"))
 
 
-def test_only_tiles_that_touch_are_read(written: tuple[nf.Scene, Path]) -> None:
-    scene, folder = written
+def test_only_touching_tiles_are_read(scene_and_folder: tuple[nf.Scene, Path]) -> None:
+    scene, folder = scene_and_folder
     source = open_tiles(folder)
     aabb = np.asarray(BOXES[0], np.float64) + np.rint(scene.bounds.mean(axis=0))
     source.query(aabb)
@@ -109,8 +109,8 @@ def test_only_tiles_that_touch_are_read(written: tuple[nf.Scene, Path]) -> None:
 
 
 @pytest.mark.parametrize("most", [0, 100_000])
-def test_the_cache_is_bounded_and_changes_nothing(written: tuple[nf.Scene, Path], most: int) -> None:
-    scene, folder = written
+def test_the_cache_is_bounded_and_changes_nothing(scene_and_folder: tuple[nf.Scene, Path], most: int) -> None:
+    scene, folder = scene_and_folder
     source = open_tiles(folder, cache_bytes=most)
     middle = np.rint(scene.bounds.mean(axis=0))
     for box in BOXES:
@@ -120,8 +120,8 @@ def test_the_cache_is_bounded_and_changes_nothing(written: tuple[nf.Scene, Path]
     assert (len(source._kept) > 0) == (most > 0)
 
 
-def test_indexes_hold_tight_boxes_and_fit_their_schema(written: tuple[nf.Scene, Path]) -> None:
-    _, folder = written
+def test_indexes_have_tight_boxes_and_fit_their_schema(scene_and_folder: tuple[nf.Scene, Path]) -> None:
+    _, folder = scene_and_folder
     document = json.loads((folder / "tiles.json").read_text())
     jsonschema.validate(document, formats.load_schema("tiles"))
     for tile in document["tiles"]:
@@ -139,7 +139,7 @@ def test_nameless_objects_keep_their_numbers(tmp_path: Path) -> None:
     assert part.object_names == scene.object_names
 
 
-def test_a_box_chooses_by_centroids_so_that_parts_make_the_whole(tmp_path: Path) -> None:
+def test_a_box_selects_by_centroid_so_that_parts_add_up(tmp_path: Path) -> None:
     scene = soup()
     halves = []
     for name, box in (("low", [[-99, -99, -99], [0, 99, 99]]), ("high", [[0, -99, -99], [99, 99, 99]])):
@@ -155,7 +155,7 @@ def test_an_empty_world_makes_an_empty_folder(tmp_path: Path) -> None:
 
 
 class Breaking:
-    """A source that ends the work after some queries."""
+    """A source that raises after some queries."""
 
     def __init__(self, scene: nf.Scene, queries: int) -> None:
         self._scene, self.left = scene, queries
@@ -171,7 +171,7 @@ class Breaking:
         return self._scene.query(aabb, detail)
 
 
-def test_interrupted_work_goes_on_where_it_was(tmp_path: Path) -> None:
+def test_interrupted_work_is_resumed(tmp_path: Path) -> None:
     scene, folder, turns = soup(), tmp_path / "tiles", 0
     cells = json_cells(scene, tmp_path / "other")
     while True:
@@ -199,7 +199,7 @@ def test_folders_of_other_content_are_left_alone(tmp_path: Path) -> None:
     nf.write_tiles(scene, tmp_path / "tiles", cell=9)
     with pytest.raises(ValueError, match=r"^folder: expected tiles of the same arguments"):
         nf.write_tiles(scene, tmp_path / "tiles", cell=8)
-    nf.write_tiles(scene, tmp_path / "tiles", cell=9)  # nothing is left to do
+    nf.write_tiles(scene, tmp_path / "tiles", cell=9)  # Nothing is left to do.
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "note.txt").write_text("mine")
     with pytest.raises(FileExistsError, match="holds other files"):
@@ -219,8 +219,10 @@ def test_folders_of_other_content_are_left_alone(tmp_path: Path) -> None:
         (lambda d: d.update(tiles={"a": 1}), "tiles: expected a list"),
     ],
 )
-def test_damaged_indexes_are_named(written: tuple[nf.Scene, Path], tmp_path: Path, change: Any, words: str) -> None:
-    document = json.loads((written[1] / "tiles.json").read_text())
+def test_damaged_indexes_are_named(
+    scene_and_folder: tuple[nf.Scene, Path], tmp_path: Path, change: Any, words: str
+) -> None:
+    document = json.loads((scene_and_folder[1] / "tiles.json").read_text())
     change(document)
     (tmp_path / "tiles.json").write_text(json.dumps(document))
     with pytest.raises(nf.FormatError, match=r"tiles\.json: ") as raised:
@@ -243,13 +245,13 @@ def test_damaged_and_missing_tiles_are_named(tmp_path: Path) -> None:
         source.query(EVERYWHERE)
 
 
-def test_cells_that_are_too_many_are_refused(tmp_path: Path) -> None:
+def test_too_many_cells_are_refused(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match=r"^cell: expected"):
         nf.write_tiles(soup(), tmp_path / "tiles", cell=1e-9)
     assert not (tmp_path / "tiles").exists()
 
 
-def test_worlds_without_end_need_a_box(tmp_path: Path) -> None:
+def test_infinite_worlds_need_a_box(tmp_path: Path) -> None:
     class Endless(Breaking):
         @property
         def bounds(self) -> NDArray[np.float64]:

@@ -24,7 +24,7 @@ def volume(middle: float, size: float) -> dict[str, Any]:
 
 @pytest.fixture
 def row(tmp_path: Path) -> Path:
-    """Unit cubes at x = 0, 10, …, which replace one large cube, in tiles of their own."""
+    """Unit cubes at x = 0, 10, …, in separate tiles that replace one large cube."""
     large = glb()
     (tmp_path / "cube.glb").write_bytes(large)
 
@@ -72,7 +72,7 @@ def by_corners(scene: nf.Scene) -> NDArray[np.float64]:
     return np.asarray(corners[np.lexsort(corners.T)])
 
 
-def test_a_box_gets_the_triangles_that_touch_it(row: Path) -> None:
+def test_a_box_returns_touching_triangles(row: Path) -> None:
     aabb = [[9.7, -9, -9], [20.2, 9, 9]]
     whole, source = nf.Scene.load(row / "tileset.json"), source_of(row)
     part = source.query(aabb)
@@ -82,7 +82,7 @@ def test_a_box_gets_the_triangles_that_touch_it(row: Path) -> None:
     assert source.query([[3, -1, -1], [6, 1, 1]]).triangle_count == 0
 
 
-def test_detail_chooses_the_tiles(row: Path) -> None:
+def test_detail_selects_the_tiles(row: Path) -> None:
     source = source_of(row)
     aabb = [[-np.inf] * 3, [np.inf] * 3]
     assert source.query(aabb, 40.0).triangle_count == 12
@@ -109,12 +109,12 @@ def test_all_parts_have_one_frame(row: Path) -> None:
 
 
 @pytest.mark.parametrize("given", [{"up": "z"}, {"scale": 2.0}, {"max_bytes": 9}, {"lod": "1"}])
-def test_what_tilesets_do_not_take_is_refused(row: Path, given: dict[str, Any]) -> None:
+def test_unsupported_arguments_of_tilesets_are_refused(row: Path, given: dict[str, Any]) -> None:
     with pytest.raises(ValueError, match=f"^{next(iter(given))}: expected none with a tileset"):
         nf.open_source(row, **given)
 
 
-def test_files_that_are_no_tilesets_are_told_as_before(tmp_path: Path) -> None:
+def test_files_that_are_no_tilesets_raise_the_usual_errors(tmp_path: Path) -> None:
     (tmp_path / "other.json").write_text("{}")
     with pytest.raises(nf.SceneError, match=r"other\.json"):
         nf.open_source(tmp_path / "other.json")

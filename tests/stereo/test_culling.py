@@ -1,4 +1,4 @@
-"""Tests of culling by objects: which instances each of a rig's views may show, by one pass over all of them."""
+"""Tests of object culling: which instances each view of a rig may show, by one pass over all of them."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ COUNT = 3000
 
 @pytest.fixture(scope="module")
 def scattered() -> tuple[nf.Scene, NDArray[np.float64]]:
-    """Boxes all around, each an instance that can move; and points in each, (N, 125, 3)."""
+    """Boxes all around, each a movable instance; and points in each, (N, 125, 3)."""
     dice = np.random.default_rng(3)
     world = trimesh.Scene()
     places = dice.normal(size=(COUNT, 3)) * np.geomspace(1.0, 60.0, COUNT)[:, None]
@@ -39,7 +39,7 @@ def translated(place: NDArray[np.float64]) -> NDArray[np.float64]:
 
 @pytest.mark.parametrize("cant", [0.0, 8.0])
 @pytest.mark.parametrize("planes", [6.0, (3.0, 9.0)])
-def test_each_view_has_the_instances_that_it_can_show(
+def test_each_view_has_the_instances_that_may_be_visible(
     scattered: tuple[nf.Scene, NDArray[np.float64]], cant: float, planes: float | tuple[float, float]
 ) -> None:
     rig = make_rig(planes, (80, 90), cant)
@@ -57,7 +57,7 @@ def test_each_view_has_the_instances_that_it_can_show(
         listed = (found & BITS[name]) > 0
         assert listed[seen].all()
         assert 20 < seen.sum() < 0.5 * COUNT
-        # A zone may show something beside its place, which widens the views.
+        # A zone may show points displaced, which widens the views.
         assert (listed & ~seen).sum() < (0.3 if first < last else 0.12) * listed.sum()
 
 
@@ -80,7 +80,7 @@ def in_frustum(
     return np.asarray((shown & (depth >= begin) & (depth <= end)).any(axis=1))
 
 
-def test_pictures_say_how_many_instances_each_view_may_show(scattered: tuple[nf.Scene, NDArray[np.float64]]) -> None:
+def test_pictures_report_the_number_of_instances_per_view(scattered: tuple[nf.Scene, NDArray[np.float64]]) -> None:
     rig = make_rig(6.0, (40, 45))
     stats = rig.render(scattered[0], HEAD, backend="cpu").stats["instances"]
     assert set(stats) == {"all", *BITS}

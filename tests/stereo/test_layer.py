@@ -39,7 +39,7 @@ def rig(cant: float = 0.0, mono_plane: float = 6.0) -> HybridRig:
 
 
 @pytest.mark.parametrize("cant", [0.0, 5.0])
-def test_a_compositor_shows_the_rectangle_where_the_homography_does(cant: float) -> None:
+def test_a_compositor_places_the_rectangle_by_the_homography(cant: float) -> None:
     made = rig(cant)
     layer, (width, height) = made.quad_layer, made.center_size
     for side, camera in zip(("left", "right"), made.cameras(HEAD, AHEAD), strict=False):
@@ -77,7 +77,7 @@ def test_highlights_do_not_jump_at_the_plane() -> None:
     halfway = np.abs(real - 1.85).argmin()
     mixed = to_eye[halfway] + to_center[halfway]
     np.testing.assert_allclose(way[halfway], mixed / np.linalg.norm(mixed), atol=1e-3)
-    # The light whose highlight lies a little before the plane.
+    # A light whose highlight lies slightly in front of the plane.
     light = 2.0 * (to_eye[halfway] @ normal) * normal - to_eye[halfway]
     smooth, jump = (
         blinn_phong(normal, light, way),
@@ -123,7 +123,7 @@ print(json.dumps(pixels[:, :3].tolist()))
 
 
 def test_shader_texts_compute_the_same_vectors() -> None:
-    """GLSL drawn by OpenGL; WGSL, which the adapters' Rust tests validate, has the same expressions."""
+    """Compares GLSL drawn by OpenGL; WGSL, which the adapters' Rust tests validate, has the same expressions."""
     need("pyrender")
     texts = {name: nf.stereo.view_vector_shader(name) for name in ("wgsl", "glsl")}
     bodies = [re.findall(r"^ +(?:let|float)?\s*(.*;)$", text, re.MULTILINE) for text in texts.values()]

@@ -1,4 +1,4 @@
-"""Tests that no pixel is missing: where plain stereo shows surfaces all around, hybrid pictures show one."""
+"""Tests that no pixel is missing: where separate stereo shows surfaces all around, hybrid pictures show one."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def check(name: str, views: int) -> None:
         frame = rig.render(scene, head, way, channels=("coverage",), near=0.0)
         reach = math.ceil(rig.max_error(axis="both")) + 1
         for side, camera in zip(("left", "right"), rig.cameras(head, way), strict=False):
-            # Nearer surfaces may hide the edge of a far one, which the shared picture shows beside its place.
+            # Nearer surfaces may hide the edge of a far one, which the shared picture shows displaced.
             behind = rig.clip(head, way, near=0.6 * rig.planes[0])
             whole = nf.render(scene, camera, channels=("coverage",), clip=behind).require("coverage")
             inner = surrounded(whole, reach)
@@ -56,12 +56,12 @@ def check(name: str, views: int) -> None:
 
 
 def test_outlines_have_no_holes() -> None:
-    """Gaps of one and two pixels are found, and nothing beside straight outlines of any direction."""
+    """Gaps of one and two pixels are found, and none along straight outlines of any direction."""
     rows, columns = np.mgrid[:60, :80] + 0.5
     for turn in np.linspace(0.0, 2.0 * np.pi, 97):
         beside = np.cos(turn) * (columns - 40.0) + np.sin(turn) * (rows - 30.0)
         half = beside < 0.3
-        # Beyond the picture all counts as covered, so its own edge is left out.
+        # Pixels beyond the picture count as covered, so its own edge is excluded.
         assert not narrow_gaps(half)[2:-2, 2:-2].any()
     for width, found in ((1, True), (2, True), (3, False)):
         crack = np.ones((12, 12), bool)

@@ -1,4 +1,4 @@
-"""Tests of choosing the mono plane: closed forms, every headset, and a plane that follows the depths in view."""
+"""Tests of choosing the mono plane: closed forms, every headset, and an adaptive plane."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ HEADSETS = [nf.hmd.get(name) for name in nf.hmd.names()]
 
 @pytest.mark.parametrize("hmd", HEADSETS, ids=lambda hmd: str(hmd.name))
 @pytest.mark.parametrize("axis", ["horizontal", "vertical", "both"])
-def test_the_plane_has_the_error_that_was_asked_for(hmd: nf.Hmd, axis: str) -> None:
+def test_the_plane_has_the_requested_error(hmd: nf.Hmd, axis: str) -> None:
     for error, depth in ((0.5, math.inf), (1.0, 100.0), (4.0, 1000.0)):
         plane = mono_plane_for(hmd=hmd, error_px=error, depth=depth, axis=axis)
         assert HybridRig.of(hmd, mono_plane=plane).max_error(depth, axis) == pytest.approx(error, rel=1e-9)
@@ -33,7 +33,7 @@ def test_the_plane_follows_the_closed_form() -> None:
         assert plane == pytest.approx(depth * e / (e + depth + s), rel=1e-9)
 
 
-def test_a_plane_for_a_bend_keeps_it_for_every_line_of_that_slope() -> None:
+def test_a_plane_for_a_bend_bounds_it_for_every_line_of_that_slope() -> None:
     rng = np.random.default_rng(0)
     for hmd in HEADSETS:
         plane = mono_plane_for(hmd=hmd, kink_deg=0.5, slope=0.5)
@@ -55,7 +55,7 @@ def test_a_plane_for_a_bend_keeps_it_for_every_line_of_that_slope() -> None:
         assert 0.499 < worst <= 0.5 + 1e-9, hmd.name
 
 
-def test_a_greater_error_than_that_of_the_nearest_plane_gives_the_nearest() -> None:
+def test_an_error_above_that_of_the_nearest_plane_gives_the_nearest() -> None:
     assert mono_plane_for(hmd=nf.hmd.VIVE, error_px=1e6) == 0.1
     assert mono_plane_for(hmd=nf.hmd.VIVE, kink_deg=89.0, slope=1e3) == 0.1
 
@@ -68,12 +68,12 @@ def test_a_greater_error_than_that_of_the_nearest_plane_gives_the_nearest() -> N
         ({"kink_deg": 1.0, "slope": 0.0}, "slope: expected"),
     ],
 )
-def test_what_cannot_be_chosen_is_refused(given: dict[str, Any], words: str) -> None:
+def test_impossible_planes_are_refused(given: dict[str, Any], words: str) -> None:
     with pytest.raises(ValueError, match=words):
         mono_plane_for(hmd=nf.hmd.VIVE, **given)
 
 
-def test_an_adaptive_plane_keeps_the_error_where_it_stands_still() -> None:
+def test_an_adaptive_plane_at_rest_has_the_requested_error() -> None:
     plane = AdaptivePlane(nf.hmd.VIVE, error_px=1.0, hysteresis=0.1, rate=2.0)
     far = plane.rig.planes[0]
     assert plane.rig.max_error() == pytest.approx(1.0, rel=1e-9)
@@ -87,12 +87,12 @@ def test_an_adaptive_plane_keeps_the_error_where_it_stands_still() -> None:
     assert plane.wanted(0.2) == 0.5
 
 
-def test_an_adaptive_plane_moves_no_faster_than_its_rate() -> None:
+def test_an_adaptive_plane_moves_at_most_at_its_rate() -> None:
     plane = AdaptivePlane(nf.hmd.VIVE, rate=0.5)
     before = plane.rig.planes[0]
     after = plane.update(3.0, 0.1).planes[0]
     assert math.log(before / after) == pytest.approx(0.05)
-    # Within the hysteresis it stands still, and a wait of no time changes nothing.
+    # Within the hysteresis it does not move, and a step of zero duration changes nothing.
     assert plane.update(3.0, 0.0).planes[0] == after
     for _ in range(1000):
         plane.update(3.0, 0.1)

@@ -1,4 +1,4 @@
-"""Tests of hybrid pictures: against a slow assembly of separate pictures, against points in space, at their limits."""
+"""Tests of hybrid pictures: against a slow assembly of separate pictures, against points in space, and limit cases."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from tests.support.reduce_cases import ALL, street
 def taps(rig: HybridRig, side: str, coverage: NDArray[Any]) -> tuple[Any, Any, Any]:
     """Columns, rows and weights (H, W, 4) of the third camera's pixels that are mixed for each pixel of an eye.
 
-    Weights are bilinear, without pixels at whose place the eye has a surface of its own, where any are left.
+    Weights are bilinear; pixels at whose position the eye has its own surface are excluded, unless none would remain.
     """
     width, height = rig.center_size
     at = places(rig, side)
@@ -40,8 +40,8 @@ def taps(rig: HybridRig, side: str, coverage: NDArray[Any]) -> tuple[Any, Any, A
 
 @pytest.mark.parametrize("cant", [0.0, 6.0])
 @pytest.mark.parametrize("samples", [1, 4])
-def test_eyes_show_their_own_near_part_before_the_shared_picture(samples: int, cant: float) -> None:
-    """Against pictures that are drawn one by one with planes, and assembled in NumPy."""
+def test_eyes_show_their_own_near_part_in_front_of_the_shared_picture(samples: int, cant: float) -> None:
+    """Compares with pictures drawn one by one with planes, and assembled in NumPy."""
     world, hybrid = scene(), rig(cant=cant)
     frame = hybrid.render(world, HEAD, AHEAD, samples=samples, channels=("color", "range", "face_id", "coverage"))
     left, right, center = hybrid.cameras(HEAD, AHEAD)
@@ -52,7 +52,7 @@ def test_eyes_show_their_own_near_part_before_the_shared_picture(samples: int, c
         got = getattr(frame, side)
         own = nf.render(world, camera, samples=samples, clip=cut(hybrid, 0.1, SHALLOW), channels=channels)
         coverage = own.require("coverage")[..., None].astype(np.float64)
-        # A sample of the eye's own picture that shows nothing has the colour of the sky, which nearly is one colour
+        # An empty sample of the eye's own picture has the colour of the sky, which is nearly constant
         # within a pixel.
         nothing = nf.render(empty(), camera, samples=samples)
         columns, rows, weights = taps(hybrid, side, own.require("coverage"))
@@ -75,7 +75,7 @@ def test_eyes_show_their_own_near_part_before_the_shared_picture(samples: int, c
         np.testing.assert_array_equal(got.require("face_id")[near], own.require("face_id")[near])
         np.testing.assert_array_equal(got.require("range")[near], own.require("range")[near])
         column, row = (np.take_along_axis(values, most, -1)[..., 0][~is_own] for values in (columns, rows))
-        # Two pixels may count the same.
+        # Two pixels may have equal weights.
         clear = np.sort(weights, axis=-1)[~is_own][:, -1] - np.sort(weights, axis=-1)[~is_own][:, -2] > 1e-4
         same = got.require("face_id")[~is_own] == shared.require("face_id")[row, column]
         assert same[clear].all()
@@ -111,8 +111,8 @@ def test_culling_changes_no_pixel_of_the_eyes(assembly: str, samples: int) -> No
     assert all(0 < count["discarded"] == total - count["center"] for count in pixels[1:])
 
 
-def test_resolved_pixels_show_what_the_third_camera_sees_at_their_place() -> None:
-    """Against the third camera's ray through each place, traced alone."""
+def test_resolved_pixels_show_what_the_third_camera_sees_there() -> None:
+    """Compares with the third camera's ray through each position, traced alone."""
     world, hybrid = textured(), rig(size=(60, 50))
     frame = hybrid.render(world, HEAD, AHEAD, assembly="resolved", channels=("color", "coverage", "face_id"))
     blurred = hybrid.render(world, HEAD, AHEAD)
@@ -133,13 +133,13 @@ def test_resolved_pixels_show_what_the_third_camera_sees_at_their_place() -> Non
         truth = nf.render(world, pixel, clip=cut(hybrid, SHALLOW - hybrid.overlap, math.inf)).require("color")[0, 0]
         errors.append(np.abs(frame.left.require("color")[row, column] - truth).max())
         blurs.append(np.abs(blurred.left.require("color")[row, column] - truth).max())
-    # Where the place shows a face that none of the four pixels around shows, their mixture stays.
+    # If none of the four pixels around shows the face at the position, the mixture stays.
     assert np.mean(np.array(errors) < 1e-5) > 0.97
     assert np.mean(errors) < 0.5 * np.mean(blurs)
 
 
-def test_points_beyond_the_plane_are_shown_where_the_closed_form_says() -> None:
-    """Displacements by the third camera's positions, against the field, for asymmetric and for turned eyes."""
+def test_displacements_beyond_the_plane_equal_the_closed_form() -> None:
+    """Compares displacements by the third camera's positions with the field, for asymmetric and rotated eyes."""
     for cant in (0.0, 5.0):
         hybrid = rig(cant=cant, size=(500, 420))
         frame = hybrid.render(scene(), HEAD, AHEAD, cull="frustum", channels=("position", "color"))
@@ -176,7 +176,7 @@ def test_points_beyond_the_plane_are_shown_where_the_closed_form_says() -> None:
         )
 
 
-def test_nothing_beyond_the_plane_is_plain_stereo_and_nothing_before_it_one_picture() -> None:
+def test_scenes_on_one_side_of_the_plane_are_separate_or_shared() -> None:
     world, far, near = scene(), rig(20000.0), rig(1.2)
     stereo = far.render(world, HEAD, AHEAD, channels=ALL)
     assert stereo.center is None
@@ -233,7 +233,7 @@ def test_surfaces_across_the_plane_leave_no_gap() -> None:
 
 
 def test_reduced_scenes_are_morphed_for_the_head() -> None:
-    """One user for all views: the picture of near geometry at the plane is that of both eyes."""
+    """One user for all views: the picture of near geometry at the plane equals that of both eyes."""
     world, center = street(), np.array(HEAD) + np.array([2.0, 0.0, 1.0])
     reduced = nf.reduce(world, center=center, r1=20.0, r2=50.0, face_size=64, samples=1)
     frame = rig().render(reduced, HEAD, AHEAD, channels=("color",))
@@ -247,8 +247,8 @@ def test_reduced_scenes_are_morphed_for_the_head() -> None:
     np.testing.assert_array_equal(frame.center.require("color")[drawn], shared.require("color")[drawn])
 
 
-def test_edges_that_are_resolved_before_assembly_lack_what_is_behind() -> None:
-    """Multisampling without coverage mixes the backdrop into edges; with it they are those of plain stereo."""
+def test_edges_resolved_before_assembly_lack_the_background() -> None:
+    """Multisampling without coverage mixes the backdrop into edges; with coverage they equal separate stereo."""
     world, hybrid = scene(), rig(size=(160, 130))
     camera = hybrid.cameras(HEAD, AHEAD)[0]
     plain = nf.render(world, camera, samples=16, channels=("color",)).require("color")
@@ -257,7 +257,7 @@ def test_edges_that_are_resolved_before_assembly_lack_what_is_behind() -> None:
     coverage = own.require("coverage")
     edge = (coverage > 0.0) & (coverage < 1.0)
     assert edge.sum() > 100
-    # The sky that the eye's picture has beside its edges stays in them.
+    # The sky at edges of the eye's picture remains in them.
     resolved = np.where((coverage > 0.0)[..., None], own.require("color"), frame.left.require("color"))
     wrong, right = (
         np.abs(picture - plain).max(axis=-1)[edge].mean() for picture in (resolved, frame.left.require("color"))
@@ -266,8 +266,8 @@ def test_edges_that_are_resolved_before_assembly_lack_what_is_behind() -> None:
 
 
 @pytest.mark.parametrize("r2", [20.0, 50.0])
-def test_what_a_shared_map_costs_at_r2_is_the_setback(r2: float) -> None:
-    """The map is looked up from s behind the eyes: at r2 that is a residue of s / r2 radians, far below a pixel."""
+def test_the_error_of_a_shared_map_at_r2_is_the_setback(r2: float) -> None:
+    """The map is looked up from s behind the eyes: at r2 the error is s / r2 radians, far below a pixel."""
     hybrid = rig(size=(1344, 1120))
     center = hybrid.cameras(HEAD, AHEAD)[2]
     ahead = rotate(AHEAD, (0.0, 0.0, -1.0))
@@ -281,12 +281,12 @@ def test_what_a_shared_map_costs_at_r2_is_the_setback(r2: float) -> None:
     seen /= np.linalg.norm(seen, axis=1, keepdims=True)
     angles = np.arccos(np.clip((seen * ways).sum(axis=1), -1.0, 1.0))
     assert angles.max() <= away
-    # Of these eyes s is 26 mm, and a tangent 640 pixels.
+    # For these eyes s is 26 mm, and a tangent is 640 pixels.
     assert angles.max() * pixels < 17.0 / r2
 
 
 def test_pictures_of_a_reduced_scene_meet_at_r2() -> None:
-    """Where near geometry ends, the third camera shows it within s / r2 of the place at which the map goes on."""
+    """Where near geometry ends, the third camera shows it within s / r2 of the position at which the map continues."""
     r1, r2, center = 8.0, 20.0, np.subtract(HEAD, (0.6, 0.0, 0.3))
     reduced = nf.reduce(street(), center=center, r1=r1, r2=r2, face_size=64, samples=1, channels=("color", "range"))
     hybrid = rig(6.0, size=(600, 500))

@@ -1,4 +1,4 @@
-"""Tests of hybrid rigs: geometry against points in space, every headset, published values, bad input."""
+"""Tests of hybrid rigs: geometry against points in space, every headset, published values, invalid input."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 LEFT = nf.Fov(-1.391937, 1.247409, -1.464287, 1.468819)
 RIGHT = nf.Fov(-1.246557, 1.398447, -1.472458, 1.465505)
 VIVE = {"left": Eye(LEFT, (-0.032, 0.0, 0.0)), "right": Eye(RIGHT, (0.032, 0.0, 0.0))}
-"""The unit of the paper, tangents as it prints them."""
+"""The unit of the paper, with its printed tangents."""
 SIZE = (1344, 1512)
 
 
@@ -37,7 +37,7 @@ def headsets() -> list[nf.Hmd]:
 
 
 def rig_turned_outwards(degrees: float) -> HybridRig:
-    """Eyes turned outwards by an angle, in other places than the origin."""
+    """Eyes rotated outwards by an angle, at other positions than the origin."""
     half = math.radians(degrees) / 2.0
     fov = nf.Fov(-1.2, 0.9, -1.0, 1.1)
     eyes = {
@@ -48,7 +48,7 @@ def rig_turned_outwards(degrees: float) -> HybridRig:
 
 
 def test_the_published_headset_has_the_published_error() -> None:
-    """The paper says 4 pixels; its tangents give 3.86, a plane five times as near five times as much."""
+    """The paper states 4 pixels; its tangents give 3.86, a plane five times as near five times as much."""
     rig = vive()
     assert rig.max_error() == pytest.approx(3.862, abs=1e-3)
     assert rig.max_error(1000.0) == pytest.approx(3.83, abs=5e-3)
@@ -61,7 +61,7 @@ def test_the_published_headset_has_the_published_error() -> None:
 
 @pytest.mark.parametrize("hmd", headsets(), ids=lambda hmd: str(hmd.name))
 @pytest.mark.parametrize("plane", [0.5, 8.0, 100.0])
-def test_every_pixel_of_both_eyes_has_one_of_the_third_camera(hmd: nf.Hmd, plane: float) -> None:
+def test_every_pixel_of_both_eyes_maps_to_the_third_camera(hmd: nf.Hmd, plane: float) -> None:
     rig = HybridRig.of(hmd, mono_plane=plane)
     edge = np.linspace(0.0, 1.0, 21)
     for eye in ("left", "right"):
@@ -80,8 +80,8 @@ def test_every_pixel_of_both_eyes_has_one_of_the_third_camera(hmd: nf.Hmd, plane
     ids=["vive", "0", "5", "-8"],
 )
 @pytest.mark.parametrize("depth", [7.0, 9.0, 300.0])
-def test_cameras_and_homographies_say_what_shown_says(rig: HybridRig, depth: float) -> None:
-    """A point beyond the plane, projected by the third camera, then mapped to an eye."""
+def test_cameras_and_homographies_agree_with_shown(rig: HybridRig, depth: float) -> None:
+    """Projects a point beyond the plane by the third camera, then maps it to an eye."""
     depth = depth + rig.planes[0] - 6.0
     head = np.array([3.0, 1.7, -2.0])
     turn = np.array([0.1, -0.3, 0.2, 0.9])
@@ -134,7 +134,7 @@ def test_errors_follow_the_closed_form(plane: float, depth: float, x: float, y: 
         np.testing.assert_allclose(rig.shown(eye, at, depth=depth), expected, atol=1e-12)
 
 
-def test_the_field_is_the_error_of_each_pixel() -> None:
+def test_the_field_equals_the_error_of_each_pixel() -> None:
     rig = rig_turned_outwards(5.0)
     for depth in (6.5, math.inf):
         field = rig.error_field("left", depth)
@@ -151,7 +151,7 @@ def test_the_field_is_the_error_of_each_pixel() -> None:
     assert lengths.max() <= rig.max_error(axis="both") <= 1.02 * lengths.max()
 
 
-def test_arc_minutes_are_differences_of_angles() -> None:
+def test_arc_minutes_equal_differences_of_angles() -> None:
     rig = vive()
     angles = rig.error_field("left", unit="arcmin")
     for row, column in ((700, 20), (3, 1340), (1511, 600)):
@@ -161,8 +161,8 @@ def test_arc_minutes_are_differences_of_angles() -> None:
         np.testing.assert_allclose(angles[row, column], expected, rtol=1e-9)
 
 
-def test_kinks_are_what_projected_lines_show() -> None:
-    """The angle between the images of two short pieces of a line, before and behind the plane."""
+def test_kinks_equal_those_of_projected_lines() -> None:
+    """Measures the angle between the images of two short pieces of a line, in front of and behind the plane."""
     rng = np.random.default_rng(2)
     for rig in (vive(), rig_turned_outwards(0.0), rig_turned_outwards(7.0)):
         m, places, ways = rig.planes[0], rng.uniform(-0.8, 0.8, (40, 2)), rng.uniform(-2.0, 2.0, (40, 2))
@@ -186,13 +186,13 @@ def tangents_of(camera: nf.Camera, point: Array) -> Array:
     return tangents(fov, camera.project(point[None])[0, :2], camera.size)
 
 
-def test_a_line_through_the_eye_has_no_kink_that_is_defined() -> None:
+def test_the_kink_of_a_line_through_the_eye_is_undefined() -> None:
     rig = vive()
     at = np.array([[0.3, 0.1]])
     assert np.isnan(rig.kink_angle("left", at, at)).all()
 
 
-def test_pixels_of_the_third_camera_are_as_fine_as_those_of_the_eyes() -> None:
+def test_the_third_camera_has_the_eyes_resolution() -> None:
     rig = vive()
     fov, away = rig.center_fov, 8.0 + rig.center_offset
     across = (fov.right - fov.left) * away / rig.center_size[0]
@@ -200,8 +200,8 @@ def test_pixels_of_the_third_camera_are_as_fine_as_those_of_the_eyes() -> None:
     assert 0.998 * coarsest < across <= coarsest
 
 
-def test_a_zone_begins_and_ends_without_a_step() -> None:
-    # Their pictures meet on the plane in the middle of both in 1/z.
+def test_a_zone_is_continuous_at_both_ends() -> None:
+    # Both pictures meet on the plane in the middle of both in 1/z.
     zone, plane = vive((6.0, 10.0)), vive(7.5)
     at = np.array([0.9, -0.5])
     assert zone.planes == (6.0, 10.0)
@@ -258,7 +258,7 @@ def test_impossible_rigs_are_refused(changed: dict[str, Any], words: str) -> Non
         vive(**changed)
 
 
-def test_directions_come_one_for_each_place() -> None:
+def test_directions_have_one_row_per_position() -> None:
     with pytest.raises(ValueError, match="direction: expected one for each of 1"):
         vive().kink_angle("left", [[0.0, 0.0]], [[1.0, 0.0]] * 2)
 

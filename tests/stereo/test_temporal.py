@@ -64,10 +64,10 @@ def mixed_slowly(color: Image, motion: Image, away: Image, gathered: Image, shar
 
 
 @pytest.mark.parametrize("size", [(19, 23), (1, 1), (1, 7)])
-def test_kernel_against_loops(size: tuple[int, int]) -> None:
+def test_the_temporal_kernel_equals_loops(size: tuple[int, int]) -> None:
     rng = np.random.default_rng(3)
     color = rng.uniform(0.0, 1.0, (*size, 3)).astype(np.float32)
-    # Where all pixels around have one colour, nothing else is kept.
+    # If all pixels around have one colour, history is discarded.
     color[: size[0] // 2] = 0.25
     gathered = rng.uniform(0.0, 1.0, (*size, 3)).astype(np.float32)
     motion = rng.normal(0.0, 3.0, (*size, 2)).astype(np.float32)
@@ -83,7 +83,7 @@ def test_kernel_against_loops(size: tuple[int, int]) -> None:
         np.testing.assert_allclose(found, expected, atol=3e-6)
 
 
-def test_a_still_picture_becomes_as_smooth_as_one_of_many_samples() -> None:
+def test_a_still_picture_converges_to_supersampling() -> None:
     world, hybrid = nf.datasets.beams(), rig(size=(120, 100))
     smooth = TemporalAntialiasing(offsets=8)
     for _ in range(8):
@@ -101,11 +101,11 @@ def test_a_still_picture_becomes_as_smooth_as_one_of_many_samples() -> None:
         assert errors[2] < 2.0 * errors[1]
 
 
-def test_a_moving_head_sees_smoother_pictures_than_without() -> None:
+def test_pictures_of_a_moving_head_become_smoother() -> None:
     world, hybrid = nf.datasets.beams(), rig(size=(120, 100))
     smooth = TemporalAntialiasing()
     for step in range(20):
-        # 3 cm and 0.2 degrees each time.
+        # 3 cm and 0.2 degrees per frame.
         position = np.add(HEAD, (0.03 * step, 0.0, -0.02 * step))
         orientation = towards(position, (9.0 + 0.04 * step, 1.5, -9.0))
         frame = smooth.render(hybrid, world, position, orientation)
@@ -113,11 +113,11 @@ def test_a_moving_head_sees_smoother_pictures_than_without() -> None:
     for side in SIDES:
         reference = getattr(truth, side).require("color")
         error, plain = (np.abs(getattr(one, side).require("color") - reference).mean() for one in (frame, once))
-        # Moving pictures are blurred a little each time that they are looked up.
+        # Moving pictures are blurred slightly by each lookup.
         assert error < 0.92 * plain
 
 
-def test_what_moves_leaves_no_trail() -> None:
+def test_moving_objects_leave_no_temporal_trail() -> None:
     world, hybrid = scene(), rig(size=(120, 100))
     smooth = TemporalAntialiasing(share=0.05)
     there, gone = place(7.0, 0.75, -8.0), place(7.0, 0.75, 300.0)
@@ -130,13 +130,13 @@ def test_what_moves_leaves_no_trail() -> None:
         assert car.sum() > 30
         was, now, new = (getattr(frame, side).require("color")[car] for frame in (before, after, fresh))
         trail = np.abs(now - new).max(axis=1)
-        # Ground and wall behind it have one colour each; the rest lies along their edges.
+        # The ground and the wall behind it have one colour each; the rest lies along their edges.
         assert np.abs(was - new).max(axis=1).mean() > 0.1
         assert np.median(trail) < 1e-3
         assert trail.mean() < 0.02
 
 
-def test_frames_have_what_was_asked_for() -> None:
+def test_frames_have_the_requested_channels() -> None:
     smooth = TemporalAntialiasing()
     for _ in range(2):
         frame = smooth.render(rig(), scene(), HEAD, AHEAD, channels=("range", "motion"))
@@ -147,7 +147,7 @@ def test_frames_have_what_was_asked_for() -> None:
     assert frame.left.camera == rig().cameras(HEAD, AHEAD)[0]
 
 
-def test_other_eyes_start_again_and_another_plane_does_not() -> None:
+def test_changed_eyes_reset_the_history_and_a_changed_plane_does_not() -> None:
     smooth = TemporalAntialiasing()
     for one, count in ((rig(), 1), (rig(9.0), 2), (rig(size=(60, 50)), 1)):
         smooth.render(one, scene(), HEAD, AHEAD)
@@ -162,8 +162,8 @@ def moved_places(points: Image, hybrid: HybridRig, pose: tuple[Any, Any], number
     return camera.project(points.reshape(-1, 3))[:, :2].reshape(*points.shape[:2], 2)
 
 
-def test_motion_of_own_surfaces_is_theirs_and_that_of_others_the_shared_one() -> None:
-    """Own surfaces against points followed; beyond the plane the places at which both pictures show them."""
+def test_motion_follows_own_surfaces_and_the_shared_picture() -> None:
+    """Compares own surfaces with followed points; beyond the plane the positions at which both pictures show them."""
     world, hybrid = scene(), rig(size=(120, 100))
     then, now = (np.subtract(HEAD, (0.1, 0.0, 0.05)), towards(HEAD, (8.9, 1.4, -9.0))), (HEAD, AHEAD)
     car = {"car": place(7.0, 0.75, -8.0)}
@@ -196,8 +196,8 @@ def test_motion_of_own_surfaces_is_theirs_and_that_of_others_the_shared_one() ->
         assert np.linalg.norm(motion[far], axis=-1).mean() > 1.0
 
 
-def test_pixels_of_all_cameras_are_shifted_alike() -> None:
-    """So that places in the shared picture are those of the shifted pixels."""
+def test_pixels_of_all_cameras_are_jittered_equally() -> None:
+    """Positions in the shared picture then belong to the shifted pixels."""
     hybrid, jitter = rig(), (0.3, -0.2)
     shifted = hybrid._core.jittered(jitter)
     at, plain = np.array([40.0, 30.0, 1.0]), np.array(hybrid.homography("left"))

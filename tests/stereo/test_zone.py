@@ -1,4 +1,4 @@
-"""Tests of zones: every pixel against the place at which its point is shown, nothing missing, no step at either end."""
+"""Tests of zones: every pixel against its point's displayed position, nothing missing, continuous at both ends."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def tangents_of(camera: nf.Camera, point: NDArray[np.float64]) -> tuple[float, f
 
 
 @pytest.mark.parametrize("cant", [0.0, 6.0])
-def test_pixels_of_a_zone_show_the_points_that_are_shown_there(cant: float) -> None:
+def test_pixels_of_a_zone_show_points_displayed_there(cant: float) -> None:
     hybrid = zoned((768, 640), cant)
     frame = hybrid.render(textured(), HEAD, AHEAD, channels=("position", "range"), far=ZONE[1])
     assert hybrid.max_error(ZONE[1], "both") > 2.0
@@ -58,20 +58,20 @@ def test_pixels_of_a_zone_show_the_points_that_are_shown_there(cant: float) -> N
             point = points[row, column]
             shown = hybrid.shown(side, tangents_of(camera, point), depth=float(depth[row, column]))
             x, y = pixel_of(camera, shown)
-            # Legs leave 0.02 pixels, float32 some more.
+            # Iterations leave 0.02 pixels, float32 slightly more.
             assert math.hypot(x - column - 0.5, y - row - 0.5) < 0.03
             away = float(np.linalg.norm(point - camera.position))
             assert picture.require("range")[row, column] == pytest.approx(away, rel=1e-5)
 
 
-def test_a_zone_leaves_no_pixel_out_and_begins_as_plain_stereo() -> None:
+def test_a_zone_has_no_missing_pixel_and_begins_as_separate_stereo() -> None:
     world, hybrid = scene(), zoned((192, 160))
     channels = ("face_id", "position")
     frame = hybrid.render(world, HEAD, AHEAD, channels=channels)
     for side, camera in zip(SIDES, hybrid.cameras(HEAD, AHEAD), strict=False):
         plain = nf.render(world, camera, channels=channels, clip=hybrid.clip(HEAD, AHEAD, near=0.1))
         own, faces = getattr(frame, side).require("face_id"), plain.require("face_id")
-        # The room has surfaces everywhere but for the sky above, whose edge moves by some pixels.
+        # The room has surfaces everywhere except for the sky above, whose edge moves by some pixels.
         reach = math.ceil(hybrid.max_error(axis="both")) + 1
         solid = np.ones_like(faces, bool)
         for down in range(-reach, reach + 1):
@@ -95,8 +95,8 @@ def test_culling_changes_no_pixel_of_the_eyes() -> None:
     assert frames[1].stats["pixels"]["discarded"] > 0
 
 
-def test_a_line_bends_less_from_pixel_to_pixel_than_at_a_plane() -> None:
-    """A line to the right of the left eye, in even steps of the picture: its slope changes at once, or bit by bit."""
+def test_a_line_bends_less_per_pixel_than_at_a_plane() -> None:
+    """A line to the right of the left eye, in even steps of the picture: its slope changes abruptly, or gradually."""
     middle = 2.0 / (1.0 / ZONE[0] + 1.0 / ZONE[1])
     zone, plane = zoned((1344, 1120)), rig(middle, size=(1344, 1120))
     camera = zone.cameras(HEAD, AHEAD)[0]
@@ -111,7 +111,7 @@ def test_a_line_bends_less_from_pixel_to_pixel_than_at_a_plane() -> None:
         angles = np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))
         turns.append(np.abs(np.diff(angles)))
     assert turns[0].max() < 0.05 * turns[1].max()
-    # In all it bends no more.
+    # In total it bends no more.
     assert turns[0].sum() < 1.01 * turns[1].sum()
 
 

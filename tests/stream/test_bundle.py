@@ -1,4 +1,4 @@
-"""Bundles: what is written is what the reduction shows, whole or not at all."""
+"""Bundles: their content equals the reduction, and they are written completely or not at all."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def bundle(folder: Path) -> nf.stream.Bundle:
 
 
 def reduced(city: nf.Scene, ring: int, **changes: Any) -> nf.ReducedScene:
-    """The same state without files: whole objects within the ring's radius before the map of the others."""
+    """The same state without files: whole objects within the ring's radius in front of the map of the others."""
     radius = RADII[max(ring, 1) - 1]
     given = {"center": CENTER, "r1": 0.7 * radius, "r2": radius, "unit": "object", "morph": "cylinder", **changes}
     return nf.reduce(city, channels=("color", "range"), face_size=SIZE, samples=1, **given)
@@ -55,13 +55,13 @@ def reduced(city: nf.Scene, ring: int, **changes: Any) -> nf.ReducedScene:
     ("ring", "radius"), [(1, 0.0), (1, 6.0), (1, 10.0), (2, 10.0), (2, 22.0), (3, 40.0), (3, 63.0)]
 )
 @pytest.mark.parametrize("method", ["exact", "vertex"])
-def test_a_client_shows_what_the_reduction_shows(
+def test_a_client_shows_the_reduction(
     city: nf.Scene, bundle: nf.stream.Bundle, ring: int, radius: float, method: str
 ) -> None:
     channels = ("color", "range")
     shown = bundle.at(ring, radius).render(VIEW, channels=channels, samples=1, method=method)
     expected = reduced(city, ring).render(VIEW, radius=radius, channels=channels, samples=1, method=method)
-    # Lossless colour, so that pixels differ only where the rounded range decides what is in front.
+    # Lossless colour, so that pixels differ only where the rounded range decides which surface is in front.
     differs = np.abs(shown.to_image().astype(int) - expected.to_image()).max(axis=-1) > 1
     assert differs.mean() < 1e-3
     # Twice the error of stored ranges; moved vertices depend on how triangles are split, which rounding changes.
@@ -73,7 +73,7 @@ def test_a_client_shows_what_the_reduction_shows(
 def test_ring_0_is_the_map_of_everything(city: nf.Scene, bundle: nf.stream.Bundle) -> None:
     first = bundle.at(0)
     frame = first.render(VIEW, samples=1)
-    # Without a morph's radius all is shown as the centre sees it.
+    # Without a radius of the morph everything is shown from the centre.
     moved = nf.Camera(CENTER, VIEW.orientation, fov=VIEW.fov, size=VIEW.size)
     still = city.subset(objects=[name for name in city.object_names if name not in city.poses])
     truth = nf.render(still, moved, samples=16)
@@ -83,11 +83,11 @@ def test_ring_0_is_the_map_of_everything(city: nf.Scene, bundle: nf.stream.Bundl
     assert bundle.map(1).range is not None
 
 
-def test_maps_are_those_of_the_bake(city: nf.Scene, bundle: nf.stream.Bundle) -> None:
+def test_maps_equal_the_bake(city: nf.Scene, bundle: nf.stream.Bundle) -> None:
     maps = nf.stream.bake_maps(nf.stream.assign(city, center=CENTER, radii=RADII), face_size=SIZE, samples=1)
     for ring in range(4):
         found, baked = bundle.map(ring), maps.map(ring)
-        assert np.abs(found.color - baked.color).max() < 0.5 / 255 * 2.3  # half a step of sRGB at its steepest
+        assert np.abs(found.color - baked.color).max() < 0.5 / 255 * 2.3  # Half a step of sRGB at its steepest.
         if ring:
             assert found.range is not None
             assert baked.range is not None
@@ -166,7 +166,7 @@ def test_manifests_that_cannot_be_used_are_refused(
         nf.stream.open(tmp_path)
 
 
-def test_bundles_lie_behind_urls_too(city: nf.Scene, folder: Path, bundle: nf.stream.Bundle) -> None:
+def test_bundles_load_from_urls(city: nf.Scene, folder: Path, bundle: nf.stream.Bundle) -> None:
     need("fsspec")
     import fsspec
 
@@ -181,8 +181,8 @@ def test_bundles_lie_behind_urls_too(city: nf.Scene, folder: Path, bundle: nf.st
         nf.stream.open("nothing-known://a/b")
 
 
-def test_a_scene_that_lies_far_away_has_the_same_pictures(tmp_path: Path) -> None:
-    # Beyond 32,768 m the scene has an origin of its own.
+def test_a_scene_far_from_the_origin_has_the_same_pictures(tmp_path: Path) -> None:
+    # Beyond 32,768 m the scene has a separate origin.
     place = np.array([500_000.0, 20.0, -300_000.0])
     trees = nf.datasets.forest(trees=60, detail=0)
     arrays = trees.triangles().reshape(-1, 3).astype(np.float64)
@@ -203,7 +203,7 @@ def test_a_scene_that_lies_far_away_has_the_same_pictures(tmp_path: Path) -> Non
     assert (np.abs(frames[0] - frames[1]).max(axis=-1) > 8).mean() < 0.02
 
 
-def test_scenes_without_moving_objects_or_near_ones(tmp_path: Path) -> None:
+def test_scenes_without_moving_or_near_objects_are_bundles(tmp_path: Path) -> None:
     wall = nf.Scene.from_arrays([[-5, -5, -80], [5, -5, -80], [5, 5, -80]], [[0, 1, 2]])
     given = {**SETTINGS, "center": (0, 0, 0), "radii": [10.0, 20.0, 100.0], "face_size": 512}
     bundle = nf.stream.export(wall, tmp_path / "wall", **given)
@@ -214,18 +214,18 @@ def test_scenes_without_moving_objects_or_near_ones(tmp_path: Path) -> None:
     assert [row["triangles"] for row in bundle.summary()] == [0, 0, 0, 1]
 
 
-def test_faces_of_other_sizes_are_refused_before_the_work(city: nf.Scene, tmp_path: Path) -> None:
+def test_invalid_face_sizes_are_refused_before_work_begins(city: nf.Scene, tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="face_size: expected a multiple of 64"):
         nf.stream.export(city, tmp_path / "b", **{**SETTINGS, "face_size": 100})
     assert list(tmp_path.iterdir()) == []
 
 
-def test_plain_geometry_is_what_other_readers_load(city: nf.Scene, folder: Path, tmp_path: Path) -> None:
+def test_plain_geometry_is_loaded_by_other_readers(city: nf.Scene, folder: Path, tmp_path: Path) -> None:
     plain = nf.stream.export(city, tmp_path / "plain", **SETTINGS, compression=None)
     packed = nf.stream.open(folder)
     for ring in range(1, 4):
         sizes = [bundle.summary()[ring]["geometry"] for bundle in (plain, packed)]
-        # Descriptions of extensions outweigh what they save for a few triangles.
+        # For a few triangles the descriptions of extensions are larger than what they save.
         assert sizes[1] < sizes[0] or plain.summary()[ring]["triangles"] < 200
         pictures = [bundle.at(ring).render(VIEW, samples=1).to_image().astype(int) for bundle in (plain, packed)]
         assert (np.abs(pictures[0] - pictures[1]).max(axis=-1) > 1).mean() < 1e-3
@@ -233,7 +233,7 @@ def test_plain_geometry_is_what_other_readers_load(city: nf.Scene, folder: Path,
     for ring, row in zip(manifest["regions"][0]["rings"][1:], plain.summary()[1:], strict=True):
         loaded = trimesh.load_scene(tmp_path / "plain" / ring["geometry"])
         assert sum(len(mesh.faces) for mesh in loaded.dump()) == row["triangles"]
-        assert ring["error"] <= 2.0**-10  # float32 of coordinates up to 16 km
+        assert ring["error"] <= 2.0**-10  # float32 of coordinates up to 16 km.
 
 
 def test_other_folders_are_not_overwritten(city: nf.Scene, tmp_path: Path) -> None:

@@ -37,7 +37,7 @@ def triangles_of(bundle: nf.stream.Bundle, entry: dict[str, Any]) -> int:
     return int(ring_scene(entry["geometry"], entry["parts"], bundle.read, "b").triangle_count)
 
 
-def test_portions_have_the_near_objects_that_the_centre_sees_the_largest_first(scene: nf.Scene) -> None:
+def test_portions_have_visible_near_objects_largest_first(scene: nf.Scene) -> None:
     rings = nf.stream.assign(scene, center=CENTER, radii=RADII)
     portions = _by_footprint.Portions.from_rings(rings, scene=scene)
     seen = nf.stream.footprints(scene, center=CENTER)
@@ -50,11 +50,11 @@ def test_portions_have_the_near_objects_that_the_centre_sees_the_largest_first(s
     assert sum(map(len, by_portion)) == sent.sum()
     for before, after in pairwise(by_portion):
         assert before.min() >= after.max()
-    # Files of equally many objects.
+    # Files with equal numbers of objects.
     assert np.ptp([len(own) for own in by_portion]) <= 1
 
 
-def test_files_hold_their_objects_and_the_whole_last_map(scene: nf.Scene, bundle: nf.stream.Bundle) -> None:
+def test_files_contain_their_objects_and_the_whole_last_map(scene: nf.Scene, bundle: nf.stream.Bundle) -> None:
     region = bundle._manifest["regions"][0]
     entry = region["by_footprint"]
     rows = _by_footprint.Portions.from_rings(nf.stream.assign(scene, center=CENTER, radii=RADII), scene=scene).summary()
@@ -73,14 +73,16 @@ def test_files_hold_their_objects_and_the_whole_last_map(scene: nf.Scene, bundle
     assert np.array_equal(ranges, last.range)
 
 
-def test_it_is_left_out_unless_it_is_asked_for(scene: nf.Scene, bundle: nf.stream.Bundle, tmp_path: Path) -> None:
+def test_files_by_footprint_are_written_only_on_request(
+    scene: nf.Scene, bundle: nf.stream.Bundle, tmp_path: Path
+) -> None:
     plain = nf.stream.export(scene, tmp_path / "b", center=CENTER, radii=RADII, face_size=64, quality=None)
     assert plain._manifest["regions"][0]["by_footprint"] is None
     assert set(plain.files) < set(bundle.files)
     assert plain.summary() == bundle.summary()
 
 
-def test_a_centre_that_sees_no_near_object(tmp_path: Path) -> None:
+def test_a_centre_without_visible_near_objects(tmp_path: Path) -> None:
     builder = nf.SceneBuilder()
     corners = np.array([[0.0, 0, 0], [1, 0, 0], [0, 0, 1]])
     builder.instance(builder.mesh(corners + np.array([0, 5, 0]), [[0, 1, 2]]), name="above")
@@ -115,7 +117,9 @@ def test_damage_is_refused(bundle: nf.stream.Bundle, change: dict[str, Any], tol
         nf.stream.open(copy)
 
 
-def test_split_rings_leave_it_whole(bundle: nf.stream.Bundle, scene: nf.Scene, tmp_path: Path) -> None:
+def test_splitting_rings_does_not_affect_files_by_footprint(
+    bundle: nf.stream.Bundle, scene: nf.Scene, tmp_path: Path
+) -> None:
     settings: dict[str, Any] = {"face_size": 64, "quality": None, "by_footprint": True, "split_px": 20.0}
     split = nf.stream.export(scene, tmp_path / "b", center=CENTER, radii=RADII, **settings)
     regions = [each._manifest["regions"][0] for each in (bundle, split)]
@@ -123,7 +127,7 @@ def test_split_rings_leave_it_whole(bundle: nf.stream.Bundle, scene: nf.Scene, t
     assert split.summary()[1]["geometry"] > bundle.summary()[1]["geometry"]
 
 
-def test_a_split_that_is_too_fine_is_named(tmp_path: Path) -> None:
+def test_too_fine_a_split_is_named(tmp_path: Path) -> None:
     scene = nf.datasets.city(blocks=2, detail=0)
     with pytest.raises(ValueError, match="split_px: too small for ring 1"):
         nf.stream.export(scene, tmp_path / "b", center=(0, 1.7, 0), radii=(10, 14), face_size=64, split_px=0.001)

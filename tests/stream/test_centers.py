@@ -1,4 +1,4 @@
-"""Several centres in one bundle: a grid that requests share, neighbours, and regions equal to bundles of their own."""
+"""Several centres in one bundle: a grid that merges requests, neighbours, and regions equal to single bundles."""
 
 from __future__ import annotations
 
@@ -59,17 +59,17 @@ def scattered(count: int, seed: int, height: float) -> NDArray[np.float64]:
 
 @pytest.mark.parametrize("height", [0.0, 40.0])
 @pytest.mark.parametrize(("count", "seed"), [(1, 0), (2, 1), (3, 2), (30, 3), (45, 4)])
-def test_neighbours_are_those_of_the_definition(count: int, seed: int, height: float) -> None:
+def test_neighbours_equal_the_definition(count: int, seed: int, height: float) -> None:
     points = scattered(count, seed, height)
     assert _centers.neighbours(points) == gabriel(points)
 
 
-def test_neighbours_on_grids_and_lines_are_the_next_ones() -> None:
+def test_neighbours_on_grids_and_lines_are_adjacent() -> None:
     side = 7
     for spacing, offset in ((1.0, 0.0), (0.1, 0.0), (2.3, 500_000.0)):
         grid = np.array([(x * spacing + offset, 1.7, z * spacing) for x in range(side) for z in range(side)])
         steps = np.abs(np.indices((side, side)).reshape(2, 1, -1) - np.indices((side, side)).reshape(2, -1, 1)).sum(0)
-        # Corners across a square's diagonal are right angles, so that the diagonal is none of the edges.
+        # Angles across a square's diagonal are right angles, so the diagonal is not an edge.
         assert _centers.neighbours(grid) == [np.flatnonzero(row == 1).tolist() for row in steps]
     line = np.outer(np.arange(9.0), (1.0, 0.2, -3.0))
     assert _centers.neighbours(line) == [[n for n in (m - 1, m + 1) if 0 <= n < 9] for m in range(9)]
@@ -78,7 +78,7 @@ def test_neighbours_on_grids_and_lines_are_the_next_ones() -> None:
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_all_centres_are_joined(seed: int) -> None:
+def test_all_centres_are_connected(seed: int) -> None:
     points = scattered(150, seed, 3.0)
     points[::3] = points[1::3] + np.array((_centers.APART, 0.0, 0.0))
     near, reached, edge = _centers.neighbours(points), {0}, [0]
@@ -103,7 +103,7 @@ def test_centres_move_to_the_grid(grid: float) -> None:
 
 
 @pytest.mark.slow
-def test_regions_are_the_bundles_of_each_centre(city: nf.Scene, bundle: nf.stream.Bundle, tmp_path: Path) -> None:
+def test_regions_equal_bundles_of_each_centre(city: nf.Scene, bundle: nf.stream.Bundle, tmp_path: Path) -> None:
     manifest = json.loads((Path(bundle._reader.place) / "manifest.json").read_text())
     listed: dict[str, Any] = {}
     for number, center in enumerate(CENTERS):
@@ -176,7 +176,7 @@ def test_bytes_do_not_depend_on_the_run(city: nf.Scene, folder: Path, tmp_path: 
         assert (folder / name).read_bytes() == (tmp_path / "again" / name).read_bytes(), name
 
 
-def test_requests_that_meet_on_the_grid_are_one(city: nf.Scene, tmp_path: Path) -> None:
+def test_requests_at_one_grid_point_are_merged(city: nf.Scene, tmp_path: Path) -> None:
     asked = [(1.2, 1.7, 0.3), (5.1, 1.7, 0.0), (0.9, 1.7, -0.4), (1.2, 4.7, 0.3)]
     bundle = nf.stream.export(city, tmp_path / "grid", center=asked, grid=2.0, **SETTINGS)
     np.testing.assert_array_equal(bundle.centers, [(2.0, 1.7, 0.0), (6.0, 1.7, 0.0), (0.0, 1.7, 0.0), (2.0, 4.7, 0.0)])
@@ -185,11 +185,11 @@ def test_requests_that_meet_on_the_grid_are_one(city: nf.Scene, tmp_path: Path) 
     assert same.neighbours(0) == ()
 
 
-def test_regions_of_a_walk_are_taken(city: nf.Scene, tmp_path: Path) -> None:
+def test_regions_of_a_walk_are_accepted(city: nf.Scene, tmp_path: Path) -> None:
     walk = nf.regions(city, [(0.0, 1.7, -20.0), (0.0, 1.7, 20.0)], reach=8.0, r2=50.0)
     bundle = nf.stream.export(city, tmp_path / "walk", center=walk, **SETTINGS)
     np.testing.assert_array_equal(bundle.centers, walk.centers)
-    # Everywhere on the path the nearest region bears the user.
+    # Everywhere on the path the user is within the nearest region's limit.
     assert (bundle.fold_margins > walk.reach).all()
     ends = {bundle.nearest((0.0, 1.7, -20.0)), bundle.nearest((0.0, 1.7, 20.0))}
     assert len(ends) == 2
@@ -251,9 +251,7 @@ def test_wrong_centres_are_refused(city: nf.Scene, tmp_path: Path, changes: dict
         ({"range": {"least": 1.0}}, "step"),
     ],
 )
-def test_regions_that_cannot_be_used_are_refused(
-    folder: Path, tmp_path: Path, changes: dict[str, Any], text: str
-) -> None:
+def test_unusable_regions_are_refused(folder: Path, tmp_path: Path, changes: dict[str, Any], text: str) -> None:
     manifest = json.loads((folder / "manifest.json").read_text())
     manifest["regions"][0] |= changes
     (tmp_path / "manifest.json").write_text(json.dumps(manifest))

@@ -1,4 +1,4 @@
-"""Users of rooms in Python, against the real server."""
+"""Users of rooms in Python, with the real server."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def server() -> Iterator[Server]:
         yield running
 
 
-def test_users_see_who_is_there(server: Server) -> None:
+def test_users_see_present_users(server: Server) -> None:
     async def script() -> None:
         async with join(server.url, room="who", name="Ada é", group=3) as ada:
             assert ada.users == {}
@@ -64,7 +64,7 @@ def test_users_see_who_is_there(server: Server) -> None:
     run(script())
 
 
-def test_rooms_and_groups_are_apart(server: Server) -> None:
+def test_rooms_and_groups_are_separate(server: Server) -> None:
     async def script() -> None:
         async with (
             join(server.url, room="hall", group=1) as one,
@@ -89,7 +89,7 @@ def test_rooms_and_groups_are_apart(server: Server) -> None:
     run(script())
 
 
-def test_poses_come_as_they_were_sent(server: Server) -> None:
+def test_poses_arrive_unchanged(server: Server) -> None:
     rng = np.random.default_rng(5)
     turns = rng.normal(size=(3, 4))
     turns /= np.linalg.norm(turns, axis=1)[:, None]
@@ -124,7 +124,7 @@ def test_poses_come_as_they_were_sent(server: Server) -> None:
     run(script())
 
 
-def test_all_hear_the_same_order(server: Server) -> None:
+def test_all_users_receive_messages_in_the_same_order(server: Server) -> None:
     async def script() -> None:
         async with (
             join(server.url, room="talk") as one,
@@ -168,10 +168,10 @@ def test_signals_reach_one_user(server: Server) -> None:
     run(script())
 
 
-def test_round_trips_end_when_all_of_the_group_have_acknowledged(server: Server) -> None:
+def test_round_trips_end_when_the_whole_group_has_acknowledged(server: Server) -> None:
     async def script() -> None:
         async with join(server.url, room="trips", group=1) as one:
-            # Nobody is there who acknowledges it.
+            # No user is present to acknowledge it.
             await one.pose((0.0, 0.0, 0.0), acknowledged=True)
             async with join(server.url, room="trips", group=1), join(server.url, room="trips", group=2):
                 await until(one, Joined)
@@ -186,7 +186,7 @@ def test_round_trips_end_when_all_of_the_group_have_acknowledged(server: Server)
     run(script())
 
 
-def test_a_certificate_that_signs_itself_is_trusted_when_it_is_named(tmp_path_factory: pytest.TempPathFactory) -> None:
+def test_a_self_signed_certificate_is_trusted_if_specified(tmp_path_factory: pytest.TempPathFactory) -> None:
     used = Certificate.self_signed(tmp_path_factory.mktemp("certificate"), ["localhost", "127.0.0.1"])
 
     async def script(url: str) -> None:
@@ -204,7 +204,7 @@ def test_a_certificate_that_signs_itself_is_trusted_when_it_is_named(tmp_path_fa
         run(script(encrypted.url))
 
 
-def test_a_server_that_is_not_there_or_has_no_rooms_is_told() -> None:
+def test_missing_servers_and_servers_without_rooms_are_reported() -> None:
     async def script(url: str) -> RoomError:
         with pytest.raises(RoomError) as refused:
             async with join(url, room="hall"):
@@ -213,7 +213,7 @@ def test_a_server_that_is_not_there_or_has_no_rooms_is_told() -> None:
 
     with Server({"": Site({"a.txt": b"a"}, has_page=False)}) as without:
         assert "it has no rooms" in run(script(without.url)).sentence
-    # A port that nobody listens at, and nobody else takes.
+    # A port on which nothing listens, reserved for this test.
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))
         error = run(script(f"http://127.0.0.1:{taken.getsockname()[1]}/"))
@@ -240,7 +240,7 @@ def test_a_server_that_is_not_there_or_has_no_rooms_is_told() -> None:
         ({"certificate": __file__}, "certificate: expected a file of certificates"),
     ],
 )
-def test_what_cannot_be_joined_is_named(changes: dict[str, object], message: str) -> None:
+def test_invalid_rooms_and_names_are_refused(changes: dict[str, object], message: str) -> None:
     with pytest.raises(ValueError, match=message):
         join(**{"url": "http://127.0.0.1:8080/", "room": "hall", **changes})  # type: ignore[arg-type]
 
@@ -255,13 +255,13 @@ def test_what_cannot_be_joined_is_named(changes: dict[str, object], message: str
         ({"pointer": ("head", -1.0)}, "pointer: expected a number from 0"),
     ],
 )
-def test_poses_of_nowhere_are_named(changes: dict[str, object], message: str) -> None:
+def test_invalid_poses_are_refused(changes: dict[str, object], message: str) -> None:
     room = join("http://127.0.0.1:8080/", room="hall")
     with pytest.raises((ValueError, TypeError), match=message):
         run(room.pose(**{"position": (0.0, 0.0, 0.0), **changes}))  # type: ignore[arg-type]
 
 
-def test_payloads_have_an_end() -> None:
+def test_payloads_have_a_maximum_length() -> None:
     room = join("http://127.0.0.1:8080/", room="hall")
     with pytest.raises(ValueError, match="data: expected at most 4,096 bytes"):
         run(room.say(bytes(4097)))
@@ -271,7 +271,7 @@ def test_payloads_have_an_end() -> None:
         _ = room.user
 
 
-def test_the_script_of_the_page_joins_and_hears(server: Server, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_documented_script_joins_and_receives(server: Server, capsys: pytest.CaptureFixture[str]) -> None:
     page = (CHECKOUT / "docs" / "rooms.md").read_text(encoding="utf-8")
     (script,) = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
     assert sum(bool(line) for line in script.splitlines()) <= 12
@@ -297,7 +297,7 @@ def test_the_script_of_the_page_joins_and_hears(server: Server, capsys: pytest.C
     assert "data=b'hello Ada', to='group')" in told
 
 
-def test_a_user_outside_of_its_block_is_told() -> None:
+def test_using_a_room_outside_its_block_is_an_error() -> None:
     room = join("http://127.0.0.1:1/", room="hall")
     for used in (room.say(b"x"), room.signal(1, b"x"), room.pose((0.0, 0.0, 0.0)), anext(room)):
         with pytest.raises(RoomError, match="async with"):

@@ -1,4 +1,4 @@
-"""Connections to rooms that end: by the server, in the middle of a message, by garbage; and how users return."""
+"""Connections to rooms that end: by the server, within a message, by malformed data; and reconnection."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def server() -> Iterator[Server]:
         yield running
 
 
-def test_users_return_with_their_numbers_after_a_restart() -> None:
+def test_users_reconnect_with_their_numbers_after_a_restart() -> None:
     async def script() -> None:
         first = served(Rooms(key=KEY))
         async with (
@@ -52,7 +52,7 @@ def test_users_return_with_their_numbers_after_a_restart() -> None:
                 end = await until(room, Ended)
                 assert (end.reason, end.sentence, end.returns) == ("ending", "the server ends", True)
             said = asyncio.create_task(ada.say(b"as soon as it is possible", to="room"))
-            # Nobody hears it, and nothing waits for it.
+            # It has no recipient, and nothing waits for it.
             assert await ada.pose((0.0, 0.0, 0.0)) == sequence + 1
             second = served(Rooms(key=KEY))
             way.lead_to(second.url)
@@ -70,7 +70,7 @@ def test_users_return_with_their_numbers_after_a_restart() -> None:
     run(script())
 
 
-def test_a_user_who_was_cut_off_within_a_message_returns_and_others_see_it(server: Server) -> None:
+def test_a_user_disconnected_within_a_message_reconnects_visibly(server: Server) -> None:
     async def script() -> None:
         async with (
             wire(server.url) as way,
@@ -83,7 +83,7 @@ def test_a_user_who_was_cut_off_within_a_message_returns_and_others_see_it(serve
             await grace.say(bytes(4000))
             end = await until(ada, Ended)
             assert (end.reason, end.returns) == ("gone", True)
-            # The server may learn of the end before the return, or by it.
+            # The server may notice the end before the return, or through it.
             assert (await until(grace, Left)).user == number
             assert (await until(grace, Joined)).user == number
             assert (await until(ada, Joined)).name == "Grace"
@@ -95,7 +95,7 @@ def test_a_user_who_was_cut_off_within_a_message_returns_and_others_see_it(serve
     run(script())
 
 
-def test_without_return_the_end_is_the_last_event(server: Server) -> None:
+def test_without_reconnection_the_end_is_the_last_event(server: Server) -> None:
     async def script() -> None:
         async with wire(server.url) as way, join(way.url, room="last", reconnect=False) as ada:
             way.cut()
@@ -108,7 +108,7 @@ def test_without_return_the_end_is_the_last_event(server: Server) -> None:
     run(script())
 
 
-def test_a_user_who_comes_back_elsewhere_is_replaced(server: Server) -> None:
+def test_a_second_connection_of_a_user_replaces_the_first(server: Server) -> None:
     async def script() -> None:
         async with join(server.url, room="twice") as ada:
             other = Connection(Address.build(server.url, "twice", None, None))
@@ -123,7 +123,7 @@ def test_a_user_who_comes_back_elsewhere_is_replaced(server: Server) -> None:
 
 
 @pytest.mark.parametrize("garbage", GARBAGE, ids=["noise", "a user's frame", "half a frame", "no pose"])
-def test_garbage_of_a_server_ends_the_connection_in_words(garbage: bytes) -> None:
+def test_malformed_frames_end_the_connection_with_a_message(garbage: bytes) -> None:
     async def script() -> None:
         async with answers([garbage]) as url, join(url, room="hall") as ada:
             assert ada.user == 1
@@ -135,10 +135,10 @@ def test_garbage_of_a_server_ends_the_connection_in_words(garbage: bytes) -> Non
     run(script())
 
 
-def test_a_name_that_the_server_refuses_is_told(server: Server) -> None:
+def test_a_name_refused_by_the_server_is_reported(server: Server) -> None:
     async def script() -> None:
         room = join(server.url, room="hall")
-        # It is refused here, too, before anything is sent.
+        # It is refused by the client, too, before anything is sent.
         room._name = "a\nb"
         with pytest.raises(RoomError) as refused:
             async with room:
@@ -149,7 +149,7 @@ def test_a_name_that_the_server_refuses_is_told(server: Server) -> None:
     run(script())
 
 
-def test_a_server_that_does_not_answer_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_server_that_does_not_answer_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(_room, "ENTERING", 0.01)
 
     async def script() -> None:
@@ -169,7 +169,7 @@ def _pose(sequence: int) -> Pose:
     return Pose(sequence, 0, False, False, Placed(np.zeros(3, np.float32), np.array(REST)))
 
 
-def test_a_pose_that_waits_is_overwritten_by_a_newer_one() -> None:
+def test_a_queued_pose_is_replaced_by_a_newer_one() -> None:
     async def script() -> list[Event | None]:
         inbox = Inbox()
         for event in (Posed(1, _pose(1)), Said(1, b"a", "group"), Posed(2, _pose(1)), Posed(1, _pose(2)), Left(2)):
@@ -180,7 +180,7 @@ def test_a_pose_that_waits_is_overwritten_by_a_newer_one() -> None:
     assert run(script()) == [Posed(1, _pose(2)), Said(1, b"a", "group"), Left(2), None]
 
 
-def test_events_that_nobody_takes_make_place_for_others() -> None:
+def test_unread_events_are_dropped_for_newer_ones() -> None:
     inbox = Inbox()
     for number in range(MAX_EVENTS + 3):
         inbox.add(Left(number))
@@ -189,12 +189,12 @@ def test_events_that_nobody_takes_make_place_for_others() -> None:
     count = MAX_BYTES // 4096 + 2
     for _ in range(count):
         inbox.add(Said(1, bytes(4096), "room"))
-    # All that came before makes place, and then two of these.
+    # All earlier events are dropped, and then two of these.
     assert inbox.dropped == 3 + (MAX_EVENTS - 1) + 2
     assert run(inbox.take()) == Said(1, bytes(4096), "room")
 
 
-def test_poses_settle_with_later_ones() -> None:
+def test_poses_are_acknowledged_with_later_ones() -> None:
     trips = RoundTrips()
     for sequence, now in ((1, 0.5), (3, 1.0), (4, 1.5)):
         trips.send(sequence, now)

@@ -1,4 +1,4 @@
-"""Users who leave rooms: their seats are free as soon as the block has ended, and it ends whatever the server does."""
+"""Users who leave rooms: their seats are free as soon as the block has ended, whatever the server does."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ need("aiohttp")
 
 ROUNDS = 40
 LATE = 5e-3
-"""Seconds by which the first way to the server is slower than the second."""
+"""Seconds by which the first connection to the server is slower than the second."""
 
 
 @pytest.fixture(scope="module")
@@ -31,18 +31,18 @@ def server() -> Iterator[Server]:
 
 @pytest.fixture
 def is_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
-    """However slow the machine is, users wait until the server has closed."""
+    """Make users wait until the server has closed, however slow the machine is."""
     monkeypatch.setattr(_room_connection, "CLOSING", 2 * HANGS)
 
 
 @pytest.fixture
 def is_not_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Users do not wait long for a server that never closes."""
+    """Make users wait only briefly for a server that never closes."""
     monkeypatch.setattr(_room_connection, "CLOSING", 0.05)
 
 
 @pytest.mark.usefixtures("is_waited_for")
-def test_who_has_left_by_a_slow_way_enters_again_by_a_fast_one(server: Server) -> None:
+def test_a_user_who_left_over_a_slow_connection_can_enter_over_a_fast_one(server: Server) -> None:
     given = token("hall", KEY)
 
     async def script() -> None:
@@ -58,13 +58,13 @@ def test_who_has_left_by_a_slow_way_enters_again_by_a_fast_one(server: Server) -
 
 
 @pytest.mark.usefixtures("is_waited_for")
-def test_who_gave_up_entering_or_leaving_enters_again(server: Server) -> None:
+def test_a_user_who_cancelled_entering_or_leaving_can_enter_again(server: Server) -> None:
     given = token("hall", KEY)
 
     async def script() -> None:
         async with wire(server.url, LATE) as slow:
             for number in range(ROUNDS):
-                # It takes two delays to enter, and one to leave.
+                # Entering takes two delays, leaving one.
                 with suppress(TimeoutError):
                     async with asyncio.timeout(4 * LATE * number / ROUNDS), join(slow.url, room="hall", token=given):
                         pass
@@ -75,7 +75,7 @@ def test_who_gave_up_entering_or_leaving_enters_again(server: Server) -> None:
 
 
 @pytest.mark.usefixtures("is_waited_for")
-def test_who_was_not_let_in_in_time_enters_again(server: Server, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_user_not_admitted_in_time_can_enter_again(server: Server, monkeypatch: pytest.MonkeyPatch) -> None:
     given = token("hall", KEY)
 
     async def script() -> None:
@@ -93,7 +93,7 @@ def test_who_was_not_let_in_in_time_enters_again(server: Server, monkeypatch: py
 
 
 @pytest.mark.usefixtures("is_waited_for")
-def test_who_leaves_while_it_returns_enters_again(server: Server, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_user_who_leaves_while_reconnecting_can_enter_again(server: Server, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(_room, "PAUSES", (1e-3, 1e-3))
     given = token("hall", KEY)
 
@@ -102,7 +102,7 @@ def test_who_leaves_while_it_returns_enters_again(server: Server, monkeypatch: p
             for number in range(ROUNDS):
                 async with join(slow.url, room="hall", token=given) as user:
                     slow.cut()
-                    # Nothing else tells when the server knows of it.
+                    # Nothing else shows when the server knows of it.
                     await until(other, Left)
                     await asyncio.sleep(4 * LATE * number / ROUNDS)
                 async with join(server.url, room="hall", token=given) as user:
@@ -113,7 +113,7 @@ def test_who_leaves_while_it_returns_enters_again(server: Server, monkeypatch: p
 
 
 @pytest.mark.usefixtures("is_waited_for")
-def test_a_connection_that_broke_off_is_not_waited_for(server: Server) -> None:
+def test_leaving_does_not_wait_for_a_broken_connection(server: Server) -> None:
     async def script() -> None:
         async with wire(server.url) as way, join(way.url, room="hall", token=token("hall", KEY)) as user:
             way.cut()
@@ -123,7 +123,7 @@ def test_a_connection_that_broke_off_is_not_waited_for(server: Server) -> None:
 
 
 @pytest.mark.usefixtures("is_waited_for")
-def test_who_is_cancelled_while_it_leaves_has_left(server: Server) -> None:
+def test_a_user_cancelled_while_leaving_has_left(server: Server) -> None:
     given = token("hall", KEY)
 
     async def script() -> None:
@@ -148,7 +148,7 @@ def test_who_is_cancelled_while_it_leaves_has_left(server: Server) -> None:
 
 
 @pytest.mark.usefixtures("is_not_waited_for")
-def test_a_server_that_never_closes_is_left(server: Server) -> None:
+def test_leaving_a_server_that_never_closes(server: Server) -> None:
     async def script() -> None:
         async with wire(server.url) as way, join(way.url, room="hall", token=token("hall", KEY)):
             way.passes.clear()
@@ -157,7 +157,7 @@ def test_a_server_that_never_closes_is_left(server: Server) -> None:
 
 
 @pytest.mark.usefixtures("is_not_waited_for")
-def test_a_server_that_does_not_read_is_left(server: Server) -> None:
+def test_leaving_a_server_that_does_not_read(server: Server) -> None:
     async def script() -> None:
         async with wire(server.url) as way, join(way.url, room="hall", token=token("hall", KEY)) as user:
             way.passes.clear()
@@ -173,7 +173,7 @@ def test_a_server_that_does_not_read_is_left(server: Server) -> None:
 
 
 @pytest.mark.usefixtures("is_not_waited_for")
-def test_a_server_that_sends_on_and_on_is_left() -> None:
+def test_leaving_a_server_that_never_stops_sending() -> None:
     said = bytes.fromhex("840310020000") + bytes(4096)
 
     async def script() -> None:

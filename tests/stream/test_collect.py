@@ -1,4 +1,4 @@
-"""The sphere collection: its messages and its state, by the vectors of all languages; its model and its geometry."""
+"""The sphere collection: its messages and state, by the vectors of all languages; its model and its geometry."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def message_of(fields: dict[str, Any]) -> Message:
 
 
 @pytest.mark.parametrize("case", cases("collect", "messages"))
-def test_messages_have_their_bytes(case: dict[str, Any]) -> None:
+def test_messages_equal_their_bytes(case: dict[str, Any]) -> None:
     data, message = bytes.fromhex(case["bytes"]), message_of(case["message"])
     assert write(message).hex() == case["bytes"]
     assert read(data) == message
@@ -69,13 +69,13 @@ def test_messages_have_their_bytes(case: dict[str, Any]) -> None:
 
 
 @pytest.mark.parametrize("case", cases("collect", "refused"))
-def test_bytes_that_are_no_message_are_refused(case: dict[str, Any]) -> None:
+def test_malformed_messages_are_refused(case: dict[str, Any]) -> None:
     with pytest.raises(FormatError, match="expected a message of the sphere collection"):
         read(bytes.fromhex(case["bytes"]))
 
 
 @pytest.mark.parametrize("case", cases("collect", "messages"))
-def test_every_truncation_and_every_changed_bit_is_a_message_or_refused(case: dict[str, Any]) -> None:
+def test_truncated_and_corrupted_messages_are_parsed_or_refused(case: dict[str, Any]) -> None:
     data = bytes.fromhex(case["bytes"])
     for length in range(1, len(data)):
         with pytest.raises(FormatError):
@@ -87,19 +87,19 @@ def test_every_truncation_and_every_changed_bit_is_a_message_or_refused(case: di
         with suppress(FormatError):
             message = read(bytes(changed))
             if message is not None:
-                # Whatever can be read can be heard, and what is said then can be written.
+                # Every parsed message can be processed, and the answers can be written.
                 task.hear(message, 1.0)
                 for said in task.conduct(2.0, {3: ((0.0, 1.7, 0.0), (0.0, 0.0, -1.0))}):
                     write(said)
 
 
-def test_what_others_say_is_not_the_task_s() -> None:
+def test_messages_of_other_tasks_are_ignored() -> None:
     assert read(b"") is None
     assert read(b"hello") is None
 
 
 @pytest.mark.parametrize("case", cases("collect", "places"))
-def test_spheres_and_seats_are_where_all_languages_put_them(case: dict[str, Any]) -> None:
+def test_spheres_and_seats_have_the_positions_of_the_vectors(case: dict[str, Any]) -> None:
     trial = message_of(cases("collect", "messages")[0].values[0]["message"])
     assert isinstance(trial, Trial)
     stage = Stage(case["run"], case["trial"])
@@ -112,7 +112,7 @@ def test_spheres_and_seats_are_where_all_languages_put_them(case: dict[str, Any]
 
 
 def words(speaker: int, message: Message) -> str:
-    """A message as the vectors tell it."""
+    """A message in the wording of the vectors."""
     match message:
         case Trial(stage, is_over=is_over):
             return f"{speaker}: {'over' if is_over else 'trial'} {stage.trial}"
@@ -130,7 +130,7 @@ def words(speaker: int, message: Message) -> str:
 
 
 @pytest.mark.parametrize("case", cases("collect", "plays"))
-def test_a_play_goes_as_in_all_languages(case: dict[str, Any]) -> None:
+def test_a_game_runs_as_in_the_vectors(case: dict[str, Any]) -> None:
     settings = Settings(**case["rules"])
     tasks = {user: Task(user, case["group"]) for user in case["users"]}
     said: list[str] = []
@@ -139,7 +139,7 @@ def test_a_play_goes_as_in_all_languages(case: dict[str, Any]) -> None:
         for task in tasks.values():
             task.add_user(user)
 
-    def tell(speaker: int, messages: list[Message], now: float) -> None:
+    def deliver(speaker: int, messages: list[Message], now: float) -> None:
         for message in messages:
             said.append(words(speaker, message))
             for user, task in tasks.items():
@@ -159,29 +159,29 @@ def test_a_play_goes_as_in_all_languages(case: dict[str, Any]) -> None:
             for task in tasks.values():
                 task.remove_user(step["goes"])
         if now == 0.0:
-            tell(3, tasks[3].start(settings, now), now)
+            deliver(3, tasks[3].start(settings, now), now)
         for user in sorted(tasks, reverse=True):
             task = tasks[user]
             center = task.place(now) or (0.0, 0.0, 0.0)
             rays = {}
             for other in tasks:
-                # A ray of no length to the middle, or straight up from far away.
+                # A ray of zero length to the middle, or straight up from far away.
                 begin = (center[0], center[1], center[2] + 4.0)
                 rays[other] = (begin, (0.0, 0.0, -1.0) if other in step["aiming"] else UP)
-            tell(user, task.conduct(now, rays), now)
+            deliver(user, task.conduct(now, rays), now)
         assert said == step["said"], now
         said.clear()
     assert all(task.is_over for task in tasks.values())
 
 
-def aimed(task: Task, users: Iterable[int], now: float) -> dict[int, Ray]:
+def rays_at_sphere(task: Task, users: Iterable[int], now: float) -> dict[int, Ray]:
     """Rays of users who aim at the middle of the sphere."""
     x, y, z = task.place(now) or (0.0, 0.0, 0.0)
     return dict.fromkeys(users, ((x, y, z + 4.0), (0.0, 0.0, -1.0)))
 
 
 @pytest.mark.parametrize("case", cases("collect", "hearings"))
-def test_a_user_believes_as_in_all_languages(case: dict[str, Any]) -> None:
+def test_the_state_that_a_user_derives_equals_the_vectors(case: dict[str, Any]) -> None:
     task = Task(case["user"], case["group"])
     for step in ({"returns": True}, *case["steps"]):
         if step["returns"]:
@@ -191,11 +191,11 @@ def test_a_user_believes_as_in_all_languages(case: dict[str, Any]) -> None:
         if "message" in step:
             taken = task.hear(message_of(step["message"]), step["now"], sender=step["sender"], group=case["group"])
             assert taken == step["taken"], step
-    said = task.conduct(case["now"], aimed(task, task.present, case["now"]))
+    said = task.conduct(case["now"], rays_at_sphere(task, task.present, case["now"]))
     assert [words(case["user"], message) for message in said] == case["said"]
 
 
-def begun(users: int) -> Task:
+def start_trial(users: int) -> Task:
     """The task of a conductor whose trial has begun, with a still sphere."""
     task = Task(0, 0)
     for user in range(1, users):
@@ -205,34 +205,34 @@ def begun(users: int) -> Task:
     return task
 
 
-def test_pointers_that_flicker_do_not_make_the_conductor_say_too_much() -> None:
-    task, end = begun(64), 8
+def test_flickering_pointers_do_not_exceed_the_rate_of_messages() -> None:
+    task, end = start_trial(64), 8
     size = 0
     for moment in range(1, 512 * end + 1):
         now = moment / 512.0
-        found = aimed(task, range(64), now) if moment % 2 else {}
+        found = rays_at_sphere(task, range(64), now) if moment % 2 else {}
         size += sum(max(len(write(message)) + 5, 64) for message in task.conduct(now, found))
-    # At most 16 KiB for each second of the trial and 8 KiB at once; half of that shows that it goes on telling.
+    # At most 16 KiB per second of the trial and 8 KiB at once; half of that shows that it keeps sending.
     assert 8000 * end < size <= 16_384 * end + 8192
-    # The last state is told as soon as there is room for it.
+    # The last state is sent as soon as the rate allows.
     for moment in range(80):
-        task.conduct(end + 1.0 + moment / 80.0, aimed(task, range(64), now))
+        task.conduct(end + 1.0 + moment / 80.0, rays_at_sphere(task, range(64), now))
     assert task.aims == tuple(range(64))
 
 
-def test_the_conductor_judges_no_more_often_than_poses_of_a_user_come() -> None:
-    task = begun(1)
+def test_the_conductor_judges_at_most_as_often_as_it_receives_poses() -> None:
+    task = start_trial(1)
     said = []
     for moment in range(1, 1001):
         now = moment / 1000.0
-        said += task.conduct(now, aimed(task, [0], now) if moment % 2 else {})
+        said += task.conduct(now, rays_at_sphere(task, [0], now) if moment % 2 else {})
     assert 0 < len(said) <= 80
 
 
-def test_who_has_conducted_until_a_user_joins_is_heard_to_the_end() -> None:
+def test_a_former_conductor_is_processed_to_the_end() -> None:
     task = Task(9, 0)
     task.add_user(7)
-    trial = begun(1).trial
+    trial = start_trial(1).trial
     assert trial is not None
     seats = tuple(Seat(user, (0.0, 1.7, 0.0)) for user in (3, 7, 9))
     assert task.hear(dataclasses.replace(trial, seats=seats), 0.0, sender=7)
@@ -244,7 +244,7 @@ def test_who_has_conducted_until_a_user_joins_is_heard_to_the_end() -> None:
     assert not task.hear(spheres.sphere(trial, trial.stage, 0, 1), 6.0, sender=7)
 
 
-def test_scores_of_groups_that_are_gone_are_forgotten() -> None:
+def test_scores_of_groups_that_have_left_are_forgotten() -> None:
     task = Task(0, 2)
     for group in range(6):
         task.hear(Score(Stage(1, 1), False, group, 0), 0.0, sender=9, group=group)
@@ -262,7 +262,7 @@ def test_a_pointer_must_meet_the_sphere_ahead_of_it() -> None:
     assert spheres.is_aimed(((0.1, 0.0, 0.0), (0.0, 0.0, -1.0)), (0.0, 0.0, 0.0), 0.3)
 
 
-def test_spheres_turn_back_where_their_box_ends() -> None:
+def test_spheres_reverse_at_the_faces_of_their_box() -> None:
     ages = np.linspace(-30.0, 30.0, 4001)
     found = np.array([spheres.folded(1.5 * age, -1.0, 2.0) for age in ages])
     assert (found.min(), found.max()) == pytest.approx((-1.0, 2.0), abs=0.02)
@@ -272,7 +272,7 @@ def test_spheres_turn_back_where_their_box_ends() -> None:
     assert spheres.folded(7.0, 1.0, 1.0) == 1.0
 
 
-def test_seats_are_apart_and_within_their_rectangle() -> None:
+def test_seats_are_separate_and_within_their_rectangle() -> None:
     task = Task(0, 0)
     for user in range(1, 4):
         task.add_user(user)
@@ -285,7 +285,7 @@ def test_seats_are_apart_and_within_their_rectangle() -> None:
         assert apart.min() >= spheres.APART
 
 
-def test_messages_of_earlier_spheres_trials_and_runs_do_nothing() -> None:
+def test_messages_of_earlier_spheres_trials_and_runs_are_ignored() -> None:
     task = Task(1, 0)
     old = task.start(Settings(users=1, hold=0.0, pause=0.0), 0.0)
     old += task.conduct(0.0, {})
@@ -296,7 +296,7 @@ def test_messages_of_earlier_spheres_trials_and_runs_do_nothing() -> None:
         task.hear(message, 2.0)
     assert (task.trial or old[0]).stage.run == 2
     assert task.sphere is sphere is said[0]
-    # Scores of other groups change nothing here.
+    # Scores of other groups have no effect here.
     task.hear(Score(Stage(1, 1), False, 9, 9), 2.0, group=8)
     task.hear(said[0], 2.0, group=8)
     assert (task.scores[8].spheres, task.scores[0].spheres) == (9, 0)
@@ -310,7 +310,7 @@ def outcomes() -> list[Outcome]:
     return simulate(QUICK, groups=2, seed=4)
 
 
-def test_simulated_users_do_the_same_again(outcomes: list[Outcome]) -> None:
+def test_simulated_users_are_deterministic(outcomes: list[Outcome]) -> None:
     assert simulate(QUICK, groups=2, seed=4) == outcomes
     assert simulate(QUICK, groups=1, seed=5) != outcomes[:1]
     assert [(outcome.group, outcome.trial) for outcome in outcomes] == [(1, 1), (2, 1)]
@@ -326,7 +326,7 @@ def test_simulated_users_collect_each_level_in_turn(outcomes: list[Outcome]) -> 
         assert min(sphere.seconds for sphere in outcome.spheres) > QUICK.hold + 0.5 * Person().reaction
 
 
-def test_users_who_wait_to_search_take_longer_by_as_much() -> None:
+def test_a_search_delay_lengthens_the_time_by_as_much() -> None:
     still = dataclasses.replace(QUICK, speeds=(0.0, 0.0, 0.0))
     calm = Person(lapses=0.0, spread=0.0, tremor=0.0)
     quick, slow = (
@@ -346,17 +346,17 @@ def test_a_hand_without_tremor_comes_to_rest_on_a_still_target() -> None:
     assert away[-1] < 1e-4
 
 
-def test_a_hand_lags_behind_a_moving_target_by_what_pursuit_leaves() -> None:
+def test_a_hand_lags_behind_a_moving_target_by_the_pursuit_error() -> None:
     person = Person(tremor=0.0, lapses=0.0, spread=0.0)
     hand, speed = Pointing(person, 0, 1), math.radians(10.0)
     for step in range(72 * 12):
         now = step / 72.0
         yaw, _ = hand.step(now, Target(0, (speed * now, 0.0), 0.08))
-    # The error e that the loop needs for the rest of the speed: gain · e = (1 − pursuit) · speed.
+    # The error e that the loop needs for the remaining speed: gain · e = (1 − pursuit) · speed.
     assert speed * now - yaw == pytest.approx((1.0 - person.pursuit) * speed / person.gain, rel=0.02)
 
 
-def test_tremor_has_its_deviation_and_its_time() -> None:
+def test_tremor_has_its_deviation_and_correlation_time() -> None:
     person = Person(lapses=0.0, spread=0.0)
     hand = Pointing(person, 3, 1)
     path = np.degrees([hand.step(step / 72.0, None) for step in range(72 * 300)])
@@ -365,7 +365,7 @@ def test_tremor_has_its_deviation_and_its_time() -> None:
     assert keeps == pytest.approx(math.exp(-1.0 / 72.0 / person.tremor_time), abs=0.02)
 
 
-def test_rotations_turn_ahead_along_their_angles() -> None:
+def test_rotations_point_along_their_angles() -> None:
     for yaw, pitch in ((0.0, 0.0), (0.7, 0.3), (-2.0, -1.0)):
         expected = (-math.sin(yaw) * math.cos(pitch), math.sin(pitch), -math.cos(yaw) * math.cos(pitch))
         assert rotated(rotation_of(yaw, pitch)) == pytest.approx(expected, abs=1e-12)

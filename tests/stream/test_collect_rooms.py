@@ -1,4 +1,4 @@
-"""Simulated users of the sphere collection on the real server: groups, scores, another conductor, garbage."""
+"""Simulated users of the sphere collection on the real server: groups, scores, a new conductor, malformed messages."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ async def simulated(url: str, room: str, group: int, seed: int, settings: Settin
 
 
 async def score(watcher: Room, spheres: int, group: int, but: int = -1) -> tuple[int, Score]:
-    """The next score of a group with so many spheres or more, and who told it; another user than one."""
+    """The next score of a group with at least so many spheres, and its sender, other than the excluded user."""
 
     def is_wanted(event: Said) -> bool:
         sender = watcher.users.get(event.user)
@@ -54,14 +54,14 @@ async def cancelled(*tasks: asyncio.Task[Any]) -> None:
     await asyncio.wait(tasks)
 
 
-def test_four_users_collect_and_go_on_without_their_conductor(server: Server) -> None:
+def test_four_users_collect_and_continue_without_their_conductor(server: Server) -> None:
     async def script() -> None:
         async with join(server.url, room="four", group=9) as watcher:
             playing: dict[int, asyncio.Task[Any]] = {}
             for seed in range(4):
                 task = asyncio.create_task(simulated(server.url, "four", 1, seed, QUICK))
                 playing[(await until(watcher, Joined)).user] = task
-            # Whoever says garbage in another group stops nobody.
+            # A user that sends malformed messages in another group does not disturb this one.
             await watcher.say(bytes([MARK, 1, 1, 0]), to="room")
             conductor, first = await score(watcher, 2, 1)
             assert conductor == min(playing)
@@ -75,7 +75,7 @@ def test_four_users_collect_and_go_on_without_their_conductor(server: Server) ->
     run(script())
 
 
-def test_two_groups_play_side_by_side_to_the_end(server: Server) -> None:
+def test_two_groups_play_concurrently_to_the_end(server: Server) -> None:
     short = Settings(users=2, trials=2, duration=0.5, hold=0.05, pause=0.05, rest=0.05, radius=1.5)
 
     async def script() -> list[list[Outcome]]:

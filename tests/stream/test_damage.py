@@ -1,4 +1,4 @@
-"""Files and manifests of bundles that are missing or damaged: each is named, by `open`, `verify` and the first use."""
+"""Missing or damaged files and manifests of bundles: each is named by `open`, `verify` and the first use."""
 
 from __future__ import annotations
 
@@ -57,13 +57,13 @@ def test_a_missing_or_altered_file_is_named(copied: Path, damage: str) -> None:
             (copied / name).write_bytes(altered)
         named = re.escape(f"{copied}/{name}: expected ")
         acts: list[Callable[[], object]] = [opened.verify, lambda: opened.read(name)]  # noqa: B023
-        if name != "tileset.json":  # which is for other programs
+        if name != "tileset.json":  # The file is for other programs.
             acts.append(lambda: use(opened))  # noqa: B023
         for act in acts:
             with pytest.raises(nf.FormatError, match=named):
                 act()
         if damage == "changed":
-            nf.stream.open(copied)  # which does not read it
+            nf.stream.open(copied)  # `open` does not read it.
         else:
             with pytest.raises(nf.FormatError, match=named):
                 nf.stream.open(copied)
@@ -71,7 +71,7 @@ def test_a_missing_or_altered_file_is_named(copied: Path, damage: str) -> None:
         opened.verify()
 
 
-def test_verify_reads_files_again_that_were_used(copied: Path) -> None:
+def test_verify_reads_used_files_again(copied: Path) -> None:
     bundle = nf.stream.open(copied)
     use(bundle)
     for name in bundle.files:
@@ -112,8 +112,8 @@ def places(node: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
                 yield from places(node[key], (*path, key))
 
 
-def changed(document: Any, path: tuple[Any, ...], value: Any) -> Any:
-    """A copy in which the value at a path is another one; `...` removes it."""
+def replace_value(document: Any, path: tuple[Any, ...], value: Any) -> Any:
+    """A copy with the value at a path replaced; `...` removes it."""
     document = copy.deepcopy(document)
     node = document
     for key in path[:-1]:
@@ -126,13 +126,13 @@ def changed(document: Any, path: tuple[Any, ...], value: Any) -> Any:
 
 
 HEADER = ("generator", "units", "axes", "origin")
-"""Fields of all our files that say how to read them; readers of one version need none of them."""
+"""Fields of all our files that describe how to read them; readers of a single version do not need them."""
 
 WRONG: tuple[Any, ...] = (True, -1, 0.5, "x", [], {}, [None])
 
 
 def refusal(folder: Path) -> str:
-    """The message with which a bundle, or one of its uses, is refused; "" if all can be used."""
+    """The message with which a bundle, or one of its uses, is refused; "" if it is usable."""
     try:
         use(nf.stream.open(folder))
     except nf.FormatError as error:
@@ -141,14 +141,14 @@ def refusal(folder: Path) -> str:
 
 
 def check_values(folder: Path, values: tuple[Any, ...]) -> int:
-    """Put values in all places of a manifest; returns how many were refused. What breaks the schema must be."""
+    """Put values in all places of a manifest; returns how many were refused. Violations of the schema must be."""
     path = folder / "manifest.json"
     whole = json.loads(path.read_text())
     assert valid(whole, "bundle")
     refused, let = 0, []
     for place in places(whole):
         for value in values:
-            document = changed(whole, place, value)
+            document = replace_value(whole, place, value)
             path.write_text(json.dumps(document))
             message = refusal(folder)
             if message:
@@ -193,9 +193,9 @@ def test_no_manifest_that_breaks_the_schema_is_opened(copied: Path) -> None:
         (("dynamic", "geometry"), 3, "geometry: expected"),
     ],
 )
-def test_what_is_wrong_with_a_manifest_is_said(copied: Path, place: tuple[Any, ...], value: Any, text: str) -> None:
+def test_defects_of_a_manifest_are_explained(copied: Path, place: tuple[Any, ...], value: Any, text: str) -> None:
     path = copied / "manifest.json"
-    path.write_text(json.dumps(changed(json.loads(path.read_text()), place, value)))
+    path.write_text(json.dumps(replace_value(json.loads(path.read_text()), place, value)))
     with pytest.raises(nf.FormatError, match=rf"{re.escape(str(path))}: .*{text}"):
         nf.stream.open(copied)
 
@@ -203,7 +203,7 @@ def test_what_is_wrong_with_a_manifest_is_said(copied: Path, place: tuple[Any, .
 @pytest.mark.parametrize(
     "data", [b"", b"{", b"[]", b"null", b"\xff\xfe", b'{"format": NaN}', b"[" * 100_000, b'"\\ud800"']
 )
-def test_manifests_that_are_no_document_are_refused(copied: Path, data: bytes) -> None:
+def test_manifests_that_are_no_json_object_are_refused(copied: Path, data: bytes) -> None:
     (copied / "manifest.json").write_bytes(data)
     with pytest.raises(nf.FormatError, match=re.escape(f"{copied}/manifest.json: ")):
         nf.stream.open(copied)
@@ -231,11 +231,11 @@ VALUES = st.recursive(
 
 
 class Fuzz:
-    """Mutations of bundles that only FormatError answers.
+    """Mutations of bundles, for which only FormatError may be raised.
 
-    Hypothesis takes the place of cargo-fuzz here, because what reads manifests and maps is Python, which libFuzzer does
-    not see into; the decoders in Rust that a bundle reaches, of meshoptimizer's streams, have the target `meshopt` in
-    fuzz/. The hashes of altered files are set right, so that the decoders see them.
+    Hypothesis replaces cargo-fuzz here, because manifests and maps are read in Python, which libFuzzer does
+    not instrument; for the Rust decoders of meshoptimizer's streams there is the target `meshopt` in
+    fuzz/. The hashes of altered files are updated, so that the decoders process them.
     """
 
     @staticmethod
@@ -244,7 +244,7 @@ class Fuzz:
         path = folder / "manifest.json"
         document = json.loads(path.read_text())
         for _ in range(data.draw(st.integers(1, 3))):
-            document = changed(
+            document = replace_value(
                 document, data.draw(st.sampled_from(list(places(document)))), data.draw(VALUES | st.just(...))
             )
             if not document:
@@ -253,7 +253,7 @@ class Fuzz:
 
     @staticmethod
     def file(folder: Path, data: st.DataObject) -> None:
-        """Alter bytes of a file, or cut it, or take another one's."""
+        """Alter bytes of a file, truncate it, or replace it by another one's."""
         path = folder / "manifest.json"
         document = json.loads(path.read_text())
         name = data.draw(st.sampled_from(sorted(document["files"])))
@@ -283,7 +283,7 @@ def check_fuzzed(folder: Path, mutate: Callable[[Path, st.DataObject], None], da
     assert len(message) < len(str(folder)) + 600
 
 
-# Always the same examples: the attack draws others.
+# Fixed examples: the attack draws others.
 QUICK = settings(
     max_examples=30, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )

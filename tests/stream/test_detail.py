@@ -1,4 +1,4 @@
-"""Textures and levels in a bundle are as fine as users can see, and no finer."""
+"""Textures and levels in a bundle are as fine as visible to users, and no finer."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from tests.support import data, leveled_cases
 CENTER = (0.0, 1.7, 0.0)
 SETTINGS: dict[str, Any] = {"center": CENTER, "radii": (10.0, 40.0), "face_size": 64, "samples": 1}
 TEXELS = 256
-"""Along a side of the panels' texture; panels are 4 m wide."""
+"""Texels along a side of the panels' texture; panels are 4 m wide."""
 
 
 def noise(side: int = TEXELS, *, seed: int = 3) -> NDArray[np.uint8]:
@@ -82,7 +82,7 @@ def by_hand(distance: float, pixels_per_degree: float, *, reach: float = 1.0, fi
 @pytest.mark.parametrize(
     ("distance", "pixels_per_degree"), [(3.0, 25.0), (9.5, 25.0), (30.0, 25.0), (30.0, 10.0), (39.0, 2.0), (0.5, 1.0)]
 )
-def test_a_texture_is_as_large_as_pixels_need(tmp_path: Path, distance: float, pixels_per_degree: float) -> None:
+def test_a_texture_has_the_size_that_pixels_need(tmp_path: Path, distance: float, pixels_per_degree: float) -> None:
     scene = gallery(("panel", (0.0, -distance)))
     bundle = nf.stream.export(scene, tmp_path / "b", **SETTINGS, pixels_per_degree=pixels_per_degree)
     side = by_hand(distance, pixels_per_degree)
@@ -91,12 +91,12 @@ def test_a_texture_is_as_large_as_pixels_need(tmp_path: Path, distance: float, p
     assert bundle.at(2).triangle_count
 
 
-def test_none_keeps_textures_whole(tmp_path: Path) -> None:
+def test_none_keeps_textures_at_full_size(tmp_path: Path) -> None:
     bundle = nf.stream.export(gallery(("far", (0, -30))), tmp_path / "b", **SETTINGS, pixels_per_degree=None)
     assert sizes(bundle, tmp_path / "b") == [(TEXELS, TEXELS)]
 
 
-def test_the_nearest_object_of_all_regions_counts(tmp_path: Path) -> None:
+def test_the_nearest_object_of_all_regions_decides(tmp_path: Path) -> None:
     scene = gallery(("far", (0.0, -30.0)), ("farther", (3.0, -36.0)))
     centers = [CENTER, (0.0, 1.7, -10.0)]
     given = {**SETTINGS, "center": centers, "pixels_per_degree": 5.0}
@@ -115,7 +115,7 @@ def test_moving_objects_keep_their_textures(tmp_path: Path) -> None:
     assert sizes(bundle, tmp_path / "b") == [(TEXELS, TEXELS)]
 
 
-def test_what_lies_beyond_the_rings_needs_no_texels(tmp_path: Path) -> None:
+def test_objects_beyond_the_rings_need_no_texels(tmp_path: Path) -> None:
     builder = nf.SceneBuilder()
     materials = [builder.material((1, 1, 1, 1), texture=noise(seed=seed)) for seed in (1, 2)]
     panel(builder, "near", materials[0], (0, -3))
@@ -153,7 +153,7 @@ def one_by_one(scene: nf.Scene, distances: NDArray[np.float64]) -> NDArray[np.fl
             texels = ((arrays["uvs"][face[1:]].astype(np.float64) - arrays["uvs"][face[0]]) * (width, height)).T
             if np.linalg.matrix_rank(edges) < 2:
                 continue
-            # The pseudo-inverse takes points of the plane to multiples of the edges.
+            # The pseudo-inverse maps points of the plane to multiples of the edges.
             density = np.linalg.svd(texels @ np.linalg.pinv(edges), compute_uv=False)[0]
             seen = density * distances[own if own >= 0 else object_]
             least[texture] = min(least[texture], seen)
@@ -175,7 +175,7 @@ def test_halved_textures_are_means_of_squares_in_linear_light(cutout: bool) -> N
     assert np.abs(halved[..., 3] - alpha).max() < 0.51
 
 
-def test_no_point_is_seen_larger_than_its_least_distance_says() -> None:
+def test_no_point_appears_larger_than_at_its_least_distance() -> None:
     rng, reach, radii = np.random.default_rng(5), 1.0, (10.0, 40.0)
     count = 20_000
     rho, turn = rng.uniform(2.0, 40.0, count), rng.uniform(0, 2 * np.pi, count)
@@ -193,7 +193,7 @@ def test_no_point_is_seen_larger_than_its_least_distance_says() -> None:
             ]
             angle = np.linalg.norm(shown[1] - shown[0], axis=1)
             worst = max(worst, (angle * seen / 1e-5).max())
-    # Points are morphed from ρ = 7 m on, where the blend of two unit directions is shorter than 1 by less than 3e-3.
+    # Points are morphed from ρ = 7 m, where the blend of two unit directions is shorter than 1 by less than 3e-3.
     assert 0.8 < worst < 1.003
 
 
@@ -213,7 +213,7 @@ def test_least_distances_of_all_kinds_of_objects() -> None:
 
 @pytest.mark.parametrize("distance", [16.0, 30.0])
 def test_pictures_hardly_change_and_bytes_fall(tmp_path: Path, distance: float) -> None:
-    """A client of 25 pixels a degree, as near as a user comes: cut textures show what whole ones do, even of noise."""
+    """A client of 25 pixels a degree, as near as users come: reduced textures look like full ones, even of noise."""
     builder, painted = nf.SceneBuilder(), noise(1024)
     panel(builder, "panel", builder.material((1, 1, 1, 1), texture=painted), (0.0, -distance))
     scene = builder.build()
@@ -225,7 +225,7 @@ def test_pictures_hardly_change_and_bytes_fall(tmp_path: Path, distance: float) 
     degrees = 2 * math.degrees(math.atan(2.0 / (distance - 1)))
     size = round(25 * degrees)
     view = nf.Camera.look_at((0, 2, -1), (0, 2, -distance), fov=nf.Fov.symmetric(degrees), size=(size, size))
-    # One sample takes the texture's own coarser level, of which the cut texture is one.
+    # One sample uses the texture's own coarser level, and the reduced texture is such a level.
     for samples, least in ((1, 65.0), (16, 45.0)):
         pictures = [bundle.at(2, 10.0).render(view, samples=samples) for bundle in (whole, cut)]
         assert nf.psnr(*pictures) > least
@@ -276,7 +276,7 @@ def test_objects_have_the_levels_of_the_nearest_user(tmp_path: Path) -> None:
     assert bundle.map(0).color.tolist() == whole.map(0).color.tolist()
 
 
-def test_levels_are_those_of_each_region(tmp_path: Path) -> None:
+def test_levels_are_chosen_for_each_region(tmp_path: Path) -> None:
     scene = balls(20.0)
     centers = [CENTER, (0.0, 1.7, -18.9)]
     bundle = nf.stream.export(scene, tmp_path / "b", **{**SETTINGS, "center": centers}, lod=nf.lod.Selector())
@@ -285,7 +285,7 @@ def test_levels_are_those_of_each_region(tmp_path: Path) -> None:
     assert triangles[0] < 1280
 
 
-def test_levels_can_be_given(tmp_path: Path) -> None:
+def test_levels_can_be_specified(tmp_path: Path) -> None:
     scene = balls(5.0, 20.0)
     for lod in ([1, 3], lambda *objects, camera: np.array([1, 3]), {"ball0": 1, "ball1": 3}):
         if isinstance(lod, dict):

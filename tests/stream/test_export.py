@@ -1,4 +1,4 @@
-"""Geometry as files: the same triangles within the bound, and documents that keep glTF's rules."""
+"""Geometry as files: the same triangles within the bound, and documents that follow glTF's rules."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def exporter(scene: nf.Scene, *, compressed: bool, kind: str | None = "png", ste
 
 
 def files(export: _core.Export) -> list[tuple[bytes, dict[str, Any]]]:
-    """All groups' files, which hold their shared meshes themselves."""
+    """All groups' files, including their shared meshes."""
     return [export.glb(group, uris=[None] * len(export.shared())) for group in range(len(RADII) + 2)]
 
 
@@ -72,7 +72,7 @@ def world_triangles(glb: bytes) -> NDArray[np.float64]:
 
 
 def least_distances(triangles: NDArray[np.float64], others: NDArray[np.float64]) -> NDArray[np.float64]:
-    """For each triangle the least difference of a coordinate to one of the others with a close middle."""
+    """For each triangle the least difference of a coordinate to one of the others with a close centroid."""
     _, near = cKDTree(others.mean(axis=1)).query(triangles.mean(axis=1), k=min(16, len(others)))
     near = near.reshape(len(triangles), -1)
     turned = [np.abs(triangles[:, None] - np.roll(others, turn, axis=1)[near]).max(axis=(2, 3)) for turn in range(3)]
@@ -90,7 +90,7 @@ def test_trimesh_reads_the_scenes_triangles_from_plain_files(city: nf.Scene) -> 
     found = np.concatenate([world_triangles(glb) for glb, _ in pairs])
     statistics = [statistics for _, statistics in pairs]
     assert len(found) == sum(one["drawn"] for one in statistics)
-    # The ground reaches 9.3 km, where the grid is coarser.
+    # The ground extends to 9.3 km, where the grid is coarser.
     assert max(one["position_error"] for one in statistics) == STEP
     expected = city.triangles().astype(np.float64) + city.origin
     edges = np.diff(expected, axis=1)
@@ -107,7 +107,7 @@ def test_trimesh_reads_the_scenes_triangles_from_plain_files(city: nf.Scene) -> 
 
 @pytest.mark.parametrize("compressed", [False, True])
 @pytest.mark.parametrize("kind", ["png", "webp"])
-def test_documents_keep_the_rules_of_gltf(city: nf.Scene, compressed: bool, kind: str) -> None:
+def test_documents_follow_the_rules_of_gltf(city: nf.Scene, compressed: bool, kind: str) -> None:
     required = set()
     room = nf.datasets.room()
     assert texture_count(room) > 0
@@ -197,7 +197,7 @@ def test_moving_objects_are_named_nodes_of_their_group(city: nf.Scene) -> None:
     assert [node["name"] for node in document["nodes"] if "mesh" in node] == moving
 
 
-def test_colors_are_those_of_the_uncompressed_writer() -> None:
+def test_colors_equal_the_uncompressed_writer() -> None:
     corners = np.zeros((256, 3), np.float32)
     corners[:, 0], corners[::2, 1] = np.arange(256), 1
     colors = np.repeat(np.arange(256, dtype=np.uint8)[:, None], 4, axis=1)

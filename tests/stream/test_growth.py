@@ -19,7 +19,7 @@ STEP = 1.0 / 72.0
 
 
 def directions(growth: nf.stream.Growth, ring: int, time: float, points: Any, user: Any) -> Any:
-    """Where the morph of a ring at a time shows points, as unit vectors from the user."""
+    """Displayed directions of points for a ring's morph at a time, as unit vectors from the user."""
     radius = growth.radius(ring, time)
     place: dict[str, Any] = {
         "r1": 0.7 * radius,
@@ -39,7 +39,7 @@ def ring_of_points(rho: float) -> Any:
 
 @pytest.mark.parametrize("ring", [2, 3, 4])
 @pytest.mark.parametrize("reach", [0.5, 1.0])
-def test_a_growing_radius_turns_the_picture_at_its_speed(ring: int, reach: float) -> None:
+def test_a_growing_radius_rotates_points_at_its_speed(ring: int, reach: float) -> None:
     growth = nf.stream.Growth(RADII, speed=0.6, reach=reach)
     user = CENTER + np.array([reach, 0.0, 0.0])
     seconds = growth.seconds(ring)
@@ -49,24 +49,24 @@ def test_a_growing_radius_turns_the_picture_at_its_speed(ring: int, reach: float
         points = ring_of_points(0.85 * growth.radius(ring, time + STEP / 2))
         one, next_one = (directions(growth, ring, at, points, user) for at in (time, time + STEP))
         speeds.append(np.degrees(np.linalg.norm(next_one - one, axis=1)).max() / STEP)
-    # The formula is that of a user much nearer than the points: 1 m against at least 8.5 m.
+    # The formula is for a user much nearer than the points: 1 m against at least 8.5 m.
     np.testing.assert_allclose(speeds, 0.6, rtol=0.16)
     assert max(speeds) / min(speeds) < 1.2
 
 
-def test_the_first_ring_turns_points_at_seven_tenths_of_its_radius_at_the_speed() -> None:
+def test_the_first_ring_rotates_points_at_seven_tenths_of_its_radius_at_the_speed() -> None:
     growth = nf.stream.Growth(RADII, speed=0.6)
     user, points = CENTER + np.array([1.0, 0.0, 0.0]), ring_of_points(7.0)
     times = np.linspace(growth.fade, growth.seconds(1), 50)
     shown = np.array([directions(growth, 1, time, points, user) for time in times])
     speeds = np.degrees(np.linalg.norm(np.diff(shown, axis=0), axis=-1)) / np.diff(times)[:, None]
-    # Of each point constant; from U the nearest points are only 6 m away.
+    # The speed of each point is constant; from U the nearest points are only 6 m away.
     assert speeds.max() == pytest.approx(0.6, rel=0.2)
     assert (speeds.max(axis=0) <= 1.2 * speeds.min(axis=0) + 1e-6).all()
     assert {growth.radius(1, time) for time in times} == {10.0}
 
 
-def test_growth_begins_where_the_ring_before_ended_and_ends_at_its_own_radius() -> None:
+def test_growth_begins_at_the_previous_radius_and_ends_at_its_own() -> None:
     growth = nf.stream.Growth(RADII, fade=0.25)
     assert growth.radii == RADII
     assert (growth.seconds(0), growth.radius(0, 9.0), growth.strength(0, 9.0)) == (0.0, 0.0, 1.0)
@@ -93,7 +93,7 @@ def test_speeds_are_proportional() -> None:
     assert slow.pixels(320.0) == pytest.approx(math.radians(0.5) * 320.0)
 
 
-def test_a_bundle_states_how_it_grows(tmp_path: Path) -> None:
+def test_a_bundle_states_its_growth(tmp_path: Path) -> None:
     scene = nf.datasets.city(blocks=1, detail=0)
     given: dict[str, Any] = {"center": CENTER, "radii": RADII[:2], "face_size": 64, "samples": 1}
     bundle = nf.stream.export(scene, tmp_path / "city", **given)
@@ -115,7 +115,7 @@ def frame(value: float, size: tuple[int, int] = (4, 3), **images: Any) -> nf.Fra
     return nf.Frame(nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90, 1), size=size), color=color, **images)
 
 
-def test_pictures_are_mixed_by_their_shares() -> None:
+def test_pictures_are_mixed_by_weight() -> None:
     marks = np.full((3, 4), 7, np.int32)
     old, new = frame(0.2), frame(0.6, object_id=marks)
     for share, expected in ((0.0, 0.2), (0.25, 0.3), (1.0, 0.6)):

@@ -1,4 +1,4 @@
-"""Bundles behind a web server: read file by file, wherever it serves them, and whatever it does instead."""
+"""Bundles behind a web server: read file by file, from any path, with server failures."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ NAMES = ("city", "ein Dörfchen 50 %")
 
 
 class Handler(SimpleHTTPRequestHandler):
-    """Serves a folder, and does wrong where it is asked to."""
+    """Serves a folder, with failures on request."""
 
     def log_message(self, format: str, *given: Any) -> None:  # noqa: A002
         pass
@@ -63,7 +63,7 @@ def url_of(server: ThreadingHTTPServer) -> str:
 
 @pytest.mark.parametrize("place", ["{}", "{}/", "{}/manifest.json"])
 @pytest.mark.parametrize("name", [*NAMES, "ein%20D%C3%B6rfchen%2050%20%25"])
-def test_what_is_served_is_what_was_written(server: ThreadingHTTPServer, folder: Path, name: str, place: str) -> None:
+def test_served_bundles_equal_written_ones(server: ThreadingHTTPServer, folder: Path, name: str, place: str) -> None:
     bundle, local = nf.stream.open(place.format(f"{url_of(server)}/{name}")), nf.stream.open(folder / NAMES[0])
     assert bundle.files == local.files
     bundle.verify()

@@ -1,4 +1,4 @@
-"""Exports that end early, killed, stopped or without space: the older bundle stays, and the next one completes."""
+"""Interrupted exports, killed, stopped or without space: the older bundle remains, and the next one completes."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ URL = "memory://interrupted/village"
 
 @pytest.fixture(scope="module")
 def versions(tmp_path_factory: pytest.TempPathFactory) -> tuple[dict[str, bytes], dict[str, bytes]]:
-    """Files of two versions, which share some."""
+    """Files of two versions, some of them shared."""
     folder = tmp_path_factory.mktemp("versions")
     for name, height in (("old", OLD), ("new", NEW)):
         bundle_cases.write(folder / name, **height)
@@ -49,7 +49,7 @@ def forked(act: Callable[[], object]) -> int:
 
 
 def kill_at(folder: Path, event: int) -> None:
-    """Kill this process at a change of the file system at or beside a folder: the first, the second and so on."""
+    """Kill this process at the n-th change of the file system at or beside a folder."""
     seen = [0]
 
     def hook(name: str, given: tuple[Any, ...]) -> None:
@@ -64,7 +64,7 @@ def kill_at(folder: Path, event: int) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("stands", [False, pytest.param(True, marks=pytest.mark.stress)])
-def test_killed_exports_leave_the_old_one_or_the_new_one(
+def test_killed_exports_leave_the_old_or_the_new_bundle(
     tmp_path: Path, versions: tuple[dict[str, bytes], dict[str, bytes]], stands: bool
 ) -> None:
     need("fork")
@@ -101,7 +101,7 @@ def test_killed_exports_leave_the_old_one_or_the_new_one(
 
 
 class Stop:
-    """Calls a function, but at its n-th call does something else first."""
+    """Calls a function, but replaces its n-th call by another action first."""
 
     def __init__(self, function: Callable[..., Any], call: int, deed: Callable[[], NoReturn]) -> None:
         self._function, self._left, self._deed = function, call, deed
@@ -124,7 +124,7 @@ def press() -> NoReturn:
 
 @pytest.mark.parametrize("call", [1, 2, 5, 13])
 @pytest.mark.parametrize("stands", [False, True])
-def test_a_full_disk_leaves_what_was_there(
+def test_a_full_disk_keeps_the_old_bundle(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, versions: Any, stands: bool, call: int
 ) -> None:
     folder = tmp_path / "village"
@@ -141,8 +141,8 @@ def test_a_full_disk_leaves_what_was_there(
 
 
 @pytest.mark.parametrize("size", [0, 100, 700, 1500, 3900])
-def test_files_that_may_not_grow_leave_what_was_there(tmp_path: Path, versions: Any, size: int) -> None:
-    """A limit of the system's stands for a disk that is full after so many bytes of a file."""
+def test_a_file_size_limit_keeps_the_old_bundle(tmp_path: Path, versions: Any, size: int) -> None:
+    """A system limit simulates a disk that is full after so many bytes of a file."""
     need("linux")
     import resource
 
@@ -169,7 +169,7 @@ def test_files_that_may_not_grow_leave_what_was_there(tmp_path: Path, versions: 
         (files, "_take_place", 1),
     ],
 )
-def test_control_c_leaves_what_was_there(
+def test_control_c_keeps_the_old_bundle(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, versions: Any, module: Any, name: str, call: int
 ) -> None:
     bundle_cases.write(tmp_path / "village", **OLD)
@@ -198,7 +198,7 @@ def memory() -> Iterator[Any]:
 
 
 class FullAfter:
-    """Writes files of a file system, but of the n-th only a half."""
+    """Writes files of a file system, but only half of the n-th one."""
 
     def __init__(self, system: Any, call: int) -> None:
         self._write, self._left = type(system).pipe_file, call
@@ -215,11 +215,11 @@ def at_url(system: Any) -> dict[str, bytes]:
     return {path.removeprefix("/interrupted/village/"): system.cat_file(path) for path in system.find("/interrupted")}
 
 
-def test_behind_a_url_the_older_one_stays_until_the_manifest(
+def test_behind_a_url_the_older_bundle_remains_until_the_manifest(
     monkeypatch: pytest.MonkeyPatch, memory: Any, versions: tuple[dict[str, bytes], dict[str, bytes]]
 ) -> None:
     old, new = versions
-    written = len(new.keys() - old.keys()) + 2  # files of the older one are not written again
+    written = len(new.keys() - old.keys()) + 2  # Files of the older bundle are not written again.
     for call in range(1, written + 2):
         memory.store.clear()
         bundle_cases.write(URL, **OLD)
@@ -237,10 +237,10 @@ def test_behind_a_url_the_older_one_stays_until_the_manifest(
             use(bundle)
             if call < written - 1:
                 bundle.verify()
-            else:  # its rings are there, but other programs' list of them is not
+            else:  # Its rings exist, but the list of them for other programs does not.
                 with pytest.raises(nf.FormatError, match=rf"{URL}/tileset\.json: expected"):
                     bundle.verify()
-        else:  # stores that write half of a file instead of none would lose the manifest
+        else:  # Stores that write half of a file instead of none would lose the manifest.
             with pytest.raises(nf.FormatError, match=rf"{URL}/manifest\.json: damaged"):
                 nf.stream.open(URL)
         bundle_cases.write(URL, **NEW)

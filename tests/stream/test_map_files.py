@@ -30,7 +30,7 @@ class Maps:
 
     @classmethod
     def random(cls, seed: int, count: int, size: int, noise: int) -> Maps:
-        """Slanted walls with noise and holes, of which some are replaced by others."""
+        """Slanted walls with noise and holes, some of them replaced by others."""
         rng = np.random.default_rng(seed)
         before, after = (walls(rng, count, size, noise) for _ in range(2))
         listed = rng.random((count, size // 4, size // 4)) < 0.5
@@ -67,7 +67,7 @@ def walls(rng: np.random.Generator, count: int, size: int, noise: int) -> NDArra
     st.sampled_from([1, 2, 400, 60000]),
     st.booleans(),
 )
-def test_ranges_come_back_as_described(seed: int, shape: tuple[int, int], noise: int, is_delta: bool) -> None:
+def test_ranges_are_decoded_as_documented(seed: int, shape: tuple[int, int], noise: int, is_delta: bool) -> None:
     maps = Maps.random(seed, *shape, noise)
     data = maps.encoded(is_delta)
     codes, changed = maps.decoded(data, is_delta)
@@ -90,7 +90,7 @@ def test_damaged_ranges_are_refused_or_read_as_others(is_delta: bool, draw: st.D
 
 
 @given(st.binary(max_size=200), st.booleans())
-def test_any_bytes_are_refused(data: bytes, is_delta: bool) -> None:
+def test_random_bytes_are_refused(data: bytes, is_delta: bool) -> None:
     maps = Maps.random(4, 1, 12, 5)
     for wrong in (data, zlib.compress(data)):
         with pytest.raises(ValueError, match="ranges"):
@@ -98,18 +98,18 @@ def test_any_bytes_are_refused(data: bytes, is_delta: bool) -> None:
 
 
 @pytest.mark.parametrize("is_delta", [False, True])
-def test_cut_and_endless_ranges_are_refused(is_delta: bool) -> None:
+def test_truncated_and_endless_ranges_are_refused(is_delta: bool) -> None:
     maps = Maps.random(5, 1, 12, 5)
     data = maps.encoded(is_delta)
     raw = zlib.decompress(data)
-    # 10 MB of zeros in 10 kB: what does not fit is not unpacked.
+    # 10 MB of zeros in 10 kB: data that does not fit is not unpacked.
     wrong = [b"", b"abc", data[:-5], data + b"a", zlib.compress(raw[:-1]), zlib.compress(raw + b"a")]
     for bad in [*wrong, zlib.compress(bytes(10_000_000))]:
         with pytest.raises(ValueError, match=r"expected .*ranges|ranges: expected"):
             maps.decoded(bad, is_delta)
 
 
-def test_changes_that_would_be_lost_are_refused() -> None:
+def test_changes_outside_listed_tiles_are_refused() -> None:
     maps = Maps.random(6, 1, 12, 5)
     beside = np.ones_like(maps.changed)
     with pytest.raises(ValueError, match="tiles"):
@@ -125,14 +125,14 @@ def test_a_map_takes_fewer_bytes_as_changes() -> None:
     assert len(maps.encoded(True)) < 0.5 * len(maps.encoded(False))
 
 
-def test_texels_beside_marked_ones_are_marked() -> None:
+def test_neighbours_of_marked_texels_are_marked() -> None:
     mask = np.random.default_rng(0).random((2, 9, 9)) < 0.05
     wide = np.pad(mask, ((0, 0), (1, 1), (1, 1)))
     expected = [wide[:, y : y + 9, x : x + 9] for y in range(3) for x in range(3)]
     np.testing.assert_array_equal(codec.with_neighbours(mask), np.any(expected, axis=0))
 
 
-def test_holes_are_filled_with_the_mean_of_the_least_block_with_any() -> None:
+def test_holes_are_filled_with_the_mean_of_the_smallest_non_empty_block() -> None:
     rng = np.random.default_rng(0)
     tiles, known = rng.random((3, 8, 8, 3)).astype(np.float32), rng.random((3, 8, 8)) < 0.2
     found = codec.filled(tiles, known)
@@ -145,7 +145,7 @@ def test_holes_are_filled_with_the_mean_of_the_least_block_with_any() -> None:
         own = found[number, rows, columns][known[number, rows, columns]]
         if side == 1:
             np.testing.assert_array_equal(found[number, y, x], tiles[number, y, x])
-        # Means of means of the four quarters, of which the known texels of each have equal weight.
+        # Means of the means of the four quarters, in each of which the known texels have equal weight.
         elif side == 2:
             np.testing.assert_allclose(found[number, y, x], own.mean(axis=0), rtol=1e-6)
         assert own.min() - 1e-6 <= found[number, y, x].min()

@@ -1,4 +1,4 @@
-"""Maps of rings: each shows the objects of later rings, and is traced only where the one before changes."""
+"""Maps of rings: each shows the objects of later rings, and is traced only where it differs from the previous one."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def rings() -> nf.stream.Rings:
 
 
 @pytest.mark.parametrize("samples", [1, 4])
-def test_each_map_is_that_of_the_objects_of_later_rings(rings: nf.stream.Rings, samples: int) -> None:
+def test_each_map_shows_the_objects_of_later_rings(rings: nf.stream.Rings, samples: int) -> None:
     maps = nf.stream.bake_maps(rings, face_size=SIZE, samples=samples, object_id=True)
     for ring in range(rings.count + 1):
         later = [name for number in range(ring + 1, rings.count + 2) for name in rings.objects(number)]
@@ -36,7 +36,7 @@ def test_each_map_is_that_of_the_objects_of_later_rings(rings: nf.stream.Rings, 
         found = maps.map(ring)
         np.testing.assert_array_equal(found.range, whole.range)
         np.testing.assert_array_equal(found.object_id, whole.object_id)
-        # Equal to a rounding: textures of parts may lie elsewhere, but their texels are the same.
+        # Equal up to rounding: textures of parts may lie elsewhere, but their texels are the same.
         np.testing.assert_allclose(found.color, whole.color, atol=2e-6)
         assert found.center == CENTER
 
@@ -55,7 +55,7 @@ def test_only_texels_that_change_are_traced_again(rings: nf.stream.Rings) -> Non
     assert maps.rays == 6 * SIZE**2 + changed < 3 * 6 * SIZE**2
 
 
-def test_changed_tiles_hold_all_changed_texels(rings: nf.stream.Rings) -> None:
+def test_changed_tiles_contain_all_changed_texels(rings: nf.stream.Rings) -> None:
     maps = nf.stream.bake_maps(rings, face_size=100)
     for ring in range(1, rings.count + 1):
         tiles = maps.changed_tiles(ring)

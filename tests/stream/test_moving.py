@@ -1,4 +1,4 @@
-"""Dynamic objects of bundles: compressed like rings, and posed by the bits of the transforms that they came with."""
+"""Dynamic objects of bundles: compressed like rings, and posed relative to their original transforms bit for bit."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def test_transforms_keep_their_bits(tmp_path: Path, offset: Any, compression: st
     kept = ("left", "right", "both")
     assert tuple(found.poses) == kept
     assert found.origin.tolist() == posed.origin.tolist()
-    # Instances stand in the order of the scene's; "tiny" has no area after rounding, which the bundle leaves out.
+    # Instances are in the scene's order; "tiny" has no area after rounding, and the bundle omits it.
     rows = [n for n, owner in enumerate(posed._core.moving_objects()) if posed.object_names[owner] in kept]
     np.testing.assert_array_equal(found._core.moving_placements(), posed._core.moving_placements()[rows])
     np.testing.assert_array_equal(found._rest, posed._rest[rows])
@@ -68,11 +68,11 @@ def test_transforms_keep_their_bits(tmp_path: Path, offset: Any, compression: st
         np.testing.assert_array_equal(found.poses[name], posed.poses[name])
         np.testing.assert_array_equal(found.transform(name), posed.transform(name))
     ids = found._core.mesh_ids()
-    assert len(np.unique(ids)) == len(ids)  # mirrored ones are meshes of their own
+    assert len(np.unique(ids)) == len(ids)  # Mirrored objects have separate meshes.
     assert found.triangle_count == posed.triangle_count - 2 - 2
 
 
-def test_they_are_drawn_where_they_are_posed(tmp_path: Path) -> None:
+def test_moving_objects_are_drawn_at_their_poses(tmp_path: Path) -> None:
     scene = mixed()
     bundle = nf.stream.export(scene, tmp_path / "b", **SETTINGS, quality=None, step=2.0**-14)
     view = nf.Camera.look_at((0.2, 1.6, 0.1), (0, 1.5, -5), fov=nf.Fov.symmetric(70), size=(96, 64))
@@ -88,7 +88,7 @@ def test_they_are_drawn_where_they_are_posed(tmp_path: Path) -> None:
     assert np.any(shown != bundle.at(1).render(view, samples=1).to_image())
 
 
-def test_they_are_smaller_than_plain_files(tmp_path: Path) -> None:
+def test_moving_objects_are_smaller_than_plain_files(tmp_path: Path) -> None:
     room = nf.datasets.room()
     bundle = nf.stream.export(room, tmp_path / "b", **SETTINGS)
     manifest = json.loads((tmp_path / "b" / "manifest.json").read_text())
@@ -101,7 +101,7 @@ def test_they_are_smaller_than_plain_files(tmp_path: Path) -> None:
     assert manifest["dynamic"]["triangles"] == moving.triangle_count
 
 
-def test_a_mesh_that_also_stands_is_stored_once(tmp_path: Path) -> None:
+def test_a_mesh_that_is_also_static_is_stored_once(tmp_path: Path) -> None:
     builder = nf.SceneBuilder()
     noise = np.random.default_rng(3).normal(size=(3000, 3)).astype(np.float32)
     mesh = builder.mesh(noise, np.arange(3000).reshape(-1, 3))
@@ -115,7 +115,7 @@ def test_a_mesh_that_also_stands_is_stored_once(tmp_path: Path) -> None:
     bundle.verify()
 
 
-def test_faces_that_lose_their_area_leave_no_file(tmp_path: Path) -> None:
+def test_faces_that_lose_their_area_produce_no_file(tmp_path: Path) -> None:
     builder = nf.SceneBuilder()
     builder.instance(builder.mesh(SQUARE, FACES), similarity(0.0, (-0.5, 1.0, -9)), name="wall")
     for name, place in (("speck", (0, 1.7, -3)), ("mover", (0, 1.7, -4))):
@@ -141,7 +141,7 @@ def test_damaged_descriptions_name_the_file(tmp_path: Path) -> None:
     assert bundle.at(0).scene.triangle_count == 8
 
 
-def test_nodes_are_those_that_keep_faces() -> None:
+def test_nodes_without_faces_are_omitted() -> None:
     scene = mixed()
     rings = nf.stream.assign(scene, center=(0, 0, 0), radii=[5.0])
     files = _encode.Files()

@@ -1,4 +1,4 @@
-"""Sentences on centres and rings that were hardly meant; sensible ones get none."""
+"""Notes on probably unintended centres and rings; sensible ones have none."""
 
 from __future__ import annotations
 
@@ -52,15 +52,15 @@ ENDLESS = "'ground' (12 triangles) and 'wall' (12 triangles) reach from within r
         ((7000, 1, 0), "the centre lies 6,970 m outside the bounds of the scene"),
     ],
 )
-def test_centres_in_walls_and_outside_are_told(center: Any, start: str) -> None:
+def test_centres_in_walls_and_outside_are_noted(center: Any, start: str) -> None:
     assert any(sentence.startswith(start) for sentence in findings(street(), center)), findings(street(), center)
 
 
-def test_a_sensible_centre_has_nothing_but_the_long_objects() -> None:
+def test_a_sensible_centre_has_only_notes_on_long_objects() -> None:
     (sentence,) = findings(street(), (0, 1.7, 0))
     assert sentence == f"{ENDLESS}, 24 triangles together: they are sent whole with ring 1"
     assert findings(street(), (0, 1.7, 0), (5.0, 45.0)) == []
-    # Far above the ground, as a drone is, and within a moving object.
+    # Far above the ground, like a drone, and within a moving object.
     assert findings(street(), (0, 20, 0), (5.0, 45.0)) == []
     assert findings(street(("car", (-2, 0, -2), (2, 3, 2)), dynamic=("car",)), (0, 1.7, 0), (5.0, 45.0)) == []
     assert any(
@@ -68,7 +68,7 @@ def test_a_sensible_centre_has_nothing_but_the_long_objects() -> None:
     )
 
 
-def test_a_sheet_of_ground_is_told_from_below_only() -> None:
+def test_a_ground_sheet_is_noted_only_from_below() -> None:
     faces = [[0, 1, 2], [0, 2, 3]]
     corners = np.array([[-40, 0, -40], [-40, 0, 40], [40, 0, 40], [40, 0, -40]], float)
     sheet = nf.Scene.from_arrays(corners, faces)
@@ -87,14 +87,14 @@ def test_empty_rings_are_named() -> None:
     assert "all rings are empty: no static object lies within 20 m of the centre's vertical axis" in far
 
 
-def test_units_that_look_wrong_are_told() -> None:
+def test_units_that_look_wrong_are_noted() -> None:
     tall = scene(("tower", (-5, 0, -9000), (5, 9500, -4)))
     assert tall.report.unit_note
     assert findings(tall, (0, 1.7, 0))[0] == tall.report.unit_note
 
 
-def test_long_objects_are_those_of_all_corners() -> None:
-    """The oracle takes the triangles of each object out of the scene."""
+def test_long_objects_are_measured_over_all_corners() -> None:
+    """The oracle extracts the triangles of each object from the scene."""
     city = nf.datasets.city(blocks=3, detail=0)
     corners = np.add(city.triangles().reshape(-1, 3), (60_000.0, 0, 0))
     moved = nf.Scene.from_arrays(corners, np.arange(len(corners)).reshape(-1, 3))
@@ -131,7 +131,7 @@ def test_rays_cover_the_sphere() -> None:
     assert np.degrees(np.arccos((anywhere @ rays.T).max(axis=1))).max() < 15.0
 
 
-def test_a_bundle_keeps_its_sentences(tmp_path: Path) -> None:
+def test_a_bundle_stores_its_notes(tmp_path: Path) -> None:
     given: dict[str, Any] = {"center": (0, 2, 3.2), "radii": [5.0, 15.0], "face_size": 64, "samples": 1}
     bundle = nf.stream.export(street(), tmp_path / "b", **given)
     assert bundle.findings[0].startswith("the centre seems to lie inside 'wall'")

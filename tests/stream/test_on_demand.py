@@ -1,4 +1,4 @@
-"""Regions made on demand: parts come in order, and together they are the bundle that an export writes."""
+"""Regions made on demand: parts arrive in order, and together they equal an exported bundle."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from nearfar.stream._on_demand import OnDemand, Part, next_part
 PLACE = (3.3, 1.7, -2.2)
 SETTINGS: dict[str, Any] = {"grid": 2.0, "radii": (10.0, 22.0, 63.0), "face_size": 128, "samples": 2}
 COARSE = 64
-"""Texels along a face of the first maps, fewer than of others."""
+"""Texels along a face of the first maps, fewer than in the others."""
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -34,7 +34,7 @@ def make_parts(maker: OnDemand, place: tuple[float, float, float] = PLACE) -> li
     return found
 
 
-def written(folder: Path, parts: list[Part]) -> nf.stream.Bundle:
+def write_bundle(folder: Path, parts: list[Part]) -> nf.stream.Bundle:
     (folder / _store.FOLDER).mkdir(parents=True)
     for part in parts:
         for name, data in part.files.items():
@@ -52,18 +52,18 @@ def parts(city: nf.Scene) -> list[Part]:
     return make_parts(OnDemand(city, **SETTINGS))
 
 
-def test_the_whole_is_what_an_export_writes(city: nf.Scene, parts: list[Part], tmp_path: Path) -> None:
+def test_the_whole_equals_an_export(city: nf.Scene, parts: list[Part], tmp_path: Path) -> None:
     still = city.subset(objects=[name for name in city.object_names if name not in city.poses])
-    found = written(tmp_path / "found", make_parts(OnDemand(still, **SETTINGS)))
+    found = write_bundle(tmp_path / "found", make_parts(OnDemand(still, **SETTINGS)))
     nf.stream.export(still, tmp_path / "expected", center=PLACE, **SETTINGS)
     for name in (_store.MANIFEST, _store.TILESET):
         assert (tmp_path / "found" / name).read_bytes() == (tmp_path / "expected" / name).read_bytes()
     found.verify()
 
 
-def test_dynamic_objects_are_those_of_an_export(city: nf.Scene, parts: list[Part], tmp_path: Path) -> None:
+def test_dynamic_objects_equal_an_export(city: nf.Scene, parts: list[Part], tmp_path: Path) -> None:
     assert city.poses
-    found = written(tmp_path / "found", parts)
+    found = write_bundle(tmp_path / "found", parts)
     expected = nf.stream.export(city, tmp_path / "expected", center=PLACE, **SETTINGS)
     view = nf.Camera.look_at((2.6, 1.5, -1.4), (30, 3, -20), fov=nf.Fov.symmetric(90, 1.6), size=(160, 100))
     pictures = [bundle.at(3).render(view, samples=1, method="vertex").to_image() for bundle in (found, expected)]
@@ -71,7 +71,7 @@ def test_dynamic_objects_are_those_of_an_export(city: nf.Scene, parts: list[Part
     found.verify()
 
 
-def test_rings_come_in_order_with_their_files(parts: list[Part]) -> None:
+def test_rings_arrive_in_order_with_their_files(parts: list[Part]) -> None:
     told = [json.loads(part.line) for part in parts]
     rings = [("begin", None), *(("ring", ring) for ring in range(4))]
     assert [(line["event"], line.get("ring")) for line in told] == [*rings, *rings, ("end", None)]
@@ -89,10 +89,10 @@ def test_rings_come_in_order_with_their_files(parts: list[Part]) -> None:
             assert have.issuperset(flat)
 
 
-def test_coarse_maps_come_first_and_are_not_part_of_the_whole(parts: list[Part]) -> None:
+def test_coarse_maps_arrive_first_and_are_not_part_of_the_whole(parts: list[Part]) -> None:
     begins = [json.loads(part.line)["manifest"] for part in parts if b'"begin"' in part.line]
     assert [manifest["map"]["face_size"] for manifest in begins] == [COARSE, 128]
-    # All that a client needs to begin; entries of rings tell the rest.
+    # All that a client needs to begin; entries of rings contain the rest.
     for manifest in begins:
         (region,) = manifest["regions"]
         assert [ring["radius"] for ring in region["rings"]] == [0.0, *SETTINGS["radii"]]
@@ -109,7 +109,7 @@ def test_nearby_places_share_a_region(city: nf.Scene) -> None:
     assert maker.snapped((3.3, 1.7, -2.2)) == maker.snapped((4.4, 1.7, -1.7)) == (4.0, 1.7, -2.0)
 
 
-def test_work_ends_when_nobody_waits(city: nf.Scene) -> None:
+def test_work_ends_when_all_clients_have_left(city: nf.Scene) -> None:
     class GoneError(Exception):
         pass
 
@@ -121,11 +121,11 @@ def test_work_ends_when_nobody_waits(city: nf.Scene) -> None:
     with pytest.raises(GoneError):
         while next_part(parts, leave) is not None:
             pass
-    # It cannot go on, and the next request is served as if nothing had been.
+    # It cannot continue, and the next request is served independently.
     assert next_part(parts, lambda: None) is None
 
 
-def test_places_with_nothing_around_them_are_refused(city: nf.Scene) -> None:
+def test_places_without_surroundings_are_refused(city: nf.Scene) -> None:
     with pytest.raises(ValueError, match="center: expected one with objects around it"):
         make_parts(OnDemand(city), (90_000.0, 1.7, 0.0))
 
@@ -140,6 +140,6 @@ def test_places_with_nothing_around_them_are_refused(city: nf.Scene) -> None:
         ({"lod": "depth"}, "lod: expected a scene whose objects have levels"),
     ],
 )
-def test_arguments_are_checked_before_anything_is_made(city: nf.Scene, change: dict[str, Any], message: str) -> None:
+def test_arguments_are_checked_before_work_begins(city: nf.Scene, change: dict[str, Any], message: str) -> None:
     with pytest.raises(ValueError, match=message):
         OnDemand(city, **{**SETTINGS, **change})

@@ -62,7 +62,7 @@ def manifest_of(bundle: Path) -> dict[str, Any]:
 
 
 # geometry ------------------------------------------------------------------------------------------------------------
-def test_the_validator_of_gltf_finds_nothing_wrong(bundles: dict[str, Path]) -> None:
+def test_the_gltf_validator_finds_no_errors_in_bundles(bundles: dict[str, Path]) -> None:
     need("node")
     paths = [path for bundle in bundles.values() for path in glbs(bundle)]
     reports = node("validate.mjs", paths)
@@ -73,11 +73,11 @@ def test_the_validator_of_gltf_finds_nothing_wrong(bundles: dict[str, Path]) -> 
         assert not found, f"{path}: {found[:3]}"
         assert not report["truncated"]
         remarks |= {message["code"] for message in report["messages"]}
-    # It knows neither extension, so that it takes what only they use for unused, and it remarks on every URI in a GLB.
+    # It knows neither extension, so it reports data that only they use as unused, and notes every URI in a GLB.
     assert remarks <= {"UNSUPPORTED_EXTENSION", "UNUSED_OBJECT", "URI_GLB"}
 
 
-def test_the_validator_finds_what_is_wrong(bundles: dict[str, Path], tmp_path: Path) -> None:
+def test_the_validator_detects_errors(bundles: dict[str, Path], tmp_path: Path) -> None:
     need("node")
     data = glbs(bundles["balls-plain"])[0].read_bytes()
     path = tmp_path / "damaged.glb"
@@ -85,7 +85,7 @@ def test_the_validator_finds_what_is_wrong(bundles: dict[str, Path], tmp_path: P
     assert node("validate.mjs", [path])[str(path)]["numErrors"] > 0
 
 
-def test_meshoptimizers_decoder_gives_our_bytes(bundles: dict[str, Path]) -> None:
+def test_meshoptimizers_decoder_returns_our_bytes(bundles: dict[str, Path]) -> None:
     need("node")
     paths = [path for name, bundle in bundles.items() if name.endswith("packed") for path in glbs(bundle)]
     decoded = node("decode.mjs", paths)
@@ -102,7 +102,7 @@ def test_meshoptimizers_decoder_gives_our_bytes(bundles: dict[str, Path]) -> Non
         for (number, stream), text in zip(streams.items(), decoded[str(path)], strict=True):
             blobs = (buffers.blob(number), base64.b64decode(text))
             ours, theirs = (np.frombuffer(blob, np.int8).astype(np.int16) for blob in blobs)
-            # The octahedral filter's decoders take the processor's own estimate of 1/√x: normals differ by a step.
+            # Decoders of the octahedral filter use the CPU's estimate of 1/√x: normals differ by a step.
             steps = 1 if stream.get("filter") == "OCTAHEDRAL" else 0
             np.testing.assert_allclose(ours, theirs, rtol=0, atol=steps)
         filters |= {(stream["mode"], stream.get("filter")) for stream in streams.values()}
@@ -144,7 +144,7 @@ def test_3d_tiles_renderer_shows_all_tiles(bundles: dict[str, Path], page: dict[
     assert sorted(found["visible"]) == sorted(by_uri)
     assert {tile["uri"]: tile["extras"] for tile in found["tiles"]} == by_uri
     for tile in found["tiles"]:
-        # As the viewer has turned the content: z is up.
+        # The viewer has rotated the content: z is up.
         middle, half = np.array(tile["box"][:3]), np.diag(np.reshape(tile["box"][3:], (3, 3)))
         least, most = np.array(tile["bounds"])
         assert (least > middle - half).all()
@@ -167,7 +167,7 @@ def test_the_tileset_has_the_pixels_of_the_near_geometry(
     # Pixels on silhouettes may differ.
     assert (covered != expected).mean() < 0.002
     both = covered & expected
-    # Images are filtered differently, and a step of colour may fall on either side of a pixel's middle.
+    # Images are filtered differently, and a step of colour may fall on either side of a pixel's centre.
     differences = np.abs(color[..., :3] - 255.0 * to_srgb(frame.require("albedo")))[both].max(axis=1)
     assert np.median(differences) < 1
     assert (differences > 32).mean() < 0.01
@@ -186,7 +186,7 @@ def camera_of(view: dict[str, Any]) -> nf.Camera:
 
 
 def rotation_of(camera: nf.Camera) -> NDArray[np.float64]:
-    """(3, 3) whose columns are the camera's axes."""
+    """(3, 3) matrix whose columns are the camera's axes."""
     return np.asarray(Rotation.from_quat(camera.orientation).as_matrix())
 
 

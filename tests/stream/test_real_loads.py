@@ -1,4 +1,4 @@
-"""Loads of the page over a link, as benchmarks measure them: marks, files, and what no link can better."""
+"""Loads of the page over a link, as measured by benchmarks: marks, files, and lower bounds."""
 
 from __future__ import annotations
 
@@ -32,13 +32,13 @@ def bundle(tmp_path_factory: pytest.TempPathFactory) -> nf.stream.Bundle:
 
 
 def least_seconds(bundle: nf.stream.Bundle, strategy: Strategy, ring: int) -> float:
-    """The time of the link for the files that a ring needs."""
+    """Transfer time on the link of the files that a ring needs."""
     assert LINK.mbps
     return bytes_of(bundle, files_until(plan(bundle, strategy), ring)) * 8e-6 / LINK.mbps
 
 
 def bytes_of(bundle: nf.stream.Bundle, names: set[str]) -> int:
-    """Bytes of files on their way; another packer packs a little better or worse."""
+    """Transferred bytes of files; another compressor packs slightly better or worse."""
     listed, read = bundle._manifest["files"], bundle._reader.read
     return int(0.97 * sum(transfer_size(name, int(listed[name]["bytes"]), read) for name in names))
 
@@ -49,7 +49,7 @@ def check(way: Network, opened: tuple[Any, str], bundle: nf.stream.Bundle, strat
     for name, ring in rings.items():
         times = getattr(found, name)
         assert times["received"] <= times["ready"] <= times["shown"]
-        # Chromium's own throttle lets a little more pass.
+        # Chromium's own throttle passes slightly more.
         assert times["received"] > 0.9 * least_seconds(bundle, strategy, ring) + LINK.rtt
     assert found.picture["ready"] <= found.total["ready"]
     assert found.first_ring["shown"] <= found.total["shown"]
@@ -61,7 +61,7 @@ def check(way: Network, opened: tuple[Any, str], bundle: nf.stream.Bundle, strat
 
 
 def check_bound(way: Network, opened: tuple[Any, str], bundle: nf.stream.Bundle, strategy: Strategy) -> None:
-    """No link is faster than its simulation; Chromium's throttle has no windows and no handshakes."""
+    """Check that no link is faster than its simulation; Chromium's throttle has no windows and no handshakes."""
     real = requests(way, *opened, bundle, strategy)
     ours = simulated_requests(bundle, LINK, strategy, 0)
     for name, seconds in real.items():
@@ -69,7 +69,7 @@ def check_bound(way: Network, opened: tuple[Any, str], bundle: nf.stream.Bundle,
 
 
 @pytest.mark.parametrize(("kind", "strategies"), [("real", ("clovrd", "vis1")), ("throttle", ("clovr", "vis0"))])
-def test_the_page_marks_what_it_has_and_shows(
+def test_the_page_marks_loaded_and_displayed_rings(
     bundle: nf.stream.Bundle, kind: str, strategies: tuple[Strategy, ...]
 ) -> None:
     need("browser")

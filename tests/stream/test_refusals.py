@@ -1,4 +1,4 @@
-"""Places that cannot take a bundle are refused before the work, by the argument's name."""
+"""Paths that cannot store a bundle are refused before work begins, by the argument's name."""
 
 from __future__ import annotations
 
@@ -25,34 +25,34 @@ def _no_work(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(_stages, name, work)
 
 
-def refused(path: Any, kind: type[Exception], text: str) -> None:
+def check_refused(path: Any, kind: type[Exception], text: str) -> None:
     with pytest.raises(kind, match=text):
         nf.stream.export(bundle_cases.village(), path, **{**bundle_cases.SETTINGS, "radii": None})
 
 
 def test_a_folder_without_a_parent(tmp_path: Path) -> None:
     for path in (tmp_path / "none" / "b", f"file://{tmp_path}/none/b", f"local://{tmp_path}/none/b"):
-        refused(path, FileNotFoundError, "path: expected a path whose parent is a folder.*none/b")
+        check_refused(path, FileNotFoundError, "path: expected a path whose parent is a folder.*none/b")
     (tmp_path / "file").write_text("mine")
-    refused(tmp_path / "file" / "b", FileNotFoundError, "path: expected a path whose parent is a folder.*file/b")
-    refused(tmp_path / "file", NotADirectoryError, "is a file, expected a place for a folder.*file")
+    check_refused(tmp_path / "file" / "b", FileNotFoundError, "path: expected a path whose parent is a folder.*file/b")
+    check_refused(tmp_path / "file", NotADirectoryError, "is a file, expected a folder path.*file")
     assert content(tmp_path) == {"file": b"mine"}
 
 
 @pytest.mark.parametrize("text", ['{"name": "a web page", "icons": []}', "[]", '{"format": "nearfar.reduced"}'])
 def test_a_folder_with_other_files(tmp_path: Path, text: str) -> None:
     (tmp_path / "mine.txt").write_text("mine")
-    refused(tmp_path, FileExistsError, r"holds other files \(no manifest.json\)")
+    check_refused(tmp_path, FileExistsError, r"holds other files \(no manifest.json\)")
     (tmp_path / "manifest.json").write_text(text)
-    refused(tmp_path, FileExistsError, r"path: holds a manifest\.json of another program")
+    check_refused(tmp_path, FileExistsError, r"path: holds a manifest\.json of another program")
     assert content(tmp_path) == {"mine.txt": b"mine", "manifest.json": text.encode()}
 
 
 @pytest.mark.skipif(os.name == "nt" or os.geteuid() == 0, reason="root may write everywhere")
-def test_a_folder_that_may_not_be_written(tmp_path: Path) -> None:
+def test_a_read_only_folder_is_refused(tmp_path: Path) -> None:
     tmp_path.chmod(0o500)
     try:
-        refused(tmp_path / "b", PermissionError, "cannot be written")
+        check_refused(tmp_path / "b", PermissionError, "cannot be written")
     finally:
         tmp_path.chmod(0o700)
 
@@ -60,18 +60,18 @@ def test_a_folder_that_may_not_be_written(tmp_path: Path) -> None:
 @pytest.mark.parametrize("path", ["", 3, None, b"x", "a\0b", "memory://\udcff", "memory://", "file://"])
 def test_no_path_at_all(path: Any) -> None:
     need("fsspec")
-    refused(path, (ValueError, TypeError), "^path: expected")  # type: ignore[arg-type]
+    check_refused(path, (ValueError, TypeError), "^path: expected")  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize("url", ["nothing-known://a/b", "https://example.org/b", "http://example.org/b"])
-def test_urls_that_nothing_can_write(url: str) -> None:
+def test_unwritable_urls_are_refused(url: str) -> None:
     need("fsspec")
-    refused(url, ValueError, "^path: expected a (URL that fsspec can open|place that can be written), got")
+    check_refused(url, ValueError, "^path: expected a (URL that fsspec can open|place that can be written), got")
 
 
-def test_without_fsspec_it_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_missing_fsspec_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
-    refused("memory://a/b", ValueError, r"path: expected a folder, or fsspec installed \(pip install fsspec\)")
+    check_refused("memory://a/b", ValueError, r"path: expected a folder, or fsspec installed \(pip install fsspec\)")
     with pytest.raises(ValueError, match=r"fsspec installed \(pip install 'fsspec\[http\]'\), got 'http://a/b'"):
         nf.stream.open("http://a/b")
     with pytest.raises(ValueError, match=r"path: expected a folder, or fsspec installed"):
@@ -106,7 +106,7 @@ def test_local_urls_are_paths_and_bundles_are_replaced(monkeypatch: pytest.Monke
     assert bundle_cases.write(place.as_uri()).nbytes == first.nbytes
     assert content(place).keys() == {"manifest.json", "tileset.json", *first.files}
     assert nf.stream.open(f"local://{place}").files == first.files
-    # A damaged manifest may be ours: what is left of a bundle can be written again.
+    # A damaged manifest may be ours: the rest of a bundle can be overwritten.
     (tmp_path / "b" / "manifest.json").write_text(json.dumps({"format": "nearfar.bundle"})[:-3])
     bundle_cases.write(tmp_path / "b")
     assert nf.stream.open(tmp_path / "b").files == first.files

@@ -1,4 +1,4 @@
-"""Radii of rings, the ring of each object, and what each ring holds."""
+"""Radii of rings, the ring of each object, and the content of each ring."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def least_by_triangle(scene: nf.Scene, center: tuple[float, float, float], rule:
 
 
 @pytest.mark.parametrize("rule", ["object", "vertex"])
-def test_rings_hold_the_objects_that_reach_inside(city: nf.Scene, rule: Rule) -> None:
+def test_rings_contain_the_objects_that_extend_inside(city: nf.Scene, rule: Rule) -> None:
     radii = (10.0, 22.0, 63.0)
     rings = nf.stream.assign(city, center=CENTER, radii=radii, rule=rule)
     expected = least_by_triangle(city, CENTER, rule)
@@ -75,7 +75,7 @@ def test_summaries_count_every_triangle_once_and_stored_ones_by_mesh(city: nf.Sc
     assert sum(row["stored"] for row in rows) < 0.7 * city._core.standing_triangle_count, "trees are instances"
 
 
-def test_objects_far_away_are_not_measured() -> None:
+def test_distant_objects_are_not_measured() -> None:
     forest = nf.datasets.forest(trees=500)
     rings = nf.stream.assign(forest, center=(0, 1.7, 0), radii=[10.0])
     assert 0 < rings.measured < 0.3 * forest.triangle_count
@@ -100,7 +100,7 @@ def test_published_radii_and_equal_areas(city: nf.Scene) -> None:
 
 
 def expected_time(ends: tuple[int, ...], sizes: np.ndarray, weights: np.ndarray, link: tuple[float, ...]) -> float:
-    """Sum over parts of weight times the moment at which the part is there."""
+    """Sum over parts of weight times arrival time."""
     rate, wait, map_bytes = link
     moment, total, start = 0.0, 0.0, 0
     for end in ends:
@@ -111,7 +111,7 @@ def expected_time(ends: tuple[int, ...], sizes: np.ndarray, weights: np.ndarray,
 
 
 @pytest.mark.parametrize("seed", range(20))
-def test_merging_finds_the_least_expected_time_of_all_divisions(seed: int) -> None:
+def test_merging_finds_the_division_of_least_expected_time(seed: int) -> None:
     random = np.random.default_rng(seed)
     count = int(random.integers(1, 9))
     sizes, weights = random.uniform(0, 100, count), random.uniform(0, 1, count) * random.integers(0, 2, count)
@@ -127,7 +127,7 @@ def test_costly_maps_make_fewer_rings(city: nf.Scene) -> None:
         return len(nf.stream.ring_radii(city, center=CENTER, **link))
 
     assert count(map_bytes=0.0, latency=0.0) > count(map_bytes=200_000.0) >= count(map_bytes=1e9) == 1
-    # Where the link is fast, the wait for each ring counts.
+    # On a fast link the wait for each ring matters.
     assert count(bandwidth=1e6, latency=0.5) == 1
     rings = nf.stream.ring_radii(city, center=CENTER)
     assert rings[-1] == 63.0
@@ -141,7 +141,7 @@ def test_footprints_are_solid_angles() -> None:
     assert found.sum() == pytest.approx(4 * np.pi / 6, rel=1e-3)
 
 
-def test_footprints_leave_out_what_is_hidden(city: nf.Scene) -> None:
+def test_footprints_exclude_hidden_objects(city: nf.Scene) -> None:
     found = nf.stream.footprints(city, center=(0, 1.7, 0), face_size=64)
     assert found.shape == (len(city.object_names),)
     assert 2 * np.pi < found.sum() < 4 * np.pi

@@ -1,4 +1,4 @@
-"""Frames of rooms: bytes and fields as the vectors of all languages have them, and no others."""
+"""Frames of rooms: bytes and fields equal the vectors of all languages."""
 
 from __future__ import annotations
 
@@ -66,25 +66,25 @@ def of_server(fields: dict[str, Any]) -> frames.Frame:
 
 
 @pytest.mark.parametrize("case", cases("rooms", "users"))
-def test_frames_of_users_have_their_bytes(case: dict[str, Any]) -> None:
+def test_frames_of_users_equal_their_bytes(case: dict[str, Any]) -> None:
     assert of_user(case["frame"]).hex() == case["bytes"]
 
 
 @pytest.mark.parametrize("case", cases("rooms", "servers"))
-def test_frames_of_the_server_have_their_fields(case: dict[str, Any]) -> None:
+def test_frames_of_the_server_are_parsed(case: dict[str, Any]) -> None:
     data, expected = bytes.fromhex(case["bytes"]), of_server(case["frame"])
     assert list(frames.read(data)) == [expected]
     assert list(frames.read(data * 3)) == [expected] * 3
 
 
 @pytest.mark.parametrize("case", cases("rooms", "refused"))
-def test_bytes_that_are_no_frame_are_refused(case: dict[str, Any]) -> None:
+def test_malformed_frames_are_refused(case: dict[str, Any]) -> None:
     with pytest.raises(RoomError, match="the server sent what is no frame"):
         list(frames.read(bytes.fromhex(case["server"])))
 
 
 @pytest.mark.parametrize("case", cases("rooms", "servers"))
-def test_every_truncation_and_every_changed_bit_is_a_frame_or_refused(case: dict[str, Any]) -> None:
+def test_truncated_and_corrupted_frames_are_parsed_or_refused(case: dict[str, Any]) -> None:
     data = bytes.fromhex(case["bytes"])
     for length in range(1, len(data)):
         with pytest.raises(RoomError):
@@ -96,7 +96,7 @@ def test_every_truncation_and_every_changed_bit_is_a_frame_or_refused(case: dict
             list(frames.read(bytes(changed)))
 
 
-def test_poses_are_equal_only_with_equal_places() -> None:
+def test_poses_are_equal_only_with_equal_positions() -> None:
     fields = next(iter(cases("rooms", "servers")[1].values))["frame"]["pose"]
     one = pose(fields)
     assert (one, hash(one)) == (pose(fields), hash(pose(fields)))

@@ -1,4 +1,4 @@
-"""The four strategies on a virtual clock: order of files, times, growth, bytes, and bad input."""
+"""The four strategies on a virtual clock: order of files, times, growth, bytes, and invalid input."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def manifest_size(bundle: nf.stream.Bundle) -> int:
 
 
 @pytest.mark.parametrize("strategy", STRATEGIES)
-def test_without_delay_each_ring_comes_when_its_bytes_have_come(bundle: nf.stream.Bundle, strategy: Strategy) -> None:
+def test_without_delay_each_ring_appears_with_its_last_byte(bundle: nf.stream.Bundle, strategy: Strategy) -> None:
     line = nf.stream.simulate(bundle, link=LINK, strategy=strategy)
     plan = plan_of(strategy, bundle._region, 0, bundle._manifest["dynamic"])
     names: list[str] = []
@@ -44,7 +44,7 @@ def test_without_delay_each_ring_comes_when_its_bytes_have_come(bundle: nf.strea
             continue
         least = (manifest_size(bundle) + size_of(bundle, names)) / 1e6
         if strategy == "clovrd" and step.ring >= 1:
-            # Files of the next ring come between.
+            # Files of the next ring arrive in between.
             assert line.ring_times[step.ring] >= least - 1e-9
         else:
             assert line.ring_times[step.ring] == pytest.approx(least, rel=1e-9) or step.ring == 1
@@ -53,7 +53,7 @@ def test_without_delay_each_ring_comes_when_its_bytes_have_come(bundle: nf.strea
     assert len(line.files) == len(set(names)) + 1
 
 
-def test_compressed_files_are_those_that_the_server_sends(bundle: nf.stream.Bundle) -> None:
+def test_compressed_files_equal_the_servers(bundle: nf.stream.Bundle) -> None:
     line = nf.stream.simulate(bundle, link=LINK, strategy="clovrd", gzip=True)
     plain = nf.stream.simulate(bundle, link=LINK, strategy="clovrd")
     with Server.of_bundle(bundle._reader.place) as server, httpx.Client(base_url=server.url, timeout=60) as asking:
@@ -62,7 +62,7 @@ def test_compressed_files_are_those_that_the_server_sends(bundle: nf.stream.Bund
             with asking.stream("GET", name, headers={"Accept-Encoding": "gzip"}) as answer:
                 sent[name] = int(answer.headers["content-length"])
     whole = plain.bytes_at(plain.total)
-    # The manifest that the server makes has spaces, and another packer packs a little better or worse.
+    # The server's manifest contains spaces, and another compressor packs slightly better or worse.
     assert line.bytes_at(line.total) == pytest.approx(sum(sent.values()), rel=0.03)
     assert line.bytes_at(line.total) < 0.8 * whole
     assert line.total < 0.8 * plain.total
@@ -72,23 +72,23 @@ def test_a_ring_waits_until_the_one_before_it_has_faded_in(bundle: nf.stream.Bun
     smooth, hard = (nf.stream.simulate(bundle, link=LINK, strategy=name) for name in ("clovr", "clovrd"))
     assert hard.ring_times[2] < smooth.ring_times[1] + 0.1
     between = smooth.ring_times[2] - smooth.ring_times[1]
-    # On the virtual clock, whose frames are 1/72 s long: the fade begins and ends with one.
+    # On the virtual clock, whose frames are 1/72 s long: the fade begins and ends with a frame.
     assert bundle.growth.fade <= between < bundle.growth.fade + 3 / 72
     assert smooth.ring_times[:2] == pytest.approx(hard.ring_times[:2])
 
 
-def test_frames_grow_as_the_growth_says(bundle: nf.stream.Bundle) -> None:
+def test_frames_follow_the_growth(bundle: nf.stream.Bundle) -> None:
     line, growth = nf.stream.simulate(bundle, link=LINK), bundle.growth
     frames = line.frames
     assert (np.diff(frames["time"]) > 0).all()
     assert (frames["ring"][0], frames["ring"][-1]) == (-1, 2)
     assert (frames["radius"][-1], frames["strength"][-1]) == (12.0, 1.0)
-    # Ring 1 grows until ring 2 fades in, which stops it meanwhile.
+    # Ring 1 grows until ring 2 fades in, which pauses it meanwhile.
     grows = (frames["ring"] == 1) & (frames["share"] == 0)
     first = frames["time"][grows][1]
     shown = [growth.strength(1, growth.fade + time - first) for time in frames["time"][grows][1:]]
     np.testing.assert_allclose(frames["strength"][grows][1:] - frames["strength"][grows][1], shown, atol=1e-9)
-    # All of both rings' growth, and both fades.
+    # The total growth of both rings, and both fades.
     whole = growth.seconds(1) + growth.seconds(2)
     assert line.grown - line.ring_times[1] == pytest.approx(whole, abs=6 / 72)
 
@@ -101,7 +101,7 @@ def test_hard_switches_show_each_ring_at_once(bundle: nf.stream.Bundle) -> None:
     assert not frames["share"].any()
 
 
-def test_vis0_is_blank_until_all_is_there_and_vis1_shows_portions(bundle: nf.stream.Bundle) -> None:
+def test_vis0_is_blank_until_loaded_and_vis1_shows_portions(bundle: nf.stream.Bundle) -> None:
     link = nf.stream.Link(0.5)
     whole, parts = (nf.stream.simulate(bundle, link=link, strategy=name) for name in ("vis0", "vis1"))
     assert whole.frames["ring"].tolist() == [-1, len(whole.radii)]
@@ -111,9 +111,9 @@ def test_vis0_is_blank_until_all_is_there_and_vis1_shows_portions(bundle: nf.str
     assert whole.frames["time"][1] - whole.picture == pytest.approx(0.0, abs=1.01 / 72)
 
 
-def test_a_user_too_far_out_waits_for_a_radius_that_does_not_fold(bundle: nf.stream.Bundle) -> None:
+def test_a_distant_user_waits_for_a_radius_that_does_not_fold(bundle: nf.stream.Bundle) -> None:
     x, y, z = bundle.center
-    # 0.7 · 5 m is the margin of ring 1.
+    # The margin of ring 1 is 0.7 · 5 m.
     strengths: dict[Strategy, list[float]] = {"clovrd": [0.0, 1.0], "clovr": [0.0]}
     for strategy, shown in strengths.items():
         line = nf.stream.simulate(bundle, link=nf.stream.Link(0.5), strategy=strategy, head_path=(x + 4.0, y, z))
@@ -137,7 +137,7 @@ def test_decoding_takes_time_in_two_workers(bundle: nf.stream.Bundle) -> None:
     assert slow.picture - plain.picture == pytest.approx(size_of(bundle, first) / 1e5, rel=0.2)
 
 
-def test_frames_cost_what_their_triangles_cost(bundle: nf.stream.Bundle) -> None:
+def test_frame_times_follow_triangle_counts(bundle: nf.stream.Bundle) -> None:
     line = nf.stream.simulate(bundle, link=LINK, frame_ms=2.0, triangles_per_second=1e6)
     np.testing.assert_allclose(line.frames["seconds"], 0.002 + line.frames["triangles"] / 1e6)
     moving = bundle._manifest["dynamic"]["triangles"]
@@ -150,13 +150,13 @@ def test_frames_cost_what_their_triangles_cost(bundle: nf.stream.Bundle) -> None
     assert line.geometry_share[-1] == 1.0
 
 
-def test_the_greatest_radius_that_a_link_has_in_time(bundle: nf.stream.Bundle) -> None:
+def test_the_greatest_radius_that_a_link_loads_in_time(bundle: nf.stream.Bundle) -> None:
     times = nf.stream.simulate(bundle, link=LINK, strategy="clovrd").ring_times
     for seconds, radius in ((times[1] * 0.99, 0.0), (times[1] * 1.01, 5.0), (times[2] * 1.01, 12.0)):
         assert nf.stream.radius_for(bundle, link=LINK, seconds=seconds) == radius
 
 
-def test_a_timeline_is_written(bundle: nf.stream.Bundle, tmp_path: Path) -> None:
+def test_a_timeline_is_saved(bundle: nf.stream.Bundle, tmp_path: Path) -> None:
     line = nf.stream.simulate(bundle, link=LINK, strategy="clovrd", duration=0.02)
     line.to_json(tmp_path / "line.json")
     found = json.loads((tmp_path / "line.json").read_text())

@@ -1,4 +1,4 @@
-"""Links: transfers against bytes over rate, a packet-by-packet oracle and the mean rate that losses leave."""
+"""Links: transfer times against bytes over rate, a packet-by-packet oracle and the mean rate under losses."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ SIZES = {
 
 
 def times(sizes: list[int], link: nf.stream.Link, seed: int = 0) -> list[float]:
-    """When each of the files is there that are asked for at time 0."""
+    """Arrival times of files requested at time 0."""
     transport = Transport(link, seed=seed)
     for number, size in enumerate(sizes):
         transport.ask(str(number), size)
@@ -33,7 +33,7 @@ def times(sizes: list[int], link: nf.stream.Link, seed: int = 0) -> list[float]:
 
 @pytest.mark.parametrize("http", [1, 2])
 @pytest.mark.parametrize("mbps", [0.1, 50.0, 10_000.0])
-def test_without_delay_and_loss_time_is_bytes_over_rate(http: int, mbps: float) -> None:
+def test_without_delay_and_loss_time_equals_bytes_over_rate(http: int, mbps: float) -> None:
     sizes = SIZES["mixed"]
     assert max(times(sizes, nf.stream.Link(mbps, http=http))) == pytest.approx(sum(sizes) * 8 / (mbps * 1e6), rel=1e-12)
 
@@ -50,15 +50,15 @@ def test_a_trace_is_followed() -> None:
 @pytest.mark.parametrize("name", SIZES)
 @pytest.mark.parametrize("http", [1, 2])
 @pytest.mark.parametrize(("mbps", "rtt"), [(5.0, 0.0), (5.0, 50.0), (50.0, 10.0), (50.0, 50.0), (300.0, 30.0)])
-def test_the_last_file_comes_when_packets_say(name: str, http: int, mbps: float, rtt: float) -> None:
+def test_the_last_file_arrives_as_in_a_packet_simulation(name: str, http: int, mbps: float, rtt: float) -> None:
     found = max(times(SIZES[name], nf.stream.Link(mbps, rtt_ms=rtt, http=http)))
     oracle = Oracle(SIZES[name], rate=mbps * 125e3, rtt=rtt / 1e3, loss=0.0, http=http)
-    # The oracle's answers take turns by packets, ours by frames of 16 KiB, which small files are shorter than.
+    # The oracle interleaves responses by packets, ours by frames of 16 KiB, and small files are shorter than those.
     assert found == pytest.approx(max(oracle.arrived.values()), rel=0.05 if name == "small" else 0.03)
 
 
 @pytest.mark.parametrize("loss", [0.003, 0.02])
-def test_losses_cost_what_they_cost_packets(loss: float) -> None:
+def test_losses_delay_files_as_in_a_packet_simulation(loss: float) -> None:
     settings: dict[str, Any] = {"loss": loss, "http": 2}
     ours = [max(times(SIZES["mixed"], nf.stream.Link(50.0, rtt_ms=30.0, **settings), seed)) for seed in range(12)]
     theirs = [
@@ -71,7 +71,7 @@ def test_losses_cost_what_they_cost_packets(loss: float) -> None:
 
 @pytest.mark.parametrize("loss", [0.004, 0.02])
 def test_a_long_transfer_has_the_rate_of_the_square_root_law(loss: float) -> None:
-    # Long enough that the window that slow start leaves counts for little.
+    # Long enough that the window left by slow start hardly matters.
     size, rtt = 60_000_000, 0.02
     found = np.mean([times([size], nf.stream.Link(1_000.0, rtt_ms=1e3 * rtt, loss=loss), seed) for seed in range(4)])
     # Mathis et al. 1997.
@@ -84,14 +84,14 @@ def test_a_seed_decides_which_packets_are_lost() -> None:
     assert times(SIZES["mixed"], link, 3) != times(SIZES["mixed"], link, 4)
 
 
-def test_a_handshake_comes_before_the_first_request() -> None:
+def test_a_handshake_precedes_the_first_request() -> None:
     for handshake in (0.0, 1.0, 2.0):
         link = nf.stream.Link(80.0, rtt_ms=100.0, handshake=handshake)
-        # A window's worth: the request, the answer, and its bytes.
+        # A window's worth: the request, the response, and its bytes.
         assert times([10_000], link) == pytest.approx([0.1 * (handshake + 1.0) + 0.001])
 
 
-def test_empty_files_come_with_the_answer() -> None:
+def test_empty_files_arrive_with_the_response() -> None:
     assert times([0, 1000, 0], nf.stream.Link(8.0, rtt_ms=10.0, handshake=0.0)) == pytest.approx([0.01, 0.011, 0.01])
 
 
@@ -114,7 +114,7 @@ def test_a_csv_file_is_a_trace(tmp_path: Path) -> None:
         ({"trace": ([], [])}, "as many times as rates"),
     ],
 )
-def test_links_that_cannot_be_are_refused(given: dict[str, Any], told: str) -> None:
+def test_impossible_links_are_refused(given: dict[str, Any], told: str) -> None:
     with pytest.raises(ValueError, match=told):
         nf.stream.Link(**given)
 

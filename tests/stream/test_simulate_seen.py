@@ -1,4 +1,4 @@
-"""Measures of simulated clients: pictures of rings against `nf.reduce`, completion, continuity, renders."""
+"""Measures of simulated clients: pictures of rings against `nf.reduce`, completion, continuity, rendering."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def simulate(bundle: nf.stream.Bundle, scene: nf.Scene, strategy: Strategy, **mo
 
 
 @pytest.mark.parametrize(("ring", "radius"), [(1, 5.0), (2, 12.0), (2, 7.0)])
-def test_pictures_of_rings_are_those_of_a_reduced_scene(
+def test_pictures_of_rings_equal_a_reduced_scene(
     bundle: nf.stream.Bundle, scene: nf.Scene, ring: int, radius: float
 ) -> None:
     camera = nf.Camera.look_at(EYE, (0.0, 1.0, -9.0), fov=nf.Fov.symmetric(90.0), size=(96, 64))
@@ -50,14 +50,14 @@ def test_pictures_of_rings_are_those_of_a_reduced_scene(
     assert (found.objects != frame.require("object_id")).mean() < 0.002
 
 
-def test_the_first_map_is_what_the_centre_sees(bundle: nf.stream.Bundle, scene: nf.Scene) -> None:
+def test_the_first_map_shows_the_view_from_the_centre(bundle: nf.stream.Bundle, scene: nf.Scene) -> None:
     line = simulate(bundle, scene, "clovr", head_path=bundle.center)
-    # Seen from the centre all states are the truth, but for texels.
+    # Seen from the centre all states equal the truth, except for texels.
     assert (line.pictures["ovc"][1:] == 1.0).all()
     assert line.pictures["ofc"][1:].min() > 0.9
 
 
-def test_vis0_shows_nothing_until_the_end_and_vis1_ever_more(bundle: nf.stream.Bundle, scene: nf.Scene) -> None:
+def test_vis0_shows_nothing_until_the_end_and_vis1_increases(bundle: nf.stream.Bundle, scene: nf.Scene) -> None:
     whole, parts = (simulate(bundle, scene, strategy).pictures for strategy in ("vis0", "vis1"))
     assert whole["ovc"][0] == 0.0
     assert len(whole["ovc"]) == 2
@@ -69,7 +69,7 @@ def test_vis0_shows_nothing_until_the_end_and_vis1_ever_more(bundle: nf.stream.B
 
 
 @pytest.mark.slow
-def test_growth_is_even_where_switches_jump(bundle: nf.stream.Bundle, scene: nf.Scene) -> None:
+def test_growth_is_smooth_where_switches_jump(bundle: nf.stream.Bundle, scene: nf.Scene) -> None:
     smooth, hard = (simulate(bundle, scene, strategy) for strategy in ("clovr", "clovrd"))
     least = [line.pictures["continuity"][line.pictures["time"] > line.picture + 0.02].min() for line in (smooth, hard)]
     assert least[0] > 0.999 > 0.99 > least[1]
@@ -78,7 +78,7 @@ def test_growth_is_even_where_switches_jump(bundle: nf.stream.Bundle, scene: nf.
         assert smooth.pictures[kind][-1] == hard.pictures[kind][-1]
 
 
-def test_pictures_that_do_not_differ_are_rendered_once(bundle: nf.stream.Bundle, scene: nf.Scene) -> None:
+def test_equal_pictures_are_rendered_once(bundle: nf.stream.Bundle, scene: nf.Scene) -> None:
     line = simulate(bundle, scene, "clovrd", every=0.01, duration=3600.0)
     # Three rings, and the truth.
     assert line.renders == 4
@@ -89,13 +89,13 @@ def test_pictures_that_do_not_differ_are_rendered_once(bundle: nf.stream.Bundle,
     assert walked.pictures["continuity"][-1] < 1.0
 
 
-def test_what_is_measured_is_written(bundle: nf.stream.Bundle, scene: nf.Scene) -> None:
+def test_measures_are_written(bundle: nf.stream.Bundle, scene: nf.Scene) -> None:
     found = simulate(bundle, scene, "vis0").to_dict()
     assert found["renders"] == 2
     assert len(found["pictures"]["ovc"]) == 2
 
 
-def test_means_hold_values_until_the_next_time() -> None:
+def test_means_weight_values_by_duration() -> None:
     assert mean_over_time(np.array([0.0, 1.0, 3.0]), np.array([0.0, 1.0, 0.5]), 4.0) == pytest.approx(2.5 / 4.0)
     assert mean_over_time(np.array([0.0, 1.0, 3.0]), np.array([0.0, 1.0, 0.5]), 2.0) == pytest.approx(0.5)
 
@@ -106,7 +106,7 @@ def test_faces_without_objects_are_refused(bundle: nf.stream.Bundle) -> None:
         simulate(bundle, loose, "clovr")
 
 
-def test_a_user_outside_the_region_sees_what_renders_say(bundle: nf.stream.Bundle, scene: nf.Scene) -> None:
+def test_a_user_outside_the_region_has_valid_measures(bundle: nf.stream.Bundle, scene: nf.Scene) -> None:
     x, y, z = bundle.center
     far = (x + 10.0, y, z)
     with pytest.warns(UserWarning, match="the picture folds") as told:

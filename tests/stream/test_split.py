@@ -1,4 +1,4 @@
-"""Bundles whose large triangles are split show by moved vertices what bent rays show."""
+"""Bundles with split large triangles: moved vertices show what bent rays show."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def meshed(builder: nf.SceneBuilder, solid: trimesh.Trimesh) -> Any:
 
 @pytest.fixture(scope="module")
 def street() -> nf.Scene:
-    """Ground of two triangles, a wall for each ring, and posts of one mesh, of which the last lies beyond the rings."""
+    """Ground of two triangles, a wall for each ring, and posts of one mesh, the last of which lies beyond the rings."""
     builder = nf.SceneBuilder()
     ground = trimesh.Trimesh([(-40, 0, -40), (40, 0, -40), (40, 0, 40), (-40, 0, 40)], [(0, 2, 1), (0, 3, 2)])
     walls = {f"wall {x:g}": trimesh.creation.box(bounds=[(x, 0, -20), (x + 1, 15, 20)]) for x in (5.0, 9.0, 14.0)}
@@ -54,7 +54,7 @@ def users(count: int, rng: np.random.Generator) -> NDArray[np.float64]:
 
 
 def greatest_error(bundle: nf.stream.Bundle, ring: int, *, seed: int = 0) -> float:
-    """Pixels between the interpolated morph of corners and the morph of points, at stages from a ring's arrival on."""
+    """Pixels between the interpolated morph of corners and the morph of points, at stages of a ring's growth."""
     rng = np.random.default_rng(seed)
     triangles = np.asarray(bundle.at(ring).scene.triangles(), np.float64)
     if ring == 1:
@@ -81,7 +81,7 @@ def greatest_error(bundle: nf.stream.Bundle, ring: int, *, seed: int = 0) -> flo
 
 @pytest.fixture(scope="module")
 def bundles(street: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> tuple[nf.stream.Bundle, nf.stream.Bundle]:
-    """Whole and split."""
+    """Unsplit and split bundles."""
     folder = tmp_path_factory.mktemp("split")
     whole = nf.stream.export(street, folder / "whole", **SETTINGS)
     return whole, nf.stream.export(street, folder / "split", split_px=SPLIT_PX, **SETTINGS)
@@ -89,7 +89,7 @@ def bundles(street: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> tuple
 
 @pytest.mark.slow
 @pytest.mark.parametrize("ring", [1, 2, 3])
-def test_moved_corners_show_what_moved_points_show(
+def test_morphed_triangles_agree_with_morphed_points(
     bundles: tuple[nf.stream.Bundle, nf.stream.Bundle], ring: int
 ) -> None:
     whole, split = bundles
@@ -97,7 +97,7 @@ def test_moved_corners_show_what_moved_points_show(
     assert 0.02 * SPLIT_PX < greatest_error(split, ring) <= SPLIT_PX
 
 
-def test_rings_keep_their_objects_and_shared_meshes(bundles: tuple[nf.stream.Bundle, nf.stream.Bundle]) -> None:
+def test_split_rings_keep_their_objects_and_shared_meshes(bundles: tuple[nf.stream.Bundle, nf.stream.Bundle]) -> None:
     whole, split = (bundle.summary() for bundle in bundles)
     for before, after in zip(whole[1:], split[1:], strict=True):
         assert after["objects"] == before["objects"]
@@ -121,7 +121,7 @@ def _normals(bundle: nf.stream.Bundle) -> NDArray[np.float64]:
 
 
 @pytest.mark.parametrize(("ring", "radius"), [(1, 8.0), (2, 10.0), (3, 12.0), (3, 20.0)])
-def test_pictures_of_moved_vertices_are_within_the_error_of_bent_rays(
+def test_vertex_pictures_are_within_the_error_of_bent_rays(
     bundles: tuple[nf.stream.Bundle, nf.stream.Bundle], ring: int, radius: float
 ) -> None:
     whole, split = bundles
@@ -132,7 +132,7 @@ def test_pictures_of_moved_vertices_are_within_the_error_of_bent_rays(
 
 
 def displaced(bundle: nf.stream.Bundle, ring: int, radius: float, user: NDArray[np.float64], **how: Any) -> float:
-    """Greatest angle, in pixels of the client, between a picture's pixels and where bent rays show their points."""
+    """Greatest angle, in pixels of the client, between a picture's pixels and the same points by bent rays."""
     view = nf.Camera.look_at(user, np.add(user, (1.0, -0.2, 0.3)), fov=nf.Fov.symmetric(90, 16 / 9), size=(160, 90))
     frame = bundle.at(ring, radius).render(view, channels=("position", "face_id"), **how)
     near = frame.require("face_id") >= 0
@@ -145,7 +145,7 @@ def displaced(bundle: nf.stream.Bundle, ring: int, radius: float, user: NDArray[
     return float(angles.max()) / PIXEL
 
 
-def test_levels_are_split_as_they_are_sent(tmp_path: Path) -> None:
+def test_levels_are_split_on_export(tmp_path: Path) -> None:
     model = leveled_cases.model_of((1, 0))
     place = np.diag([4.0, 4.0, 4.0, 1.0])
     place[:3, 3] = (9.0, 1.7, 0.0)
@@ -176,7 +176,7 @@ def test_bytes_do_not_change(
         ),
     ],
 )
-def test_what_has_no_bound_is_refused_before_the_work(
+def test_splits_without_a_bound_are_refused_before_work_begins(
     street: nf.Scene, tmp_path: Path, changed: dict[str, Any], named: str
 ) -> None:
     with pytest.raises(ValueError, match=f"^{named}"):
@@ -184,7 +184,7 @@ def test_what_has_no_bound_is_refused_before_the_work(
     assert not (tmp_path / "none").exists()
 
 
-def test_too_many_triangles_are_refused_before_they_are_made(
+def test_too_many_triangles_are_refused_before_allocation(
     street: nf.Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(_split, "MAX_ADDED_TRIANGLES", 500)
@@ -193,7 +193,7 @@ def test_too_many_triangles_are_refused_before_they_are_made(
     assert not (tmp_path / "none").exists()
 
 
-def test_the_manifest_keeps_what_the_files_suit(bundles: tuple[nf.stream.Bundle, nf.stream.Bundle]) -> None:
+def test_the_manifest_records_the_split(bundles: tuple[nf.stream.Bundle, nf.stream.Bundle]) -> None:
     assert [bundle.split_px for bundle in bundles] == [None, SPLIT_PX]
     assert [bundle.pixels_per_degree for bundle in bundles] == pytest.approx([8.0, 8.0])
     assert ["split to 2 px" in repr(bundle) for bundle in bundles] == [False, True]

@@ -23,7 +23,7 @@ def test_users_are_seeded_and_two_metres_off() -> None:
 def test_the_greatest_z_of_twenty_pairs_is_3_92() -> None:
     dice = np.random.default_rng(2)
     base = dice.uniform(0.0, 0.1, 20)
-    # Always more from left to right, by amounts that differ, but for the last two, which differ by chance.
+    # Each strategy has more than the previous one, by different amounts; the last two differ at random.
     noise = dice.normal(0.0, 0.01, (20, 4))
     values = base[:, None] + np.array([0.0, 0.2, 0.5, 0.5]) + noise
     chi, p, pairs = _comparison.significance(values)
@@ -36,5 +36,5 @@ def test_the_greatest_z_of_twenty_pairs_is_3_92() -> None:
     assert pairs[-1].p > _comparison.ALPHA
 
 
-def test_the_level_is_that_of_six_comparisons() -> None:
+def test_the_level_is_corrected_for_six_comparisons() -> None:
     assert pytest.approx(0.008333, abs=1e-6) == _comparison.ALPHA

@@ -1,4 +1,4 @@
-"""A mesh of many objects is divided by place for regions on demand, and nothing that clients get shows it."""
+"""A mesh of many objects is divided spatially for regions on demand, invisibly for clients."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def small(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def houses() -> tuple[NDArray[np.float32], NDArray[np.uint32], NDArray[np.int32]]:
-    """Boxes in a square, whose faces come in no order."""
+    """Boxes in a square, whose faces are in random order."""
     random = np.random.default_rng(3)
     corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], np.float32)
     sides = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
@@ -57,7 +57,7 @@ def triangles_of(scene: nf.Scene, name: str) -> NDArray[np.float32]:
     return corners[np.lexsort(corners.T)]
 
 
-def test_tiles_hold_whole_objects_with_all_their_triangles(scene: nf.Scene) -> None:
+def test_tiles_contain_whole_objects(scene: nf.Scene) -> None:
     tiles = Tiles.divide(scene)
     assert len(tiles.boxes) > 9
     assert tiles.scene.object_names == scene.object_names
@@ -68,7 +68,7 @@ def test_tiles_hold_whole_objects_with_all_their_triangles(scene: nf.Scene) -> N
     assert np.ptp(tiles.boxes, axis=1)[:, [0, 2]].max() < 20.0 + 8.0 + 12.0
 
 
-def test_far_tiles_count_as_one_object_and_near_ones_keep_theirs(scene: nf.Scene) -> None:
+def test_far_tiles_are_one_object_and_near_ones_keep_theirs(scene: nf.Scene) -> None:
     tiles = Tiles.divide(scene)
     about = tiles.about(PLACE, 22.0)
     for divided in (tiles.scene, about):
@@ -77,7 +77,7 @@ def test_far_tiles_count_as_one_object_and_near_ones_keep_theirs(scene: nf.Scene
         np.testing.assert_array_equal(rings.ring, expected.ring)
         assert rings.summary() == expected.summary()
         assert rings.measured < expected.measured
-    # Seen from above, near houses are told apart, and far ones are not.
+    # Seen from above, near houses have separate numbers, and far ones do not.
     view = nf.Camera.look_at((0, 150, 1), (0, 0, 0), fov=nf.Fov.symmetric(90), size=(200, 200))
     counts = [
         len(np.unique(nf.render(each, view, channels=("object_id",)).require("object_id"))) for each in (scene, about)
@@ -85,14 +85,14 @@ def test_far_tiles_count_as_one_object_and_near_ones_keep_theirs(scene: nf.Scene
     assert 1 + int((expected.ring < 3).sum()) < counts[1] < counts[0] // 2
 
 
-def test_a_region_is_that_of_an_export_and_shows_what_the_scene_does(scene: nf.Scene, tmp_path: Path) -> None:
+def test_a_region_equals_an_export_and_shows_the_scene(scene: nf.Scene, tmp_path: Path) -> None:
     maker = OnDemand(scene, **SETTINGS)
     assert len(maker._tiles.boxes)
     parts = list(maker.parts(PLACE))
     nf.stream.export(maker.scene, tmp_path / "tiles", center=PLACE, **SETTINGS)
     for name in (_store.MANIFEST, _store.TILESET):
         assert parts[-1].files[name] == (tmp_path / "tiles" / name).read_bytes()
-    # Maps have the names of their content: they are those of the undivided scene. Triangles come in another order.
+    # Maps are named by their content: they equal those of the undivided scene. Triangles are in another order.
     nf.stream.export(scene, tmp_path / "whole", center=PLACE, **SETTINGS)
     found, expected = (
         json.loads((tmp_path / name / _store.MANIFEST).read_text())["regions"][0]["rings"]
@@ -109,7 +109,7 @@ def test_a_region_is_that_of_an_export_and_shows_what_the_scene_does(scene: nf.S
     np.testing.assert_array_equal(pictures[0], pictures[1])
 
 
-def test_attributes_of_faces_and_vertices_stay_with_them() -> None:
+def test_faces_and_vertices_keep_their_attributes() -> None:
     vertices, faces, objects = houses()
     random = np.random.default_rng(5)
     builder = nf.SceneBuilder()
@@ -157,7 +157,7 @@ def test_objects_of_several_meshes_and_faces_without_one_stay_together() -> None
     assert rings.summary() == expected.summary()
 
 
-def test_small_meshes_stay_as_they_are(scene: nf.Scene, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_small_meshes_are_not_divided(scene: nf.Scene, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(_tiles, "MIN_FACES", scene.triangle_count + 1)
     tiles = Tiles.divide(scene)
     assert tiles.scene is scene

@@ -1,4 +1,4 @@
-"""The tileset of a bundle: its boxes hold the geometry, in the axes that viewers of 3D Tiles turn it to."""
+"""The tileset of a bundle: its boxes contain the geometry, in the axes to which 3D Tiles viewers rotate it."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def bundle(city: nf.Scene, request: pytest.FixtureRequest, tmp_path_factory: pyt
 
 
 def box_in_glb_axes(tile: dict[str, Any]) -> NDArray[np.float64]:
-    """Corners (2, 3) of a tile's box, turned back to y-up."""
+    """Corners (2, 3) of a tile's box, rotated back to y-up."""
     numbers = np.array(tile["boundingVolume"]["box"])
     axes = numbers[3:].reshape(3, 3)
     assert (axes == np.diag(np.diag(axes))).all()
@@ -56,27 +56,27 @@ def test_every_ring_with_geometry_is_a_tile(bundle: Path) -> None:
     assert [tile["content"]["uri"] for tile in tiles] == [ring["geometry"] for _, ring in rings]
     moving = [tile["content"]["uri"] for tile in root["children"] if "dynamic" in tile["extras"]]
     assert moving == [manifest["dynamic"]["geometry"]]
-    # Viewers refine the root, which has nothing to show, from anywhere that shows a pixel of it.
+    # Viewers refine the root, which is empty, from anywhere that shows a pixel of it.
     extent = np.linalg.norm(np.ptp(box_in_glb_axes(root), axis=0))
     assert root["geometricError"] >= extent - 4 * GRID
     assert "content" not in root
 
 
-def test_boxes_hold_the_geometry_and_little_else(bundle: Path) -> None:
+def test_boxes_are_tight(bundle: Path) -> None:
     root = documents(bundle)[0]["root"]
     whole = box_in_glb_axes(root)
     for tile in root["children"]:
         bounds = nf.Scene.load(bundle / tile["content"]["uri"]).bounds
         box = box_in_glb_axes(tile)
         outside = np.stack([bounds[0] - box[0], box[1] - bounds[1]])
-        assert outside.min() > 0.5 * GRID  # half of the step to the outside, for float32 in turned copies
-        # Boxes of turned copies are boxes around turned boxes.
+        assert outside.min() > 0.5 * GRID  # Half of the step to the outside, for float32 in rotated copies.
+        # Boxes of rotated copies are boxes around rotated boxes.
         assert outside.max() < 3.0
         assert (whole[0] <= box[0]).all()
         assert (whole[1] >= box[1]).all()
 
 
-def test_boxes_lie_where_viewers_turn_the_content_to(tmp_path: Path) -> None:
+def test_boxes_follow_the_rotation_by_viewers(tmp_path: Path) -> None:
     # East 1 to 2 m, 3 to 5 m high, 7 to 10 m north, which is -z in glTF and +y in tilesets.
     corners = [[1, 3, -7], [2, 3, -7], [2, 5, -10]]
     bundle = nf.stream.export(
@@ -89,7 +89,7 @@ def test_boxes_lie_where_viewers_turn_the_content_to(tmp_path: Path) -> None:
     assert bundle.read("tileset.json") == (tmp_path / "b" / "tileset.json").read_bytes()
 
 
-def test_a_scene_far_from_its_axes_has_boxes_there(tmp_path: Path) -> None:
+def test_a_scene_far_from_the_origin_has_boxes_there(tmp_path: Path) -> None:
     place = np.array([500_000.0, 20.0, -300_000.0])
     scene = nf.Scene.from_arrays(np.add(place, [[-5, 0, -8], [5, 0, -8], [5, 5, -8]]), [[0, 1, 2]])
     nf.stream.export(scene, tmp_path / "b", **{**SETTINGS, "center": place})

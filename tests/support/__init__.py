@@ -53,7 +53,7 @@ def _adapter(name: str) -> Callable[[], str]:
 
 
 def _tokyo() -> str:
-    """A tool beside the data makes the whole city."""
+    """The whole city is built by a tool in the data folder."""
     root = data_files.root()
     return (
         "" if root and (root.parent / "tools" / "tokyo.py").is_file() else "there is no tools/tokyo.py beside the data"
@@ -119,10 +119,10 @@ PARTS: dict[str, Callable[[], str]] = {
 
 
 OF_SLOW_TESTS = {"browser", "exporters", "node"}
-"""Parts that `make test` does not install; what needs them is run by `make test-slow`."""
+"""Parts that `make test` does not install; `make test-slow` runs tests that need them."""
 
 marks: set[str] = set()
-"""Names of the marks of the test that runs, of which conftest.py tells."""
+"""Names of the marks of the running test, set by conftest.py."""
 
 
 @functools.cache
@@ -158,7 +158,7 @@ def peak():
 
 def valid(document: dict[str, Any], name: str) -> bool:
     """Whether a document fits the schema of a format."""
-    import jsonschema  # its grammar of addresses takes a second, which other processes do not wait for
+    import jsonschema  # Its grammar of addresses takes a second, which other processes do not wait for.
     from referencing import Registry, Resource
 
     header = Resource.from_contents(formats.load_schema("header"))

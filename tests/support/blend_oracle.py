@@ -1,4 +1,4 @@
-"""Levels that blend, by the definition: pixel after pixel, with places computed in space."""
+"""Blending levels by the definition: pixel after pixel, with positions computed in space."""
 
 from __future__ import annotations
 
@@ -21,19 +21,19 @@ Key = tuple[int, Place, int]
 
 
 def luck(level: int, place: Place, direction: int, pixel: int) -> float:
-    """A number from 0 to 1 of a pixel: the pixel's place is all that it depends on."""
+    """A random number from 0 to 1 of a pixel, which depends only on the pixel's position."""
     x, y, z = place
     return float(random.uniform(256 * level + direction, x + 2**21 * y + 2**42 * z, [pixel])[0])
 
 
 @dataclass
 class Blend:
-    """Views of a tree of which those that are `partial` are drawn in part."""
+    """Views of a tree, of which those in `partial` are drawn in part."""
 
     grid: Grid
     directions: Sequence[Triple]
     depths: Mapping[Key, NDArray[Any]]
-    """Steps of each pixel of the views that are drawn (q, q), 0 where there is nothing."""
+    """Steps of each pixel of the drawn views (q, q), 0 where empty."""
     partial: set[tuple[int, Place]]
     steps: int
     apparent: Callable[[NDArray[np.float64]], float]
@@ -77,7 +77,7 @@ class Blend:
         return bool(self.apparent(point) >= 2 ** key[0] * self.reach * (1 + self.band * own))
 
     def is_covered(self, key: Key, pixel: tuple[int, int]) -> bool:
-        """Whether the parent's pixel in which a pixel lies is drawn, or covered itself."""
+        """Whether the parent's pixel that contains a pixel is drawn, or covered itself."""
         level, (x, y, z), number = key
         parent = (level + 1, (x // 2, y // 2, z // 2))
         if parent not in self.partial:
@@ -88,7 +88,7 @@ class Blend:
         return self.is_coarse(above, at) or self.is_covered(above, at)
 
     def pixel_above(self, key: Key, pixel: tuple[int, int]) -> tuple[int, int]:
-        """The parent's pixel in whose square the middle of a pixel lies."""
+        """The parent's pixel whose square contains the centre of a pixel."""
         level, (x, y, z), number = key
         axes, size = Axes.from_direction(self.directions[number]), len(self.depths[key])
         side = self.grid.side(level)

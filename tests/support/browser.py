@@ -31,31 +31,31 @@ STILL = """([picture, pose, width, height, rests]) => {
 
 
 WEBGPU = ("--enable-unsafe-webgpu", "--enable-features=Vulkan", "--use-vulkan=swiftshader")
-"""Flags with which Chromium has WebGPU in software: it draws on canvases, but shows none and asks for no frames."""
+"""Flags that give Chromium WebGPU in software: it draws on canvases, but does not present them or request frames."""
 
 FRAMES = "window.requestAnimationFrame = (frame) => setTimeout(() => frame(performance.now()), 16)"
-"""Asks for frames in its place."""
+"""Requests frames in its place."""
 
 NO_WEBGPU = "No available adapters."
-"""Chromium prints it when a page asks for WebGPU where there is none."""
+"""Message of Chromium when a page requests WebGPU and none is available."""
 
 SMALL = (160, 100)
-"""Size of a page that is drawn in no time; one of less than some 128 pixels gets two frames a second."""
+"""Size of a page that is drawn very quickly; one of less than about 128 pixels gets two frames a second."""
 
 LOOKS = 6000
-"""Looks at a page before it counts as hung: five minutes of pauses, and however long a busy machine takes to answer."""
+"""Number of checks before a page counts as hung: five minutes of pauses, plus the answering time of a busy machine."""
 
 
 _players: list[Any] = []
-"""Playwright, while it runs: there can be one in a thread."""
+"""The running Playwright: there can be one in a thread."""
 
 programs: list[Any] = []
-"""Browsers that run."""
+"""Running browsers."""
 
 
 @contextmanager
 def started(path: str | None = None, flags: Sequence[str] = ()) -> Iterator[Any]:
-    """Chromium, the one at a path if it is given, with further flags."""
+    """Start Chromium, the one at a path if given, with further flags."""
     from playwright.sync_api import sync_playwright
 
     with ExitStack() as stack:
@@ -89,7 +89,7 @@ def _show_loop() -> None:
 
 @contextmanager
 def open_page(program: Any, width: int, height: int, **settings: Any) -> Iterator[Any]:
-    """A new page, with Playwright's settings; what it prints is in its list `printed`, but for missing WebGPU."""
+    """A new page, with Playwright's settings; its output is in its list `printed`, except for missing WebGPU."""
     page = program.new_page(viewport={"width": width, "height": height}, **settings)
     page.printed = []
     page.on("console", lambda message: message.text == NO_WEBGPU or page.printed.append(message.text))
@@ -101,7 +101,7 @@ def open_page(program: Any, width: int, height: int, **settings: Any) -> Iterato
 
 
 def wait_for_ring(page: Any, ring: int) -> str:
-    """Wait until a ring is there or the page tells of a problem; returns what it tells."""
+    """Wait until a ring is shown or the page reports a problem; returns the page's state."""
     problems: list[str] = []
 
     def has_come() -> bool:
@@ -124,7 +124,7 @@ def still(page: Any, picture: dict[str, Any], pose: dict[str, Any], *, rests: bo
 
 
 def wait_until(page: Any, happened: Callable[[], object]) -> None:
-    """Wait until something has happened; after so many looks, tell what the page prints."""
+    """Wait until an event has happened; after the maximum number of checks, raise with the page's output."""
     for _ in range(LOOKS):
         if happened():
             return

@@ -1,4 +1,4 @@
-"""A small scene whose bundle has files of every kind, and what a client does with all of them."""
+"""A small scene whose bundle has files of every kind, and the reading of all of them by a client."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ SETTINGS: dict[str, Any] = {"center": (0.0, 1.7, 0.0), "radii": (5.0, 12.0), "fa
 
 
 def village(*, height: float = 3.0) -> nf.Scene:
-    """Ground with a texture, a wall, a mesh that stands in both rings, and a car that moves."""
+    """Ground with a texture, a wall, a mesh in both rings, and a moving car."""
     builder = nf.SceneBuilder()
     noise = np.random.default_rng(8).integers(0, 255, (8, 8, 4), np.uint8)
     noise[..., 3] = 255

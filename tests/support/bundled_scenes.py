@@ -1,4 +1,4 @@
-"""Scenes whose bundles have all that geometry and maps can be made of, with compression and without."""
+"""Scenes whose bundles cover all features of geometry and maps, with compression and without."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ import nearfar as nf
 from tests.support import normal_cases
 
 SCENES: dict[str, dict[str, Any]] = {
-    # Copies in several rings, coloured vertices and moving cars; images and moving things; normals of vertices, copies
+    # Copies in several rings, coloured vertices and moving cars; images and moving objects; vertex normals, copies
     # that are mirrored, stretched and sheared, and a cut-out.
     "city": {"center": (3.0, 1.7, -2.0), "radii": [10.0, 22.0, 63.0]},
     "room": {"center": (0.3, 1.6, 0.2), "radii": [1.5, 3.0]},
@@ -41,7 +41,7 @@ def balls() -> nf.Scene:
         builder.instance(mesh, place @ kinds[number % len(kinds)], name=f"ball {number}")
     texels = np.zeros((64, 32, 4), np.uint8)
     texels[..., 0], texels[..., 1] = np.arange(32) * 8, np.arange(64)[:, None] * 4
-    # Half seen around a circle, so that colour and alpha must stay apart.
+    # Half visible around a circle, so that colour and alpha must stay separate.
     texels[..., 3] = 255 * np.clip((np.hypot(*np.mgrid[-20:44, -16:16]) - 9) / 6, 0, 1)
     leaf = builder.material(texture=texels, cutoff=0.5)
     corners, uvs = [[-4, 0, 0], [4, 0, 0], [4, 6, 0], [-4, 6, 0]], [[0, 0], [1, 0], [1, 1], [0, 1]]
@@ -73,7 +73,7 @@ def export_all(scenes: Mapping[str, nf.Scene], folder: Path) -> dict[str, Path]:
 def farthest(found: NDArray[Any], expected: NDArray[Any]) -> float:
     """Greatest difference on an axis between triangles (N, 3, 3) and the nearest of others, in metres, both ways.
 
-    Readers turn mirrored faces in different ways, so the order of corners does not count.
+    Readers reverse mirrored faces in different ways, so the order of corners does not matter.
     """
     assert len(found) == len(expected)
     some, others = (

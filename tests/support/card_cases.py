@@ -1,4 +1,4 @@
-"""Reads the cards that notebooks show: they must be well-formed, harmless, and in the page's own colours."""
+"""Reads notebook cards: they must be well-formed, harmless, and in the page's own colours."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Card:
 
     def __init__(self, text: str) -> None:
         assert not text.startswith("<pre>"), f"expected a card, got the plain text {text}"
-        # Browsers take tags that XML refuses, such as <img> without an end.
+        # Browsers accept tags that XML refuses, such as <img> without an end.
         self.root = ElementTree.fromstring(re.sub(r"(<img\b[^>]*)>", r"\1/>", text))
         for element in self.root.iter():
             assert element.tag not in ("script", "style", "link", "iframe", "object")

@@ -1,4 +1,4 @@
-"""Finds the stages that a change touches, and those that use them."""
+"""Finds the stages that a change touches, and dependent stages."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ RUST_ROOMS = {"bvh": "scene", "export": "stream", "exr": "base"}
 """Stages of the core whose folder of tests has another name."""
 
 ALL = "everything"
-"""Stands for the folders of all stages."""
+"""Represents the folders of all stages."""
 
 FIXED: dict[str, set[str]] = {
     r"(docs|notebooks|LICENSE|CHANGELOG|README|ARCHITECTURE|references)": {"project"},
@@ -29,7 +29,7 @@ FIXED: dict[str, set[str]] = {
     r"(web|python/nearfar/view)/.*orthoview": {"orthoview"},
     r"(web|python/nearfar/view/dist)/": {"orthoview", "view"},
 }
-"""Files by the beginning of their path, and the folders of tests that look at them; no other stage uses these."""
+"""Files by path prefix, and the folders of tests that cover them; no other stage uses these."""
 
 
 def stages_of(path: str) -> set[str]:
@@ -49,7 +49,7 @@ def stages_of(path: str) -> set[str]:
 
 
 def users_of(room: str) -> set[str]:
-    """A stage and all that use it, directly or not; `ALL` for base and for what is no stage."""
+    """A stage and all stages that use it, directly or not; `ALL` for base and for unknown parts."""
     names = {name.strip("_"): name for name in PACKAGE if name != "__init__"}
     if room not in names or room == "base":
         return {ALL}
@@ -57,7 +57,7 @@ def users_of(room: str) -> set[str]:
 
 
 def choose(paths: Iterable[str]) -> dict[str, str]:
-    """Folders of tests to run for changed files, each with the first file that asks for it; `ALL` stands for all."""
+    """Folders of tests to run for changed files, each with the first file that requires it; `ALL` means all."""
     reasons: dict[str, str] = {}
     for path in sorted(paths):
         for folder in sorted(stages_of(path)):

@@ -1,4 +1,4 @@
-"""Small cities as files, and the numbers that are known of them."""
+"""Small cities as files, and their known numbers."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def collection(*features: Json, epsg: int | None = 28992) -> Json:
     return {"type": "FeatureCollection", "features": list(features), **crs}
 
 
-def written(path: Path, document: Any) -> Path:
+def write_json(path: Path, document: Any) -> Path:
     """The path of a file with JSON."""
     path.write_text(json.dumps(document))
     return path
@@ -91,7 +91,7 @@ def polygon_bytes(rings: Sequence[Sequence[Sequence[float]]]) -> bytes:
 
 
 def parquet(path: Path, rows: Sequence[bytes | None], geo: Any = "", **columns: Any) -> Path:
-    """A GeoParquet of rows in WKB, in metres of a grid unless `geo` says something else."""
+    """A GeoParquet of rows in WKB, in metres of a grid unless `geo` specifies otherwise."""
     crs = {"type": "ProjectedCRS", "name": "Amersfoort / RD New", "id": {"authority": "EPSG", "code": 28992}}
     column = {"encoding": "WKB", "geometry_types": [], "crs": crs}
     stated = {"version": "1.1.0", "primary_column": "geometry", "columns": {"geometry": column}} if geo == "" else geo

@@ -28,16 +28,16 @@ FACES = {
 """Right, up and forward of the faces of a cube map."""
 
 DOUBT = 1e-7
-"""Metres within which roundings decide."""
+"""Metres within which rounding decides."""
 
 
 class DoubtfulError(Exception):
-    """Roundings decide about the result."""
+    """Rounding decides the result."""
 
 
 @dataclass
 class Expected:
-    """A cut that takes in what is outside of the picture."""
+    """A cut that includes cells outside of the picture."""
 
     reach: float
     cells: set[Cell] = field(default_factory=set)
@@ -45,7 +45,7 @@ class Expected:
     partial: set[Cell] = field(default_factory=set)
     """Cells that are drawn in part, which are among `cells`."""
     is_doubtful: bool = False
-    """Whether roundings decide about a level."""
+    """Whether rounding decides a level."""
 
     @property
     def all_cells(self) -> set[Cell]:
@@ -62,11 +62,11 @@ def pixel(camera: nf.Camera) -> float:
 
 @dataclass(frozen=True)
 class World:
-    """The cells of a tree in which something is."""
+    """The non-empty cells of a tree."""
 
     grid: Grid
     shown: Mapping[Cell, int]
-    """Bits of the directions that show something of each cell."""
+    """Bits of the non-empty directions of each cell."""
     low: NDArray[np.float64]
     high: NDArray[np.float64]
     """Corners of the cells, in their order."""
@@ -91,7 +91,7 @@ def nearest(eye: NDArray[np.float64], low: NDArray[np.float64], high: NDArray[np
 def seen_from(
     camera: nf.Camera, low: NDArray[np.float64], high: NDArray[np.float64], sight: NDArray[np.float64] | None
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Bounds of the apparent distances of boxes' points: those from the eye over the acuity beside the sight."""
+    """Bounds of the apparent distances of boxes' points: those from the eye over the acuity away from the gaze."""
     eye = np.array(camera.position)
     least, most = nearest(eye, low, high), np.linalg.norm(lattice(low, high) - eye, axis=2).max(axis=1)
     if sight is None:
@@ -109,7 +109,7 @@ def seen_from(
 
 
 def sight_through(camera: nf.Camera, gaze: tuple[float, float]) -> NDArray[np.float64]:
-    """The direction through a whole place in a picture: the mean of the four pixels about it at a depth of 1."""
+    """The direction through an integer position in a picture: the mean of the four pixels about it at a depth of 1."""
     (x, y), (_, ahead) = map(int, gaze), camera.rays()
     through = ahead[y - 1 : y + 1, x - 1 : x + 1]
     sight: NDArray[np.float64] = (through / (through @ camera_axis(camera))[..., None]).mean(axis=(0, 1))
@@ -117,7 +117,7 @@ def sight_through(camera: nf.Camera, gaze: tuple[float, float]) -> NDArray[np.fl
 
 
 def camera_axis(camera: nf.Camera) -> NDArray[np.float64]:
-    """Where a camera looks."""
+    """Viewing direction of a camera."""
     if isinstance(camera.fov, nf.CubeFace):
         return np.array(FACES[camera.fov.face][2], np.float64)
     x, y, z, w = camera.orientation
@@ -138,7 +138,7 @@ def expected(
     """The cut of a tree; `pitch` is the width of a leaf's pixel."""
     found = Expected(pitch / (pixel(camera) * error_px))
     sight = None if gaze is None else sight_through(camera, gaze)
-    # For parallel rays a pixel of the picture is as wide anywhere as it is at 1 m for others.
+    # For parallel rays a pixel of the picture is as wide anywhere as it is at 1 m for perspective.
     near, far = np.ones((2, len(world.low)))
     if not isinstance(camera.fov, nf.Orthographic):
         near, far = seen_from(camera, world.low, world.high, sight)
@@ -167,7 +167,7 @@ def expected(
 
 
 def margins(camera: nf.Camera, corners: NDArray[np.float64]) -> NDArray[np.float64]:
-    """How far boxes reach into that half-space of the picture which they reach into the least; below 0 if not.
+    """Signed extent of boxes into the half-space of the picture into which they extend least; negative outside.
 
     Corners are (N, 8, 3).
     """
@@ -187,15 +187,15 @@ def margins(camera: nf.Camera, corners: NDArray[np.float64]) -> NDArray[np.float
 
 def are_sampled(camera: nf.Camera, points: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Whether one of some points (N, P, 3) is in the picture."""
-    x, y, _ = camera.project(points.reshape(-1, 3)).T  # NaN behind the camera
+    x, y, _ = camera.project(points.reshape(-1, 3)).T  # NaN behind the camera.
     is_in = (x >= 0) & (x <= camera.width) & (y >= 0) & (y <= camera.height)
     return np.asarray(is_in.reshape(points.shape[:2]).any(axis=1))
 
 
 def raised(unit: NDArray[np.float64], lift_deg: float) -> tuple[NDArray[np.float64], bool]:
-    """A direction turned about a horizontal axis towards +y, at most to +y, and whether it is there.
+    """A direction rotated about a horizontal axis towards +y, at most to +y, and whether it is there.
 
-    One straight up or down has no such axis, and stays.
+    A direction straight up or down has no such axis, and stays.
     """
     axis = np.cross(unit, (0, 1, 0))
     if lift_deg == 0 or not axis.any():
@@ -211,10 +211,10 @@ def raised(unit: NDArray[np.float64], lift_deg: float) -> tuple[NDArray[np.float
 def nearest_directions(
     toward: ArrayLike, directions: Sequence[Place], views: int, mask: int, lift_deg: float = 0.0
 ) -> list[int]:
-    """Numbers of the directions nearest to one, raised by an angle, of those in a mask, filled up with −1.
+    """Numbers of the directions in a mask nearest to one, raised by an angle, padded with −1.
 
-    Those that are as far from +y as each other are as near to a viewer that is raised to there: then the nearest to the
-    viewer before come first.
+    Directions at equal angles from +y are equally near to a viewer that is raised to there: then those nearest to the
+    unraised viewer come first.
     """
     unit = np.asarray(toward) / np.linalg.norm(toward)
     lifted, is_highest = raised(unit, lift_deg)

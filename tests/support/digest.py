@@ -35,7 +35,7 @@ def _feed(state: Any, value: Any) -> None:
             _feed(state, item)
     elif dataclasses.is_dataclass(value) and not isinstance(value, type):
         for field in dataclasses.fields(value):
-            if field.name != "stats":  # they hold times
+            if field.name != "stats":  # Their values contain times.
                 _feed(state, getattr(value, field.name, None))
     else:
         # Numbers and texts only: an interrupted `repr` of an array changes the next one.

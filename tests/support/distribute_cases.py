@@ -33,7 +33,7 @@ def endless(item: Path, report: Report) -> None:
 
 
 def half_written(item: Path, report: Report) -> None:
-    """Write the beginning of a result and no more, as a worker that is terminated meanwhile."""
+    """Write only the beginning of a result, like a worker that is terminated meanwhile."""
     frame = sys._getframe()
     while "result_queue" not in frame.f_locals and frame.f_back is not None:
         frame = frame.f_back

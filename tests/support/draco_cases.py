@@ -1,4 +1,4 @@
-"""GLBs of one mesh that Draco has compressed."""
+"""GLBs of one mesh compressed by Draco."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tests.support.gltf_cases import encode, picture
 EXTENSION = "KHR_draco_mesh_compression"
 COMPONENTS = {"i1": 5120, "u1": 5121, "i2": 5122, "u2": 5123, "u4": 5125, "f4": 5126}
 NUMBERS = {"NORMAL": 2, "TEXCOORD_0": 7, "TEXCOORD_1": 3, "COLOR_0": 5}
-"""Numbers of the attributes in the streams, in another order than in the files."""
+"""Numbers of the attributes in the streams, in a different order from the files."""
 
 
 def compress(

@@ -1,4 +1,4 @@
-"""Models that other programs export from the data's, and how like the plain files' pictures theirs are."""
+"""Models exported by other programs from the data's, and the similarity of their pictures to the plain files'."""
 
 from __future__ import annotations
 
@@ -96,7 +96,7 @@ def _repeated(path: Path) -> bytes:
 
 
 def cameras(source: str) -> list[nf.Camera]:
-    """The views that a source's models are compared in."""
+    """The views in which a source's models are compared."""
     views = EYES.get(source) or _eyes_around(scene(source).bounds)
     fov = nf.Fov.symmetric(60, SIZE[0] / SIZE[1])
     return [nf.Camera.look_at(eye, target, fov=fov, size=SIZE) for eye, target in views]

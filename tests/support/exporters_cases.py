@@ -1,4 +1,4 @@
-"""The models that other programs export, with each one's settings."""
+"""The models exported by other programs, with each one's settings."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _WEBP = ["webp", {"lossless": True, "effort": 0, "slots": "baseColor"}]
 _JOIN = [["dedup", {}], ["flatten", {}], ["join", {}], ["weld", {}], ["prune", {}]]
 _Z = {"up": "z"}
 _TURNED = {"up": "-z"}
-"""Blender takes the scans' y axis for a horizontal one, and turns its z axis to y."""
+"""Blender treats the scans' y axis as horizontal, and rotates their z axis to y."""
 
 CASES: dict[str, list[Case]] = {
     "gltfpack": [
@@ -113,4 +113,4 @@ DEFAULTS = [
     Case("Manhattan", "-cc -vpf", "manhattan.glb", ("-cc", "-vpf")),
     Case("Tokyo", "-cc", "tokyo.glb", ("-cc",)),
 ]
-"""Models that gltfpack rounds so coarsely that the picture changes: glTF-Transform reads them, too."""
+"""Models that gltfpack quantises so coarsely that the picture changes: glTF-Transform reads them, too."""

@@ -64,7 +64,7 @@ def _blender(cases: Sequence[Case], folder: Path) -> None:
     (folder / "jobs.json").write_text(json.dumps(jobs))
     _copy_pictures(cases, folder)
     script = FOLDER / "in_blender.py"
-    # Blender takes the modules of the first python3 in PATH; NumPy is installed for the system's.
+    # Blender uses the modules of the first python3 in PATH; NumPy is installed for the system's.
     path = os.pathsep.join(["/usr/bin", os.environ.get("PATH", "")])
     _run("blender", "-b", "--python-exit-code", "3", "--python", script, "--", "jobs.json", folder=folder, PATH=path)
 
@@ -90,4 +90,4 @@ EXPORTERS: dict[str, Callable[[Sequence[Case], Path], None]] = {
     "Assimp": _assimp,
     "trimesh": _trimesh,
 }
-"""Each writes the files of some cases to a folder."""
+"""Functions that write the files of some cases to a folder."""

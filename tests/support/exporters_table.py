@@ -14,7 +14,7 @@ from tests.support.exporters_run import EXPORTERS
 
 
 def main() -> None:
-    """Export all models, or those of some exporters, and print how like the plain files they look."""
+    """Export all models, or those of some exporters, and print their similarity to the plain files."""
     print("| exporter | model | settings or format: percentage of pixels |\n| --- | --- | --- |")
     for name in sys.argv[1:] or EXPORTERS:
         with tempfile.TemporaryDirectory() as folder:

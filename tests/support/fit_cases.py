@@ -14,7 +14,7 @@ SIZES = np.geomspace(1e-4, 3, 30)
 
 
 def formula(x: Any, a: Any, b: Any, c: Any, d: Any) -> Any:
-    """The definition as written, in extended precision where x is."""
+    """The definition as written, in extended precision if x has it."""
     return d + (a - d) / (1 + (x / c) ** b)
 
 

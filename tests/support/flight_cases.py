@@ -1,4 +1,4 @@
-"""Cameras about a tree, and stores that are read when a test says so, for tests of flights."""
+"""Cameras around a tree, and stores read under control of the test, for tests of flights."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from nearfar.orthoview._near import Near
 from nearfar.orthoview._views import ViewKey, Views
 
 LONG = 120.0
-"""Seconds after which a test gives up."""
+"""Timeout of a test in seconds."""
 
 FOV = nf.Fov.symmetric(50)
 CHANNELS = ("color", "range", "albedo", "normal")
@@ -48,12 +48,12 @@ def there(frame: nf.Frame) -> NDArray[np.bool_]:
 
 
 def readers() -> set[threading.Thread]:
-    """Threads that read for flights, those of other tests' flights that nobody closed among them."""
+    """Threads that read for flights, including those of other tests' flights that were not closed."""
     return {thread for thread in threading.enumerate() if thread.name == "nearfar-flight"}
 
 
 class Gate:
-    """Holds up the threads that read views and geometry, and notes what they read."""
+    """Blocks the threads that read views and geometry, and records what they read."""
 
     def __init__(self) -> None:
         self.views: list[ViewKey] = []
@@ -63,35 +63,35 @@ class Gate:
         self._open.set()
 
     def close(self) -> None:
-        """Let nothing pass."""
+        """Block all reads."""
         self._done = threading.Semaphore(0)
         self._open.clear()
 
     def open(self) -> None:
-        """Let all pass."""
+        """Let all reads pass."""
         self._open.set()
         self._permits.release(1000)
 
     def pass_some(self, count: int) -> None:
-        """Let so many readings pass, and wait for their end."""
+        """Let a number of reads pass, and wait for their end."""
         self._permits.release(count)
         for _ in range(count):
             assert self._done.acquire(timeout=LONG)
 
     def enter(self) -> None:
-        """Pass; the test itself always may."""
+        """Enter the gate; the test's own thread always passes."""
         if not self._open.is_set() and threading.current_thread() is not threading.main_thread():
             assert self._permits.acquire(timeout=LONG)
 
     def leave(self) -> None:
-        """One more was read."""
+        """Count a completed read."""
         if threading.current_thread() is not threading.main_thread():
             self._done.release()
 
 
 @contextmanager
 def gated(patch: pytest.MonkeyPatch) -> Iterator[Gate]:
-    """All flights of a time read through a gate; it is open at first, and at the end."""
+    """Route all reads of flights within a block through a gate; it is open at first, and at the end."""
     gate, load, near = Gate(), Views.load, Near.load
 
     def load_views(views: Views, keys: Sequence[ViewKey]) -> None:

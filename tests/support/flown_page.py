@@ -1,4 +1,4 @@
-"""The page that flies trees: its figures, and its pictures beside Python's."""
+"""The page that flies trees: its figures, and its pictures compared with Python's."""
 
 from __future__ import annotations
 
@@ -46,15 +46,15 @@ def facts(page: Any) -> dict[str, Any]:
     return dict(page.evaluate(FACTS) or {"isComplete": False})
 
 
-def flown(page: Any, address: str) -> dict[str, Any]:
-    """Open the page, and wait until all views have come or failed."""
+def open_flight(page: Any, address: str) -> dict[str, Any]:
+    """Open the page, and wait until all views have arrived or failed."""
     page.goto(address)
     wait_until(page, lambda: facts(page)["isComplete"])
     return facts(page)
 
 
 def grabbed(page: Any) -> NDArray[np.uint8]:
-    """The picture on the canvas, without what lies above it."""
+    """The picture on the canvas, without overlays."""
     content = base64.b64decode(page.evaluate(GRABBED))
     return np.asarray(Image.open(io.BytesIO(content)).convert("RGB"))
 

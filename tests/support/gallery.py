@@ -1,4 +1,4 @@
-"""A long hall that is alike everywhere and the same nowhere, and a bundle with a region at each step of it."""
+"""A long hall with similar but distinct places, and a bundle with a region at each of them."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def center(place: int) -> tuple[float, float, float]:
 
 
 def gallery(places: int) -> nf.Scene:
-    """At each place a picture of its own, two copies of a mesh of its own, and a copy of a mesh that all places share.
+    """A hall with, at each place, a distinct picture, two copies of a distinct mesh, and a copy of a shared mesh.
 
     Meshes are large enough to be files.
     """

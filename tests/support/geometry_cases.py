@@ -1,4 +1,4 @@
-"""Geometry of orthoview trees for tests: leaves of a world, and what their files hold."""
+"""Geometry of orthoview trees for tests: leaves of a world, and the content of their files."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def places(grid: Grid) -> Iterator[Place]:
 
 
 def parts(world: Any, grid: Grid) -> Iterator[tuple[Place, nf.Scene]]:
-    """The leaves that something of a world touches, with what touches them."""
+    """The leaves that a world touches, with their geometry."""
     for place in places(grid):
         part = world.query(grid.box(0, place))
         if part.triangle_count:
@@ -29,7 +29,7 @@ def parts(world: Any, grid: Grid) -> Iterator[tuple[Place, nf.Scene]]:
 
 
 def stored(world: Any, grid: Grid, folder: Path) -> dict[str, Any]:
-    """Write the geometry of all leaves as a build does; returns the counts."""
+    """Write the geometry of all leaves like a build; returns the counts."""
     store = GeometryStore(folder, grid)
     for place, part in parts(world, grid):
         store.write(part, place)
@@ -37,7 +37,7 @@ def stored(world: Any, grid: Grid, folder: Path) -> dict[str, Any]:
 
 
 def standing(scene: nf.Scene) -> NDArray[np.float64]:
-    """Triangles (T, 3, 3) that do not move, world, metres."""
+    """Static triangles (T, 3, 3), world, metres."""
     return world_triangles(scene)[: scene._core.standing_triangle_count]
 
 
@@ -48,5 +48,5 @@ def world_triangles(scene: nf.Scene) -> NDArray[np.float64]:
 
 
 def keys(rows: NDArray[np.floating]) -> list[bytes]:
-    """The bits of triangles or points, to tell them apart."""
+    """The bits of triangles or points, as keys for comparison."""
     return [row.tobytes() for row in rows]

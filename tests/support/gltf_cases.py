@@ -1,4 +1,4 @@
-"""A glTF file for tests whose materials hold all that files can say of them, and readers of what was written."""
+"""A glTF file for tests that uses all material properties, and readers of written files."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ MATERIALS: list[dict[str, Any]] = [
         "doubleSided": True,
     },
 ]
-"""Of the file that `gltf` writes."""
+"""Names of materials in the file that `gltf` writes."""
 
 IMAGES = 4
 
@@ -108,7 +108,7 @@ def decode(path: Path) -> tuple[dict[str, Any], bytes]:
 
 
 def materials(path: Path) -> dict[str, dict[str, Any]]:
-    """Materials of a GLB by name; images' bytes and samplers stand for the textures that refer to them."""
+    """Materials of a GLB by name; images' bytes and samplers replace the textures that refer to them."""
     document, binary = decode(path)
 
     def resolved(key: str, value: Any) -> Any:
@@ -132,7 +132,7 @@ def texels(data: bytes) -> np.ndarray:
 
 
 def assert_same_materials(written: Path, source: Path) -> None:
-    """The file holds each material as the source does; base colours' images by their texels, all else by its bytes."""
+    """Assert equal materials in both files: images of base colours by texels, everything else by bytes."""
     one, other = materials(written), materials(source)
     assert one.keys() == other.keys()
     for name, material in one.items():

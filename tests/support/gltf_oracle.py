@@ -1,4 +1,4 @@
-"""A slow reader of glTF, number by number: triangles of each node in the world, without a line of the package."""
+"""A slow reader of glTF, number by number: triangles of each node in the world, without code of the package."""
 
 from __future__ import annotations
 

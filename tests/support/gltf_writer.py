@@ -1,4 +1,4 @@
-"""Writes GLBs with arrays of any layout, and random ones of them."""
+"""Writes GLBs with arrays of any layout, including random ones."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ class Writer:
 
 
 def random_glb(rng: np.random.Generator) -> bytes:
-    """Meshes of primitives that share vertices, placed some times each, of whatever types and attributes."""
+    """Meshes of primitives that share vertices, placed several times each, of random types and attributes."""
     writer = Writer(rng)
     pools = [_attributes(writer, 3 * int(rng.integers(1, 5))) for _ in range(2)]
     meshes = []

@@ -40,7 +40,7 @@ def adapter(name: str) -> Iterator[None]:
 
 @contextmanager
 def backend_of(name: str) -> Iterator[str]:
-    """The `backend` that renders on the CPU ("cpu"), or on an adapter, which is selected for a while."""
+    """Yield the `backend` that renders on the CPU ("cpu"), or on an adapter, which is selected within the block."""
     if name == "cpu":
         yield "cpu"
     else:
@@ -63,8 +63,8 @@ def edges(ids: NDArray[Any]) -> NDArray[np.bool_]:
 def agree(cpu: nf.Frame, gpu: nf.Frame, *, same: float = 0.999) -> NDArray[np.bool_]:
     """Compare frames of both back ends with all images; returns where they show the same face.
 
-    Faces may differ where an edge passes a pixel's centre by 1/256 of a pixel or less, which is how finely rasters
-    place corners; and where two faces lie at one depth to six digits, because which of them is nearer is rounding.
+    Faces may differ where an edge passes a pixel's centre by 1/256 of a pixel or less, the precision of rasterisers;
+    and where two faces have equal depth to six digits, because rounding decides which of them is nearer.
     Where they agree, ranges agree to 1e-5: both are within 5e-6 of float64 at the greatest slants in these views; those
     of parallel rays have the error of coordinates of some metres. Colour is compared in sRGB codes: the levels of
     textures follow from base-2 logarithms, which adapters may round in the fourth digit.
@@ -92,7 +92,7 @@ def agree(cpu: nf.Frame, gpu: nf.Frame, *, same: float = 0.999) -> NDArray[np.bo
 
 
 def check_materials(cpu: nf.Frame, gpu: nf.Frame, hits: NDArray[np.bool_]) -> None:
-    """Compare albedo, which may have other levels of textures as colour does, shading normals and coverage."""
+    """Compare albedo, whose texture levels may differ as for colour, shading normals and coverage."""
     codes = np.abs(srgb(cpu.require("albedo")[hits]) - srgb(gpu.require("albedo")[hits]))
     assert not codes.size or np.percentile(codes, 99.9) <= 2, np.percentile(codes, [50, 99, 99.9, 100])
     np.testing.assert_allclose(gpu.require("shading_normal")[hits], cpu.require("shading_normal")[hits], atol=2e-3)

@@ -1,4 +1,4 @@
-"""Finds cycles in graphs of files, and uses of parts that a part may not use."""
+"""Finds cycles in graphs of files, and uses of parts that are not allowed."""
 
 from __future__ import annotations
 

@@ -22,17 +22,17 @@ Vector = tuple[float, float, float]
 Quaternion = tuple[float, float, float, float]
 
 EYE_HEIGHT = 1.7
-"""Metres from the floor to the eyes of somebody for whom a pose of the page stands."""
+"""Eye height above the floor, metres, of the person that a pose of the page represents."""
 
 OUTWARDS, INWARDS, DOWN, UP = 1.28, 0.87, 1.11, 0.93
 """Tangents of the angles to the sides of an eye's picture, of the size that headsets have."""
 
 HEADSETS = {"quest2": 0.063, "quest3": 0.068}
-"""Emulated headsets and metres between their users' eyes."""
+"""Emulated headsets and eye distances of their users, metres."""
 
 
 def tangents() -> dict[str, dict[str, float]]:
-    """Those of both eyes, as the emulator takes them."""
+    """Tangents of both eyes, in the emulator's format."""
     sides = {"down": -DOWN, "up": UP}
     return {
         "left": {"left": -OUTWARDS, "right": INWARDS, **sides},
@@ -55,7 +55,7 @@ class _Gate:
             self._held.append(route)
 
     def open(self) -> None:
-        """Let all requests through, also those that come later."""
+        """Let all requests through, including later ones."""
         self._is_open = True
         for route in self._held:
             route.continue_()
@@ -73,7 +73,7 @@ def worn(
 ) -> Iterator[Any]:
     """The page in a headset, all rings up to one loaded; `size` is that of an eye's picture.
 
-    Files whose names are `held` are held back until `page.let_go()`; then the morph grows in no time.
+    Files whose names are in `held` are held back until `page.let_go()`; then the morph grows in no time.
     """
     with open_page(program, 2 * size[0], size[1]) as page:
         wanted = {"headset": kind, "eyes": tangents(), "ipd": HEADSETS[kind], "layers": layers}
@@ -92,7 +92,7 @@ def worn(
 
 
 def enter(page: Any) -> None:
-    """Enter the headset; on a small page other things lie over the button."""
+    """Enter the headset; on a small page other elements cover the button."""
     page.get_by_role("button", name="Enter VR").dispatch_event("click")
 
 
@@ -102,12 +102,12 @@ def frames(page: Any, count: int) -> None:
 
 
 def rest(page: Any) -> None:
-    """Wait until the user has come to rest, and no jump is on its way."""
+    """Wait until the user has stopped, and no jump is in progress."""
     page.evaluate("() => window.emulated.rest()")
 
 
 def look(page: Any, position: Vector, turn: Quaternion) -> None:
-    """Put the head somewhere in the headset's space."""
+    """Place the head in the headset's space."""
     page.evaluate(
         "([[x, y, z], [a, b, c, d]]) => { window.emulated.device.position.set(x, y, z);"
         " window.emulated.device.quaternion.set(a, b, c, d); }",
@@ -116,7 +116,7 @@ def look(page: Any, position: Vector, turn: Quaternion) -> None:
 
 
 def empty_hands(page: Any) -> None:
-    """Put the controllers far below, so that they hide nothing."""
+    """Move the controllers far below, so that they hide nothing."""
     for hand in ("left", "right"):
         point(page, hand, (0.0, -90.0, 0.0), (0.0, 0.0, 0.0, 1.0))
     frames(page, 2)
@@ -124,7 +124,7 @@ def empty_hands(page: Any) -> None:
 
 @dataclass(frozen=True)
 class Captured:
-    """Both eyes' pictures (H, W, 3), sRGB; what they show, and the positions of eyes that shaders were told."""
+    """Both eyes' pictures (H, W, 3), sRGB; what they show, and the positions of eyes that shaders received."""
 
     left: NDArray[np.uint8]
     right: NDArray[np.uint8]
@@ -133,7 +133,7 @@ class Captured:
 
 
 def capture(page: Any, condition: str) -> Captured:
-    """The first frame whose state `shown` fulfils a condition in JavaScript."""
+    """The first frame whose state `shown` meets a condition in JavaScript."""
     answer = page.evaluate(f"() => window.emulated.capture((shown) => {condition})")
     width, height = answer["width"], answer["height"]
     pixels = np.frombuffer(base64.b64decode(answer["pixels"]), np.uint8).reshape(height, width, 4)
@@ -143,13 +143,13 @@ def capture(page: Any, condition: str) -> Captured:
 
 
 def about(axis: Vector, angle: float) -> Quaternion:
-    """The quaternion (x, y, z, w) of a turn about an axis, radians."""
+    """The quaternion (x, y, z, w) of a rotation about an axis, radians."""
     x, y, z = (float(value) * np.sin(angle / 2) for value in axis)
     return x, y, z, float(np.cos(angle / 2))
 
 
 def times(first: Quaternion, second: Quaternion) -> Quaternion:
-    """The turn `second`, then `first`."""
+    """The rotation `second`, then `first`."""
     (ax, ay, az, aw), (bx, by, bz, bw) = first, second
     return (
         aw * bx + ax * bw + ay * bz - az * by,
@@ -160,27 +160,27 @@ def times(first: Quaternion, second: Quaternion) -> Quaternion:
 
 
 def rotated(turn: Quaternion, vector: Vector) -> NDArray[np.float64]:
-    """A vector after a turn."""
+    """A vector after a rotation."""
     x, y, z, _ = times(times(turn, (*vector, 0.0)), (-turn[0], -turn[1], -turn[2], turn[3]))
     return np.array([x, y, z])
 
 
 @dataclass(frozen=True)
 class Floor:
-    """Where the origin of the headset's space is in the world, and its turn about the vertical axis."""
+    """World position of the origin of the headset's space, and its rotation about the vertical axis."""
 
     position: NDArray[np.float64]
     yaw: float
 
     def eye(self, head: Vector, turn: Quaternion, aside: float) -> tuple[NDArray[np.float64], Quaternion]:
-        """Position and turn, in the world, of an eye that is some metres to the right of the head."""
+        """Position and orientation, in the world, of an eye that is some metres to the right of the head."""
         base = about((0, 1, 0), self.yaw)
         local = np.array(head) + rotated(turn, (aside, 0, 0))
         return self.position + rotated(base, tuple(local)), times(base, turn)
 
 
 def floor_under(place: Vector, yaw: float, head: Vector) -> Floor:
-    """The floor on which a head that looks along −z of its space stands where the page was."""
+    """The floor on which a head that looks along −z of its space stands at the page's position."""
     shift = rotated(about((0, 1, 0), yaw), (head[0], 0, head[2]))
     return Floor(np.array(place) - shift - (0, EYE_HEIGHT, 0), yaw)
 
@@ -199,7 +199,7 @@ def folder_of(bundle: nf.stream.Bundle) -> Path:
 
 
 def floor_of(page: Any, center: Vector) -> Floor:
-    """Where the page has put the floor of its user, if it shows the region of a centre."""
+    """The floor chosen by the page for its user, if it shows the region of a centre."""
     x, y, z, yaw = page.evaluate(
         "() => { const { rig } = window.nearfar.viewer; return [...rig.position.toArray(), rig.rotation.y]; }"
     )
@@ -216,7 +216,7 @@ def push(page: Any, hand: str, right: float, down: float, *, pressed: bool = Fal
 
 
 def point(page: Any, hand: str, position: Vector, turn: Quaternion, kind: str = "controllers") -> None:
-    """Put a controller, or one of the `hands`, somewhere in the headset's space."""
+    """Place a controller, or one of the `hands`, in the headset's space."""
     page.evaluate(
         "([kind, hand, [x, y, z], [a, b, c, d]]) => { const one = window.emulated.device[kind][hand];"
         " one.position.set(x, y, z); one.quaternion.set(a, b, c, d); }",
@@ -225,7 +225,7 @@ def point(page: Any, hand: str, position: Vector, turn: Quaternion, kind: str = 
 
 
 def squeeze(page: Any, hand: str, value: float, kind: str = "controllers") -> None:
-    """Pull a controller's trigger, or pinch with one of the `hands`; 0 lets go."""
+    """Pull a controller's trigger, or pinch with one of the `hands`; 0 releases."""
     page.evaluate(
         "([kind, hand, value]) => { const one = window.emulated.device[kind][hand];"
         " if (kind === 'hands') one.updatePinchValue(value); else one.updateButtonValue('trigger', value); }",
@@ -234,11 +234,11 @@ def squeeze(page: Any, hand: str, value: float, kind: str = "controllers") -> No
 
 
 SPEED, GRAVITY = 7.5, 9.81
-"""Metres a second and per second², with which arcs are thrown."""
+"""Speed and acceleration of thrown arcs, metres per second and per second²."""
 
 
 def thrown(floor: Floor, position: Vector, turn: Quaternion) -> NDArray[np.float64]:
-    """The point of the floor, in the world, on which something falls that a hand throws ahead."""
+    """The point of the floor, in the world, where an object thrown by a hand lands."""
     ahead = rotated(turn, (0, 0, -1)) * SPEED
     seconds = (ahead[1] + np.sqrt(ahead[1] ** 2 + 2 * GRAVITY * position[1])) / GRAVITY
     local = np.array(position) + ahead * seconds
@@ -275,8 +275,10 @@ def share_alike(found: NDArray[np.uint8], codes: NDArray[np.float64], inner: NDA
     return float((off[inner] <= 2).mean())
 
 
-def alike(bundle: nf.stream.Bundle, picture: dict[str, Any], found: Captured, cameras: dict[str, nf.Camera]) -> float:
-    """The lesser share of both eyes' pixels that are nearfar's."""
+def share_equal(
+    bundle: nf.stream.Bundle, picture: dict[str, Any], found: Captured, cameras: dict[str, nf.Camera]
+) -> float:
+    """The lesser share of both eyes' pixels that equal nearfar's."""
     return min(
         share_alike(pixels, *expected(bundle, picture, cameras[side]))
         for side, pixels in (("left", found.left), ("right", found.right))

@@ -1,4 +1,4 @@
-"""Holds the files of a bundle's rings back until a test asks for them."""
+"""Holds back the files of a bundle's rings until a test releases them."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Any
 
 import nearfar as nf
 
-# The page gives a server up that sends nothing for ten seconds; tests hold files longer.
+# The page gives up a server that sends nothing for ten seconds; tests hold files longer.
 PATIENT = """() => {
   const wait = window.setTimeout;
   window.setTimeout = (work, milliseconds, ...more) => wait(work, milliseconds >= 5000 ? 1e6 : milliseconds, ...more);
@@ -14,7 +14,7 @@ PATIENT = """() => {
 
 
 class HeldRings:
-    """The requests of a page that wait; to be made before the page is opened. Ring 0 and shared files come at once."""
+    """Held requests of the page; created before the page is opened. Ring 0 and shared files pass at once."""
 
     def __init__(self, page: Any, bundle: nf.stream.Bundle) -> None:
         self.allowed = 0
@@ -32,7 +32,7 @@ class HeldRings:
         page.route("**/files/*", self._take)
 
     def release(self, ring: int) -> None:
-        """Let the files of a ring and of those before it come."""
+        """Release the files of a ring and of the rings before it."""
         self.allowed = ring
         waiting, self._waiting = self._waiting, []
         for number, route in waiting:

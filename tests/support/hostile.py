@@ -1,13 +1,13 @@
-"""Hostile values, each with the kinds of parameters that may take it; all others have to refuse it.
+"""Hostile values, each with the kinds of parameters that may accept it; all others must refuse it.
 
 A kind is a word for what is odd about a value:
 
 number, whole, big
-    Numbers, whole numbers, and whole numbers beyond 32 bits. A range decides which of them are right.
+    Numbers, integers, and integers beyond 32 bits. A range decides which of them are valid.
 flag, none, nan
     A truth value, None, and one number that is NaN.
 free, path, names, texts, bytes
-    Any text, a place of a file, a list of names, an iterable that may hold no text at all, and bytes.
+    Any text, a file path, a list of names, an iterable that may contain no text, and bytes.
 empty, hollow
     No rows, and rows without columns.
 rows, shape
@@ -15,13 +15,13 @@ rows, shape
 nans, infs, flags, endless
     Arrays with NaN, with infinities, of truth values, and of more rows than memory holds.
 axes, columns, fewer
-    The array of the valid call with one axis more, without its last column, and without its last row.
+    The array of the valid call with an extra axis, without its last column, and without its last row.
 mapping, entries, set, objects, callable
-    An empty mapping, mappings with keys that mean nothing, a set, an iterable without items, and what can be called.
+    An empty mapping, mappings with meaningless keys, a set, an iterable without items, and callables.
 scene, camera, frame, model, mesh, lens, hmd
     Objects of the package, where another kind of object is expected.
 
-A value without kinds is wrong everywhere.
+A value without kinds is always invalid.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ import numpy as np
 from tests.support.valid_calls.objects import Valid
 
 TOO_MANY = 2**50
-"""Rows of views without memory of their own: a copy cannot be made, and a pass over them would not end."""
+"""Rows of views that share memory: a copy cannot be made, and a pass over them would not end."""
 
 OBJECTS = ("scene", "camera", "frame", "model", "mesh", "lens", "hmd")
 """Attributes of `Valid` that are hostile where another kind of object is expected."""
@@ -50,12 +50,12 @@ OBJECTS = ("scene", "camera", "frame", "model", "mesh", "lens", "hmd")
 
 @dataclass(frozen=True)
 class Hostile:
-    """A value to pass in place of an argument; `make` makes it, because a generator serves only once."""
+    """A value to pass in place of an argument; `make` creates it, because a generator can be used only once."""
 
     name: str
     make: Callable[[], Any]
     kinds: frozenset[str] = frozenset()
-    """Kinds of parameters that may take it."""
+    """Kinds of parameters that may accept it."""
 
 
 def constant(value: Any) -> Callable[[], Any]:
@@ -64,7 +64,7 @@ def constant(value: Any) -> Callable[[], Any]:
 
 
 class _Fields:
-    """An object whose attributes are all there and mean nothing; the class takes any arguments, like a callback."""
+    """An object that has every attribute, all meaningless; the class accepts any arguments, like a callback."""
 
     def __init__(self, *_: object, **__: object) -> None: ...
 
@@ -75,14 +75,14 @@ class _Fields:
 
 
 def hostile_values(valid: Valid) -> list[Hostile]:
-    """Return all values; paths lie in a folder of `valid`, and objects are its own."""
+    """Return all values; paths lie in a folder of `valid`, and objects come from it."""
     objects = ((f"object:{name}", name, lambda name=name: getattr(valid, name)) for name in OBJECTS)
     found = [*_numbers(), *_others(), *_containers(), *_arrays(), *_paths(valid.folder), *objects]
     return [Hostile(name, make, frozenset(kinds.split())) for name, kinds, make in found]
 
 
 Row = tuple[str, str, Callable[[], Any]]
-"""A name, kinds, and what makes the value."""
+"""Name, kinds, and factory of the value."""
 
 
 def _numbers() -> Iterator[Row]:
@@ -175,7 +175,7 @@ def _paths(folder: Path) -> Iterator[Row]:
 
 
 def variants(argument: Any) -> Iterator[Hostile]:
-    """Yield damaged copies of an array that a call takes: other shapes, and a number that is none or infinite."""
+    """Yield damaged copies of an array that a call accepts: other shapes, and a NaN or infinite number."""
     try:
         array = np.asarray(argument)
     except ValueError:

@@ -18,10 +18,10 @@ from tests.support.verdict import attempt, outcome, verdict
 from tests.support.wrong_values import wrong_values
 
 HARMLESS = frozenset(("none", "big", "flag", "scene", "camera", "frame", "model", "mesh", "lens", "hmd"))
-"""Kinds of values that are no longer hostile where they are right."""
+"""Kinds of values that are not hostile where they are valid."""
 
 ITEM_BY_ITEM = "render_path.cameras render_path.at visual_continuity.*"
-"""Parameters that may be iterators, whose items are checked when they come; others are checked at the call."""
+"""Parameters that may be iterators, whose items are checked on arrival; others are checked at the call."""
 
 
 class Call:
@@ -34,14 +34,14 @@ class Call:
 
     @property
     def parameters(self) -> tuple[str, ...]:
-        """All parameters, also those whose default the call uses."""
+        """All parameters, including those whose default the call uses."""
         return tuple(self._parameters)
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Names that a message may state: other arguments may no longer fit one that changed.
+        """Names that a message may contain: other arguments may no longer fit a changed one.
 
-        "at" is not among them, because "at least" is in many messages.
+        "at" is excluded, because "at least" is in many messages.
         """
         others = tuple(name for name in self.parameters if name != "at")
         return (*others, "vertices") if "positions" in others else others
@@ -57,11 +57,11 @@ class Call:
         return outcome(calls.target(self.name, self._valid), {**self.arguments, **changes})
 
     def wrong_refusals(self) -> Iterator[str]:
-        """Describe each wrong outcome of calls with a value that the parameter has to refuse."""
+        """Describe each wrong outcome of calls with a value that the parameter must refuse."""
         yield from self._complaints(is_right=False)
 
     def wrong_uses(self) -> Iterator[str]:
-        """Describe each wrong outcome of calls with a value that is odd, and may be right."""
+        """Describe each wrong outcome of calls with a value that is unusual, and may be valid."""
         yield from self._complaints(is_right=True)
 
     def _complaints(self, *, is_right: bool) -> Iterator[str]:
@@ -90,7 +90,7 @@ class Call:
                     yield f"{self.name}({name}={layout}) gives another result"
 
     def _values(self, parameter: str, *, is_right: bool) -> Iterator[Hostile]:
-        """Yield values that a parameter may take, or those that it has to refuse."""
+        """Yield values that a parameter may accept, or those that it must refuse."""
         name, entry = self._parameters[parameter]
         kinds = kinds_of(entry)
         also = added_kinds(name) | added_kinds(f"{self.name}.{parameter}")
@@ -116,7 +116,7 @@ class Call:
 
 
 def _layouts(array: Any) -> Iterator[tuple[str, Any]]:
-    """Yield the same numbers in other places and another order of bytes."""
+    """Yield the same numbers at other addresses and in another byte order."""
     every = tuple(slice(None, None, 2) for _ in array.shape)
     spread = np.zeros([2 * side for side in array.shape], array.dtype)
     spread[every] = array

@@ -31,7 +31,7 @@ SHALLOW = 12.0
 def rig(
     mono_plane: float | tuple[float, float] = SHALLOW, size: tuple[int, int] = (96, 80), cant: float = 0.0
 ) -> HybridRig:
-    """Asymmetric eyes, which may be turned outwards by an angle in degrees."""
+    """Asymmetric eyes, optionally rotated outwards by an angle in degrees."""
     half = math.radians(cant) / 2.0
 
     def eye(fov: nf.Fov, x: float, side: float) -> Eye:
@@ -69,7 +69,7 @@ def scene() -> nf.Scene:
 
 
 def textured() -> nf.Scene:
-    """Return a room whose far wall has a fine pattern, with a post before the plane and one beyond it."""
+    """Return a room whose far wall has a fine pattern, with a post in front of the plane and one beyond it."""
     import trimesh
     from PIL import Image as Pictures
 

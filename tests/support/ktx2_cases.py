@@ -1,4 +1,4 @@
-"""Images in the container KTX 2, written from its specification, and GLBs that draw them."""
+"""Images in KTX 2 containers, written from its specification, and GLBs that draw them."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ SIGNATURE = b"\xabKTX 20\xbb\r\n\x1a\n"
 
 
 def ktx2(pixels: NDArray[Any], kind: int, /, *, packed: bool = False, notes: bytes = b"", **changes: int) -> bytes:
-    """A picture of one level, its pixels (H, W, C) as they are; `changes` replace fields of the header."""
+    """A picture of one level with unmodified pixels (H, W, C); `changes` replace fields of the header."""
     level = pixels.tobytes()
     written = zlib.compress(level) if packed else level
     described = struct.pack("<2I2H4B", 44, 0, 2, 40, 1, 1, 2, 0) + bytes(28)

@@ -47,7 +47,7 @@ PHOTO = """async (number) => {
 
 @contextmanager
 def server(folder: Path) -> Iterator[str]:
-    """JupyterLab for the notebooks of a folder; its address. Nothing of it is written anywhere else."""
+    """Run JupyterLab for the notebooks of a folder; yields its address. It writes nothing elsewhere."""
     names = ("JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR", "IPYTHONDIR", "JUPYTERLAB_SETTINGS_DIR")
     homes = {name: str(folder / ".jupyter" / name.lower()) for name in (*names, "JUPYTERLAB_WORKSPACES_DIR")}
     line = [sys.executable, "-m", "jupyterlab", "--no-browser", "--allow-root", "--ServerApp.port=0"]
@@ -71,7 +71,7 @@ def server(folder: Path) -> Iterator[str]:
 
 
 def _address(program: subprocess.Popen[str]) -> str:
-    """The address that the server prints; AssertionError with all that it prints if there is none."""
+    """The address that the server prints; AssertionError with its whole output if there is none."""
     lines: queue.Queue[str] = queue.Queue()
 
     def read() -> None:
@@ -98,14 +98,14 @@ class Notebook:
     def __init__(self, page: Any, url: str, folder: Path, cells: Sequence[str]) -> None:
         self.page = page
         document = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(cell) for cell in cells])
-        # Else JupyterLab asks for it.
+        # Otherwise JupyterLab asks for it.
         document.metadata["kernelspec"] = {"name": "python3", "display_name": "Python 3", "language": "python"}
         nbformat.write(document, folder / "notebook.ipynb")
         page.goto(f"{url}/lab/tree/notebook.ipynb", timeout=SECONDS * 1e3)
         page.wait_for_function(READY, timeout=SECONDS * 1e3)
 
     def run(self, number: int) -> str:
-        """Run a cell; the text that it prints. AssertionError with the traceback of an error."""
+        """Run a cell; returns its printed text. AssertionError with the traceback of an error."""
         outputs = self.page.evaluate(RUN, number)
         assert not any(output["output_type"] == "error" for output in outputs), json.dumps(outputs)[:4000]
         return "".join("".join(output.get("text", "")) for output in outputs)

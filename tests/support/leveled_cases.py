@@ -1,4 +1,4 @@
-"""Hand-made models with levels for tests: balls of decreasing numbers of triangles with set curves."""
+"""Hand-made models with levels for tests: balls with decreasing numbers of triangles and given curves."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def ball(
     mesh = trimesh.creation.icosphere(subdivisions)
     vertices = np.asarray(mesh.vertices * stretch, np.float32)
     builder = SceneBuilder()
-    builder.material((0.0, 1.0, 0.0, 1.0))  # one that nothing uses, so that numbers differ from scene to scene
+    builder.material((0.0, 1.0, 0.0, 1.0))  # An unused material, so that numbers differ from scene to scene.
     material = builder.material(color, texture)
     uvs = None if texture is None else vertices[:, :2] * np.float32(0.9)
     builder.instance(builder.mesh(vertices, np.asarray(mesh.faces, np.uint32), material=material, uvs=uvs), name="ball")
@@ -84,7 +84,7 @@ def checkers() -> NDArray[np.uint8]:
 
 
 def frames(count: int, *, seed: int, mirrored: bool = False) -> NDArray[np.float64]:
-    """Placements in front of the camera of `view`, turned and scaled differently along the axes."""
+    """Placements in front of the camera of `view`, rotated and scaled differently along the axes."""
     rng = np.random.default_rng(seed)
     matrices = np.tile(np.eye(4), (count, 1, 1))
     for number, matrix in enumerate(matrices):
@@ -110,10 +110,10 @@ def bytes_of(frame: nf.Frame) -> str:
 
 
 def same_triangles(one: nf.Scene, other: nf.Scene) -> bool:
-    """Whether scenes have the same triangles in any order, with the same outsides."""
+    """Whether scenes have the same triangles in any order, with the same orientation."""
 
     def rows(scene: nf.Scene) -> NDArray[np.float32]:
-        corners = scene.triangles() + np.float32(0)  # no −0
+        corners = scene.triangles() + np.float32(0)  # Avoids −0.
         first = np.array([np.lexsort(triangle.T[::-1])[0] for triangle in corners])
         turned = corners[np.arange(len(corners))[:, None], (first[:, None] + np.arange(3)) % 3].reshape(-1, 9)
         return turned[np.lexsort(turned.T[::-1])]
@@ -128,6 +128,6 @@ def mesh_of(builder: SceneBuilder, scene: nf.Scene, material: int) -> int:
 
 
 def leveled(scene: nf.Scene) -> Any:
-    """The objects with levels of a scene that has some."""
+    """The objects with levels of a scene."""
     assert scene.leveled is not None
     return scene.leveled

@@ -1,4 +1,4 @@
-"""Scenes whose levels are bought under a budget."""
+"""Scenes whose levels are selected under a budget."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def small_models(random: np.random.Generator) -> list[nf.lod.LodModel]:
 
 
 def ahead(count: int, seed: int) -> tuple[Array, Array]:
-    """Spheres in view, which the eye is outside of."""
+    """Spheres in view that do not contain the eye."""
     random = np.random.default_rng(seed)
     away = np.exp(random.uniform(0, 3, count))
     own = np.stack([random.uniform(-0.7, 0.7, count) * away, random.uniform(-0.7, 0.7, count) * away, -away], axis=1)

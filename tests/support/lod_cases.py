@@ -38,7 +38,7 @@ def scene(rows: int, **options: Any) -> nf.Scene:
 
 
 def smooth(rows: int) -> nf.Scene:
-    """The sphere with vertex normals, those of an exact sphere."""
+    """The sphere with vertex normals of an exact sphere."""
     builder = SceneBuilder()
     vertices, faces = ball(rows)
     builder.instance(builder.mesh(vertices, faces, normals=vertices - (3, -2, 1)), name="smooth")
@@ -91,7 +91,7 @@ def turn(view: int, views: int, directions: str = "even") -> Array:
 
 
 def whole_camera(own: nf.lod.Levels, turned: Array, number: int, fov: nf.Fov, size: tuple[int, int]) -> nf.Camera:
-    """The whole picture of a view, with no box: symmetric, as wide as `size` says, at the number-th distance."""
+    """The whole picture of a view, without a box: symmetric, as wide as `size`, at the number-th distance."""
     tangent = max(-fov.left, fov.right)
     pixel = (fov.right - fov.left) / size[0]
     nearest = own.radius / (0.25 * tangent) - own.radius
@@ -145,7 +145,7 @@ def assert_same(one: nf.lod.LodModel, other: nf.lod.LodModel) -> None:
 
 
 def count_renders(monkeypatch: pytest.MonkeyPatch) -> list[int]:
-    """Pictures of each block of views that `measure` compares from now on."""
+    """Record the pictures of each block of views that `measure` compares from now on."""
     counted: list[int] = []
 
     def scores(base: nf.Scene, levels: Sequence[level_scores.Compared], cameras: Any, *rest: Any) -> Any:

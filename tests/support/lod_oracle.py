@@ -1,4 +1,4 @@
-"""Slow choice of levels by the published formulas: one object at a time in 40 digits, or all by NumPy."""
+"""Slow selection of levels by the published formulas: one object at a time in 40 digits, or all by NumPy."""
 
 from __future__ import annotations
 
@@ -176,7 +176,7 @@ def choose_level(
 
 
 def pixel_area(model: nf.lod.LodModel, camera: nf.Camera, panel: nf.RadialLens | None, tan_omega: float) -> float:
-    """Area of the model's pixels as a multiple of the camera's, which are those of a panel behind a lens, if one is."""
+    """Area of the model's pixels as a multiple of the camera's, or of a panel's behind a lens, if there is one."""
     if model.pixel is None:
         return 1.0
     assert isinstance(camera.fov, nf.Fov)
@@ -190,7 +190,7 @@ def pixel_area(model: nf.lod.LodModel, camera: nf.Camera, panel: nf.RadialLens |
 
 
 def distance_to_view(points: Array, fov: nf.Fov) -> Array:
-    """Distances in metres from points in camera axes to a view's pyramid: the projection on a cone of four rays."""
+    """Nothing is shown beyond the fold."""
     from scipy.optimize import nnls
 
     corners = [(x, y, -1.0) for x in (fov.left, fov.right) for y in (fov.down, fov.up)]

@@ -1,6 +1,6 @@
-"""Regions on demand that are made in no time, or when a test lets them: files of numbers that depend on the place.
+"""Instant regions on demand, or controlled by a test: files of numbers that depend on the place.
 
-Run as a program with the folder of a cache and a limit of bytes of a file, or 0, it serves them until it is killed.
+Run as a program with a cache folder and a limit on file size, or 0, it serves them until it is killed.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def region(center: list[float]) -> Part:
 
 
 class Kitchen:
-    """Makes regions one by one, when it is told to."""
+    """Makes regions one by one, when the test permits."""
 
     def __init__(self) -> None:
         self.begun: list[list[float]] = []
@@ -58,7 +58,7 @@ class Kitchen:
         return Site({"files/other": b"another file"}, (begin, self._next, 2.0, None, 0))
 
     def let(self, count: int) -> None:
-        """Let so many more be made."""
+        """Permit a number of further regions."""
         self._permits.release(count)
 
     def _next(self, center: list[float], look: Callable[[], None]) -> Part:
@@ -69,7 +69,7 @@ class Kitchen:
 
 @contextmanager
 def serving(cache: Path, most: int = 0) -> Iterator[tuple[subprocess.Popen[str], str]]:
-    """Serve in a process of its own, which can be killed; the process and its address."""
+    """Serve in a separate process, which can be killed; yields the process and its address."""
     command = [sys.executable, "-m", "tests.support.made_regions", str(cache), str(most)]
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as running:
         assert running.stdout

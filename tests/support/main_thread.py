@@ -1,4 +1,4 @@
-"""Counts what a page does on its main thread for rings that arrive, frame by frame, beside drawing."""
+"""Counts work on a page's main thread for arriving rings, frame by frame, besides drawing."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ START = """(pose) => {
 
 
 def count(page: Any) -> None:
-    """Count from now on; to be called before the page is opened."""
+    """Start counting; must be called before the page is opened."""
     page.add_init_script(f"({COUNT})()")
 
 

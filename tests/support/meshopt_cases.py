@@ -25,7 +25,7 @@ class Stream:
 
 
 def attributes(values: NDArray[Any], *, filter: str = "NONE", **accessor: Any) -> Stream:  # noqa: A002
-    """Rows (N, K), padded to multiples of four bytes; `accessor` holds what differs from an accessor of the array."""
+    """Rows (N, K), padded to multiples of four bytes; `accessor` contains differences from an accessor of the array."""
     width = values.itemsize * values.shape[1]
     rows = np.zeros((len(values), -(-width // 4) * 4), np.uint8)
     rows[:, :width] = np.ascontiguousarray(values).view(np.uint8)
@@ -53,7 +53,7 @@ def _accessor(values: NDArray[Any]) -> dict[str, Any]:
 
 
 def glb(streams: Iterable[Stream], *, name: str = EXTENSION, **document: Any) -> bytes:
-    """A GLB whose buffer views and accessors are those of the streams, in their order; `document` holds the rest."""
+    """A GLB whose buffer views and accessors are those of the streams, in order; `document` contains the rest."""
     views: list[dict[str, Any]] = []
     accessors: list[dict[str, Any]] = []
     binary, decoded = b"", 0

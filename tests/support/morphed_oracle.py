@@ -1,4 +1,4 @@
-"""A street whose corners are all morphed for a user apart from the camera: what a camera sees of a reduced scene."""
+"""A street morphed as a whole for a user apart from the camera: the expected picture of a reduced scene."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from tests.support.reduce_cases import CENTER, R1, R2, Array, place, rho, street
 ALL = ("color", "range", "object_id", "face_id", "position")
 MAPPED = ("color", "range", "object_id")
 USER = CENTER + np.array([4.0, 0.2, 3.0])
-# Cameras seen from the user, and a direction in which they look.
+# Positions of cameras relative to the user, and a viewing direction.
 APART = [(0.5, 0.1, -0.3), (-3.0, 0.6, 2.0)]
 AHEAD = (1.0, -0.02, -0.3)
-# Of the car: near, between the radii, across r₂, and beyond it.
+# Poses of the car: near, between the radii, across r₂, and beyond it.
 PLACES = {"near": (20, 0.75, -8), "between": (40, 0.75, 2), "across": (52.6, 0.75, -6), "beyond": (75, 0.75, -8)}
 LONGEST = 0.6
 
@@ -32,7 +32,7 @@ def reduced_street(kind: str) -> nf.ReducedScene:
 
 @functools.cache
 def morphed_street(kind: str, where: str) -> tuple[nf.Scene, Array]:
-    """Short triangles with their corners morphed for the user, and how far each is from the axis without the morph."""
+    """Short triangles with their corners morphed for the user, and the unmorphed distance of each from the axis."""
     scene = street(dynamic=True, ground=False).at({"car": place(*PLACES[where])})
     corners = scene.triangles().astype(np.float64).reshape(-1, 3)
     faces = np.arange(len(corners)).reshape(-1, 3)
@@ -60,7 +60,7 @@ def pictures(kind: str, view: nf.Camera, where: str, **segment: Any) -> tuple[nf
 
 
 def check_near(frame: nf.Frame, expected: nf.Frame, radii: Array, least: int = 1500) -> None:
-    """The near part of the morphed street is there, as far away as there, and no other standing geometry is."""
+    """Check that the near part of the morphed street is shown at its range, and no other static geometry."""
     near = frame.require("face_id") >= 0
     within, stands = radii < R2 - 1.0, frame.require("object_id") != 3
     assert within.sum() > least

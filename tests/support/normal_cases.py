@@ -57,7 +57,7 @@ def colors(scene: nf.Scene, view: nf.Camera | None = None) -> Array:
 def scene_of(
     vertices: Array, faces: Array, normals: Array | None, *places: Array, dynamic: bool = False, **attributes: Any
 ) -> nf.Scene:
-    """Balls of one mesh, by default a single one that is placed as it is."""
+    """Balls of one mesh, by default a single one at the identity."""
     builder = SceneBuilder()
     mesh = builder.mesh(vertices, faces, normals=normals, copy=True, **attributes)
     for number, place in enumerate(places or (np.eye(4),)):

@@ -21,7 +21,7 @@ STEPS = oracle.steps_of(12)
 
 
 def boxes(count: int = 40, side: float = SIDE) -> tuple[nf.Scene, NDArray[np.float64]]:
-    """Turned boxes in and about a cell, with the linear RGB of each triangle."""
+    """Rotated boxes in and about a cell, with the linear RGB of each triangle."""
     rng = np.random.default_rng(3)
     parts = []
     for _ in range(count):
@@ -51,7 +51,7 @@ def leaf(
 
 
 def picture(views: _core.OrthoViews, number: int) -> Picture:
-    """A view of the core: depth as the number of its step, from 0."""
+    """A view of the core: depth as the index of its step, from 0."""
     depths = views.depths()[number, ..., 0].astype(np.float64)
     return Picture(
         np.where(depths > 0, depths - 1, np.inf),
@@ -61,7 +61,7 @@ def picture(views: _core.OrthoViews, number: int) -> Picture:
 
 
 def check_alike(got: Picture, right: Picture, *, share: float) -> None:
-    """Depth in the step of its surface, colour within half a code, and normals within the codes' cells."""
+    """Check depth within the step of its surface, colour within half a code, and normals within the codes' cells."""
     is_there = np.isfinite(right.depth)
     apart = is_there != np.isfinite(got.depth)
     both = is_there & ~apart

@@ -33,7 +33,7 @@ def crossings(triangles: Floats, starts: Floats, along: Floats) -> Floats:
 
 
 def lines_of(direction: Triple, directions: list[Triple]) -> list[Floats]:
-    """Unit vectors half-way between a direction and those at most 90° from it, but for directions themselves."""
+    """Unit vectors half-way between a direction and those at most 90° from it, except directions themselves."""
     units = [np.array(other, float) / np.linalg.norm(other) for other in directions]
     own = np.array(direction, float) / np.linalg.norm(direction)
     halves = [own + other for other in units if -1e-9 < own @ other < 1 - 1e-9]
@@ -42,7 +42,7 @@ def lines_of(direction: Triple, directions: list[Triple]) -> list[Floats]:
 
 
 class Leaf:
-    """A cell's surfaces as pixels of twice a view's size see them.
+    """A cell's surfaces in pixels of twice a view's resolution.
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ class Leaf:
     corner, side
         The cell.
     size, steps
-        Of the views.
+        Parameters of the views.
     """
 
     def __init__(self, triangles: Floats, colors: Floats, corner: Any, side: float, size: int, steps: int) -> None:
@@ -86,7 +86,7 @@ class Leaf:
         return oracle.reduced(picture, oracle.REACH_PIXELS * pixel / step)
 
     def sees(self, point: Floats, face: int, line: Floats) -> bool:
-        """Whether a point of a face is seen from where a line leaves the cell."""
+        """Whether a point of a face is visible from where a line leaves the cell."""
         if self.normals[face] @ line <= 0:
             return False
         end = oracle.cell_interval(point[None], line, self.corner, self.side)[0, 1]
@@ -107,7 +107,7 @@ def composed(
     front = oracle.pixel_points((0, 0, 0), 2.0, direction, double)[0, 0]
     shown: dict[tuple[int, int], list[tuple[float, Floats, Floats]]] = {}
     for octant, layers in children:
-        # The place of each pixel from its point in space.
+        # The position of each pixel from its point in space.
         offset = oracle.pixel_points(octant, 1.0, direction, size) - front
         columns = np.rint(offset @ axes.right / (2 * extents[0] / double)).astype(int)
         rows = np.rint(-(offset @ axes.up) / (2 * extents[1] / double)).astype(int)
@@ -122,7 +122,7 @@ def composed(
         for _ in range(2)
     ]
     for place, texels in shown.items():
-        # `min` returns the first of those that are equal.
+        # `min` returns the first of equal values.
         first = min(texels, key=lambda texel: texel[0])
         others = [texel for texel in texels if texel[0] > first[0] + reach]
         chosen = [first] + ([min(others, key=lambda texel: texel[0])] if others else [])

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 
 REACH_PIXELS = 4.0
-"""Widths of a pixel of the larger picture by which surfaces of one block may lie behind the first."""
+"""Number of pixel widths of the larger picture by which surfaces of one block may lie behind the first."""
 
 Triple = tuple[int, int, int]
 Pixel = tuple[int, int]
@@ -45,7 +45,7 @@ class Axes:
 
 
 def steps_of(depth_bits: int) -> int:
-    """Number of steps of a depth of so many bits: sixths of a range are whole steps."""
+    """Number of steps of a depth with some bits: sixths of a range are whole steps."""
     return ((1 << depth_bits) - 1) // 6 * 6
 
 
@@ -74,7 +74,7 @@ def pixel_points(corner: Any, side: float, direction: Triple, size: int) -> NDAr
 def cell_interval(
     points: NDArray[np.float64], direction: NDArray[np.float64], corner: Any, side: float
 ) -> NDArray[Any]:
-    """Parameters (…, 2) at which rays enter and leave a cell; the first exceeds the second where they miss it."""
+    """Parameters (…, 2) at which rays enter and leave a cell; the first exceeds the second for misses."""
     low, high = np.asarray(corner), np.asarray(corner) + side
     with np.errstate(divide="ignore", invalid="ignore"):
         first, last = (low - points) / direction, (high - points) / direction
@@ -88,7 +88,7 @@ def cell_interval(
 
 @dataclass
 class Picture:
-    """Depth in steps (infinite where nothing is), linear colour and normal of each pixel."""
+    """Depth in steps (infinite where empty), linear colour and normal of each pixel."""
 
     depth: NDArray[np.float64]
     color: NDArray[np.float64]
@@ -128,7 +128,7 @@ def draw_view(
 
 
 def reduced(picture: Picture, reach: float) -> Picture:
-    """Four pixels become one: the least depth, and means over those at most `reach` behind it."""
+    """Combine four pixels into one: the least depth, and means over those at most `reach` behind it."""
 
     def blocks(values: NDArray[np.float64]) -> NDArray[np.float64]:
         size = len(values) // 2

@@ -44,7 +44,7 @@ def axes_of(camera: nf.Camera) -> list[list[float]]:
 
 
 def camera_of(camera: nf.Camera) -> dict[str, Any]:
-    """A camera as the page has it."""
+    """A camera in the page's format."""
     fov = camera.fov
     assert isinstance(fov, nf.Fov)
     right, up, back = axes_of(camera)

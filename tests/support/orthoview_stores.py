@@ -1,4 +1,4 @@
-"""Stores of orthoviews, and sources that count, for tests that compare what they hold."""
+"""Stores of orthoviews, and sources that count queries, for tests that compare stores."""
 
 from __future__ import annotations
 
@@ -42,11 +42,11 @@ def places(counts: tuple[int, int, int]) -> list[tuple[int, int, int]]:
 
 @functools.cache
 def of_cells(world: nf.Scene) -> dict[tuple[int, tuple[int, int, int]], _core.OrthoViews]:
-    """Views of all cells in which something is, level by level, all of them in memory."""
+    """Views of all non-empty cells, level by level, all of them in memory."""
     grid, directions = Grid.from_bounds(world.bounds, CELL), directions_of(5)
     cells: dict[tuple[int, tuple[int, int, int]], _core.OrthoViews] = {}
     for place in places(grid.counts):
-        # As many triangles decide the way of drawing, whose depths may differ at the border of two steps.
+        # The renderer depends on the number of triangles, and depths may differ at the border of two steps.
         part = world.query(grid.box(0, place))._core
         views = _core.OrthoViews.of_cell(part, (grid.corner(0, place), CELL), directions, FORMAT)
         if not all(views.empty()):
@@ -68,7 +68,7 @@ def of_subtrees(tree: nf.orthoview.OrthoTree) -> Callable[[int, Place], _store.C
 
 
 def masks_of(tree: nf.orthoview.OrthoTree) -> dict[tuple[int, Place], int]:
-    """For each cell the bits of the directions that show something, as the records say."""
+    """For each cell the bits of the non-empty directions, from the records."""
     read, found = of_subtrees(tree), {}
     for tier in range(tree._layout.tiers):
         x, y, z = (-(-count // 8 ** (tier + 1)) for count in tree.cells(0))
@@ -93,13 +93,13 @@ def layered_tree(factory: pytest.TempPathFactory) -> nf.orthoview.OrthoTree:
 
 
 def contents(path: Path) -> dict[str, bytes]:
-    """Files of a store by their paths below it, but for what only builds need."""
+    """Files of a store by their paths below it, except those that only builds need."""
     files = (file for file in path.rglob("*") if file.is_file() and "nearfar" not in file.relative_to(path).parts)
     return {str(file.relative_to(path)): file.read_bytes() for file in files if file.name != "zarr.json"}
 
 
 class Counted:
-    """A source that counts its queries, and fails where it is told to."""
+    """A source that counts its queries, and fails as configured."""
 
     def __init__(self, scene: nf.Scene, fails: Collection[int] = ()) -> None:
         self._scene, self._fails, self.queries = scene, fails, 0
@@ -116,7 +116,7 @@ class Counted:
 
 
 class Interrupted(Counted):
-    """One that is interrupted as Ctrl-C interrupts it, in a query by its number."""
+    """A source that is interrupted as by Ctrl-C, in a query by its number."""
 
     def __init__(self, scene: nf.Scene, at: int) -> None:
         super().__init__(scene)
@@ -129,21 +129,21 @@ class Interrupted(Counted):
 
 
 class Telling(Counted):
-    """One that also tells where nothing is."""
+    """A source that also reports where it is empty."""
 
     def touches(self, aabb: ArrayLike) -> bool:
         return self._scene.touches(aabb)
 
 
 def ended(program: str, changes: Mapping[str, str]) -> None:
-    """Run a program once for each change in a process that ends itself as `kill -9` ends it.
+    """Run a program once for each change in a process that kills itself as by `kill -9`.
 
     Parameters
     ----------
     program
-        What is done. `source` is a source of few boxes that counts, `name` the name of the change.
+        Code to run. `source` is a source of few boxes that counts, `name` the name of the change.
     changes
-        Code that comes before the program and calls `die`, by name.
+        Code that runs before the program and calls `die`, by name.
     """
     need("linux")
     code = f"""
@@ -168,7 +168,7 @@ for name, change in {dict(changes)!r}.items():
 
 
 def box(number: int) -> trimesh.Trimesh:
-    """A turned box with a colour of its own, in a world of 80 m."""
+    """A rotated box with its own colour, in a world of 80 m."""
     rng = np.random.default_rng(number)
     mesh = trimesh.creation.box(rng.uniform(4, 18, 3))
     turn = trimesh.transformations.random_rotation_matrix(rng.random(3))
@@ -179,7 +179,7 @@ def box(number: int) -> trimesh.Trimesh:
 
 
 def world_of(numbers: Iterable[int]) -> nf.Scene:
-    """Boxes between two small ones, so that all such worlds have one box."""
+    """Boxes between two small ones, so that all such worlds have the same bounds."""
     ends = [trimesh.creation.box((1, 1, 1)).apply_translation(CORNER + shift) for shift in (0.5, 79.5)]
     return nf.Scene.from_trimesh(trimesh.util.concatenate([*ends, *map(box, numbers)]))
 
@@ -191,7 +191,7 @@ def box_about(numbers: Iterable[int]) -> NDArray[np.float64]:
 
 
 class Deadly(Counted):
-    """A source that ends its process, once in all processes, in a query for a cell."""
+    """A source that kills its process, once in all processes, in a query for a cell."""
 
     def __init__(self, scene: nf.Scene, place: ArrayLike, sign: Path) -> None:
         super().__init__(scene)
@@ -206,7 +206,7 @@ class Deadly(Counted):
 
 
 class Waiting(Counted):
-    """A source that shows by a file that it was asked, and waits for another one."""
+    """A source that creates a file when queried, and waits for another one."""
 
     def __init__(self, scene: nf.Scene, folder: Path) -> None:
         super().__init__(scene)

@@ -1,4 +1,4 @@
-"""Pictures as the page draws them, and how far its pixels are off."""
+"""Pictures as drawn by the page, and the errors of their pixels."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def of_one_face(faces: NDArray[Any]) -> NDArray[np.bool_]:
 
 
 def off(frame: nf.Frame, found: NDArray[np.uint8]) -> NDArray[Any]:
-    """By how much of 255 the pixels of a picture differ from those of a frame."""
+    """Differences of a picture's pixels from those of a frame, of 255."""
     expected = np.rint(to_srgb(np.clip(frame.require("color"), 0, 1)) * 255)
     worst: NDArray[Any] = np.abs(expected - found).max(axis=-1)
     return worst

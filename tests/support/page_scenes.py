@@ -18,7 +18,7 @@ TOKYO = "city/tokyo23/tokyo_core_lod1.glb"
 
 @dataclass(frozen=True)
 class PageScene:
-    """A scene with the centre and radii of its bundle, and where it is looked at."""
+    """A scene with the centre and radii of its bundle, and its viewpoints."""
 
     make: Callable[[], nf.Scene]
     center: tuple[float, float, float]

@@ -1,4 +1,4 @@
-"""Values that parameters take: kinds by their annotations, ranges of numbers and exceptions by their names.
+"""Values that parameters accept: kinds by their annotations, ranges of numbers and exceptions by their names.
 
 Names in the tables are those of parameters, or patterns such as "lod.*.k" of callables and parameters.
 """
@@ -24,7 +24,7 @@ ANNOTATIONS: dict[str, str] = {
     r"Scene|Renderable|SceneSource|Mesh": "scene", r"trimesh\..*|Mesh": "mesh", r"Frame": "frame", r"Camera": "camera",
     r"Hmd": "hmd", r"RadialLens": "lens", r"Measured.*|Lod|LodModel": "model mapping",
 }  # fmt: skip
-"""Kinds of hostile values that may be right, by what a part of an annotation says."""
+"""Kinds of hostile values that may be valid, by parts of an annotation."""
 
 TAKEN: dict[str, str] = {
     "rows": "LoadCurve.count.r2 visual_continuity.frames",
@@ -74,7 +74,7 @@ TAKEN: dict[str, str] = {
     "set": "stream.Growth.radii stream.assign.radii stream.export.radii",
     "flag": "lod.Levels.__getitem__.index",
 }
-"""Kinds of values that single parameters take beside those of their annotations."""
+"""Kinds of values that single parameters accept besides those of their annotations."""
 
 RANGES: dict[str, str] = {
     "(0, inf)": "acuity_limit_deg aspect blend cell data_range distance error_px eye_height focal k1 k2 lens_radius"
@@ -170,12 +170,12 @@ RANGES: dict[str, str] = {
     "[0, 4294967295]": "stream.collect.*.seed SceneBuilder.objects.names",
     "[0, 9223372036854775807]": "seed",
 }
-"""Numbers that parameters take; a bound may be another argument."""
+"""Numbers that parameters accept; a bound may be another argument."""
 
 
 @dataclass(frozen=True)
 class Range:
-    """Numbers from a bound to another, which belong to it or not."""
+    """Numbers between two bounds, each inclusive or exclusive."""
 
     low: float
     high: float
@@ -212,14 +212,14 @@ class Range:
 
 @functools.cache
 def added_kinds(name: str) -> frozenset[str]:
-    """Return kinds that a parameter takes beside those of its annotation."""
+    """Return kinds that a parameter accepts besides those of its annotation."""
     return frozenset(
         kind for kinds, patterns in TAKEN.items() if match_length(name, patterns) for kind in kinds.split()
     )
 
 
 def kinds_of(parameter: Parameter) -> frozenset[str]:
-    """Return the kinds of values that may be right by an annotation."""
+    """Return the kinds of values that an annotation may permit."""
     found = {"none"} if parameter.default is None else set()
     for part in str(parameter.annotation).split(" | "):
         for pattern, kinds in ANNOTATIONS.items():
@@ -229,7 +229,7 @@ def kinds_of(parameter: Parameter) -> frozenset[str]:
 
 
 def range_of(name: str, arguments: Mapping[str, Any]) -> Range:
-    """Return the numbers that a parameter takes in a call with these arguments."""
+    """Return the numbers that a parameter accepts in a call with these arguments."""
     best = max(RANGES, key=lambda text: match_length(name, RANGES[text]))
     assert match_length(name, RANGES[best]), f"{name}: no range of numbers is stated"
     return Range.parse(best, arguments)

@@ -1,4 +1,4 @@
-"""A bundle whose files are large and drawn in no time, and pages that exchange its files."""
+"""A bundle of large files that are drawn quickly, and pages that exchange its files."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ TOLD = """() => {
 
 
 def panels(texels: int = 320) -> nf.Scene:
-    """A floor and panels around the origin, each with a picture of noise, which no compression makes smaller."""
+    """A floor and panels around the origin, each with a picture of incompressible noise."""
     draw = np.random.default_rng(3)
     builder = nf.SceneBuilder()
     uvs = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], float)
@@ -48,18 +48,18 @@ def panels(texels: int = 320) -> nf.Scene:
 
 
 def export(folder: Path) -> nf.stream.Bundle:
-    """The bundle of the panels: its pictures are files of their own."""
+    """The bundle of the panels: its pictures are separate files."""
     settings: dict[str, Any] = {"quality": None, "pixels_per_degree": None, "samples": 1, "face_size": 64}
     return nf.stream.export(panels(), folder, center=(0.0, 1.7, 0.0), radii=RADII, **settings)
 
 
 class PeerPage:
-    """A page that has opened a room, and what its files took."""
+    """A page that has opened a room, and the cost of its files."""
 
     def __init__(self, page: Any) -> None:
         self.page = page
         self.files: list[str] = []
-        """Names of the files that the server was asked for."""
+        """Names of files requested from the server."""
         page.on("request", lambda request: self._count(request.url))
 
     def _count(self, url: str) -> None:
@@ -68,7 +68,7 @@ class PeerPage:
             self.files.append(found[1])
 
     def open(self, url: str, room: str, more: str = "") -> None:
-        """Go to a room; nothing is waited for."""
+        """Go to a room without waiting."""
         self.page.goto(f"{url}?aa=0&strategy=clovrd&room={room}{more}", wait_until="commit")
 
     def facts(self) -> dict[str, Any] | None:
@@ -77,28 +77,28 @@ class PeerPage:
         return None if found is None else dict(found)
 
     def wait(self, ring: int = len(RADII)) -> dict[str, Any]:
-        """Wait until a ring is there; the facts then."""
+        """Wait until a ring is shown; returns the facts then."""
         wait_until(self.page, lambda: (self.facts() or {"arrived": -1})["arrived"] >= ring)
         assert self.page.evaluate("() => document.querySelector('#message').textContent") == ""
         return self.facts() or {}
 
     def wait_for_files(self) -> dict[str, Any]:
-        """Wait until the first picture and all files are there, drawn or not; the facts then."""
+        """Wait until the first picture and all files are loaded, drawn or not; returns the facts then."""
         wait_until(self.page, lambda: (self.facts() or {"hasAll": False})["hasAll"])
         return self.facts() or {}
 
     def rest(self) -> None:
-        """Draw no more, and go on with all else: browsers that draw by programs have no time left for other pages."""
+        """Stop drawing, and continue everything else: browsers that draw in software leave no time for other pages."""
         self.page.evaluate("() => window.nearfar.viewer.renderer.setAnimationLoop(null)")
 
 
 @contextmanager
 def peer_page(chromium: Any, size: tuple[int, int] = SMALL) -> Iterator[PeerPage]:
-    """A page in a context of its own, which shares no cache with others."""
+    """A page in a separate context, which shares no cache with others."""
     with open_page(chromium, *size) as page:
         yield PeerPage(page)
 
 
 def bytes_of(folder: Path, pages: list[PeerPage]) -> int:
-    """Bytes of the files of a bundle in a folder that the server was asked for."""
+    """Bytes of the bundle's files in a folder that were requested from the server."""
     return sum((folder / name).stat().st_size for page in pages for name in page.files)

@@ -1,6 +1,6 @@
 """Finds every public callable of nearfar: functions, constructors and methods of `nearfar` and its public modules.
 
-Constructors of results are left out: records that take anything, because only the package makes them.
+Constructors of results are excluded: records that accept anything, because only the package makes them.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from numpy.lib.mixins import NDArrayOperatorsMixin
 import nearfar as nf
 
 SPECIAL = ("__call__", "__getitem__")
-"""Methods without a name that callers reach by syntax, with arguments of their own."""
+"""Methods without a name that callers reach by syntax, with their own arguments."""
 
 
 @dataclass(frozen=True)
@@ -28,9 +28,9 @@ class PublicCallable:
     stage: str
     """Name of the stage that it belongs to."""
     owner: str | None
-    """Public name of the class whose instances have the method; None for what is called without an instance."""
+    """Public name of the class whose instances have the method; None for functions without an instance."""
     target: Callable[..., Any] | None
-    """The function that is called; None for methods, which need an instance."""
+    """The called function; None for methods, which need an instance."""
     signature: inspect.Signature
 
     @property
@@ -40,7 +40,7 @@ class PublicCallable:
         return {p.name: p for p in self.signature.parameters.values() if p.kind not in variable}
 
     def on(self, instance: object) -> Callable[..., Any]:
-        """Return what is called, of an instance for methods."""
+        """Return the callable, bound to an instance for methods."""
         if self.target is not None:
             return self.target
         method: Callable[..., Any] = getattr(instance, self.name.rpartition(".")[2])
@@ -48,7 +48,7 @@ class PublicCallable:
 
 
 def public_callables() -> dict[str, PublicCallable]:
-    """Return all public callables by name, each under the first public name that it has."""
+    """Return all public callables by name, each under its first public name."""
     return {entry.name: entry for entry in _module(nf, "", set())}
 
 
@@ -78,7 +78,7 @@ def _is_instance_of_ours(value: object) -> bool:
 
 
 def _is_record(kind: type) -> bool:
-    """Whether a class is a tuple, or a dataclass whose constructor looks at nothing."""
+    """Whether a class is a tuple, or a dataclass whose constructor checks nothing."""
     settings = getattr(kind, "__dataclass_params__", None)
     is_plain = settings is not None and settings.init and not hasattr(kind, "__post_init__")
     return is_plain or issubclass(kind, tuple)
@@ -86,17 +86,17 @@ def _is_record(kind: type) -> bool:
 
 def _class(kind: type, name: str) -> Iterator[PublicCallable]:
     if getattr(kind, "_is_protocol", False):
-        return  # its methods are tested on the classes that have them
+        return  # Its methods are tested on the classes that have them.
     if not issubclass(kind, BaseException) and not _is_record(kind):
         yield PublicCallable(name, _stage(kind), None, kind, inspect.signature(kind))
     for member in dir(kind):
         if member.startswith("_") and member not in SPECIAL:
             continue
         if member == "__getitem__" and issubclass(kind, NDArrayOperatorsMixin):
-            continue  # it indexes as NumPy's arrays do, with their messages
+            continue  # It indexes like NumPy's arrays, with their messages.
         holder = next((base for base in kind.__mro__ if member in vars(base)), None)
         if holder is None or not holder.__module__.startswith("nearfar") or getattr(holder, "_is_protocol", False):
-            continue  # what a protocol does for its classes is tested on those that do more
+            continue  # Default methods of a protocol are tested on classes that override others.
         static, public = vars(holder)[member], f"{name}.{member}"
         if isinstance(static, classmethod | staticmethod):
             bound = getattr(kind, member)

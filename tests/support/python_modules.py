@@ -11,7 +11,7 @@ from pathlib import Path
 def file_graph(package: Path, entries: Mapping[str, str] | None = None) -> dict[str, set[str]]:
     """The files that each file of a package uses, by their paths below its folder.
 
-    An import counts to the file that defines the name, through any number of re-exports. Imports inside functions,
+    An import counts for the file that defines the name, through any number of re-exports. Imports inside functions,
     under TYPE_CHECKING and by a string count. An `__init__.py` that defines nothing only documents and re-exports: it
     is left out.
 
@@ -22,7 +22,7 @@ def file_graph(package: Path, entries: Mapping[str, str] | None = None) -> dict[
     entries
         Modules by the names of their entry points, by which other packages import them.
     """
-    # Trees of all files are millions of objects, which the collector would look through again and again.
+    # Trees of all files are millions of objects, which the collector would scan again and again.
     gc.disable()
     try:
         return _Package(package, entries or {}).graph()
@@ -52,7 +52,7 @@ class _Package:
         }
 
     def _used(self, module: str) -> Iterator[str]:
-        """Modules that one refers to, by imports, by names in what it has imported, and by strings."""
+        """Modules to which a module refers, by imports, by names in imported modules, and by strings."""
         modules: dict[str, str] = {}
         for node in self.nodes[module]:
             if isinstance(node, ast.ImportFrom) and node.module and self._is_ours(node.module):
@@ -104,7 +104,7 @@ def _dotted(path: Path, root: Path) -> str:
 
 
 def _read(path: Path) -> str:
-    """Text of a file; of a package that imports its names on first use, with that of its stub, which lists them."""
+    """Text of a file; for a package with lazy imports, together with that of its stub, which lists them."""
     stub = path.with_suffix(".pyi")
     listed = stub.read_text(encoding="utf-8") if path.name == "__init__.py" and stub.is_file() else ""
     return path.read_text(encoding="utf-8") + listed

@@ -1,4 +1,4 @@
-"""Scenes to be queried, and the slow obvious way to find triangles that touch a box."""
+"""Scenes to be queried, and a brute-force search for triangles that touch a box."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ BOXES: tuple[tuple[tuple[float, ...], tuple[float, ...]], ...] = (
     ((4, -1, -6), (4.5, 9, 6)),
     ((-30, -30, -30), (5, 30, 30)),
 )
-"""Boxes about a point in the middle of a scene: with all kinds of sides, and without extent."""
+"""Boxes about a point in the middle of a scene: with various sides, and without extent."""
 
 
 def touching(scene: nf.Scene, aabb: ArrayLike) -> NDArray[np.bool_]:
@@ -28,7 +28,7 @@ def touching(scene: nf.Scene, aabb: ArrayLike) -> NDArray[np.bool_]:
     corners = scene.triangles().astype(np.float64)
     low, high = corners.min(axis=1), corners.max(axis=1)
     touches: NDArray[np.bool_] = ((low <= greatest) & (high >= least)).all(axis=1)
-    # Of an infinite box only the part about the triangle matters.
+    # Only the part of an infinite box around the triangle matters.
     least, greatest = np.maximum(least, low - 1), np.minimum(greatest, high + 1)
     corners = corners - ((least + greatest) / 2)[:, None]
     half = (greatest - least) / 2
@@ -43,7 +43,7 @@ def touching(scene: nf.Scene, aabb: ArrayLike) -> NDArray[np.bool_]:
 
 
 def contents(scene: nf.Scene) -> dict[str, NDArray[Any]]:
-    """Corners, attributes at the corners, objects and materials of all triangles, in the order of their numbers."""
+    """Corners, attributes at the corners, objects and materials of all triangles, by index."""
     parts = _core.mesh_parts(scene._core.merged())
     faces = parts.pop("faces")
     found = {"corners": scene.triangles()}
@@ -63,7 +63,7 @@ def soup(center: ArrayLike = (0.0, 0.0, 0.0), *, seed: int = 1) -> nf.Scene:
         middles = random.uniform(-extent, extent, (count, 1, 3))
         sizes = 10 ** random.uniform(-2, 0.7, (count, 1, 1))
         positions = (middles + random.normal(size=(count, 3, 3)) * sizes).reshape(-1, 3).astype(np.float32)
-        # Some vertices belong to several faces, some to none, and some faces are there twice.
+        # Some vertices belong to several faces, some to none, and some faces are duplicated.
         faces = random.permutation(np.r_[np.arange(3 * count).reshape(-1, 3), random.integers(0, 3 * count, (9, 3))])
         faces = np.concatenate([faces[5:], faces[10:20]])
         return builder.mesh(

@@ -1,4 +1,4 @@
-"""A server of files that also answers requests for parts of them, as web servers and object stores do."""
+"""A file server that also answers range requests, like web servers and object stores."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from typing import Any
 
 
 class RangeHandler(SimpleHTTPRequestHandler):
-    """Serves a folder; of files also one part at a time: `bytes=FIRST-LAST`, `bytes=FIRST-` and `bytes=-COUNT`."""
+    """Serves a folder; of files also one range at a time: `bytes=FIRST-LAST`, `bytes=FIRST-` and `bytes=-COUNT`."""
 
     def do_GET(self) -> None:
         path = Path(self.translate_path(self.path))
@@ -44,11 +44,11 @@ class Served:
     url: str
     """Address of the folder, which ends with a slash."""
     answers: Counter[tuple[str, str, int]] = field(default_factory=Counter)
-    """Answers by method, path below the folder and status."""
+    """Counts of responses by method, path below the folder and status."""
 
 
 @contextmanager
-def served(folder: Path) -> Iterator[Served]:
+def serve_folder(folder: Path) -> Iterator[Served]:
     """Serve a folder to this machine."""
     answers: Counter[tuple[str, str, int]] = Counter()
 

@@ -1,4 +1,4 @@
-"""Ranges of maps decoded one texel after the other in plain Python, as docs/stream.md describes them."""
+"""Ranges of maps decoded one texel after the other in plain Python, as documented in docs/stream.md."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def exponential(x: float) -> float:
 
 
 class Line:
-    """The line of least squares through values of consecutive texels."""
+    """The least-squares line through values of consecutive texels."""
 
     def __init__(self) -> None:
         self.value, self.slope, self.count = 0.0, 0.0, 0
@@ -100,7 +100,7 @@ class Decoder:
         return face * across * across + y // self.tile * across + x // self.tile in self.listed
 
     def _code(self, value: float, distance: float) -> int:
-        """The first code whose end is beyond the range of a value of a line."""
+        """The first code whose end is beyond the range predicted by a line."""
         if value <= 0.0:
             return NOTHING - 1
         low, high = 0, NOTHING - 1

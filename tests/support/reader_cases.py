@@ -23,12 +23,12 @@ FOLDER = Path(__file__).resolve().parents[1] / "readers"
 EXPORTERS = FOLDER.with_name("exporters")
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 SECONDS = 300
-"""After which a program that does not answer is stopped."""
+"""Timeout of a program in seconds."""
 
 # WebGL 2 without a graphics card.
 SOFTWARE = "--use-angle=swiftshader --enable-unsafe-swiftshader"
 DRAWING = os.environ.get("NEARFAR_BROWSER_DRAWING", SOFTWARE)
-"""The flags by which browsers draw; on a graphics card "--use-gl=angle --use-angle=gl-egl --ignore-gpu-blocklist"."""
+"""Drawing flags of browsers; for a graphics card "--use-gl=angle --use-angle=gl-egl --ignore-gpu-blocklist"."""
 
 BROWSER_FLAGS = (
     "--headless",
@@ -84,7 +84,7 @@ def browser() -> str | None:
 
 
 def node(script: str, given: Iterable[Path | str]) -> dict[str, Any]:
-    """The JSON that a script prints about files and what else it is given."""
+    """The JSON that a script prints about files and other arguments."""
     command = ["node", str(FOLDER / script), *map(str, given)]
     process = subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
     assert process.returncode == 0, process.stderr
@@ -93,7 +93,7 @@ def node(script: str, given: Iterable[Path | str]) -> dict[str, Any]:
 
 
 class _Handler(RangeHandler):
-    """Serves a folder of pages, and bundles below /bundles; takes the page's answer."""
+    """Serves a folder of pages, and bundles below /bundles; receives the page's answer."""
 
     def __init__(
         self,
@@ -158,17 +158,17 @@ def answer_of(
     pages: Path = FOLDER,
 ) -> dict[str, Any]:
     """The post to /result of a module that page.html loads and that has read its job from /job.json.
-
-    Parameters
-    ----------
-    module, job
-        The module's name, and what it is to do.
-    folder
-        An empty folder for the browser's profile.
-    folders
+    The answer posted to /result by a module that page.html loads and that reads its job from /job.json.
+        Parameters
+        ----------
+        module, job
+            The module's name, and what it is to do.
+        The module's name, and its job.
+            An empty folder for the browser's profile.
+        folders
+            Folders that the module finds by these names below /bundles.
         Folders that the module finds by these names below /bundles.
-    pages
-        The folder of page.html.
+            The folder of page.html.
     """
     answers: queue.Queue[bytes] = queue.Queue()
     handler = partial(_Handler, pages=pages, job=json.dumps(job).encode(), bundles=folders or {}, answers=answers)

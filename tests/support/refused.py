@@ -1,4 +1,4 @@
-"""Loads files that claim too much in a process of its own, and tells its reasons and its memory."""
+"""Loads files that claim too much in a separate process, and returns the errors and memory."""
 
 from __future__ import annotations
 

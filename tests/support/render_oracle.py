@@ -71,7 +71,7 @@ class View:
 
 
 def rotate(quaternion: tuple[float, ...], vectors: Array) -> Array:
-    """Rows turned by a unit quaternion (x, y, z, w); textbook matrix."""
+    """Rows rotated by a unit quaternion (x, y, z, w); textbook matrix."""
     x, y, z, w = quaternion
     matrix = np.array(
         [

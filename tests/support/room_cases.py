@@ -1,4 +1,4 @@
-"""Servers with rooms, connections that break off, and what the tests of users share."""
+"""Servers with rooms, connections that break, and helpers for tests of users."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ Event = TypeVar("Event")
 Result = TypeVar("Result")
 
 HANGS = 60.0
-"""Seconds after which a test that waits for an event has failed."""
+"""Timeout in seconds of a test that waits for an event."""
 
 KEY = bytes(range(32))
 
 REST = (0.0, 0.0, 0.0, 1.0)
-"""The quaternion of no rotation."""
+"""The identity quaternion."""
 
 
 def server(rooms: Rooms | None = None, **settings: Any) -> Server:
-    """A server with rooms beside a site of one document."""
+    """A server with rooms and a site of one document."""
     return Server({"": Site({"a.txt": b"a"}, has_page=False)}, rooms=rooms or Rooms(), **settings)
 
 
@@ -43,7 +43,7 @@ def run(script: Coroutine[Any, Any, Result]) -> Result:
 
 
 async def until(room: Room, kind: type[Event], is_wanted: Callable[[Event], bool] = lambda _: True) -> Event:
-    """The next event of a kind that is wanted."""
+    """The next matching event of a kind."""
     async for event in room:
         if isinstance(event, kind) and is_wanted(event):
             return event
@@ -56,7 +56,7 @@ async def some(room: Room, kind: type[Event], count: int) -> list[Event]:
 
 
 async def is_refused(server: Server, **settings: Any) -> nf.stream.client.RoomError:
-    """Join in vain; the error."""
+    """Return the error of a join that must fail."""
     try:
         async with nf.stream.client.join(server.url, **{"room": "hall", **settings}):
             pass
@@ -66,22 +66,22 @@ async def is_refused(server: Server, **settings: Any) -> nf.stream.client.RoomEr
 
 
 class Wire:
-    """A way to a server that can be cut, also within a message; what goes to the server is late by some seconds."""
+    """A connection to a server that can be cut, even within a message; data to the server is delayed."""
 
     def __init__(self, url: str, delay: float = 0.0) -> None:
         self._delay = delay
         self._writers: list[asyncio.StreamWriter] = []
         self._tasks: list[asyncio.Task[None]] = []
         self.left: int | None = None
-        """Bytes that still come from the server before the cut; None for no end."""
+        """Bytes still passed from the server before the cut; None for no limit."""
         self.passes = asyncio.Event()
-        """While it is not set, nothing more is read that goes to the server."""
+        """While cleared, no data to the server is read."""
         self.passes.set()
         self.url = ""
         self.lead_to(url)
 
     def lead_to(self, url: str | None) -> None:
-        """Lead connections that come to a server from now on, or to nobody."""
+        """Route new connections to a server, or nowhere."""
         self._port = None if url is None else urlsplit(url).port
 
     async def _connected(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
@@ -115,21 +115,21 @@ class Wire:
             writer.transport.abort()
 
     def cut(self) -> None:
-        """Break all connections off."""
+        """Break all connections."""
         self.passes.set()
         for writer in self._writers:
             writer.transport.abort()
         self._writers.clear()
 
     async def end(self) -> None:
-        """Wait for all that passes bytes."""
+        """Wait for all relay tasks."""
         self.cut()
         await asyncio.gather(*self._tasks, return_exceptions=True)
 
 
 @asynccontextmanager
 async def wire(url: str, delay: float = 0.0) -> AsyncIterator[Wire]:
-    """A way to a server by another port, on which what goes to the server is late by some seconds."""
+    """A connection to a server through another port, on which data to the server is delayed by some seconds."""
     made = Wire(url, delay)
     listening = await asyncio.start_server(made._connected, "127.0.0.1", 0)
     try:
@@ -142,7 +142,7 @@ async def wire(url: str, delay: float = 0.0) -> AsyncIterator[Wire]:
 
 @asynccontextmanager
 async def answers(messages: Iterable[bytes]) -> AsyncIterator[str]:
-    """A server that lets anybody in, as user 1 in an empty room, and sends these messages."""
+    """A server that admits everybody, as user 1 in an empty room, and sends these messages."""
     from aiohttp import web
 
     async def enter(request: web.Request) -> web.WebSocketResponse:

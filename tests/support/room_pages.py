@@ -1,4 +1,4 @@
-"""Pages that are in a room, on clocks that the test steps, and where their pictures show points."""
+"""Pages in a room, on clocks that the test steps, and the positions of points in their pictures."""
 
 from __future__ import annotations
 
@@ -28,14 +28,14 @@ HEAR = """([user, body]) => {
   const pose = { ...body, sequence: 1, clock: 0n, isAcknowledged: false, stops: true };
   presence.hear({ kind: 'pose', user, pose }, performance.now() / 1000);
 }"""
-"""A user comes whose body rests."""
+"""A resting user joins."""
 
 AIMS = 60
-"""Milliseconds after which a page looks again at what its pointer hits."""
+"""Milliseconds after which a page updates the hit of its pointer."""
 
 
 class RoomPage:
-    """A page that has joined a room, at a pose of its own."""
+    """A page that has joined a room, at a given pose."""
 
     def __init__(self, page: Any, pose: dict[str, Any]) -> None:
         wait_until(page, lambda: page.evaluate("() => Boolean(window.nearfar?.room)"))
@@ -43,25 +43,25 @@ class RoomPage:
         self._stepped.load(pose, 0.1)
 
     def step(self) -> dict[str, Any]:
-        """Draw a frame; what the page knows of itself and others."""
+        """Draw a frame; returns the page's state of itself and others."""
         self.page.evaluate("(pose) => window.nearfar.room.frame(pose)", self.pose)
         self._stepped.frame(self.pose, 0.02)
         return dict(self.page.evaluate(SEEN))
 
     def picture(self) -> NDArray[np.int16]:
-        """Draw a frame; its pixels (H, W, 3), sRGB."""
+        """Draw a frame; returns its pixels (H, W, 3), sRGB."""
         self.page.evaluate("(pose) => window.nearfar.room.frame(pose)", self.pose)
         return self._stepped.picture(self.pose, 0.02)[1].astype(np.int16)
 
     def point_at(self, column: int, row: int) -> dict[str, Any]:
-        """Hold the key to point at the middle of a pixel; what the page knows then."""
+        """Hold the key to point at the centre of a pixel; returns the page's state then."""
         self.page.mouse.move(column + 0.5, row + 0.5)
         self.page.keyboard.down("e")
         self.page.wait_for_timeout(AIMS)
         return self.step()
 
     def pixel_of(self, points: ArrayLike, center: ArrayLike, radii: tuple[float, float]) -> NDArray[np.float64]:
-        """Columns and rows (N, 2) at which the picture shows points of the world, in parts of pixels."""
+        """Columns and rows (N, 2) at which the picture shows points of the world, with fractions."""
         user = np.asarray(self.pose["position"], np.float64)
         shown = nf.morph(np.atleast_2d(points), user=user, center=center, r1=radii[0], r2=radii[1]) - user
         yaw, pitch = self.pose["yaw"], self.pose["pitch"]
@@ -91,7 +91,7 @@ def has_changed(mask: NDArray[np.bool_], at: ArrayLike, reach: float) -> bool:
 
 
 def reach_beyond(mask: NDArray[np.bool_], before: ArrayLike, end: ArrayLike) -> float:
-    """Pixels by which what has changed goes on behind an end, on the way that leads there from a place before it."""
+    """Pixels by which a change extends beyond an end, on the line that leads there from a place before it."""
     way = np.subtract(end, before)
     rows, columns = np.nonzero(mask)
     beyond = np.stack([columns + 0.5, rows + 0.5], axis=1) - np.asarray(end)

@@ -1,7 +1,7 @@
 """Finds which file of a Rust crate uses which: a parser of imports and paths, sufficient to find cycles.
 
-An import counts to the file that defines the name, however many `pub use` stand between. A `mod.rs` or `lib.rs` that
-only declares, documents and re-exports is no file of the graph; one that defines something is. Tests are left out.
+An import counts as one of the file that defines the name, through any number of `pub use`. A `mod.rs` or `lib.rs` that
+only declares, documents and re-exports is no file of the graph; one that defines an item is. Tests are excluded.
 """
 
 from __future__ import annotations
@@ -142,12 +142,12 @@ def note_items(module: Module, head: str) -> None:
     elif found := re.match(r"macro_rules!\s*(\w+)", head):
         note(found[1], "macro")
     elif re.match(r"[\w:]+!", head):
-        # A macro that receives functions or types usually makes items of these names.
+        # A macro that receives functions or types usually defines items of these names.
         for name in re.findall(r"\bfn\s+(\w+)", head):
             note(name, "fn")
         for kind, name in re.findall(r"\b(struct|enum|trait|static|const)\s+(\w+)", head):
             note(name, kind)
-    # Imports within functions, and those of modules that a macro makes, count to the module.
+    # Imports within functions, and those of modules that a macro creates, count as the module's.
     for opening, inner in re.findall(r"(mod\s+\$\w+\s*\{|[{;])\s*use\b([^;]*);", head):
         for alias, path in leaves(inner, []):
             made = opening.startswith("mod") and path[0] == "super"
@@ -210,13 +210,13 @@ def resolve(module: Module, path: list[str], visited: set[tuple[int, str]] | Non
     modules: set[Module] = {at}
     items: set[tuple[str, str]] = set()
     for number, name in enumerate(rest):
-        # A look-up by a longer path differs from one by a name on its way.
+        # A lookup by a longer path differs from one by a name on its way.
         fresh = visited if number == 0 else set(visited)
         each = [look_up(one, name, fresh) for one in modules]
         inner = set().union(*(one[0] for one in each))
         found = set().union(*(one[1] for one in each))
         if not inner and not found and (number > 0 or anchored):
-            # A name that cannot be resolved counts to the module that should have it.
+            # A name that cannot be resolved counts as one of the module that should have it.
             return modules, items
         modules = inner
         is_last = number == len(rest) - 1

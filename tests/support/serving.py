@@ -1,4 +1,4 @@
-"""`nearfar serve` in a process of its own."""
+"""`nearfar serve` in a separate process."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from contextlib import contextmanager
 
 @contextmanager
 def serving(*arguments: object) -> Iterator[tuple[subprocess.Popen[str], str]]:
-    """The command in a process of its own, and the address that it tells first."""
+    """Run the command in a separate process; yields it and the address that it prints first."""
     command = [sys.executable, "-m", "nearfar.cli", "serve", "--port", "0", *map(str, arguments)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as running:
         try:

@@ -1,4 +1,4 @@
-"""Folders that a run of tests makes once, in the worker that needs one first; all workers read them."""
+"""Folders that a run of tests makes once, in the first worker that needs one; all workers read them."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def make_once(factory: pytest.TempPathFactory, name: str, make: Callable[[Path],
     path, done = folder / name, folder / f"{name}.done"
     with locks.hold(folder / f"{name}.lock", None):
         if not done.exists():
-            shutil.rmtree(path, ignore_errors=True)  # of a function that failed
+            shutil.rmtree(path, ignore_errors=True)  # Left by a function that failed.
             make(path)
             done.touch()
     return path

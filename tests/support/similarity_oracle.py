@@ -18,7 +18,7 @@ def pictures(height: int = 37, width: int = 53) -> tuple[Array, Array]:
 
 
 def unlimited(*pictures: NDArray[Any], extent: float = 1.0) -> dict[str, Any]:
-    """Arguments of `ssim` with the constants of a data range, but one that holds whatever values pictures have."""
+    """Arguments of `ssim` with the constants of a data range, but with a range that contains all values."""
     holds = max(extent, 2.0 * max(float(np.abs(picture[np.isfinite(picture)]).max()) for picture in pictures))
     return {"data_range": holds, "k1": 0.01 * extent / holds, "k2": 0.03 * extent / holds}
 

@@ -36,7 +36,7 @@ def globe(rings: int = 40, *, texture: Array | None = None, radius: float = 1.0)
 
 
 def open_edges(scene: nf.Scene) -> int:
-    """Edges with an odd number of faces, places of vertices taken together."""
+    """Edges with an odd number of faces, vertices merged by position."""
     corners = scene.triangles().reshape(-1, 3)
     _, number = np.unique(corners, axis=0, return_inverse=True)
     faces = number.reshape(-1, 3)

@@ -1,4 +1,4 @@
-"""One line about the tests that were skipped: how many, what they need, and the command that installs it."""
+"""One line about skipped tests: their number, their requirements, and the command that installs these."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ INSTALLERS = {
     "a checkout with git": {"git"},
     "another system": {"fork", "linux", "link"},
 }
-"""Commands, or what to have, and the parts that they bring; `make setup` brings all other parts."""
+"""Commands, or requirements, and the parts that they provide; `make setup` provides all other parts."""
 
 
 def untested(reasons: Iterable[str]) -> str:

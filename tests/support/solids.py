@@ -32,11 +32,11 @@ def areas(corners: NDArray[Any]) -> NDArray[np.float64]:
     return np.asarray(np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1) / 2.0)
 
 
-def covered(corners: NDArray[np.float64]) -> int:
-    """Number of triangles whose middle lies inside another coplanar one with the same facing, which would flicker."""
+def count_covered(corners: NDArray[np.float64]) -> int:
+    """Number of triangles whose centroid lies inside another coplanar one with the same facing, which would flicker."""
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     normals /= np.linalg.norm(normals, axis=1)[:, None]
-    # Planes half a millimetre apart, or turned by a thousandth, count as different.
+    # Planes half a millimetre apart, or rotated by a thousandth, count as different.
     planes = np.round(np.column_stack([normals * 1e3, (normals * corners[:, 0]).sum(1) * 2e3])).astype(np.int64)
     _, plane = np.unique(planes, axis=0, return_inverse=True)
     order = np.argsort(plane.reshape(-1), kind="stable")

@@ -99,7 +99,7 @@ CAMERAS = {
     ),
 }
 LARGE = replace(CAMERAS["perspective"], size=(300, 200))
-"""Of several tiles of the screen."""
+"""A camera whose picture has several screen tiles."""
 
 CAMERAS |= {
     f"cube face {face}": nf.Camera(

@@ -23,7 +23,7 @@ PACKED = "KHR_gaussian_splatting_compression_spz_2"
 
 @dataclass
 class Rows:
-    """Gaussians: middles, unit quaternions x, y, z, w, standard deviations, opacities and colours in 0..1."""
+    """Gaussians: centres, unit quaternions x, y, z, w, standard deviations, opacities and colours in 0..1."""
 
     middle: Array
     rotation: Array
@@ -38,7 +38,7 @@ class Rows:
 
 
 def turn(quaternion: Array) -> Array:
-    """The rotation matrix of a unit quaternion, as the glTF extension prints it."""
+    """The rotation matrix of a unit quaternion, as printed in the glTF extension."""
     x, y, z, w = quaternion
     return np.array(
         [
@@ -157,12 +157,12 @@ class Tile:
     """World box (2, 3), y up."""
     error: float
     above: list[Tile]
-    """Tiles that it takes the place of, the nearest one last."""
+    """Tiles that it replaces, the nearest one last."""
     is_leaf: bool
 
 
 def tiles(folder: Path) -> Iterator[Tile]:
-    """All tiles with a GLB of a tileset, each after those above it."""
+    """All tiles with a GLB of a tileset, each after its ancestors."""
     document = json.loads((folder / "tileset.json").read_text())
     assert document["asset"]["version"] == "1.1"
     assert document["geometricError"] > 0
@@ -197,7 +197,7 @@ def _below(folder: Path, node: dict[str, Any], above: list[Tile]) -> Iterator[Ti
 
 
 def box_of(numbers: list[float]) -> Array:
-    """A box of a tileset, z up, in the world, y up."""
+    """A box of a tileset, z up, converted to the world, y up."""
     middle, axes = np.array(numbers[:3]), np.array(numbers[3:]).reshape(3, 3)
     half = np.abs(axes).sum(axis=0)
     low, high = middle - half, middle + half

@@ -1,8 +1,8 @@
 """Splats by the definition: one after another, in float64 where the core uses float32.
 
-A sample's right answer may hang on float32: whether the edge of an ellipse includes it, and which of two splats at one
-depth is nearer. So the oracle does not give an answer, but all that rounding allows: a sample is right if it shows one
-of these, and most samples have but one.
+A sample's right answer may depend on float32: whether the edge of an ellipse includes it, and which of two splats at
+equal depth is nearer. So the oracle returns all answers that rounding allows: a sample is right if it shows one
+of these, and most samples have only one.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from tests.support.render_oracle import CUBE_TABLE
 Array = NDArray[np.float64]
 
 NEIGHBOURS = [(0, 1), (1, 0), (1, 1), (1, -1)]
-"""Rows and columns to the pixels that the bits of a connection lead to."""
+"""Row and column offsets to the pixels of a connection's bits."""
 
 BORDER, MIN_COSINE, SQUARED_RADIUS = 1.27, 0.25, 0.5
 
@@ -70,19 +70,19 @@ class Lens:
         return cls(np.array(camera.position), rows, shift, is_parallel)
 
     def project(self, point: Array) -> Array:
-        """Place in the picture, and the distance along the axis."""
+        """Position in the picture, and the distance along the axis."""
         x, y, w = self.rows @ (point - self.eye) + self.shift
         return np.array([x, y, w] if self.is_parallel else [x / w, y / w, w])
 
     def change(self, point: Array, vector: Array) -> Array:
-        """The derivative of the place and of the nearness (1/w or −w) along a vector."""
+        """The derivative of the position and of the nearness (1/w or −w) along a vector."""
         (x, y, w), (dx, dy, dw) = self.project(point), self.rows @ vector
         if self.is_parallel:
             return np.array([dx, dy, -dw])
         return np.array([(dx - x * dw) / w, (dy - y * dw) / w, -dw / w**2])
 
     def gradient(self, point: Array) -> Array:
-        """Lengths of the gradients of both coordinates of the place."""
+        """Lengths of the gradients of both coordinates of the position."""
         lengths: Array = np.linalg.norm([self.change(point, axis)[:2] for axis in np.eye(3)], axis=0)
         return lengths
 
@@ -101,7 +101,7 @@ class Splat:
     v: Array
     """Axes of a surfel's ellipse in space."""
     factor: float
-    """Of a surfel's radius; 0 for a ball."""
+    """Length of a surfel's axes; 0 for a ball."""
     ball: float
     """Radius of a ball, metres."""
     least: float
@@ -173,7 +173,7 @@ def samples_of(splat: Splat, lens: Lens, size: tuple[int, int]) -> Iterator[tupl
     else:
         ellipse = np.diag(lens.gradient(splat.point) * splat.ball / np.sqrt(SQUARED_RADIUS))
     determinant = np.linalg.det(ellipse)
-    # Seen from its edge it is a line; which lines are none is float32's business.
+    # Seen edge-on it is a line; rounding decides which lines are empty.
     is_line = abs(determinant) < 1e-5 * np.abs(ellipse[0]).sum() * np.abs(ellipse[1]).sum()
     inverse = np.zeros((2, 2)) if is_line else np.linalg.inv(ellipse)
     half = np.sqrt(SQUARED_RADIUS * (ellipse**2).sum(axis=1)) + 1
@@ -196,7 +196,7 @@ def samples_of(splat: Splat, lens: Lens, size: tuple[int, int]) -> Iterator[tupl
                 seen.append((near + float(slopes @ q), float(np.abs(slopes).sum()) * off, inside))
         if not inside and from_middle <= OFF:
             seen.append((near, 0.0, outside and from_middle < -OFF and not is_line))
-        # One of two ways to be seen is sure then, but not which.
+        # Then one of the two answers is certain, but not which.
         found = [
             Seen(splat, value - 3e-6 * abs(near) - spread, value + 3e-6 * abs(near) + spread, is_sure)
             for value, spread, is_sure in seen
@@ -216,7 +216,7 @@ def possible(splats: Sequence[Splat], camera: nf.Camera) -> dict[tuple[int, int]
 
 
 def facing(normal: Array, ray: Array, found: Array) -> Array:
-    """A normal on the viewer's side; on either side, whichever was found, where it is across the ray up to rounding."""
+    """The normal on the viewer's side; up to rounding of grazing rays either side is accepted."""
     cosine = float(normal @ ray)
     if abs(cosine) < 1e-5:
         cosine = -float(normal @ found)

@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Look:
-    """A camera that both programs take."""
+    """A camera that both programs accept."""
 
     eye: tuple[float, float, float]
     target: tuple[float, float, float]
@@ -54,7 +54,7 @@ def spark(
     views
         Cameras, and the numbers of the files that they show.
     first
-        Number of splats of each file whose numbers are returned.
+        Number of splats of each file whose values are returned.
     """
     (folder,) = {path.parent for path, _ in files}
     described = [{"url": f"/bundles/a/{path.name}", "position": list(map(float, place))} for path, place in files]

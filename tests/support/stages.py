@@ -1,7 +1,7 @@
 """Parts of the sources in each language, and the parts that each uses: files, or folders with all that is in them.
 
-Rows stand in the order of the data flow, and a part uses earlier ones alone. A row is a decision: a test fails for a
-part without one, for a use that a row does not list, and for one that it lists and that is not there.
+Rows are in the order of the data flow, and a part uses only earlier ones. A row is a decision: a test fails for a
+part without one, for a use that a row does not list, and for a listed use that does not exist.
 """
 
 from __future__ import annotations
@@ -126,7 +126,7 @@ PACKAGE: dict[str, set[str]] = {
     },
     "__init__": {"_render", "view"},
 }
-"""Stages of the Python package, and the package itself, which joins early stages with late ones."""
+"""Stages of the Python package, and the package itself, which combines early stages with late ones."""
 
 WEB: dict[str, set[str]] = {
     "hex": set(),

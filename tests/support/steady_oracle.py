@@ -1,4 +1,4 @@
-"""Blending with the picture before, and warps to poses, by the definition: pixel after pixel, point after point."""
+"""Blending with the previous picture, and warps to poses, by the definition: pixel after pixel, point after point."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import nearfar as nf
 
 Image = NDArray[np.float64]
 FAR = 1e9
-"""Metres at which the sky is: less than a millionth of a pixel from infinity."""
+"""Distance of the sky in metres: less than a millionth of a pixel from infinity."""
 
 
 def point(start: Image, way: Image, distance: float) -> Image:
@@ -21,7 +21,7 @@ def point(start: Image, way: Image, distance: float) -> Image:
 
 
 def project(camera: nf.Camera, at: Image, distance: float = 0.0) -> Image:
-    """Place of a point in the picture; NaN behind the camera, and for the sky along parallel rays."""
+    """Position of a point in the picture; NaN behind the camera, and for the sky along parallel rays."""
     if math.isinf(distance) and isinstance(camera.fov, nf.Orthographic):
         return np.full(2, np.nan)
     return camera.project(at[None])[0, :2]
@@ -34,7 +34,7 @@ def cubic(t: float) -> Image:
 
 
 def taps(place: Image, size: tuple[int, int]) -> tuple[list[list[tuple[int, int]]], Image]:
-    """Rows of four by four pixels (y, x) about a place, and where it is between the middle ones."""
+    """Rows of four by four pixels (y, x) about a position, and its fractions between the middle ones."""
     first = np.floor(place - 0.5).astype(int)
     columns = np.clip(first[0] + np.arange(-1, 3), 0, size[0] - 1).tolist()
     rows = np.clip(first[1] + np.arange(-1, 3), 0, size[1] - 1).tolist()
@@ -50,7 +50,7 @@ def sampled(color: Image, place: Image) -> Image:
 
 
 def looked_up(color: Image, place: Image, agrees: list[list[bool]]) -> Image | None:
-    """The colour at a place, of the pixels that agree."""
+    """The colour at a position, from the pixels that agree."""
     height, width = color.shape[:2]
     pixels, (x, y) = taps(place, (width, height))
     middle = [(1, 1), (1, 2), (2, 1), (2, 2)]
@@ -66,10 +66,10 @@ def looked_up(color: Image, place: Image, agrees: list[list[bool]]) -> Image | N
 
 
 def blended(past: nf.Frame, now: nf.Frame, fade: tuple[float, float]) -> tuple[Image, NDArray[np.bool_]]:
-    """The picture mixed with the one before, and where both show the same surfaces.
+    """The picture mixed with the previous one, and where both show the same surfaces.
 
-    With motion, which says where a surface was, distances must be the same within 2 %; without it a surface that is
-    seen there must be shown near the pixel now.
+    With motion, which gives a surface's earlier position, distances must agree within 2 %; without it a surface that is
+    found there must be near the pixel now.
     """
     (width, height), (starts, ways) = now.camera.size, now.camera.rays()
     before, fresh = past.require("color").astype(float), now.require("color").astype(float)

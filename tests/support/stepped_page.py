@@ -1,4 +1,4 @@
-"""The page on a clock that the test steps: frames for given poses and times, whatever the browser's own rate."""
+"""The page on a clock that the test steps: frames for given poses and times, independent of the browser's rate."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ PAUSE = 50
 
 
 class SteppedPage:
-    """A page whose frames are drawn when the test asks for them."""
+    """A page that draws frames on the test's request."""
 
     def __init__(self, page: Any) -> None:
         self.page = page
@@ -42,18 +42,18 @@ class SteppedPage:
         page.evaluate(STOP)
 
     def frame(self, pose: dict[str, Any], seconds: float) -> dict[str, Any]:
-        """Draw a frame some seconds after the one before; what the page tells of it."""
+        """Draw a frame some seconds after the previous one; returns the page's state."""
         return dict(self.page.evaluate(FRAME, [pose, seconds, False])[0])
 
     def picture(self, pose: dict[str, Any], seconds: float) -> tuple[dict[str, Any], NDArray[np.uint8]]:
-        """The same, and its pixels (H, W, 3), sRGB."""
+        """Draw a frame; returns the state and its pixels (H, W, 3), sRGB."""
         told, data = self.page.evaluate(FRAME, [pose, seconds, True])
         size = self.page.viewport_size
         pixels = np.frombuffer(base64.b64decode(data), np.uint8).reshape(size["height"], size["width"], 4)
         return told, pixels[::-1, :, :3].copy()
 
     def load(self, pose: dict[str, Any], seconds: float) -> dict[str, Any]:
-        """Draw frames that stand for some seconds each until nothing loads; what the page tells then."""
+        """Draw frames of some seconds each until nothing loads; returns the page's state then."""
         for _ in range(LOOKS):
             told = self.frame(pose, seconds)
             if not told["isLoading"]:
@@ -90,12 +90,12 @@ COUNT = """() => {
 
 
 def count_objects(page: Any) -> None:
-    """Count what the page has of WebGL's objects, and programs; to be called before it is opened."""
+    """Count the page's WebGL objects and programs; must be called before it is opened."""
     page.add_init_script(f"({COUNT})()")
 
 
 def objects(page: Any) -> dict[str, int]:
-    """WebGL's objects that are not deleted, and what three.js says that it holds."""
+    """WebGL objects that are not deleted, and the counts reported by three.js."""
     return dict(
         page.evaluate("""() => {
           const { memory, programs } = window.nearfar.viewer.renderer.info;
@@ -105,7 +105,7 @@ def objects(page: Any) -> dict[str, int]:
 
 
 def linked(page: Any) -> int:
-    """Programs that the page has linked, whether or not it has them still."""
+    """Programs that the page has linked, deleted or not."""
     return int(page.evaluate("() => window.linkedPrograms"))
 
 

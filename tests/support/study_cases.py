@@ -19,13 +19,13 @@ USERS = [
 ]
 """Positions all around the centre, standing and stretching."""
 ASIDE = [user for user in USERS if abs(user[0]) > 3.0]
-"""Those who moved sideways; the others see a step along their view instead."""
+"""Users who moved sideways; the others see a step along their view instead."""
 
 HOW: list[dict[str, Any]] = [{"method": "vertex"}, {"method": "exact"}, {"method": "exact", "env": False}]
 """Ways to draw a reduced scene."""
 
 
-def light(scene: nf.Scene, task: CountTask | TapeTask | SphereTask, face_size: int) -> nf.ReducedScene:
+def reduce_task(scene: nf.Scene, task: CountTask | TapeTask | SphereTask, face_size: int) -> nf.ReducedScene:
     """Reduce a task's scene with a map of colour and objects."""
     where: dict[str, Any] = {"center": task.center, "r1": task.r1, "r2": task.r2}
     return nf.reduce(scene, **where, face_size=face_size, samples=1, channels=("color", "object_id"))

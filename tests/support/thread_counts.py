@@ -11,7 +11,7 @@ import sys
 import threading
 
 SECONDS = 300
-"""After which a program is stopped."""
+"""Timeout of a program in seconds."""
 
 LOOP = """
 import contextlib, io, json, sys, traceback
@@ -61,7 +61,7 @@ class Process:
 
 @functools.cache
 def process(threads: str) -> Process:
-    """Return the process with a number of threads, which starts when it is first asked for."""
+    """Return the process with a number of threads, which starts on first use."""
     return Process(threads)
 
 

@@ -48,7 +48,7 @@ def glb(vertices: Any = None, faces: Any = None, **changes: Any) -> bytes:
 
 
 def _text(document: Any, start: int) -> bytes:
-    """JSON that ends at a multiple of eight bytes from `start` on; nothing for None."""
+    """JSON that ends at a multiple of eight bytes from `start`; empty for None."""
     data = b"" if document is None else json.dumps(document).encode()
     return data + b" " * (-(start + len(data)) % 8) if data else data
 
@@ -169,7 +169,7 @@ QUAD: dict[str, Any] = {
 """An implicit tiling of four levels."""
 
 LONGEST = 2.0
-"""CPU-seconds that any bad file may take."""
+"""CPU seconds allowed for any bad file."""
 
 
 def refusal(path: Path) -> str:

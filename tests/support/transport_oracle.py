@@ -1,4 +1,4 @@
-"""Transfers packet by packet, slow and obvious: TCP Reno over a queue with a rate, a delay and random losses."""
+"""Transfers packet by packet, slow and simple: TCP Reno over a queue with a rate, a delay and random losses."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ AT_ONCE = 6
 
 
 class Oracle:
-    """Files that are asked for at time 0, all in order, at most six at a time; `arrived` has when each was complete.
+    """Files requested at time 0, in order, at most six at a time; `arrived` has the completion time of each.
 
-    `http` 1 has six connections with a request each, 2 has one, on which answers take turns packet by packet.
+    `http` 1 uses six connections with a request each, 2 uses one, on which responses are interleaved by packets.
     """
 
     def __init__(

@@ -8,7 +8,7 @@ from pathlib import Path
 
 COMMENT = re.compile(r"/\*.*?\*/|(?<!\S)//[^\n]*", re.DOTALL)
 NAMES = r"(?:[\w$]+\s*,?\s*)?(?:\{[^}]*\}|\*(?:\s*as\s+[\w$]+)?)?"
-"""A default, then names in braces, or all."""
+"""A default import, then names in braces, or all."""
 IMPORT = re.compile(
     rf"""(?:^|(?<=;))\s*(?:(?:import|export)\s+(?:type\s+)?{NAMES}\s*from|import)\s*(?P<mark>['"])(?P<path>[^'"]+)(?P=mark)
     | \bimport\s*\(\s*(?P<quote>['"`])(?P<later>[^'"`]+)(?P=quote)
@@ -26,7 +26,7 @@ def file_graph(source: Path, scripts: Mapping[str, str] | None = None) -> dict[s
     source
         The folder. Files outside and packages are no files of the graph.
     scripts
-        Files by the names of the scripts that are built of them, by which pages and other scripts load them.
+        Files by the names of the scripts that are built from them, by which pages and other scripts load them.
     """
     paths = {path.relative_to(source).as_posix(): path for path in sorted(source.rglob("*.ts"))}
     return {name: set(_used(path, source, scripts or {})) & set(paths) - {name} for name, path in paths.items()}

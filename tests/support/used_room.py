@@ -1,4 +1,4 @@
-"""A page that is used in a room for long, on a clock that steps, and what it holds after each part of the time."""
+"""A page used in a room for a long simulated time, and its memory after each part of that time."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from tests.support.web_cases import bundled
 
 PARTS = 10
 STEP = 6.0
-"""Seconds of use after which the page gets the browser's own time to work."""
+"""Seconds of use after which the page gets real time to work."""
 
 
 @dataclass(frozen=True)
 class Held:
-    """Bytes of the page's own objects, objects of WebGL, and poses of others that have come."""
+    """Bytes of the page's own objects, number of WebGL objects, and received poses of others."""
 
     heap: int
     objects: dict[str, int]
@@ -39,7 +39,7 @@ def used(program: Any, url: str, rings: int) -> Iterator[Any]:
 
 
 def use(page: Any, seconds: float) -> Iterator[Held]:
-    """Use the page; what it holds after each tenth of the time."""
+    """Use the page; returns its memory after each tenth of the time."""
     for part in range(PARTS):
         done, ends = part * seconds / PARTS, (part + 1) * seconds / PARTS
         while done < ends - 1e-6:

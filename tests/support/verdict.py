@@ -15,13 +15,13 @@ import nearfar as nf
 from tests.support.digest import digest
 
 ALLOWED = (ValueError, TypeError, nf.Error, OSError, MemoryError)
-"""Exceptions for wrong arguments; their subclasses below are accidents."""
+"""Exceptions for invalid arguments; their subclasses below are accidents."""
 
 ACCIDENTS = (UnicodeError,)
 """Subclasses of allowed exceptions that come from inside."""
 
 LONGEST = 600
-"""Greatest number of characters of a message: values are cut, and paths are shorter."""
+"""Maximum length of a message: values are cut, and paths are shorter."""
 
 FOREIGN = re.compile(
     r"object is not|is not iterable|not subscriptable|has no attribute|has no len|unsupported operand|truth value"
@@ -40,7 +40,7 @@ FOREIGN = re.compile(
 def attempt(call: Callable[..., Any], arguments: Mapping[str, Any], *, begins: bool = True) -> BaseException | None:
     """Call with keywords and return the exception; warnings count as such.
 
-    Without `begins` an iterator that the call returns is left alone: wrong arguments are refused at the call.
+    Without `begins` a returned iterator is not started: invalid arguments are refused at the call.
     """
     with warnings.catch_warnings():
         warnings.simplefilter("error")
@@ -66,7 +66,7 @@ def outcome(call: Callable[..., Any], arguments: Mapping[str, Any]) -> str:
 
 
 def _result(call: Callable[..., Any], arguments: Mapping[str, Any], *, begins: bool = True) -> Any:
-    """The result of a call; an iterator is begun unless told otherwise, and a coroutine is run."""
+    """The result of a call; an iterator is started unless disabled, and a coroutine is run."""
     result = call(**arguments)
     if inspect.iscoroutine(result):
         return asyncio.run(result)
@@ -76,7 +76,7 @@ def _result(call: Callable[..., Any], arguments: Mapping[str, Any], *, begins: b
 def verdict(exception: BaseException | None, parameter: str, others: Iterable[str] = ()) -> str | None:
     """Return why an exception is wrong for an unusable value of a parameter; None if it is right or there is none.
 
-    The message has to name the parameter, or one of the call's `others`, which may no longer fit it.
+    The message must name the parameter, or one of the call's `others`, which may no longer fit it.
     """
     if exception is None:
         return None

@@ -1,4 +1,4 @@
-"""Waits for what another thread or program does; a wait is bounded by looks, so that a busy machine passes."""
+"""Waits for another thread or program, bounded by the number of checks, so that a busy machine passes."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ PAUSE = 0.05
 
 
 def wait_until(happened: Callable[[], object]) -> None:
-    """Look until something has happened."""
+    """Poll until an event has happened."""
     for _ in range(LOOKS):
         if happened():
             return

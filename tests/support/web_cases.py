@@ -30,7 +30,7 @@ def web_tests(factory: pytest.TempPathFactory) -> Path:
 
 @cache
 def bundled(source: str) -> str:
-    """A script of the page's tests with all that it imports, to be put into a page before its own."""
+    """A script of the page's tests with all its imports, to be injected into a page before its own."""
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder) / "script.js"
         run("npx", "esbuild", source, "--bundle", "--format=iife", "--log-level=warning", f"--outfile={out}")

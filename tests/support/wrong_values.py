@@ -1,4 +1,4 @@
-"""Values that single parameters have to refuse, beside the hostile ones that all of them are given.
+"""Values that single parameters must refuse, besides the hostile ones that all of them receive.
 
 Names are patterns as in `tests.support.parameters`, of callables or of single calls, where "?@" begins a call's word.
 """
@@ -18,7 +18,7 @@ UNLIKE_POSES: list[Any] = [
     {"far": np.full((4, 4), math.nan)}, {"far": np.diag([1.0, 0.0, 1.0, 1.0])}, {"far": np.diag([1.0, 1.0, 1.0, 2.0])},
     {"far": np.diag([1e31, 1.0, 1.0, 1.0])}, {"near": np.eye(4)},
 ]  # fmt: skip
-"""Poses of an unknown object, matrices that place nothing, and the pose of an object that does not move."""
+"""Poses of an unknown object, invalid matrices, and the pose of an object that does not move."""
 
 WRONG: dict[str, list[Any]] = {
     "Scene.at.poses ReducedScene.at.poses before_at render.at": UNLIKE_POSES,
@@ -71,11 +71,11 @@ WRONG: dict[str, list[Any]] = {
     "user_region": [-1.0, [[1, 2, 3], [0, 0, 0]]],
     "origins": [(0.0, 1e300, 0.0)],
 }
-"""Further values that parameters have to refuse."""
+"""Further values that parameters must refuse."""
 
 
 @functools.cache
 def wrong_values(*names: str) -> list[Any]:
-    """Return further values that a parameter has to refuse; its names are those of a callable and of a call."""
+    """Return further values that a parameter must refuse; its names are those of a callable and of a call."""
     found = (values for patterns, values in WRONG.items() if any(match_length(name, patterns) for name in names))
     return [value for values in found for value in values]

@@ -75,7 +75,7 @@ def test_the_error_stays_within_the_tolerance_for_all_strengths() -> None:
     assert 0.02 * 16.0 < greatest_error(triangles, users(0.5, 12, 1), stages) <= 16.0
 
 
-def test_nothing_cracks_and_what_is_still_keeps_its_bits() -> None:
+def test_there_are_no_cracks_and_unsplit_triangles_keep_their_bits() -> None:
     house = trimesh.creation.box(bounds=[[7, -3, -15], [40, 25, 30]])
     made = split(house, r2=32.0, radius=22.0)
     assert open_edges(np.asarray(made.triangles)) == 0
@@ -94,7 +94,7 @@ def test_pieces_grow_with_the_height() -> None:
         )
         return len(split(wall, r2=10.0, tolerance_px=8.0).faces)
 
-    # The height doubles 12 times; each doubling of a high wall takes about as many pieces as all of the low one.
+    # The height doubles 12 times; each doubling of a high wall takes about as many pieces as the whole low one.
     assert count(1e5) < 12 * count(30.0)
 
 
@@ -105,7 +105,7 @@ def test_pieces_grow_with_the_height() -> None:
         ({"tolerance_px": 1e-9}, "tolerance_px"),
     ],
 )
-def test_what_has_no_bound_is_refused(changed: dict[str, Any], named: str) -> None:
+def test_growth_without_a_bound_is_refused(changed: dict[str, Any], named: str) -> None:
     with pytest.raises(ValueError, match=f"^{named}: expected"):
         split(ground(), r2=32.0, **changed)
 

@@ -64,8 +64,8 @@ def test_any_triangles_stay_within_the_tolerance(seed: int, reach: float, tolera
     assert error <= tolerance * max(1.0, reach / 4) * (1 + 1e-9)
 
 
-def test_nothing_cracks_within_a_mesh_or_between_objects() -> None:
-    # A wall, a roof and a floor of a house across both radii, each an object of its own; closed by its box.
+def test_there_are_no_cracks_within_a_mesh_or_between_objects() -> None:
+    # A wall, a roof and a floor of a house across both radii, each a separate object; closed by its box.
     house = trimesh.creation.box(bounds=[[10, -3, -15], [70, 25, 40]])
     made = split(house)
     assert open_edges(np.asarray(made.triangles)) == 0
@@ -76,12 +76,12 @@ def test_nothing_cracks_within_a_mesh_or_between_objects() -> None:
     scene = split(build.build())
     assert open_edges(scene.triangles()) == 0
     assert len(scene.object_names) == 12
-    # Rounding of float32 vertices changes the edges' crossings slightly, and with them their number.
+    # Rounding of float32 vertices slightly changes the edges' crossings, and with them their number.
     assert scene.triangle_count == pytest.approx(len(made.faces), rel=0.1)
 
 
 @pytest.mark.parametrize(("sides", "radii"), [(6, (30, 60)), (8, (30, 50, 80)), (7, (29.9999999, 60))])
-def test_edges_between_two_points_of_r1_are_split_alike_on_both_sides(sides: int, radii: tuple[float, ...]) -> None:
+def test_edges_between_two_points_of_r1_are_split_equally_on_both_sides(sides: int, radii: tuple[float, ...]) -> None:
     turn = np.arange(sides) * 2 * np.pi / sides
     circle = np.stack([np.cos(turn), 0 * turn, np.sin(turn)], axis=1)
     points = np.concatenate([[[0.0, 0.0, 0.0]], *(circle * radius for radius in radii)]) + CENTER
@@ -102,7 +102,7 @@ def test_edges_between_two_points_of_r1_are_split_alike_on_both_sides(sides: int
         assert all(count == 2 for pair, count in ends.items() if middles[pair] < 0.9 * rim)
 
 
-def test_what_needs_no_split_keeps_its_bits() -> None:
+def test_unsplit_triangles_keep_their_bits() -> None:
     near = trimesh.creation.icosphere(radius=10).apply_translation([5, 2, 3])
     far = trimesh.creation.icosphere(radius=100).apply_translation([200, 0, 30])
     for mesh in (near, far):
@@ -134,7 +134,7 @@ def crowd() -> nf.Scene:
     return build.build(dynamic=["car"])
 
 
-def test_scenes_keep_objects_and_share_what_is_whole() -> None:
+def test_scenes_keep_objects_and_share_unsplit_meshes() -> None:
     scene = crowd()
     made = split(scene)
     assert made.object_names == scene.object_names
@@ -153,7 +153,7 @@ def test_scenes_keep_objects_and_share_what_is_whole() -> None:
     view = nf.Camera.look_at(CENTER, CENTER + np.array([1, -0.1, 0.1]), fov=nf.Fov.symmetric(90, 16 / 9), size=(96, 54))
     one, other = (nf.render(s, view, channels=("color", "object_id")) for s in (scene, made))
     np.testing.assert_array_equal(one.require("object_id"), other.require("object_id"))
-    # Silhouettes are the same; normals of pieces are rounded again.
+    # Silhouettes are equal; normals of pieces are rounded again.
     np.testing.assert_allclose(one.require("color"), other.require("color"), atol=1e-5)
 
 
@@ -206,7 +206,7 @@ print(made.triangle_count, hashlib.sha256(made.triangles().tobytes()).hexdigest(
     assert len(printed_by_threads(code)) == 1
 
 
-def test_finer_pixels_and_corners_count() -> None:
+def test_pixel_angles_consider_fine_pixels_and_corners() -> None:
     side = nf.Camera((0, 0, 0), fov=nf.Fov(-1.0, 0.5, -0.5, 0.5), size=(1536, 1024))
     assert side._core.least_pixel_angle == pytest.approx(1 / 1024 / (1 + 1 + 0.25))
     assert VIEW._core.least_pixel_angle == pytest.approx(PIXEL)
@@ -222,7 +222,7 @@ def test_finer_pixels_and_corners_count() -> None:
         ({"camera": nf.Camera((0, 0, 0), fov=nf.Orthographic(-1, 1, -1, 1), size=(9, 9))}, "camera: expected a persp"),
     ],
 )
-def test_what_cannot_be_bounded_is_refused(wrong: dict[str, Any], message: str) -> None:
+def test_unbounded_settings_are_refused(wrong: dict[str, Any], message: str) -> None:
     given: dict[str, Any] = {"r1": R1, "r2": R2, "user_region": 5.0, "tolerance_px": 0.5, "camera": VIEW, **wrong}
     for mesh in (ground(), crowd()):
         with pytest.raises(ValueError, match=message):

@@ -67,7 +67,7 @@ def soup(random: np.random.Generator, count: int) -> tuple[Array, NDArray[np.uin
     return corners.reshape(-1, 3), np.arange(3 * count, dtype=np.uint32).reshape(-1, 3)
 
 
-def test_soups_are_searched_like_every_triangle_by_itself() -> None:
+def test_triangle_soups_equal_brute_force() -> None:
     random = np.random.default_rng(1)
     for count in (1, 5, 40, 700):
         scene = nf.Scene.from_arrays(*soup(random, count))
@@ -76,7 +76,7 @@ def test_soups_are_searched_like_every_triangle_by_itself() -> None:
         check(scene, random.normal(size=(20, 3)) * 1e4, 1e-11)
 
 
-def test_instances_are_searched_where_they_stand() -> None:
+def test_instances_are_searched_at_their_poses() -> None:
     random = np.random.default_rng(2)
     builder = SceneBuilder()
     mesh = builder.mesh(*soup(random, 60))
@@ -91,7 +91,7 @@ def test_instances_are_searched_where_they_stand() -> None:
     check(scene, random.normal(size=(400, 3)) * 5)
 
 
-def test_places_far_from_zero_keep_their_digits() -> None:
+def test_positions_far_from_the_origin_keep_their_precision() -> None:
     random = np.random.default_rng(3)
     vertices, faces = soup(random, 50)
     offset = np.array([4e6, 100, -3e6])
@@ -111,7 +111,7 @@ def test_only_triangles_that_face_a_direction_count() -> None:
     assert np.abs(found.distance - np.sqrt(squares.min(axis=1))).max() < 1e-12
 
 
-def test_nothing_near_is_said() -> None:
+def test_missing_neighbours_are_reported() -> None:
     scene = nf.Scene.from_arrays([[0, 0, 0], [0, 0, 1], [1, 0, 0]], [[0, 1, 2]])
     found = nf.nearest_points(scene, np.array([[0, 1, 0], [0.25, 2, 0.25]]), facing=np.array([[0, -1, 0], [0, 1, 0]]))
     assert found.triangle_index.tolist() == [-1, 0]
@@ -120,14 +120,14 @@ def test_nothing_near_is_said() -> None:
     assert len(nf.nearest_points(scene, np.zeros((0, 3)))) == 0
 
 
-def test_ties_go_to_the_lowest_triangle() -> None:
+def test_ties_are_resolved_by_the_lowest_triangle() -> None:
     corners = np.array([[0, 0, 0], [0, 0, 1], [1, 0, 0]], np.float32)
     stacked = np.concatenate([corners + np.array([0, height, 0]) for height in (2, -2, 2, -2)])
     scene = nf.Scene.from_arrays(stacked, np.arange(12).reshape(-1, 3))
     assert nf.nearest_points(scene, [[0.2, 0, 0.2], [0.3, -0.1, 0.3]]).triangle_index.tolist() == [0, 1]
 
 
-def test_the_number_of_threads_does_not_matter() -> None:
+def test_nearest_points_do_not_depend_on_threads() -> None:
     code = (
         "import numpy as np, nearfar as nf; r = np.random.default_rng(0);"
         "s = nf.Scene.from_arrays(r.normal(size=(3000, 3)), np.arange(3000).reshape(-1, 3));"
@@ -137,6 +137,6 @@ def test_the_number_of_threads_does_not_matter() -> None:
     assert len(printed_by_threads(code)) == 1
 
 
-def test_an_empty_scene_has_nothing_near() -> None:
+def test_an_empty_scene_has_no_nearest_point() -> None:
     scene = SceneBuilder().build()
     assert nf.nearest_points(scene, [[0, 0, 0]]).triangle_index.tolist() == [-1]

@@ -47,7 +47,7 @@ def rays_into(points: NDArray[np.float32], count: int, seed: int) -> tuple[NDArr
 
 def test_no_ray_aimed_at_shared_edges_and_vertices_is_lost(mesh: Mesh) -> None:
     # Per scene 20,000 rays: 12,000 at points of edges that two triangles share, half of them at midpoints, and
-    # 8,000 at vertices whose triangles close a fan. The rays pass through the surface: each starts a little before
+    # 8,000 at vertices whose triangles close a fan. The rays pass through the surface: each starts slightly before
     # its target and ends as far behind it, so that it can only hit something around it.
     points, faces = mesh
     targets, normals = shared_places(points, faces)
@@ -61,8 +61,8 @@ def test_no_ray_aimed_at_shared_edges_and_vertices_is_lost(mesh: Mesh) -> None:
     # Directions to the float32 target, so that the ray meets the edge exactly.
     hits = nf.cast_rays(nf.Scene.from_arrays(points, faces), origins, targets - origins)
     reach = np.linalg.norm(targets - origins, axis=1)
-    # A hit behind the target would mean that the surface was passed. Interpolated targets lie off the edge by the
-    # roundings of coordinates (2⁻²⁴ of the bounds), seen under 1/cos of the lean at most.
+    # A hit behind the target would mean that the ray passed through the surface. Interpolated targets lie off the edge
+    # by the roundings of coordinates (2⁻²⁴ of the bounds), seen under 1/cos of the tilt at most.
     slack = 8 * 2.0**-24 * float(np.abs(points).max() + size)
     lost = ~(hits.t_hit <= reach + slack)
     assert len(targets) == 20_000
@@ -104,30 +104,30 @@ def shared_places(points: NDArray[np.float32], faces: NDArray[np.uint32]) -> tup
     least = np.full(len(points), np.inf)
     np.minimum.at(least, faces, np.einsum("fj,fcj->fc", normals, mean[faces]))
     fans = np.flatnonzero(~is_open & np.isfinite(least) & (least > 0.5))
-    # Two fans that touch at a vertex are two surfaces; around one fan the triangles turn once, by their angles.
+    # Two fans that touch at a vertex are two surfaces; around one fan the triangles wind once, by their angles.
     vertices = generator.choice(fans, 8_000)
     places = np.concatenate([on_edges, points[vertices]])
     directions = np.concatenate([edge_normals, mean[vertices]])
     return places, directions / np.linalg.norm(directions, axis=1, keepdims=True)
 
 
-def test_hits_are_those_of_embree(mesh: Mesh) -> None:
+def test_hits_equal_embree(mesh: Mesh) -> None:
     need("embreex")
     points, faces = mesh
     origins, directions = rays_into(points, 200_000, 1)
     hits = nf.cast_rays(nf.Scene.from_arrays(points, faces), origins, directions)
     theirs = embree(points, faces).run(origins, directions, output=True)
     hit = theirs["primID"] >= 0
-    # Embree is not watertight here and decides ties by its own order: rays within float32 of an edge, of the
-    # seam of two triangles or of a coplanar copy may differ. One in 5,000 is far more than was ever seen.
+    # Embree is not watertight here and resolves ties by its own order: rays within float32 of an edge, of the
+    # seam of two triangles or of a coplanar copy may differ. One in 5,000 is far more than was ever observed.
     assert np.count_nonzero(hits.hit != hit) <= 40
     both = hits.hit & hit
     size = float(np.abs(points).max())
     near = np.abs(hits.t_hit[both] - theirs["tfar"][both])
-    # Grazing triangles magnify the roundings of coordinates, 2⁻²⁴ of the bounds, by 1/cos of the angle.
+    # Grazing triangles amplify the roundings of coordinates, 2⁻²⁴ of the bounds, by 1/cos of the angle.
     assert np.quantile(near, 0.999) <= 1e-5 * size
     other = hits.triangle_index[both] != theirs["primID"][both]
-    # Other triangles may be hit only at the same place: copies, and both sides of a seam.
+    # Different triangles may be hit only at the same position: copies, and both sides of a seam.
     assert np.count_nonzero(other & (near > 1e-4 * size)) <= 40
 
 
@@ -167,7 +167,7 @@ def arrays(hits: nf.Hits) -> list[NDArray[Any]]:
     return [hits.t_hit, hits.triangle_index, hits.object_id, hits.barycentric]
 
 
-def test_the_same_bytes_for_any_number_of_threads() -> None:
+def test_hits_have_the_same_bytes_for_any_number_of_threads() -> None:
     code = """
 import hashlib, numpy as np, nearfar as nf
 draw = np.random.default_rng(0)
@@ -182,7 +182,7 @@ def square(z: float = 0.0) -> nf.Scene:
     return nf.Scene.from_arrays([[-1, -1, z], [1, -1, z], [1, 1, z], [-1, 1, z]], [[0, 1, 2], [0, 2, 3]])
 
 
-def test_what_hits_say() -> None:
+def test_hits_report_their_fields() -> None:
     hits = nf.cast_rays(square(), [[0.5, -0.25, 2], [0.5, 3, 2]], [[0, 0, -4], [0, 0, -1]])
     assert len(hits) == 2
     assert hits.hit.tolist() == [True, False]
@@ -198,7 +198,7 @@ def test_what_hits_say() -> None:
 
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64, np.int64])
-def test_any_numbers_and_one_origin_for_all(dtype: type) -> None:
+def test_all_number_types_and_a_common_origin_are_accepted(dtype: type) -> None:
     hits = nf.cast_rays(square(), np.array((0, 0, 3), dtype), np.array([[0, 0, -7]] * 9, dtype))
     assert (hits.t_hit == 3).all()
 
@@ -221,13 +221,13 @@ def test_t_max_and_empty_input() -> None:
 
 
 def test_world_positions_far_from_zero() -> None:
-    # 4·10⁶ m is a step of 0.25 m in float32: only an origin in float64 places the rays.
+    # 4·10⁶ m have a step of 0.25 m in float32: only a float64 origin places the rays.
     shift = np.array((4e6, 0.0, -3e6))
     corners = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0.0]]) + shift
     hits = nf.cast_rays(
         nf.Scene.from_arrays(corners, [[0, 1, 2], [0, 2, 3]]), (*shift[:1] + 0.3, 0.2, shift[2] + 2), [[0, 0, -1]]
     )
-    # Relative to the scene's origin all is within metres: half a step of float32 there is 1.2e-7 m.
+    # Relative to the scene's origin everything is within metres: half a step of float32 there is 1.2e-7 m.
     np.testing.assert_allclose(hits.position - shift, [[0.3, 0.2, 0]], atol=5e-7)
 
 
@@ -255,7 +255,7 @@ def test_control_c_stops_a_long_cast() -> None:
     timer.start()
     with pytest.raises(KeyboardInterrupt):
         nf.cast_rays(scene, np.zeros(3), directions)
-    # Polls come every 50 ms and a tile takes milliseconds: most of the work is never done.
+    # Interrupts are polled every 50 ms and a tile takes milliseconds: most of the work is never done.
     assert time.process_time() - start < 50 * hundredth
 
 
@@ -263,6 +263,6 @@ def test_twenty_thousand_copies_build_at_once() -> None:
     faces = np.tile(np.arange(3, dtype=np.uint32), (20_000, 1))
     start = time.process_time()
     hits = nf.cast_rays(nf.Scene.from_arrays([[-1, -1, 2], [2, -1, 2], [-1, 2, 2]], faces), (0, 0, 0), [[0, 0, 1]])
-    # Clustering 20,000 equal boxes takes 25 CPU-seconds; this takes milliseconds.
+    # Clustering 20,000 equal boxes takes 25 CPU seconds; this takes milliseconds.
     assert time.process_time() - start < 5.0
     assert hits.triangle_index[0] == 0

@@ -1,4 +1,4 @@
-"""Tests of default viewpoints: open places, single objects, and views that the boundary crosses."""
+"""Tests of default viewpoints: open places, single objects, and views crossed by the boundary."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def test_the_side_with_more_space_comes_first(x: float) -> None:
     np.testing.assert_allclose(sides, [(x - np.sign(x) * 3.0, 1.7, 2.0), (x + np.sign(x) * 1.2, 1.7, 2.0)], atol=1e-5)
 
 
-def test_a_plain_without_anything_is_no_object() -> None:
+def test_an_empty_plain_is_not_an_object() -> None:
     scene = nf.Scene.from_trimesh(trimesh.creation.box((300, 1, 300)))
     place = viewpoint.find(scene)
     assert not place.is_outside
@@ -81,7 +81,7 @@ def test_the_default_view_shows_the_boundary_and_all_zones() -> None:
     assert torn["none"] > 2.0 * torn["blend"]
 
 
-def test_a_boundary_behind_walls_is_in_no_view() -> None:
+def test_a_boundary_hidden_by_walls_is_in_no_view() -> None:
     scene = nf.Scene.from_trimesh(trimesh.creation.box((20, 20, 20)))
     assert crossing.look(scene, (0, 0, 0), (0, 0, 0), R1, R2, fov=90.0) is None
     _, _, crosses = crossing.choose(scene, viewpoint.facing_open(scene, (0, 0, 0)), 2.0, R1, R2, fov=90.0)

@@ -136,14 +136,14 @@ def _tolerance(curve: Curve, s: list[float], offsets: list[Any]) -> dict[str, fl
     largest = max(map(abs, [*curve.user, *curve.center])) + max(s) + y1
     double, chord = 8 * STEP_64 * largest, exact.mpf(0)
     for x, y in zip(s, offsets, strict=True):
-        # Where the curve is one of the two straight rays, y is 0 or y₁ but for the coordinates' rounding.
+        # Where the curve is one of the two straight rays, y is 0 or y₁ up to the rounding of coordinates.
         if 0 < y < y1:
             slope = curve.slope(x, y)
             by_user, by_center = (length(add(curve.point(x, y), place, -1)) for place in (curve.user, curve.center))
             terms = y / by_user + (y1 - y) / by_center
             of_w = 4 * STEP_64 * largest / (r2 - r1)
             double = max(double, 8 * STEP_64 * largest + (of_w + 16 * STEP_64) * terms / slope)
-            # The residual is the sine of the angle missed times the length of the blend, which is at most 1.
+            # The residual is the sine of the angular error times the length of the blend, which is at most 1.
             chord = max(chord, POLYLINE / slope)
     return {"float64": above(double), "polyline": above(chord + double)}
 

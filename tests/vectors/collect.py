@@ -1,4 +1,4 @@
-"""Vectors of the sphere collection: bytes of its messages, places of its spheres, and what its conductor says."""
+"""Vectors of the sphere collection: bytes of its messages, positions of its spheres, and messages of its conductor."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def floats(*values: float) -> bytes:
 
 
 def stage(kind: int, fields: dict[str, Any]) -> bytes:
-    """The head of a message."""
+    """The header of a message."""
     return bytes([0xC5, 1, kind]) + little(fields["run"], 2) + little(fields["trial"], 1)
 
 
@@ -52,7 +52,7 @@ def sphere(fields: dict[str, Any]) -> bytes:
 
 
 def aims(fields: dict[str, Any]) -> bytes:
-    """Who aims."""
+    """A list of aiming users."""
     data = stage(3, fields) + little(fields["number"], 2) + little(EVENTS.index(fields["event"]), 1)
     data += little(fields["user"], 2) + little(fields["misses"], 2)
     data += floats(-1.0 if fields["held"] is None else fields["held"]) + little(len(fields["users"]), 1)
@@ -93,8 +93,8 @@ MESSAGES: dict[str, dict[str, Any]] = {
 }  # fmt: skip
 
 
-def refused() -> dict[str, bytes]:
-    """Bytes that begin as a message and are none."""
+def malformed_messages() -> dict[str, bytes]:
+    """Bytes that begin like a message and are malformed."""
     good = {name: WRITE[fields["kind"]](fields) for name, fields in MESSAGES.items()}
     whole = {"kind": "trial", **STAGE, **RULES, "seats": SEATS}
     moving = {**STAGE, "number": 4, "level": "hard", **MOVING}
@@ -169,7 +169,7 @@ def places() -> list[dict[str, Any]]:
 
 # a play -----------------------------------------------------------------------------------------------------------
 def plays() -> list[dict[str, Any]]:
-    """Messages of users who hear each other at once. In each step some come or go, and some aim at the sphere."""
+    """Messages of users who receive each other's at once. In each step some join, leave or aim at the sphere."""
 
     def step(now: float, aiming: list[int], *said: str, comes: int | None = None, goes: int | None = None) -> Any:
         return {"now": now, "comes": comes, "goes": goes, "aiming": aiming, "said": list(said)}
@@ -191,9 +191,9 @@ def plays() -> list[dict[str, Any]]:
                 step(3.0, [3, 7]),
                 step(3.25, [], "3: sphere 1 hard"),
                 step(3.375, [3], "3: selected 3"),
-                # Who comes late hears all, has no seat, and so does not conduct, whatever its number.
+                # A late user receives everything, has no seat, and so does not conduct, even with the lowest number.
                 step(3.5, [3], "3: trial 1", "3: sphere 1 hard", "3: told [3]", comes=2),
-                # Who goes has missed nothing, and one of two does not collect alone.
+                # A user who leaves has missed nothing, and one of two does not collect alone.
                 step(3.75, [2, 7], "7: told [], 0 missed", "7: selected 7", goes=3),
                 step(4.875, [2, 7]),
                 step(5.0, [7], "7: over 1", "7: score 1 1"),
@@ -208,9 +208,9 @@ def plays() -> list[dict[str, Any]]:
     ]
 
 
-# what a user believes ---------------------------------------------------------------------------------------------
+# state derived by a user ------------------------------------------------------------------------------------------
 def hearings() -> list[dict[str, Any]]:
-    """Messages that a user hears, whether each changes anything, and what the user says at the end."""
+    """Messages that a user receives, whether each changes the state, and the user's own messages at the end."""
     seats = [{"user": user, "position": [0.0, 1.75, 0.0]} for user in (3, 7, 9)]
     nothing = [[0, 0, 0.0]] * 3
     rules = {**RULES, "elapsed": 0.0, "users": 1, "hold": 0.0, "radius": 1000.0, "tallies": nothing}
@@ -292,7 +292,7 @@ def files() -> dict[str, str]:
             {"region": name, "message": fields, "bytes": WRITE[fields["kind"]](fields).hex()}
             for name, fields in MESSAGES.items()
         ],
-        refused=[{"region": name, "bytes": data.hex()} for name, data in refused().items()],
+        refused=[{"region": name, "bytes": data.hex()} for name, data in malformed_messages().items()],
         places=places(),
         plays=plays(),
         hearings=hearings(),

@@ -1,4 +1,4 @@
-"""Vectors of cube map orientation and look-up in exact arithmetic.
+"""Vectors of cube map orientation and lookup in exact arithmetic.
 
 A face's right, down and outward axes are those of the table of faces; u = d·right/|d·out| and v = d·down/|d·out|. A
 direction lies on the face of its longest component; where two are equally long, on that of the axis which comes first
@@ -69,7 +69,7 @@ def center_of(number: int, size: int) -> list[Fraction]:
 
 
 def _is_clear(d: Vector, size: int) -> bool:
-    """Whether a direction is so far from borders of texels and faces that float32 finds the same texel."""
+    """Whether a direction is far enough from borders of texels and faces for float32 to find the same texel."""
     _, u, v = place(d)
     near_border = any(abs(x * size - round(x * size)) < Fraction(1, 10**5) for x in ((u + 1) / 2, (v + 1) / 2))
     return not near_border and max(abs(u), abs(v)) < 1 - Fraction(1, 10**5)

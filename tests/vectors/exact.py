@@ -1,6 +1,6 @@
 """Arithmetic of 50 digits for the oracles, and the format of their files.
 
-A context of its own: other users of mpmath may change the precision of the shared one.
+It has a separate context: other users of mpmath may change the precision of the shared one.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ STEP_32 = 2.0**-24
 
 
 def vector(values: Iterable[Any]) -> list[Any]:
-    """Floats as exact numbers: no digit is lost."""
+    """Floats as exact numbers, without loss."""
     return [exact.mpf(x) for x in values]
 
 
@@ -67,7 +67,7 @@ def step_32(value: Any) -> float:
 
 
 def above(bound: Any) -> float:
-    """A tolerance with two digits, no less than a bound."""
+    """A tolerance with two digits, at least a bound."""
     return float(f"{float(bound) * 1.05:.1e}")
 
 

@@ -128,7 +128,7 @@ NEAR_FOLD = (0.99, -0.999, 0.99999, -0.9999999)
 
 def _samples(region: str, k: Coefficients, radii: list[float]) -> dict[str, Any]:
     shown = [rounded(distort(k, exact.mpf(r))) for r in radii]
-    # The inverse of the rounded value, which beside a fold is another number.
+    # The inverse of the rounded value, which near a fold is a different number.
     inverse = [undistort(k, exact.mpf(x)) for x in shown]
     slopes = [derivative(k, exact.mpf(r)) for r in radii]
     root = max(

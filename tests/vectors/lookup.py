@@ -1,4 +1,4 @@
-"""Vectors of look-ups in a cube map in exact arithmetic: nearest, bilinear, least and greatest texel."""
+"""Vectors of lookups in a cube map in exact arithmetic: nearest, bilinear, least and greatest texel."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def cases() -> list[dict[str, Any]]:
     last = Fraction(MAP_SIZE - 1, MAP_SIZE)
     edges, corners = [], []
     for pair, signs in itertools.product(((0, 1), (0, 2), (1, 2)), itertools.product((1, -1), repeat=2)):
-        # A row's middle: both of its faces' outermost texels lie at the same height along the edge.
+        # The middle of a row: the outermost texels of both faces have the same height along the edge.
         for height in (Fraction(1, MAP_SIZE), Fraction(-3, MAP_SIZE)):
             ends = []
             for lengths in ((Fraction(1), last), (last, Fraction(1))):
@@ -54,7 +54,7 @@ def _position(x: Fraction) -> tuple[int, Fraction]:
 
 
 def _is_bilinear(d: Vector) -> bool:
-    """Whether a direction lies between four centres of one face, and clearly so in float32."""
+    """Whether a direction lies between four centres of one face, with a margin for float32."""
     _, u, v = place(d)
     clear = Fraction(1, 1000)
     limit = 1 - Fraction(1, MAP_SIZE) - clear

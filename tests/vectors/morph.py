@@ -94,7 +94,7 @@ NEAR = (4.1, 0.3, -3.7)
 
 
 def ring(places: tuple[float, ...], heights: tuple[float, ...]) -> list[Vector]:
-    """P − O of all combinations of x, z, x, z, … with heights, turned by quarters from one to the next."""
+    """P − O of all combinations of x, z, x, z, … with heights, rotated by quarters from one to the next."""
     found: list[Vector] = []
     for n, (k, y) in enumerate(itertools.product(range(0, len(places), 2), heights)):
         x, z = places[k], places[k + 1]

@@ -10,7 +10,7 @@ from tests.vectors.morph import TOLERANCE, case, ring
 
 PAPER = (30.0, 50.0)
 FAR = (1000000.53, 1.7, -700000.28)
-"""A centre that float32 numbers miss by centimetres."""
+"""A centre that float32 numbers approximate to centimetres."""
 GROWING = (8.0, 5.0, 20.5, 24.0, -32.25, 9.5, 24.0, 32.0, 60.0, -11.0)
 """(x, z) within r₁, between the radii and beyond them."""
 BETWEEN = (20.5, 24.0, -32.25, 9.5, 24.0, 32.0, 47.5, -14.0, 30.125, 1.5)

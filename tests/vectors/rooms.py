@@ -11,17 +11,17 @@ TICKET = bytes(range(26))
 
 
 def little(value: int, size: int) -> bytes:
-    """An unsigned number of so many bytes, the least significant first."""
+    """An unsigned integer of a number of bytes, little-endian."""
     return value.to_bytes(size, "little")
 
 
 def frame(kind: int, body: bytes) -> bytes:
-    """A frame with its head."""
+    """A frame with its header."""
     return little(kind, 1) + little(len(body), 2) + body
 
 
 def with_length(data: bytes) -> bytes:
-    """Bytes after their number."""
+    """Bytes preceded by their count."""
     return little(len(data), 1) + data
 
 
@@ -128,8 +128,8 @@ def of_servers() -> list[dict[str, Any]]:
     return found
 
 
-def refused() -> list[dict[str, Any]]:
-    """Bytes that are no frame of the server; those of a pose are none of a user, either."""
+def malformed() -> list[dict[str, Any]]:
+    """Bytes that are no valid frame of the server; those of a pose are none of a user, either."""
     good = pose(POSES["a head alone"])
     far = pose(_pose(1, head=_place(1.1e6, 0.0, 0.0, 0, 0, 0, 32767)))
     nowhere = good[:13] + struct.pack("<f", float("nan")) + good[17:]
@@ -188,6 +188,6 @@ def files() -> dict[str, str]:
         tolerance={"all": "None: what is read has these fields, and what is written has these bytes."},
         users=of_users(),
         servers=of_servers(),
-        refused=refused(),
+        refused=malformed(),
     )
     return {"rooms.json": text}

@@ -1,11 +1,11 @@
-"""Tests that the files of vectors are those that their oracles write."""
+"""Tests that the files of vectors equal the output of their oracles."""
 
 from __future__ import annotations
 
 from tests.vectors.write import FOLDER, files
 
 
-def test_files_are_those_that_the_oracles_write() -> None:
+def test_files_equal_the_output_of_the_oracles() -> None:
     written = {path.name: path.read_text(encoding="utf-8") for path in FOLDER.glob("*.json")}
     expected = files()
     assert sorted(written) == sorted(expected)

@@ -1,4 +1,4 @@
-"""Writes the files of vectors beside this module: `python -m tests.vectors.write`."""
+"""Writes the files of vectors next to this module: `python -m tests.vectors.write`."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ def city() -> nf.Scene:
 
 @pytest.fixture(scope="session")
 def street(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A bundle of one ring around CENTER, which a page has loaded in no time."""
+    """A bundle of one ring around CENTER, which a page loads very quickly."""
     folder = tmp_path_factory.mktemp("street") / "bundle"
     settings: dict[str, Any] = {"center": CENTER, "radii": (10.0,), "face_size": 64, "samples": 1}
     nf.stream.export(nf.datasets.city(blocks=2, detail=1), folder, **settings)

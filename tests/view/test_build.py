@@ -1,4 +1,4 @@
-"""The page in the package is what its sources make, and its parts do what Python's do."""
+"""The page in the package equals the build of its sources, and its parts agree with Python's."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ MAX_BYTES = 350_000
 """Script and style, compressed."""
 
 
-def test_types_hold() -> None:
+def test_type_checks_pass() -> None:
     need("web")
     run("npx", "tsc", "--noEmit")
 
 
-def test_the_package_holds_what_the_sources_make(tmp_path: Path) -> None:
+def test_the_package_contains_the_build_of_the_sources(tmp_path: Path) -> None:
     need("web")
     run("node", "build.mjs", str(tmp_path / "dist"))
     made, stored = (
@@ -42,6 +42,6 @@ def test_the_page_is_small() -> None:
     assert sum(len(gzip.compress(content)) for content in page_files().values()) <= MAX_BYTES
     assert sum(len(gzip.compress(path.read_bytes())) for path in (STORED / "widget").iterdir()) <= MAX_BYTES
     sizes = {name: len(gzip.compress(content)) for name, content in tree_page().items()}
-    # A script that only browsers with WebGPU read.
+    # A script that only browsers with WebGPU load.
     assert sizes.pop("orthoview-webgpu.js") <= 20_000
     assert sum(sizes.values()) <= 62_000

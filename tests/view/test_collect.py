@@ -46,12 +46,12 @@ class Player(RoomPage):
     """A page whose user looks at the sphere, or away from it."""
 
     def task(self) -> dict[str, Any]:
-        """Draw a frame; the state of the task."""
+        """Draw a frame; returns the state of the task."""
         self.step()
         return dict(self.page.evaluate(TASK))
 
     def look(self, away: float = 0.0) -> None:
-        """Turn to the sphere, or some radians beside it."""
+        """Turn to the sphere, or some radians away from it."""
         found = self.task()
         eye = found["seat"]
         x, y, z = np.subtract(found["place"], eye)
@@ -60,12 +60,12 @@ class Player(RoomPage):
 
 
 def task_states(players: Sequence[Player], name: str) -> list[Any]:
-    """The state of each page's task, after a frame of each: who judges needs the others' poses."""
+    """The state of each page's task, after a frame of each: the conductor needs the others' poses."""
     return [player.task()[name] for player in players]
 
 
 def join_room(chromium: Any, stack: ExitStack, url: str, name: str) -> Player:
-    """A page that is in a room, all of its rings loaded."""
+    """A page in a room, with all of its rings loaded."""
     page = stack.enter_context(open_page(chromium, *SIZE))
     page.goto(f"{url}&name={name}")
     assert wait_for_ring(page, len(RADII)) == ""
@@ -73,7 +73,7 @@ def join_room(chromium: Any, stack: ExitStack, url: str, name: str) -> Player:
     return Player(page, dict(START))
 
 
-def started(chromium: Any, stack: ExitStack, url: str, names: tuple[str, ...]) -> list[Player]:
+def start_trial(chromium: Any, stack: ExitStack, url: str, names: tuple[str, ...]) -> list[Player]:
     """Pages of one group, the conductor first, whose first trial has begun."""
     players = [join_room(chromium, stack, url, name) for name in names]
     first = players[0].page
@@ -92,13 +92,15 @@ def started(chromium: Any, stack: ExitStack, url: str, names: tuple[str, ...]) -
 def test_two_pages_collect_a_sphere(chromium: Any, url: str) -> None:
     with ExitStack() as stack:
         other = join_room(chromium, stack, f"{url}&room=two&group=2", "Eve")
-        ada, bob = started(chromium, stack, f"{url}&room=two&group=1&hold=0.2&pause=0&duration=3000", ("Ada", "Bob"))
+        ada, bob = start_trial(
+            chromium, stack, f"{url}&room=two&group=1&hold=0.2&pause=0&duration=3000", ("Ada", "Bob")
+        )
         state = ada.task()
         assert (state["level"], state["needed"], state["aims"]) == ("easy", 2, [])
         for player in (ada, bob):
             assert np.all(np.abs(np.subtract(player.task()["seat"], CENTER)) <= (2.5, 1e-6, 1.0))
         ada.look()
-        # Beside the sphere at first, whose radius is 0.3 m at some 8 m.
+        # Away from the sphere at first, whose radius is 0.3 m at about 8 m.
         bob.look(away=0.1)
         both = (ada, bob)
         wait_until(ada.page, lambda: task_states(both, "aims") == 2 * [[state["user"]]])
@@ -117,7 +119,7 @@ def test_two_pages_collect_a_sphere(chromium: Any, url: str) -> None:
         card = other.page.locator(".collect")
         wait_until(other.page, lambda: other.step() and "Group 1: 1 spheres, 1 misses" in card.inner_text())
         assert ada.task()["level"] == "hard"
-        # The next lowest number conducts on.
+        # The user with the next lowest number takes over as conductor.
         ada.page.close()
         wait_until(bob.page, lambda: bob.task()["conductor"] == bob.task()["user"])
         assert bob.task()["count"] == 1
@@ -159,7 +161,7 @@ def test_the_card_fits_and_ends_with_the_trial_s_figures(chromium: Any, url: str
 
 
 def check_inside(card: Any, page: Any, size: tuple[int, int]) -> None:
-    """The card lies on a page of a size, above its tools."""
+    """Check that the card lies on a page of a size, above its tools."""
     page.set_viewport_size(dict(zip(("width", "height"), size, strict=True)))
     wait_until(page, lambda: page.evaluate("() => [innerWidth, innerHeight]") == list(size))
     box, tools = card.bounding_box(), page.locator(".tools").bounding_box()

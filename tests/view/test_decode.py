@@ -1,4 +1,4 @@
-"""The page's decoding of bundles, in Node, beside nearfar's own readers."""
+"""The page's decoding of bundles, in Node, compared with nearfar's own readers."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ WIDTHS = {"positions": 3, "normals": 3, "uvs": 2, "colors": 4, "indices": 1, "pl
 
 @pytest.fixture(scope="module")
 def decoded(bundles: dict[str, Path], tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
-    """Pieces of geometry by bundle and file, which a unit test writes. All others run, too."""
+    """Pieces of geometry by bundle and file, written by a unit test. All other unit tests run, too."""
     need("web")
     tests = tmp_path_factory.mktemp("web") / "tests"
     run("node", "build.mjs", "--tests", str(tests))
@@ -60,7 +60,7 @@ def center_of(bundle: Path) -> NDArray[np.float64]:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_triangles_are_those_of_our_loader(bundles: dict[str, Path], decoded: dict[str, Any], name: str) -> None:
+def test_triangles_equal_our_loader(bundles: dict[str, Path], decoded: dict[str, Any], name: str) -> None:
     assert set(decoded[name]) == {file for file, _ in geometry_of(bundles[name])}
     for file, pieces in decoded[name].items():
         found = []
@@ -71,12 +71,12 @@ def test_triangles_are_those_of_our_loader(bundles: dict[str, Path], decoded: di
             found.append(placed.reshape(-1, 3, 3))
         ours = nf.Scene.load(bundles[name] / file)
         expected = ours.triangles() + ours.origin - center_of(bundles[name])
-        # float32 at 9 km, as in our own copies.
+        # Float32 at 9 km, as in our own copies.
         assert farthest(np.concatenate(found), expected) < 2.0**-10
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_arrays_are_those_of_the_files(bundles: dict[str, Path], decoded: dict[str, Any], name: str) -> None:
+def test_arrays_equal_the_files(bundles: dict[str, Path], decoded: dict[str, Any], name: str) -> None:
     kinds = set()
     for file, is_dynamic in geometry_of(bundles[name]):
         path = bundles[name] / file
@@ -98,7 +98,7 @@ def test_arrays_are_those_of_the_files(bundles: dict[str, Path], decoded: dict[s
                 if key == "normals":
                     unit = buffers.fractions(number, rows).astype(np.float64)
                     unit /= np.linalg.norm(unit, axis=1, keepdims=True)
-                    # The octahedral filter's decoders take the processor's own estimate of 1/√x: rows differ by a step.
+                    # Decoders of the octahedral filter use the CPU's estimate of 1/√x: rows differ by a step.
                     step = 0.0 if rows.dtype.kind == "f" else 2.0 / np.iinfo(rows.dtype).max
                     np.testing.assert_allclose(piece[key], unit, rtol=0, atol=step + 1e-7)
                 else:
@@ -147,7 +147,7 @@ def expected_material(document: dict[str, Any], number: int) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_ranges_are_those_of_python_bit_for_bit(bundles: dict[str, Path], decoded: dict[str, Any], name: str) -> None:
+def test_ranges_equal_python_bit_for_bit(bundles: dict[str, Path], decoded: dict[str, Any], name: str) -> None:
     assert decoded[name]
     bundle = nf.stream.open(bundles[name])
     size = bundle.map(1).face_size

@@ -1,4 +1,4 @@
-"""The page's worker in headless Chromium: its pictures beside Pillow's, its maps beside Python's."""
+"""The page's worker in headless Chromium: its pictures compared with Pillow's, its maps with Python's."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def manifest_of(bundle: Path) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_maps_are_those_of_python_bit_for_bit(bundles: dict[str, Path], answer: dict[str, Any], name: str) -> None:
+def test_maps_equal_python_bit_for_bit(bundles: dict[str, Path], answer: dict[str, Any], name: str) -> None:
     bundle = nf.stream.open(bundles[name])
     size = manifest_of(bundles[name])["map"]["face_size"]
     maps = answer[name]["whole"]
@@ -57,7 +57,7 @@ def test_maps_are_those_of_python_bit_for_bit(bundles: dict[str, Path], answer: 
     for ring, found in enumerate(maps):
         colors = array(found["color"], "u1").reshape(6, size, size, 4)
         expected = bundle.map(ring)
-        # Linear values of codes are distinct, so these are the codes of Pillow.
+        # Linear values of codes are distinct, so these are Pillow's codes.
         np.testing.assert_array_equal(LINEAR[colors[..., :3]], expected.color)
         assert (colors[..., 3] == 255).all()
         if ring == 0:
@@ -68,7 +68,7 @@ def test_maps_are_those_of_python_bit_for_bit(bundles: dict[str, Path], answer: 
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_changed_tiles_make_the_next_map_of_an_older_one(
+def test_changed_tiles_turn_an_older_map_into_the_next(
     bundles: dict[str, Path], answer: dict[str, Any], name: str
 ) -> None:
     manifest = manifest_of(bundles[name])
@@ -90,7 +90,7 @@ def test_changed_tiles_make_the_next_map_of_an_older_one(
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_textures_have_the_bytes_of_pillow(bundles: dict[str, Path], answer: dict[str, Any], name: str) -> None:
+def test_textures_equal_pillow_byte_for_byte(bundles: dict[str, Path], answer: dict[str, Any], name: str) -> None:
     manifest = manifest_of(bundles[name])
     rings = [*manifest["regions"][0]["rings"], *([manifest["dynamic"]] if manifest["dynamic"] else [])]
     listed = {part for ring in rings for part in ring["parts"] if part.endswith(".webp")}
@@ -101,14 +101,14 @@ def test_textures_have_the_bytes_of_pillow(bundles: dict[str, Path], answer: dic
         with Image.open(bundles[name] / file) as opened:
             expected = np.asarray(opened.convert("RGBA"))
         texels = array(image["texels"], "u1").reshape(image["height"], image["width"], 4)
-        # Texels that are not seen at all may have any colour.
+        # Fully transparent texels may have any colour.
         np.testing.assert_array_equal(texels[..., 3], expected[..., 3])
         seen = expected[..., 3] > 0
         np.testing.assert_array_equal(texels[seen], expected[seen])
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_damage_is_told_and_the_worker_goes_on(answer: dict[str, Any], name: str) -> None:
+def test_damage_is_reported_and_the_worker_continues(answer: dict[str, Any], name: str) -> None:
     errors = answer[name]["errors"]
     assert errors["hash"].startswith("files/")
     assert "expected SHA-256" in errors["hash"]

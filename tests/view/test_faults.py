@@ -1,4 +1,4 @@
-"""Faults on the way to the page, in a browser: each is told or overcome, and the last good picture stays."""
+"""Faults while the page loads, in a browser: each is reported or overcome, and the last good picture stays."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ HIDING = """
     }, 100));
   };
 """
-"""Browsers give hidden tabs no frames. One without a screen hides nothing, so the page is told so here."""
+"""Browsers give hidden tabs no frames. A headless one hides nothing, so the page is told so here."""
 
 GROWTH = """() => {
   window.states = [];
@@ -75,7 +75,7 @@ GROWTH = """() => {
 }"""
 
 
-def test_a_tab_that_was_hidden_goes_on_where_it_was(page: Any, url: str) -> None:
+def test_a_hidden_tab_continues_where_it_was(page: Any, url: str) -> None:
     page.add_init_script(HIDING)
     page.goto(url)
     assert wait_for_ring(page, 1) == ""
@@ -86,13 +86,13 @@ def test_a_tab_that_was_hidden_goes_on_where_it_was(page: Any, url: str) -> None
     before = len(states())
     wait_until(page, lambda: len(states()) > before + 3)
     steps = np.diff(states())
-    # The whole growth of ring 1 takes more than ten seconds, and no frame goes on by more than a tenth of one.
+    # The whole growth of ring 1 takes more than ten seconds, and no frame advances by more than a tenth of one.
     assert (steps >= 0).all()
     assert steps.max() <= 0.1 / 10
     assert page.printed == []
 
 
-def test_names_are_only_ever_text(page: Any, tmp_path: Path) -> None:
+def test_names_are_always_shown_as_text(page: Any, tmp_path: Path) -> None:
     builder = nf.SceneBuilder()
     corners, faces = np.array([[-5.0, 0, -5], [5, 0, -5], [0, 0, 5]]), [[0, 2, 1]]
     builder.instance(builder.mesh(corners, faces), name=f"floor {HOSTILE}")
@@ -125,7 +125,7 @@ LOSE = """() => {
 }"""
 
 
-def test_lost_graphics_come_back_with_the_picture(page: Any, url: str) -> None:
+def test_a_restored_context_shows_the_picture(page: Any, url: str) -> None:
     state, pose = {"ring": 2, "radius": 15.0, "strength": 1.0}, {"position": CENTER, "yaw": 0.7, "pitch": 0.0}
     page.goto(f"{url}&strategy=clovrd")
     assert wait_for_ring(page, len(RADII)) == ""
@@ -138,7 +138,7 @@ def test_lost_graphics_come_back_with_the_picture(page: Any, url: str) -> None:
     assert np.array_equal(still(page, state, pose, rests=False), before)
     assert before.std() > 10
     assert [text for text in page.printed if "Context" not in text] == []
-    # Graphics that do not come back: the page begins anew where the user was.
+    # If the context is not restored, the page reloads at the user's position.
     place = [CENTER[0] + 0.5, CENTER[1], CENTER[2] - 0.25]
     page.evaluate("(position) => window.nearfar.setPose({ position, yaw: 0.5, pitch: 0 })", place)
     wait_until(page, lambda: page.evaluate("() => window.nearfar.pose.yaw") == 0.5)
@@ -149,10 +149,8 @@ def test_lost_graphics_come_back_with_the_picture(page: Any, url: str) -> None:
     assert page.evaluate("() => window.nearfar.pose") == {"position": place, "yaw": 0.5, "pitch": 0}
 
 
-def test_a_damaged_file_leaves_the_last_picture_and_comes_anew_when_the_user_tries_again(
-    page: Any, url: str, place: Path
-) -> None:
-    """The browser may keep the damaged copy, which the server calls good for ever."""
+def test_a_damaged_file_keeps_the_last_picture_and_is_fetched_again_on_retry(page: Any, url: str, place: Path) -> None:
+    """The browser may cache the damaged copy, which the server's headers mark as immutable."""
     manifest = json.loads((place / "manifest.json").read_text())
     name = manifest["regions"][0]["rings"][2]["geometry"]
     content = (place / name).read_bytes()
@@ -178,7 +176,7 @@ def test_a_damaged_file_leaves_the_last_picture_and_comes_anew_when_the_user_tri
     assert page.locator("#message").inner_text() == ""
 
 
-def test_a_browser_without_webgl_and_a_server_without_the_scene_are_told(page: Any, url: str) -> None:
+def test_missing_webgl_and_a_missing_scene_are_reported(page: Any, url: str) -> None:
     page.route("**/manifest.json", lambda route: route.fulfill(status=404))
     page.goto(url)
     assert "cannot be reached" in wait_for_ring(page, 0)

@@ -1,4 +1,4 @@
-"""How people use the page: keys alone, fingers, gamepads, the panel, links and pictures, on a desktop and a phone."""
+"""How people use the page: keyboard, fingers, gamepads, the panel, links and pictures, on a desktop and a phone."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ pytestmark = pytest.mark.slow
 
 DESKTOP, PHONE = (1000, 640), (390, 844)
 FINE = 0.25
-"""Pixels of the picture along one of the layout: drawing in software takes its time."""
+"""Picture pixels per layout pixel along one axis: drawing in software takes time."""
 
 PAD = """() => {
   window.axes = [0, 0, 0, 0];
@@ -35,7 +35,7 @@ def url(street: Path) -> Iterator[str]:
 
 
 @pytest.fixture(scope="module")
-def loaded(chromium: Any, url: str) -> Iterator[Any]:
+def loaded_page(chromium: Any, url: str) -> Iterator[Any]:
     with open_page(chromium, *DESKTOP, device_scale_factor=FINE) as shown:
         shown.add_init_script(f"({PAD})()")
         shown.goto(url)
@@ -45,12 +45,12 @@ def loaded(chromium: Any, url: str) -> Iterator[Any]:
 
 
 @pytest.fixture
-def page(loaded: Any) -> Any:
+def page(loaded_page: Any) -> Any:
     """The page with nothing focused, at its start."""
-    loaded.evaluate(
+    loaded_page.evaluate(
         "() => { document.activeElement.blur(); window.nearfar.setPose(window.start ??= window.nearfar.pose); }"
     )
-    return loaded
+    return loaded_page
 
 
 def pose(page: Any) -> dict[str, Any]:
@@ -62,7 +62,7 @@ def has_moved(page: Any, before: dict[str, Any]) -> bool:
 
 
 def after_frames(page: Any) -> dict[str, Any]:
-    """The pose when keys that were pressed would have moved the user."""
+    """The pose after enough frames for pressed keys to have moved the user."""
     frames = (
         "() => new Promise((done) => { let n = 10; const f = () => (n-- ? requestAnimationFrame(f) : done()); f(); })"
     )
@@ -70,7 +70,7 @@ def after_frames(page: Any) -> dict[str, Any]:
     return pose(page)
 
 
-def test_tab_leads_through_everything_in_the_order_of_the_page(page: Any) -> None:
+def test_tab_visits_everything_in_the_order_of_the_page(page: Any) -> None:
     page.get_by_text("No headset is connected.").wait_for()
     names = []
     for _ in range(10):
@@ -87,7 +87,7 @@ def test_tab_leads_through_everything_in_the_order_of_the_page(page: Any) -> Non
     assert names == ["The scene", "Hide the figures", *buttons]
 
 
-def test_the_divider_is_moved_and_taken_away_by_keys(page: Any) -> None:
+def test_the_divider_is_moved_and_removed_by_keys(page: Any) -> None:
     page.keyboard.press("c")
     slider = page.get_by_role("slider")
     slider.focus()
@@ -107,14 +107,14 @@ def test_help_and_the_panel_are_opened_and_closed_by_keys(page: Any) -> None:
     page.keyboard.press("?")
     dialog = page.get_by_role("dialog", name="How to move")
     assert dialog.is_visible()
-    # The page does not mention headsets where there is none.
+    # The page does not mention headsets if there is none.
     assert not page.get_by_text("enter the headset").is_visible()
     before = pose(page)
     page.keyboard.down("w")
     assert after_frames(page) == before
     page.keyboard.up("w")
     page.keyboard.press("Escape")
-    # The next key is heard, although the focus stays in the closed dialog for a moment.
+    # The next key is processed, although the focus stays in the closed dialog for a moment.
     page.keyboard.press("i")
     assert not dialog.is_visible()
     assert not figures.is_visible()
@@ -143,7 +143,7 @@ def test_keys_gamepads_and_dragging_move(page: Any) -> None:
     page.keyboard.press("1")
 
 
-def test_a_saved_picture_is_the_one_on_the_screen_and_a_link_keeps_the_pose(page: Any, url: str) -> None:
+def test_a_saved_picture_equals_the_screen_and_a_link_restores_the_pose(page: Any, url: str) -> None:
     page.context.grant_permissions(["clipboard-read", "clipboard-write"])
     wanted = {"position": [3.5, 1.7, -2.25], "yaw": 0.5, "pitch": -0.1}
     page.evaluate("(pose) => window.nearfar.setPose(pose)", wanted)
@@ -170,7 +170,7 @@ def test_a_saved_picture_is_the_one_on_the_screen_and_a_link_keeps_the_pose(page
     wait_until(page, is_on_the_screen)
 
 
-def test_a_phone_has_room_for_everything_and_fingers_walk(chromium: Any, url: str) -> None:
+def test_everything_fits_on_a_phone_and_fingers_walk(chromium: Any, url: str) -> None:
     size = dict(zip(("width", "height"), PHONE, strict=True))
     around = chromium.new_context(viewport=size, has_touch=True, is_mobile=True, device_scale_factor=FINE)
     page = around.new_page()
@@ -179,7 +179,7 @@ def test_a_phone_has_room_for_everything_and_fingers_walk(chromium: Any, url: st
     assert wait_for_ring(page, 1) == ""
     for scheme in ("dark", "light"):
         page.emulate_media(color_scheme=scheme)
-        # Nothing reaches beyond the screen, no text is small, and a finger hits every button.
+        # Nothing extends beyond the screen, no text is small, and a finger hits every button.
         boxes = page.evaluate("""() => {
           const seen = [...document.querySelectorAll('button')].filter((one) => one.offsetParent);
           return seen.map((one) => {

@@ -1,4 +1,4 @@
-"""Both eyes of the page's immersive mode, in emulated headsets, beside the pictures of `nearfar.render`."""
+"""Both eyes of the page's immersive mode, in emulated headsets, compared with `nearfar.render`."""
 
 from __future__ import annotations
 
@@ -17,7 +17,6 @@ from tests.support.headset import (
     Quaternion,
     Vector,
     about,
-    alike,
     capture,
     empty_hands,
     expected,
@@ -30,6 +29,7 @@ from tests.support.headset import (
     point,
     rest,
     share_alike,
+    share_equal,
     squeeze,
     times,
     worn,
@@ -55,7 +55,7 @@ def eyes_of(head: tuple[Vector, Quaternion], kind: str) -> dict[str, nf.Camera]:
     return eyes(floor_under(START, YAW, FIRST), head, HEADSETS[kind], SIZE)
 
 
-def test_each_eye_is_shown_the_picture_of_its_own_position(chromium: Any, city: nf.Scene, tmp_path: Path) -> None:
+def test_each_eye_sees_the_picture_of_its_own_position(chromium: Any, city: nf.Scene, tmp_path: Path) -> None:
     need("web")
     kind = "quest3"
     bundle = nf.stream.export(city, tmp_path / "bundle", center=CENTER, radii=RADII, **SETTINGS)
@@ -71,7 +71,7 @@ def test_each_eye_is_shown_the_picture_of_its_own_position(chromium: Any, city: 
         look(page, *HEADS[1])
         found = capture(page, "shown.ring === 1 && shown.grown.strength === 1")
         assert found.shown["fading"] is None
-        # No layer of the browser shows the map where something moves.
+        # No browser layer shows the map where something moves.
         assert bundle._manifest["dynamic"]
         assert page.evaluate("() => window.emulated.layers.cube") is None
         # A ring fades in for both eyes.
@@ -93,7 +93,7 @@ def test_each_eye_is_shown_the_picture_of_its_own_position(chromium: Any, city: 
                 codes, inner = expected(bundle, {"ring": 2, **found.shown["grown"]}, cameras[side])
                 assert inner.mean() > 0.4
                 assert share_alike(pixels, codes, inner) >= 0.99
-            # Shaders were told both eyes' positions from the centre, and no other one.
+            # Shaders received both eyes' positions relative to the centre, and no others.
             places = np.array([np.subtract(cameras[side].position, CENTER) for side in ("left", "right")])
             assert found.eyes.shape == (2, 3)
             assert np.abs(found.eyes[np.argsort(found.eyes[:, 0])] - places[np.argsort(places[:, 0])]).max() < 1e-5
@@ -101,7 +101,7 @@ def test_each_eye_is_shown_the_picture_of_its_own_position(chromium: Any, city: 
 
 
 def test_walking_on_leads_to_the_next_region(chromium: Any, tmp_path: Path) -> None:
-    """A jump leads over the border between two centres, where the next one's picture takes over for both eyes."""
+    """A jump leads across the border between two centres, where the next one's picture takes over for both eyes."""
     need("web")
     centers = [CENTER, (CENTER[0], CENTER[1], CENTER[2] - 8.0)]
     scene = nf.datasets.city(blocks=2, detail=1)
@@ -129,4 +129,4 @@ def test_walking_on_leads_to_the_next_region(chromium: Any, tmp_path: Path) -> N
         assert np.hypot(*(floor.position - centers[1])[[0, 2]]) < 7
         region, grown = bundle.region(1), found.shown["grown"]
         cameras = eyes(floor, (FIRST, level), HEADSETS["quest3"], SIZE)
-        assert alike(region, {"ring": 1, **grown}, found, cameras) >= 0.98
+        assert share_equal(region, {"ring": 1, **grown}, found, cameras) >= 0.98

@@ -38,7 +38,7 @@ CENTER: Vector = (3.0, 1.7, -2.0)
 START: Vector = (3.4, 1.7, -2.3)
 YAW = 0.6
 LIMIT = 7.0
-"""Metres from the centre at which the picture of a radius of 10 m folds."""
+"""Distance from the centre in metres at which the picture of a radius of 10 m folds."""
 HEAD: Vector = (0.2, 1.6, -0.1)
 FIRST: Vector = (0.0, 1.6, 0.0)
 STRAIGHT = (0.0, 0.0, 0.0, 1.0)
@@ -46,7 +46,7 @@ STRAIGHT = (0.0, 0.0, 0.0, 1.0)
 
 @pytest.fixture(scope="module")
 def page(chromium: Any, street: Path) -> Iterator[Any]:
-    """A page that all tests enter anew, at the same place."""
+    """A page that every test enters again, at the same place."""
     need("web")
     place = ",".join(map(str, START))
     with Server.of_bundle(street) as server:
@@ -74,7 +74,7 @@ def entered(page: Any) -> tuple[Any, Floor]:
 
 
 def at_rest(page: Any) -> Floor:
-    """The floor when it has stopped and no jump is on its way."""
+    """The floor once it has stopped and no jump is in progress."""
     rest(page)
     return floor_of(page, CENTER)
 
@@ -87,9 +87,9 @@ def away(place: NDArray[np.float64]) -> float:
     return float(np.hypot(place[0] - CENTER[0], place[2] - CENTER[2]))
 
 
-def test_sticks_walk_the_way_the_head_looks_and_turn_in_steps_around_it(entered: tuple[Any, Floor]) -> None:
+def test_sticks_walk_in_the_heads_direction_and_turn_in_steps_about_it(entered: tuple[Any, Floor]) -> None:
     page, before = entered
-    # The head stands where the page was.
+    # The head stands at the page's position.
     expected = floor_under(START, YAW, FIRST)
     assert np.allclose(before.position, expected.position, atol=1e-5)
     assert before.yaw == pytest.approx(expected.yaw)
@@ -109,14 +109,14 @@ def test_sticks_walk_the_way_the_head_looks_and_turn_in_steps_around_it(entered:
     assert np.arctan2(-step[0], -step[2]) == pytest.approx(YAW + np.radians(30) + 0.4, abs=1e-4)
 
 
-def test_neither_steps_nor_jumps_nor_the_body_lead_beyond_the_margin(entered: tuple[Any, Floor]) -> None:
+def test_steps_jumps_and_the_body_stay_within_the_margin(entered: tuple[Any, Floor]) -> None:
     page, before = entered
     push(page, "left", 0.0, -1.0, pressed=True)
     farthest = away(head_of(at_rest(page)))
     push(page, "left", 0.0, 0.0)
     half = HEADSETS["quest3"] / 2
     assert 0.9 * LIMIT < farthest < LIMIT - half
-    # Upwards at 40° it would lead some seven metres on.
+    # Upwards at 40° it would lead some seven metres farther.
     point(page, "right", (0.2, 1.2, -0.2), about((1, 0, 0), 0.7))
     frames(page, 3)
     squeeze(page, "right", 1)
@@ -126,7 +126,7 @@ def test_neither_steps_nor_jumps_nor_the_body_lead_beyond_the_margin(entered: tu
     place, aside = head_of(floor), floor.eye(HEAD, STRAIGHT, half)[0]
     assert 0.95 * LIMIT < away(place) < LIMIT
     assert away(aside) <= LIMIT
-    # A body that walks out takes the floor along.
+    # A body that walks out moves the floor along.
     for metres in (2.0, 6.0, 9.0):
         head: Vector = (HEAD[0], HEAD[1], HEAD[2] - metres)
         look(page, head, STRAIGHT)
@@ -135,7 +135,7 @@ def test_neither_steps_nor_jumps_nor_the_body_lead_beyond_the_margin(entered: tu
         for aside_by in (-half, half):
             assert away(floor.eye(head, STRAIGHT, aside_by)[0]) <= LIMIT
     assert not np.allclose(floor.position, before.position, atol=1)
-    # A step back is a step back at once.
+    # A step back takes effect at once.
     back: Vector = (head[0], head[1], head[2] + 0.5)
     look(page, back, STRAIGHT)
     frames(page, 3)
@@ -143,7 +143,7 @@ def test_neither_steps_nor_jumps_nor_the_body_lead_beyond_the_margin(entered: tu
 
 
 @pytest.mark.parametrize(("kind", "hand"), [("controllers", "left"), ("hands", "right")])
-def test_a_jump_lands_where_it_was_aimed(entered: tuple[Any, Floor], kind: str, hand: str) -> None:
+def test_a_jump_lands_at_its_target(entered: tuple[Any, Floor], kind: str, hand: str) -> None:
     page, before = entered
     if kind == "hands":
         page.evaluate("() => { window.emulated.device.primaryInputMode = 'hand'; }")
@@ -159,7 +159,7 @@ def test_a_jump_lands_where_it_was_aimed(entered: tuple[Any, Floor], kind: str, 
     ray, aimed = target_of(page, hand)
     goal = thrown(before, *ray)
     assert away(goal) < LIMIT - 0.1
-    # The ring lies where the arc comes down, on the floor.
+    # The ring lies on the floor where the arc comes down.
     assert aimed is not None
     world = before.position + np.array(floor_turned(before, aimed))
     assert np.allclose(world, goal, atol=1e-3)
@@ -173,7 +173,7 @@ def test_a_jump_lands_where_it_was_aimed(entered: tuple[Any, Floor], kind: str, 
 
 
 def floor_turned(floor: Floor, local: Vector) -> list[float]:
-    """A point of the headset's space relative to the floor's origin, in the directions of the world."""
+    """A point of the headset's space relative to the floor's origin, in world directions."""
     cos, sin = np.cos(floor.yaw), np.sin(floor.yaw)
     return [cos * local[0] + sin * local[2], local[1], -sin * local[0] + cos * local[2]]
 
@@ -207,13 +207,13 @@ DRAWN = """() => { const found = { joints: 0, bodies: 0 };
   return found; }"""
 
 
-def test_the_system_tells_of_hands_menus_and_new_origins(entered: tuple[Any, Floor]) -> None:
+def test_hands_system_menus_and_new_origins_are_handled(entered: tuple[Any, Floor]) -> None:
     page, before = entered
     assert page.evaluate(DRAWN) == {"joints": 0, "bodies": 2}
     page.evaluate("() => { window.emulated.device.primaryInputMode = 'hand'; }")
     frames(page, 3)
     assert page.evaluate(DRAWN) == {"joints": 50, "bodies": 0}
-    # A menu of the system takes the hands away.
+    # A system menu hides the hands.
     page.evaluate("() => { window.emulated.device.primaryInputMode = 'controller'; }")
     page.evaluate("() => window.emulated.device.updateVisibilityState('visible-blurred')")
     push(page, "left", 0.0, -1.0)
@@ -222,7 +222,7 @@ def test_the_system_tells_of_hands_menus_and_new_origins(entered: tuple[Any, Flo
     push(page, "left", 0.0, 0.0)
     page.evaluate("() => window.emulated.device.updateVisibilityState('visible')")
     frames(page, 4)
-    # Recentring leaves the head where it is.
+    # Recentring keeps the head's position.
     place = head_of(before)
     page.evaluate("() => window.emulated.device.recenter()")
     frames(page, 4)
@@ -232,7 +232,7 @@ def test_the_system_tells_of_hands_menus_and_new_origins(entered: tuple[Any, Flo
     assert np.hypot(*(np.add(found, CENTER) - place)[[0, 2]]) < 0.05
 
 
-def test_leaving_goes_on_where_the_head_was(page: Any) -> None:
+def test_leaving_the_headset_keeps_the_heads_pose(page: Any) -> None:
     look(page, (0.5, 1.2, -0.5), STRAIGHT)
     floor = at_rest(page)
     place = head_of(floor, (0.5, 1.2, -0.5))
@@ -242,7 +242,7 @@ def test_leaving_goes_on_where_the_head_was(page: Any) -> None:
     expected = (place[0], floor.position[1] + 1.7, place[2])
     wait_until(page, lambda: np.allclose(floor_of(page, CENTER).position, expected, atol=1e-4))
     assert floor_of(page, CENTER).yaw == 0
-    # And the headset begins where the screen has stopped.
+    # The headset then begins where the screen stopped.
     look(page, FIRST, STRAIGHT)
     enter(page)
     wait_until(page, lambda: page.evaluate(presents))

@@ -1,4 +1,4 @@
-"""The map of the page's immersive mode as a layer of the browser's, and samples of its framebuffer.
+"""The map of the page's immersive mode as a browser layer, and multisampling of its framebuffer.
 
 Layers are tested with a stand-in for the browser's part of WebXR Layers (web/tests/xr/layers.ts): no browser has a
 headset here. The stand-in draws the layers of a session onto the canvas.
@@ -21,7 +21,6 @@ from tests.support.headset import (
     Quaternion,
     Vector,
     about,
-    alike,
     capture,
     empty_hands,
     eyes,
@@ -31,6 +30,7 @@ from tests.support.headset import (
     frames,
     look,
     push,
+    share_equal,
     times,
     worn,
 )
@@ -60,9 +60,7 @@ def cameras(floor: Floor) -> dict[str, nf.Camera]:
     return eyes(floor, HEAD, HEADSETS["quest2"], SIZE)
 
 
-def test_a_layer_of_the_browser_shows_the_map_while_nothing_changes(
-    chromium: Any, city: nf.Scene, tmp_path: Path
-) -> None:
+def test_a_browser_layer_shows_the_map_while_nothing_changes(chromium: Any, city: nf.Scene, tmp_path: Path) -> None:
     need("web")
     settings: dict[str, Any] = {"face_size": 256, "quality": None, "pixels_per_degree": None}
     # Nothing moves.
@@ -78,34 +76,35 @@ def test_a_layer_of_the_browser_shows_the_map_while_nothing_changes(
         found = capture(page, f"shown.grown.strength === 1 && {CLEAR}")
         assert counts(page)["writes"] == 1
         assert (
-            alike(bundle, {"ring": 1, **found.shown["grown"]}, found, cameras(floor_under(START, YAW, FIRST))) >= 0.99
+            share_equal(bundle, {"ring": 1, **found.shown["grown"]}, found, cameras(floor_under(START, YAW, FIRST)))
+            >= 0.99
         )
-        # The map stays where it is when the user turns.
+        # The map stays in place when the user turns.
         push(page, "right", 1.0, 0.0)
         frames(page, 3)
         turned = floor_of(page, CENTER)
         assert np.degrees(turned.yaw - YAW) == pytest.approx(-30)
         found = capture(page, CLEAR)
-        assert alike(bundle, {"ring": 1, **found.shown["grown"]}, found, cameras(turned)) >= 0.99
+        assert share_equal(bundle, {"ring": 1, **found.shown["grown"]}, found, cameras(turned)) >= 0.99
         assert counts(page)["writes"] == 1
-        # A map that the browser loses is copied again, and drawn by the page in the meantime.
+        # A map lost by the browser is copied again, and drawn by the page in the meantime.
         page.evaluate("() => { window.emulated.layers.cube.needsRedraw = true; }")
         frames(page, 3)
         assert counts(page)["writes"] == 2
-        # three.js lets go of samples when it resolves them: what is drawn after that would be lost on a device.
+        # three.js discards samples when it resolves them: later draws would be lost on a device.
         page.evaluate("() => { Object.assign(window.emulated.layers, { lost: 0, resolves: 0 }); }")
         frames(page, 5)
-        # With one sample a pixel there would be nothing to resolve.
+        # With one sample per pixel there would be nothing to resolve.
         assert counts(page)["resolves"] >= 4
         assert counts(page)["lost"] == 0
         # The page draws the map while it changes.
         page.let_go()
-        # Of that very frame: a busy machine may have shown others when the answer is here.
+        # Counts of that very frame: a busy machine may have drawn others before the answer arrives.
         noted = "((window.clearThen = window.emulated.layers.clear), true)"
         found = capture(page, f"shown.fading && shown.fading.share > 0.1 && {noted}")
         assert page.evaluate("() => window.clearThen") == 0
         assert found.shown["fading"]["ring"] == 2
         found = capture(page, f"shown.ring === 2 && shown.grown.radius === {RADII[1]} && {CLEAR}")
-        assert alike(bundle, {"ring": 2, **found.shown["grown"]}, found, cameras(turned)) >= 0.99
+        assert share_equal(bundle, {"ring": 2, **found.shown["grown"]}, found, cameras(turned)) >= 0.99
         assert counts(page)["writes"] == 3
         assert page.printed == []

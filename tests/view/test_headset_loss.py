@@ -1,4 +1,4 @@
-"""Graphics that the browser takes away while somebody wears a headset."""
+"""Loss of the graphics context while the user wears a headset."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ LOSE = """() => {
   window.loss.loseContext();
 }"""
 EMULATOR = "Cannot read properties of null (reading '0')"
-"""The emulator asks a lost context for its colour of clearing, in the frame after the loss."""
+"""The emulator reads the clear colour of a lost context, in the frame after the loss."""
 PRESENTS = "() => window.nearfar.viewer.renderer.xr.isPresenting"
 
 
@@ -37,9 +37,9 @@ def page(chromium: Any, street: Path) -> Iterator[Any]:
         yield shown
 
 
-def test_a_loss_leads_out_of_the_headset_and_back(page: Any) -> None:
+def test_a_context_loss_leaves_the_headset_which_can_be_entered_again(page: Any) -> None:
     page.evaluate(LOSE)
-    # Nobody stays in the dark: the page with its message is seen again.
+    # The user does not stay in the dark: the page with its message is visible again.
     wait_until(page, lambda: not page.evaluate(PRESENTS))
     wait_until(page, lambda: "graphics" in page.locator("#message").inner_text())
     page.evaluate("() => window.loss.restoreContext()")

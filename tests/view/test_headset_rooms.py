@@ -67,7 +67,7 @@ def pixel_in(eye: nf.Camera, target: NDArray[np.float64]) -> NDArray[np.float64]
     return np.asarray(eye.project(shown)[0, :2], np.float64)
 
 
-def test_each_eye_sees_the_pointer_of_another_user_end_where_it_should(page: Any, city: nf.Scene) -> None:
+def test_each_eye_sees_another_users_pointer_end_at_its_target(page: Any, city: nf.Scene) -> None:
     empty_hands(page)
     begin, ahead = np.array([2.2, 1.5, -3.5]), np.array([0.643, 0.03, -0.766])
     ahead /= np.linalg.norm(ahead)
@@ -97,13 +97,13 @@ def test_each_eye_sees_the_pointer_of_another_user_end_where_it_should(page: Any
 
 
 def body(page: Any) -> dict[str, Any]:
-    """The body that the user shows of itself."""
+    """The body that the user sends to others."""
     frames(page, 4)
     return dict(page.evaluate("() => window.nearfar.room.body"))
 
 
 def check_pointer(page: Any, city: nf.Scene) -> None:
-    """The right hand's pointer ends where its ray meets the scene."""
+    """Check that the right hand's pointer ends where its ray meets the scene."""
     found = body(page)
     assert found["pointer"] is not None
     assert found["pointer"]["begin"] == "right"
@@ -113,7 +113,7 @@ def check_pointer(page: Any, city: nf.Scene) -> None:
     assert length == pytest.approx(hit, abs=0.01)
 
 
-def test_controllers_point_by_their_grip_and_hands_by_the_index_finger(page: Any, city: nf.Scene) -> None:
+def test_controllers_point_by_grip_and_hands_by_index_finger(page: Any, city: nf.Scene) -> None:
     grip = "(value) => window.emulated.device.controllers.right.updateButtonValue('squeeze', value)"
     point(page, "right", (0.3, 1.3, -0.3), about((1, 0, 0), -0.15))
     assert body(page)["pointer"] is None

@@ -1,4 +1,4 @@
-"""Work that a page does at once on its main thread for rings that arrive."""
+"""Blocking work on the page's main thread when rings arrive."""
 
 from __future__ import annotations
 
@@ -68,10 +68,10 @@ LINKS = """
     return useProgram.call(this, program);
   };
 """
-"""Notes for each program, when it is first used, whether the GPU was known to have done all until its linking."""
+"""Records for each program, at its first use, whether the GPU had completed all commands up to its linking."""
 
 
-def test_no_frame_waits_for_the_compilation_of_a_program(chromium: Any, tmp_path: Path) -> None:
+def test_no_frame_waits_for_shader_compilation(chromium: Any, tmp_path: Path) -> None:
     builder = nf.SceneBuilder()
     corners, faces = [[-3, 0, -3], [3, 0, -3], [0, 0, 3]], [[0, 2, 1]]
     for number, normals in enumerate((None, [[0.0, 1, 0]] * 3)):
@@ -86,6 +86,6 @@ def test_no_frame_waits_for_the_compilation_of_a_program(chromium: Any, tmp_path
         uses = page.evaluate("() => window.uses")
         assert page.printed == []
     assert [is_done for kind, is_done in uses if kind == "smooth"] == [True]
-    # All but that of the map, which the first picture needs.
+    # All except that of the map, which the first picture needs.
     assert [is_done for _, is_done in uses].count(False) <= 1
     assert len(uses) >= 3

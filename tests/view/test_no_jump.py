@@ -1,4 +1,4 @@
-"""Whole loads of a city on a stepped clock: no frame of the page jumps, beside CloVRd, which shows rings at once."""
+"""Complete loads of a city on a stepped clock: no frame of the page jumps, unlike CloVRd, which shows rings at once."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ SIZE = (640, 400)
 RATE = 72.0
 RADII = (10.0, 17.0, 22.0, 32.0, 63.0)
 PAIRS = 5
-"""Pairs of consecutive frames that are looked at in a cross-fade, and while the morph grows for a ring."""
+"""Numbers of compared pairs of consecutive frames in a cross-fade, and while the morph grows for a ring."""
 SMOOTH = 0.999
 """Least continuity: that of bent rays in the same growth is 0.99902 (docs/stream.md)."""
 
@@ -75,7 +75,7 @@ def pairs(page: SteppedPage, pose: dict[str, Any], seconds: float) -> NDArray[np
 
 
 def wait_for(page: SteppedPage, pose: dict[str, Any], ring: int) -> None:
-    """Frames without time, until a ring is there."""
+    """Draw frames of zero duration until a ring is loaded."""
     wait_until(page.page, lambda: page.frame(pose, 0.0)["arrived"] >= ring)
 
 

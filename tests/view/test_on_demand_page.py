@@ -1,4 +1,4 @@
-"""The page on a scene whose regions are made on demand: coarse and full maps, walking on, jumps, refusals."""
+"""The page with a scene whose regions are made on demand: coarse and full maps, walking on, jumps, refusals."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ PLACE = """() => {
   const lines = [...document.querySelectorAll('dt')];
   return lines.find((line) => line.textContent === 'Place').nextSibling.textContent;
 }"""
-"""The panel's row on the place."""
+"""The panel's row about the place."""
 
 
 @pytest.fixture(scope="module")
@@ -54,7 +54,7 @@ def link(place: dict[str, Any]) -> str:
 
 
 def until(page: SteppedPage, place: dict[str, Any], happened: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:
-    """Draw frames until one of them tells what is asked for; returns what it tells."""
+    """Draw frames until the page's state meets a condition; returns the state."""
     told: dict[str, Any] = {}
 
     def has_happened() -> bool:
@@ -67,7 +67,7 @@ def until(page: SteppedPage, place: dict[str, Any], happened: Callable[[dict[str
 
 
 def is_refined(told: dict[str, Any]) -> bool:
-    """All rings are shown, and the maps of full size after them."""
+    """Whether all rings are shown, and then the maps of full size."""
     shown = told["shown"]
     return not told["isLoading"] and told["leaving"] is None and shown is not None and shown["fading"] is None
 
@@ -81,7 +81,7 @@ def grown(page: SteppedPage, place: dict[str, Any]) -> tuple[dict[str, Any], NDA
 
 
 @pytest.mark.stress
-def test_coarse_maps_come_first_and_then_the_picture_of_the_bundle(
+def test_coarse_maps_are_followed_by_the_picture_of_the_bundle(
     chromium: Any, city: nf.Scene, server: Server, tmp_path: Path
 ) -> None:
     here = pose(3.4, -2.6)
@@ -123,7 +123,7 @@ def continuity(pictures: list[NDArray[np.uint8]]) -> NDArray[np.float64]:
 
 
 @pytest.mark.stress
-def test_maps_of_full_size_come_without_a_jump(chromium: Any, server: Server) -> None:
+def test_full_size_maps_appear_without_a_jump(chromium: Any, server: Server) -> None:
     here = pose(-9.0, 8.0)
     with open_page(chromium, *SIZE) as shown:
         shown.goto(f"{server.url}?aa=0{link(here)}")
@@ -141,7 +141,7 @@ def test_maps_of_full_size_come_without_a_jump(chromium: Any, server: Server) ->
 
 
 @pytest.mark.stress
-def test_a_jump_leads_to_a_place_that_is_made_for_it(chromium: Any, server: Server) -> None:
+def test_a_jump_requests_a_new_place(chromium: Any, server: Server) -> None:
     here, there = pose(3.0, -2.0), pose(-42.0, 36.0)
     asked: list[str] = []
     with open_page(chromium, *SIZE) as shown:
@@ -152,7 +152,7 @@ def test_a_jump_leads_to_a_place_that_is_made_for_it(chromium: Any, server: Serv
         shown.evaluate("(target) => window.nearfar.viewer.go(target)", there)
         told = until(page, here, lambda told: told["goal"] is not None)
         before = told["region"]
-        # The old picture stays until the new place has one, and goes by a fade.
+        # The old picture stays until the new place has one, and then fades.
         told = until(page, there, lambda told: told["region"] != before)
         assert (told["leaving"], told["goal"]) == (before, None)
         told, _ = grown(page, there)
@@ -166,7 +166,7 @@ def test_a_jump_leads_to_a_place_that_is_made_for_it(chromium: Any, server: Serv
 
 
 @pytest.mark.stress
-def test_walking_on_leads_to_the_next_place(chromium: Any, server: Server) -> None:
+def test_walking_on_requests_the_next_place(chromium: Any, server: Server) -> None:
     asked: list[str] = []
     margin = NEAR_SHARE * SETTINGS["radii"][-1]
     with open_page(chromium, *SIZE) as shown:
@@ -189,7 +189,7 @@ def test_walking_on_leads_to_the_next_place(chromium: Any, server: Server) -> No
         told = walk(0.45 * margin, 0.6 * margin)
         assert told["region"] == first
         here = pose(0.0, 0.6 * margin)
-        # With all its rings and maps of full size it takes over as if nothing had happened.
+        # With all its rings and full-size maps it takes over without a visible change.
         told = until(page, here, lambda told: told["region"] != first)
         assert told["leaving"] == first
         assert told["arrived"] == RINGS + 1
@@ -201,7 +201,7 @@ def test_walking_on_leads_to_the_next_place(chromium: Any, server: Server) -> No
 
 
 class Watched(LoadedScene):
-    """Remembers which places were begun, and which ended before they were whole."""
+    """Records which places were begun, and which ended before they were complete."""
 
     def __init__(self, *more: Any, **settings: Any) -> None:
         super().__init__(*more, **settings)
@@ -213,7 +213,7 @@ class Watched(LoadedScene):
         is_whole = False
         try:
             for part in super().parts(center):
-                # The server asks for nothing after the last part.
+                # The server requests nothing after the last part.
                 is_whole = part.next is None
                 yield part
         finally:
@@ -221,7 +221,7 @@ class Watched(LoadedScene):
                 self.left.append(tuple(center))
 
 
-def test_a_place_that_is_not_wanted_any_more_is_not_made(chromium: Any, city: nf.Scene) -> None:
+def test_a_cancelled_place_is_not_completed(chromium: Any, city: nf.Scene) -> None:
     scene = Watched(lambda: city, start=lambda _: viewpoint.facing(START, (3, 1.75, -9)), **{**SETTINGS, "samples": 64})
     failed: list[str] = []
     with Server({"": Site.of_scene(scene, None)}) as server, open_page(chromium, *SIZE) as shown:
@@ -240,7 +240,7 @@ def test_a_place_that_is_not_wanted_any_more_is_not_made(chromium: Any, city: nf
     assert "at/-42,1.75,36/parts" in failed
 
 
-def test_a_scene_that_cannot_be_loaded_is_told(chromium: Any) -> None:
+def test_a_scene_that_cannot_be_loaded_is_shown_as_an_error(chromium: Any) -> None:
     def load() -> nf.Scene:
         raise ValueError("disk.glb: the disk is gone")
 
@@ -255,8 +255,8 @@ def test_a_scene_that_cannot_be_loaded_is_told(chromium: Any) -> None:
         assert shown.evaluate("() => document.querySelectorAll('.wait').length") == 0
 
 
-def test_a_place_that_cannot_be_made_leaves_the_picture(chromium: Any, city: nf.Scene) -> None:
-    # Radii are chosen for each centre, and there are none where nothing is.
+def test_a_place_that_cannot_be_made_keeps_the_picture(chromium: Any, city: nf.Scene) -> None:
+    # Radii are chosen for each centre, and there are none in empty space.
     settings = {**SETTINGS, "radii": None, "face_size": 64}
     scene = LoadedScene(lambda: city, start=lambda _: viewpoint.facing(START, (3, 1.75, -9)), **settings)
     asked: list[str] = []
@@ -271,7 +271,7 @@ def test_a_place_that_cannot_be_made_leaves_the_picture(chromium: Any, city: nf.
         wait_until(shown, lambda: shown.evaluate("() => window.nearfar.viewer.facts.goal === null"))
         assert shown.evaluate("() => window.nearfar.viewer.facts.region") == 0
         assert shown.evaluate("() => Boolean(window.nearfar.viewer.facts.shown)")
-        # Trying again asks again, and another place makes up for it.
+        # A retry sends a new request, and another place replaces the failed one.
         shown.keyboard.press("r")
         wait_until(shown, lambda: asked.count("at/90000,1.75,0/parts") == 2)
         wait_until(shown, lambda: shown.evaluate(MESSAGE))
@@ -307,7 +307,7 @@ def test_strategies_by_footprint_are_refused(chromium: Any, server: Server) -> N
         assert "strategy: expected clovr or clovrd" in shown.evaluate(MESSAGE)
 
 
-def test_rings_come_at_once_where_the_address_says_so(chromium: Any, server: Server) -> None:
+def test_rings_appear_at_once_if_the_address_requests_it(chromium: Any, server: Server) -> None:
     here = pose(3.0, -2.0)
     with open_page(chromium, *SIZE) as shown:
         shown.goto(f"{server.url}?aa=0&strategy=clovrd&rings=1{link(here)}")

@@ -1,4 +1,4 @@
-"""Pictures of the page beside those of bent rays: four scenes, four radii and strengths of each, three poses."""
+"""Pictures of the page compared with bent rays: four scenes, four radii and strengths of each, three poses."""
 
 from __future__ import annotations
 
@@ -23,21 +23,21 @@ SIZE = (360, 240)
 
 
 def shows(page: SteppedPage, start: dict[str, Any], ring: int) -> bool:
-    """Draw a frame; whether it shows this ring."""
+    """Draw a frame; returns whether it shows this ring."""
     shown = page.frame(start, 0.1)["shown"]
     return bool(shown) and shown["ring"] == ring
 
 
 @pytest.mark.parametrize("name", PAGE_SCENES)
-def test_pictures_are_those_of_bent_rays(chromium: Any, tmp_path: Path, name: str) -> None:
+def test_pictures_equal_bent_rays(chromium: Any, tmp_path: Path, name: str) -> None:
     case = PAGE_SCENES[name]
-    # Without loss, so that only the drawing differs.
+    # Lossless, so that only the drawing differs.
     settings: dict[str, Any] = {"face_size": 256, "quality": None, "pixels_per_degree": None}
     bundle = nf.stream.export(case.make(), tmp_path / "bundle", center=case.center, radii=case.radii, **settings)
     start = {"position": list(case.center), "yaw": 0.0, "pitch": 0.0}
     with Server.of_bundle(bundle._reader.place) as server, open_page(chromium, *SIZE) as shown:
         held = HeldRings(shown, bundle)
-        # Samples within a pixel would mix colours of several faces.
+        # Multiple samples would mix colours of several faces.
         shown.goto(f"{server.url}?aa=0&strategy=clovrd")
         page = SteppedPage(shown)
         for ring, radius, strength in ((0, 0.0, 0.0), *case.shown):
@@ -47,7 +47,7 @@ def test_pictures_are_those_of_bent_rays(chromium: Any, tmp_path: Path, name: st
             picture: dict[str, Any] = {"ring": ring, "radius": radius, "strength": strength}
             drawn = bundle.at(**picture)
             for away, yaw, pitch in case.poses:
-                # Before ring 1 everybody sees what the centre does.
+                # Before ring 1 everything is shown from the centre.
                 eye = np.add(case.center, away).tolist() if ring > 0 else case.center
                 found = still(shown, picture, {"position": eye, "yaw": yaw, "pitch": pitch})
                 frame = drawn.render(camera(eye, yaw, pitch, SIZE), channels=("color", "face_id"), method="exact")
@@ -57,6 +57,6 @@ def test_pictures_are_those_of_bent_rays(chromium: Any, tmp_path: Path, name: st
                     continue
                 assert inner.mean() > 0.4
                 assert is_equal[inner].mean() >= 0.99
-                # Along edges of faces a rounded coordinate decides what a pixel shows.
+                # Along edges of faces rounding of coordinates decides what a pixel shows.
                 assert is_equal[~inner].mean() >= 0.9
         assert shown.printed == []

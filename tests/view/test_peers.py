@@ -1,4 +1,4 @@
-"""Pages of one room take files from each other by WebRTC; web/tests/peers_*.test.ts have all else in memory."""
+"""Pages of one room exchange files by WebRTC; web/tests/peers_*.test.ts test everything else in memory."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ TICKS_ARE_LONG = """() => {
   const later = window.setTimeout;
   window.setTimeout = (action, delay, ...given) => later(action, delay === 250 ? 5000 : delay, ...given);
 }"""
-"""Pages wait twenty times as long for each other: on a busy machine one that is slow is no silent one."""
+"""Pages wait twenty times as long for each other: on a busy machine a slow page is not a silent one."""
 
 CONNECTIONS_ARE_COUNTED = """() => {
   window.connections = 0;
@@ -57,7 +57,7 @@ def url(folder: Path) -> Iterator[str]:
 
 @pytest.fixture
 def pages(chromium: Any) -> Iterator[Any]:
-    """Makes pages, which a script may change before their own; what they print is looked at in the end."""
+    """A factory of pages, with a script that runs before their own; their output is checked at the end."""
     with ExitStack() as stack:
         made: list[PeerPage] = []
 
@@ -71,7 +71,7 @@ def pages(chromium: Any) -> Iterator[Any]:
         assert [line for page in made for line in page.page.printed] == []
 
 
-def test_pages_take_what_others_have_from_them(pages: Any, url: str, folder: Path) -> None:
+def test_pages_fetch_files_from_other_pages(pages: Any, url: str, folder: Path) -> None:
     size = nf.stream.open(folder).nbytes
     first, *others = (pages(TICKS_ARE_LONG) for _ in range(3))
     first.open(url, "turns")
@@ -87,13 +87,13 @@ def test_pages_take_what_others_have_from_them(pages: Any, url: str, folder: Pat
     assert bytes_of(folder, [first, *others]) < 1.5 * size
     words, card = "from others", others[0].page.locator(".here")
     wait_until(others[0].page, lambda: words in card.text_content() and "0 B from others" not in card.text_content())
-    # The channel of a page that goes is closed.
+    # The channel of a closed page ends.
     first.page.close()
     numbers = [page.told()["user"] for page in others]
     wait_until(others[0].page, lambda: [page.told()["open"] for page in others] == [[n] for n in numbers[::-1]])
 
 
-def test_garbage_signals_end_their_own_connection_and_who_does_not_want_any_has_none(pages: Any, url: str) -> None:
+def test_malformed_signals_end_their_own_connection_and_opting_out_has_none(pages: Any, url: str) -> None:
     rude, page, other, alone = (pages(CONNECTIONS_ARE_COUNTED) for _ in range(4))
     for each in (rude, page, other):
         each.open(url, "signals", "&rings=0")

@@ -1,4 +1,4 @@
-"""Tests of the benchmark of frame rates: what it makes of the times of frames, and the flags that browsers draw by."""
+"""Tests of the frame rate benchmark: evaluation of frame times, and drawing flags of browsers."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ CHECKOUT = Path(__file__).resolve().parents[2]
 
 
 def test_each_sector_of_a_turn_has_its_own_rate() -> None:
-    # Half a turn at 100 frames a second, the other half at 25.
+    # Half of a turn at 100 frames a second, the other half at 25.
     times = np.concatenate([np.arange(60) * 10.0, 600.0 + np.arange(61) * 40.0])
     angles = np.linspace(0.0, 2.0 * np.pi, 121)
     found = _turns.rates([*zip(angles, times, strict=True)])
@@ -27,14 +27,14 @@ def test_a_sector_that_a_long_frame_skips_has_no_rate() -> None:
     np.testing.assert_allclose(found, [1.0, 2.0])
 
 
-def test_rates_while_loading_are_of_whole_windows() -> None:
+def test_rates_while_loading_are_measured_over_whole_windows() -> None:
     begins = [*np.arange(0.0, 0.5, 0.02), *np.arange(0.5, 1.0, 0.1), 1.05, 1.1]
     assert _loading.rates(begins) == [50.0, 10.0]
-    # A load that is shorter than a window has one all the same.
+    # A load shorter than a window counts as one window.
     assert _loading.rates([5.0, 5.1, 5.2]) == [6.0]
 
 
-def test_browsers_draw_by_the_flags_that_are_named() -> None:
+def test_browsers_use_the_named_drawing_flags() -> None:
     code = "from tests.support.reader_cases import BROWSER_FLAGS; print(*BROWSER_FLAGS)"
     environment = {**os.environ, "NEARFAR_BROWSER_DRAWING": "--use-angle=vulkan --one"}
     done = subprocess.run([sys.executable, "-c", code], cwd=CHECKOUT, env=environment, capture_output=True, text=True)

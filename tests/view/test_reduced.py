@@ -1,4 +1,4 @@
-"""Reduced scenes as bundles: their files, and what they show."""
+"""Reduced scenes as bundles: their files and pictures."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def maps_of(files: dict[str, bytes], ring: int) -> tuple[Any, Any]:
 
 
 @pytest.mark.parametrize("morph", ["blend", "cylinder"])
-def test_files_are_those_of_a_bundle(scene: nf.Scene, morph: str) -> None:
+def test_files_form_a_bundle(scene: nf.Scene, morph: str) -> None:
     reduced = reduced_room(scene, morph=morph)
     files = _reduced.files_of(reduced)
     manifest = manifest_of(files)
@@ -61,7 +61,7 @@ def test_files_are_those_of_a_bundle(scene: nf.Scene, morph: str) -> None:
     assert files == _reduced.files_of(reduced)
 
 
-def test_map_0_is_what_the_centre_sees_and_map_1_that_of_the_scene(scene: nf.Scene) -> None:
+def test_map_0_is_the_view_from_the_centre_and_map_1_the_scenes_map(scene: nf.Scene) -> None:
     reduced = reduced_room(scene, channels=("color", "range"))
     files = _reduced.files_of(reduced)
     color, ranges = maps_of(files, 1)
@@ -85,7 +85,7 @@ def test_map_0_is_what_the_centre_sees_and_map_1_that_of_the_scene(scene: nf.Sce
         assert np.abs(first[face] - np.clip(truth, 0, 1)).mean() < 0.01
 
 
-def test_maps_of_any_size_and_none(scene: nf.Scene) -> None:
+def test_maps_of_any_size_or_none_are_accepted(scene: nf.Scene) -> None:
     for size, stored in ((8, 64), (100, 128)):
         files = _reduced.files_of(reduced_room(scene, face_size=size))
         assert manifest_of(files)["map"]["face_size"] == stored
@@ -104,7 +104,7 @@ def test_moving_objects_are_dynamic(scene: nf.Scene) -> None:
     assert set(names) <= {entry["object"] for entry in dynamic["instances"]}
 
 
-def test_what_has_no_morph_is_refused(scene: nf.Scene, tmp_path: Path) -> None:
+def test_scenes_without_a_morph_are_refused(scene: nf.Scene, tmp_path: Path) -> None:
     plain = reduced_room(scene, morph="none", boundary="r1")
     with pytest.raises(ValueError, match=r"^morph: expected 'blend' or 'cylinder' to show, got 'none'"):
         _reduced.files_of(plain)
@@ -129,7 +129,7 @@ def test_a_saved_scene_has_the_files_of_the_scene(scene: nf.Scene, tmp_path: Pat
         assert (tmp_path / "light" / name).stat().st_size == described["bytes"]
     with pytest.raises(nf.FormatError, match=r"ReducedScene\.load reads it"):
         nf.stream.open(tmp_path / "light")
-    # The folder stays that of the reduced scene.
+    # The folder remains that of the reduced scene.
     assert nf.ReducedScene.load(tmp_path / "light").r2 == reduced.r2
     with (
         Server.of_bundle(tmp_path / "light") as server,
@@ -140,7 +140,7 @@ def test_a_saved_scene_has_the_files_of_the_scene(scene: nf.Scene, tmp_path: Pat
     assert not (tmp_path / "light" / "index.html").exists()
 
 
-def test_damage_is_named(scene: nf.Scene, tmp_path: Path) -> None:
+def test_damaged_folders_are_named(scene: nf.Scene, tmp_path: Path) -> None:
     reduced_room(scene).save(tmp_path / "light")
     (tmp_path / "light" / "near.glb").write_bytes(b"no")
     with pytest.raises(nf.FormatError, match=r"near\.glb"):

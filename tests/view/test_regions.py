@@ -1,4 +1,4 @@
-"""The page walks on from region to region: what is shown at a crossing, what is fetched, and what stays in memory."""
+"""The page walks from region to region: pictures at a crossing, fetched files, and memory."""
 
 from __future__ import annotations
 
@@ -23,15 +23,15 @@ pytestmark = pytest.mark.slow
 SIZE = (360, 240)
 ANGLE, PITCH = 75.0, -0.1
 RATE, WALK = 72.0, 1.4
-"""Pictures a second; metres a second of a user who walks."""
+"""Pictures per second; speed of a walking user, metres per second."""
 CENTERS = ((3.0, 1.7, -2.0), (9.0, 1.7, -2.0))
 RADII = (10.0, 22.0, 63.0)
 NEAR_SHARE = 0.7
 MAX_LOSS = 0.003
-"""By which continuity at a crossing may be less than that of a walk in the full scene, in the mean."""
+"""Mean loss of continuity that a crossing may have compared with a walk in the full scene."""
 PLACES = 50
 MAX_GROWTH = 0.15
-"""By which part the heap may grow from region 10 to region 44: compiled functions take a little more and more."""
+"""Relative growth of the heap allowed from region 10 to region 44: compiled functions take slightly more and more."""
 
 
 @pytest.fixture(scope="module")
@@ -79,7 +79,7 @@ def continuity(pictures: list[Any]) -> NDArray[np.float64]:
 
 
 def at_the_border(page: Any, url: str, yaw: float) -> SteppedPage:
-    """The page with all of both regions, shown from the first one, and the user a step before the border."""
+    """The page with both regions loaded, shown from the first one, and the user a step before the border."""
     page.goto(f"{url}?aa=0")
     stepped = SteppedPage(page)
     start, border = pose(CENTERS[0][0], yaw), pose(5.9, yaw)
@@ -102,14 +102,14 @@ def test_a_crossing_changes_less_than_a_step(chromium: Any, city: nf.Scene, two:
         told, pictures = zip(*(stepped.picture(pose(x, yaw), 1 / RATE) for x in xs), strict=True)
         assert shown.printed == []
     leaving = np.array([one["leaving"] is not None for one in told])
-    # Half a second, behind the border, and then the second region alone.
+    # Half a second, beyond the border, and then the second region alone.
     assert leaving.sum() in (36, 37)
     entered = xs[int(np.argmax(leaving))]
     assert 6.0 < entered < 6.7
     assert (told[-1]["region"], told[-1]["shown"]["grown"]["radius"]) == (1, RADII[-1])
     scores, walked = continuity(list(pictures)), continuity([truth(city, x, yaw) for x in xs])
     crossing = scores[leaving[1:]]
-    # The page's edges have no samples within pixels, and flicker.
+    # The page's edges are not antialiased, and flicker.
     assert crossing.min() >= min(walked.min(), scores[~leaving[1:]].min())
     assert crossing.mean() >= walked.mean() - MAX_LOSS
 
@@ -179,7 +179,7 @@ def test_memory_stays_flat_over_fifty_regions(chromium: Any, hall: Path) -> None
             for step in range(1, 5) if place else ():
                 stepped.frame(stand(gallery.center(place - 1)[0] + gallery.STEP * step / 4), 0.5)
             walked.append(arrive(place))
-        # Files that regions share are here; faces of maps that are equal by chance come again.
+        # Files shared by regions are cached; faces of maps that are equal by chance are fetched again.
         asked = Counter(requests)
         parts = {name for region in manifest["regions"] for ring in region["rings"] for name in ring["parts"]}
         parts |= {manifest["dynamic"]["geometry"], *manifest["dynamic"]["parts"]}
@@ -197,15 +197,15 @@ def test_memory_stays_flat_over_fifty_regions(chromium: Any, hall: Path) -> None
     assert max(row.pop("heap") for row in jumped) < (1 + MAX_GROWTH) * heaps[0]
     sizes = [row["kept"][0].pop("bytes") for row in walked]
     assert max(sizes) < 1.01 * min(sizes)
-    # After a jump the old region goes while some of the new one's buffers are there, more or less of them by chance.
+    # After a jump the old region is freed while some of the new one's buffers exist, more or less of them by chance.
     assert all(row.pop("kept")[0]["bytes"] < 2 * min(sizes) for row in jumped)
-    # Objects of the GPU, and what workers keep, one by one.
+    # Objects of the GPU, and memory of workers, one by one.
     for rows in (walked, jumped):
         assert all(row == rows[0] for row in rows), rows
 
 
 def jump(stepped: SteppedPage, target: dict[str, Any]) -> None:
-    """Go to a place as people do, and draw frames until the page is there."""
+    """Jump to a place like users do, and draw frames until the page is there."""
     stepped.page.evaluate("(target) => window.nearfar.viewer.go(target)", target)
     for _ in range(2000):
         told = stepped.frame(target, 0.05)
@@ -220,7 +220,7 @@ PLACE = "window.nearfar.pose.position"
 
 
 def floor_at(x: int, y: int) -> NDArray[np.float64]:
-    """Where the middle of a pixel shows the hall's floor, from the first centre, looking down by 0.4 along −z."""
+    """The floor position at the centre of a pixel, from the first centre, looking down by 0.4 along −z."""
     width, height = ROOMY
     tangent = np.tan(np.radians(ANGLE) / 2)
     right = (2 * (x + 0.5) / width - 1) * tangent * width / height
@@ -235,7 +235,7 @@ def test_clicks_and_keys_lead_to_other_places(chromium: Any, hall: Path) -> None
         shown.goto(f"{server.url}?aa=0&strategy=clovrd#p=0,{gallery.EYE},0&yaw=0&pitch=-0.4")
         shown.wait_for_function("() => window.nearfar?.viewer.facts.shown?.ring === 2", timeout=60e3)
         x, y = 300, 360
-        # The point that a pixel shows is that of the scene; between two pictures there is none.
+        # The point that a pixel shows is the scene's; between two pictures there is none.
         found = shown.evaluate(f"() => window.nearfar.viewer.pointAt({x / ROOMY[0]}, {y / ROOMY[1]})")
         assert np.allclose(found, floor_at(x, y), atol=2e-3)
         assert shown.evaluate("() => window.nearfar.viewer.pointAt(0.142, 0.02)") is None
@@ -248,7 +248,7 @@ def test_clicks_and_keys_lead_to_other_places(chromium: Any, hall: Path) -> None
         assert shown.printed == []
 
 
-def test_a_region_that_does_not_come_leaves_the_old_picture(chromium: Any, hall: Path) -> None:
+def test_a_region_that_fails_to_load_keeps_the_old_picture(chromium: Any, hall: Path) -> None:
     manifest = json.loads((hall / "manifest.json").read_text())
     name = manifest["regions"][1]["rings"][1]["geometry"]
     with Server.of_bundle(hall) as server, open_page(chromium, *SIZE) as shown:
@@ -266,7 +266,7 @@ def test_a_region_that_does_not_come_leaves_the_old_picture(chromium: Any, hall:
         shown.wait_for_function("() => window.nearfar.viewer.facts.region === 1", timeout=60e3)
 
 
-def test_files_of_the_next_ring_come_while_a_ring_is_made(chromium: Any, two: Path) -> None:
+def test_files_of_the_next_ring_are_fetched_while_a_ring_is_built(chromium: Any, two: Path) -> None:
     rings = json.loads((two / "manifest.json").read_text())["regions"][0]["rings"]
     names = [Path(ring["geometry"] or "none").name for ring in rings]
     asked: list[str] = []
@@ -279,7 +279,7 @@ def test_files_of_the_next_ring_come_while_a_ring_is_made(chromium: Any, two: Pa
                 break
             stepped.frame(pose(CENTERS[0][0], 0.3), 0.0)
             shown.wait_for_timeout(10)
-        # Without frames nothing is uploaded, so ring 1 cannot be there.
+        # Without frames nothing is uploaded, so ring 1 cannot be shown.
         shown.wait_for_timeout(2000)
         assert shown.evaluate("() => window.nearfar.viewer.facts.arrived") == 0
         assert names[2] in asked

@@ -1,4 +1,4 @@
-"""Pages in one room see each other's heads and pointers where they should be, before and behind what is far."""
+"""Pages in one room see each other's heads and pointers at the right positions, in front of and behind far geometry."""
 
 from __future__ import annotations
 
@@ -49,24 +49,24 @@ def url(server: Server) -> str:
 
 @pytest.fixture(scope="module")
 def pair(chromium: Any, url: str) -> Iterator[tuple[RoomPage, RoomPage]]:
-    """Ada and Bob, who know where the other one is."""
+    """Ada and Bob, who know each other's positions."""
     with ExitStack() as stack:
         pages = []
         for name, pose in POSES.items():
             shown = stack.enter_context(open_page(chromium, *SIZE))
             shown.goto(f"{url}&room=pair&name={name}")
             assert wait_for_ring(shown, len(RADII)) == ""
-            # The figures lie over a part of the picture that is pointed at.
+            # The figures cover a part of the picture that is pointed at.
             shown.evaluate("() => document.querySelector('#ui').style.setProperty('display', 'none')")
             pages.append(RoomPage(shown, pose))
-        # Each tells where it is by a step of its own.
+        # Each sends its position by a small step.
         wait_until(pages[0].page, lambda: sum(len(each.step()["seen"]) for each in pages) == len(pages))
         yield pages[0], pages[1]
         for each in pages:
             assert each.page.printed == []
 
 
-def test_heads_are_where_users_are_and_look_where_they_look(pair: tuple[RoomPage, RoomPage]) -> None:
+def test_heads_have_the_position_and_direction_of_their_users(pair: tuple[RoomPage, RoomPage]) -> None:
     for one, other in (pair, pair[::-1]):
         (seen,) = one.step()["seen"]
         np.testing.assert_allclose(seen["head"]["position"], other.pose["position"], atol=1e-6)
@@ -80,24 +80,24 @@ def test_heads_are_where_users_are_and_look_where_they_look(pair: tuple[RoomPage
     head = np.add(bob.pose["position"], [[0, 0, 0.06], [0, 0.1, 0.06], [0, -0.1, 0.06], [0, 0.25, 0]])
     for at in ada.pixel_of(head, CENTER, ZONES):
         assert has_changed(mask, at, 1.5)
-    # Nothing else has: a head and a name at 4.5 m.
+    # Nothing else has changed: a head and a name at 4.5 m.
     rows, columns = np.nonzero(mask)
     middle = ada.pixel_of(head[:1], CENTER, ZONES)[0]
     assert np.hypot(columns - middle[0], rows - middle[1]).max() < 40
 
 
-def test_a_pointer_ends_at_what_it_points_at_for_every_viewer(pair: tuple[RoomPage, RoomPage], city: nf.Scene) -> None:
+def test_a_pointer_ends_at_its_target_for_every_viewer(pair: tuple[RoomPage, RoomPage], city: nf.Scene) -> None:
     for pixel in TARGETS:
         check_pointer(*pair, city, pixel)
 
 
 def check_pointer(ada: RoomPage, bob: RoomPage, city: nf.Scene, pixel: tuple[int, int]) -> None:
-    """Bob points at a pixel, and Ada sees where."""
+    """Bob points at a pixel; check where Ada sees the pointer end."""
     bob.page.keyboard.up("e")
     bob.step()
     end = ends(bob.point_at(*pixel)["own"])[1]
     rho = float(np.hypot(*np.subtract(end, CENTER)[[0, 2]]))
-    # It is a point of the scene, which Bob's picture shows in that pixel; of the map the error is a texel.
+    # It is a point of the scene, which Bob's picture shows in that pixel; on the map the error is a texel.
     near = rho < RADII[-1]
     assert nf.nearest_points(city, [end]).distance[0] < (0.1 if near else 0.02 * rho)
     shown = bob.pixel_of([end], CENTER, ZONES)[0]
@@ -113,15 +113,13 @@ def check_pointer(ada: RoomPage, bob: RoomPage, city: nf.Scene, pixel: tuple[int
         assert has_changed(mask, at, 1.5), f"the ray is not seen at {share}"
     places = ada.pixel_of([begin + 0.9 * (end - begin), end], CENTER, ZONES)
     assert has_changed(mask, places[1], 1.5)
-    # Nothing goes on behind the spot.
+    # The pointer does not continue behind the spot.
     assert reach_beyond(mask, *places) < 4
     bob.page.keyboard.up("e")
     wait_until(ada.page, lambda: bob.step() and ada.step()["seen"][0]["pointer"] is None)
 
 
-def test_left_of_the_divider_pointers_are_as_the_scene_is_there(
-    pair: tuple[RoomPage, RoomPage], city: nf.Scene
-) -> None:
+def test_left_of_the_divider_pointers_match_the_scene_there(pair: tuple[RoomPage, RoomPage], city: nf.Scene) -> None:
     ada, bob = pair
     divide = "(share) => window.nearfar.viewer.setDivider(share)"
     pixel, unmorphed = (150, 178), (1e5, 2e5)
@@ -148,12 +146,12 @@ def test_left_of_the_divider_pointers_are_as_the_scene_is_there(
 
 
 def sees(viewer: RoomPage, end: Any, most: float) -> bool:
-    """Whether a viewer sees the other one's pointer end within some metres of a point."""
+    """Whether a viewer sees the other user's pointer end within some metres of a point."""
     seen = viewer.step()["seen"][0]
     return bool(seen["pointer"]) and bool(np.linalg.norm(ends(seen)[1] - end) < most)
 
 
-def test_the_middle_button_and_a_finger_on_the_page_s_own_point(pair: tuple[RoomPage, RoomPage]) -> None:
+def test_the_middle_button_and_the_touch_button_point(pair: tuple[RoomPage, RoomPage]) -> None:
     _, bob = pair
     bob.page.mouse.move(380.5, 175.5)
     assert bob.step()["own"]["pointer"] is None
@@ -174,7 +172,7 @@ def test_the_middle_button_and_a_finger_on_the_page_s_own_point(pair: tuple[Room
 
 
 def pointer_mask(viewer: RoomPage, number: int) -> Any:
-    """Pixels (H, W) that muting the pointer of a user changes."""
+    """Pixels (H, W) that change when a user's pointer is muted."""
     mute = "([number, isMuted]) => window.nearfar.room.presence.mute(number, isMuted)"
     viewer.page.evaluate("() => window.nearfar.viewer.setGuests(window.nearfar.room.avatars)")
     found = viewer.picture()
@@ -184,7 +182,7 @@ def pointer_mask(viewer: RoomPage, number: int) -> Any:
     return np.abs(found - without).max(axis=-1) > 12
 
 
-def test_far_users_stand_before_and_behind_the_map(pair: tuple[RoomPage, RoomPage], city: nf.Scene) -> None:
+def test_far_users_are_in_front_of_or_behind_the_map(pair: tuple[RoomPage, RoomPage], city: nf.Scene) -> None:
     ada, _ = pair
     ada.page.evaluate("() => window.nearfar.viewer.setGuests(window.nearfar.room.avatars)")
     yaw, away = far_wall(city)
@@ -220,11 +218,11 @@ HIDE = """(isHidden) => {
 }"""
 
 
-def test_a_hidden_page_lets_go_of_the_pointer_for_others(pair: tuple[RoomPage, RoomPage]) -> None:
+def test_a_hidden_page_releases_its_pointer_for_others(pair: tuple[RoomPage, RoomPage]) -> None:
     ada, bob = pair
     bob.point_at(240, 178)
     wait_until(ada.page, lambda: bob.step() and ada.step()["seen"][0]["pointer"] is not None)
-    # No frame comes of a page that is hidden.
+    # A hidden page draws no frames.
     bob.page.evaluate(HIDE, True)
     wait_until(ada.page, lambda: ada.step()["seen"][0]["pointer"] is None)
     bob.page.evaluate(HIDE, False)
@@ -244,7 +242,7 @@ def fits(page: Any, size: tuple[int, int]) -> bool:
 
 
 def count(server: Server, name: str) -> int:
-    """A number of the server's metrics."""
+    """The value of a server metric."""
     with urllib.request.urlopen(f"{server.url}metrics") as answer:
         found = re.findall(rf"^{re.escape(name)} (\d+)$", answer.read().decode(), re.MULTILINE)
     return int(found[0]) if found else 0
@@ -253,7 +251,7 @@ def count(server: Server, name: str) -> int:
 BYES = 'nearfar_room_closes_total{reason="bye"}'
 
 
-def test_the_card_tells_who_is_here_and_leaves_the_room(chromium: Any, server: Server, url: str) -> None:
+def test_the_card_lists_users_and_leaves_the_room(chromium: Any, server: Server, url: str) -> None:
     ended = count(server, BYES)
     with open_page(chromium, *DESKTOP, device_scale_factor=0.25) as page, open_page(chromium, *SMALL) as other:
         for shown, name, group in ((page, "Ada", 0), (other, "Grace Hopper", 1)):
@@ -292,7 +290,7 @@ def test_the_card_tells_who_is_here_and_leaves_the_room(chromium: Any, server: S
         assert page.printed == []
 
 
-def test_rooms_and_rules_that_there_cannot_be_are_told(chromium: Any, url: str) -> None:
+def test_impossible_rooms_and_rules_are_reported(chromium: Any, url: str) -> None:
     with open_page(chromium, *SIZE) as page:
         page.goto(f"{url}&rings=0&room=a/b")
         assert "expected a name" in page.get_by_role("region", name="Here").inner_text()
@@ -310,9 +308,7 @@ def has_user(page: Any) -> bool:
     return page.evaluate(USER) is not None
 
 
-def test_users_by_datagrams_and_by_sockets_see_each_other_and_come_back_with_their_number(
-    chromium: Any, server: Server
-) -> None:
+def test_users_by_datagrams_and_by_sockets_meet_and_keep_their_numbers(chromium: Any, server: Server) -> None:
     seen = "() => (window.nearfar?.room?.seen ?? []).map(({ name }) => name)"
     measured = "() => window.nearfar.room.connection.roundTrips.median !== null"
     sockets: list[Any] = []
@@ -322,14 +318,14 @@ def test_users_by_datagrams_and_by_sockets_see_each_other_and_come_back_with_the
             page.goto(f"{server.url}?rings=0&room=ways&name={name}&datagrams={way}")
         wait_until(one, lambda: one.evaluate(seen) == ["Bob"])
         wait_until(other, lambda: other.evaluate(seen) == ["Ada"])
-        # A page that sees others without one has WebTransport.
+        # A page that sees others without a WebSocket uses WebTransport.
         assert sockets == [other]
         for page in (one, other):
-            # Poses that wait for each are settled, though nobody moves.
+            # Queued poses for each are acknowledged, though nobody moves.
             wait_until(page, partial(page.evaluate, measured))
         for page in (one, other):
             number = page.evaluate(USER)
-            # A tab that is doubled would take the ticket along.
+            # A duplicated tab would copy the ticket.
             assert page.evaluate("() => sessionStorage.length") == 0
             page.reload()
             wait_until(page, partial(has_user, page))

@@ -1,4 +1,4 @@
-"""Long use of a room: the page keeps nothing of users who were there, and compiles nothing again."""
+"""Long use of a room: the page keeps nothing of former users, and compiles nothing again."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ pytestmark = pytest.mark.slow
 
 SECONDS = 300.0
 WARM, MAX_GROWTH = 4, 300_000
-"""Tenths of the time in which the browser still compiles, as code lies in the heap; bytes by which it may grow then."""
+"""Tenths of the time in which the browser still compiles code into the heap; bytes of growth allowed after that."""
 
 
 @pytest.fixture(scope="module")
@@ -31,7 +31,7 @@ def url(street: Path) -> Iterator[str]:
 
 
 @pytest.mark.stress
-def test_what_a_page_holds_does_not_grow_with_time(chromium: Any, url: str) -> None:
+def test_memory_of_a_page_does_not_grow_with_time(chromium: Any, url: str) -> None:
     need("web")
     with used(chromium, f"{url}&room=long&name=Ada&datagrams=off", 1) as page:
         parts = list(use(page, SECONDS))
@@ -43,7 +43,7 @@ def test_what_a_page_holds_does_not_grow_with_time(chromium: Any, url: str) -> N
         assert each.objects["Program"] == each.objects["programs"] == first.objects["programs"]
         for kind in ("geometries", "Buffer", "VertexArray", "Framebuffer"):
             assert each.objects[kind] == first.objects[kind], kind
-        # Names of users, of whom one may just be coming.
+        # Names of users, one of whom may just be joining.
         assert abs(each.objects["textures"] - first.objects["textures"]) <= 2
 
 
@@ -55,7 +55,7 @@ BODY = {
 }
 
 
-def test_looks_and_users_who_come_and_go_compile_nothing(chromium: Any, url: str) -> None:
+def test_depth_queries_and_changing_users_compile_nothing(chromium: Any, url: str) -> None:
     with open_page(chromium, 240, 160) as page:
         count_objects(page)
         page.goto(f"{url}&room=programs")
@@ -82,7 +82,7 @@ def test_looks_and_users_who_come_and_go_compile_nothing(chromium: Any, url: str
         after = objects(page)
         assert linked(page) == were
         assert after["programs"] == before["programs"]
-        # Nothing of what looks need is left behind, and spare avatars are few.
+        # No object of the depth queries remains, and spare avatars are few.
         assert after["Framebuffer"] == before["Framebuffer"]
         assert after["Texture"] - before["Texture"] <= 16
         assert page.printed == []

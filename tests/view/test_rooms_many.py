@@ -1,4 +1,4 @@
-"""Eight pages in a room: each sees the pointers of the others end on what they point at, from 16 to 36 m away."""
+"""Eight pages in a room: each sees the pointers of the others end at their targets, 16 to 36 m away."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ CENTER = np.array([3.0, 1.7, -2.0])
 RADII = (10.0, 30.0)
 NEAR_SHARE = 0.7
 RINGS = (2, 2, 2, 2, 2, 2, 1, 1)
-"""The last ring of each page: the last two show all that is pointed at on their maps."""
+"""The last ring of each page: the last two pages show all targets on their maps."""
 
 DISTANCES = {"near": (16.0, 20.5), "morph": (21.5, 28.0), "map": (30.5, 36.0)}
-"""From the centre, metres: within 21 m nothing is morphed, beyond 30 m the map shows it."""
+"""Distances from the centre, metres: within 21 m nothing is morphed, beyond 30 m the map shows it."""
 
 PIXEL = 2 * np.tan(np.radians(37.5)) / SIZE[1]
 POINTERS_ALONE = """() => {
@@ -39,10 +39,10 @@ POINTERS_ALONE = """() => {
     place: room.avatars.place,
   });
 }"""
-"""Heads and names hide what is behind them."""
+"""Heads and names hide geometry behind them."""
 
 MAX = 0.1
-"""Metres from the surface within which pointers end, beside a pixel."""
+"""Distance from the surface in metres within which pointers end, besides a pixel."""
 
 
 def zones_of(page: int) -> tuple[float, float]:
@@ -79,14 +79,14 @@ def pages(chromium: Any, city: nf.Scene, tmp_path_factory: pytest.TempPathFactor
 
 
 def targets(scene: nf.Scene, least: float, most: float) -> NDArray[np.float64]:
-    """A point of a wall for each user, that all of them see, at a distance from the centre."""
+    """A point of a wall for each user that all of them see, at a distance from the centre."""
     rng = np.random.default_rng(7)
     yaw, pitch = rng.uniform(-np.pi, np.pi, 20_000), rng.uniform(-0.03, 0.15, 20_000)
     found = cast(scene, CENTER, np.stack([-np.sin(yaw), np.tan(pitch), -np.cos(yaw)], axis=1))
     rho = np.hypot(*(found - CENTER)[:, [0, 2]].T)
     found = found[(rho > least) & (rho < most) & (found[:, 1] > 0.6)]
     for eye in map(position_of, range(len(RINGS))):
-        # With the pixels around it, on a wall that is not seen at a grazing angle.
+        # With the pixels around it, on a wall that is not at a grazing angle.
         for up, aside in ((0, 0), (2, 0), (-2, 0), (0, 2), (0, -2)):
             ways = found - eye
             away = np.linalg.norm(ways, axis=1, keepdims=True)
@@ -95,20 +95,20 @@ def targets(scene: nf.Scene, least: float, most: float) -> NDArray[np.float64]:
             reach = 0.02 + 2 * PIXEL * np.hypot(up, aside) * away[:, 0]
             found = found[np.linalg.norm(hits - found, axis=1) < reach]
     angle = np.arctan2(found[:, 0] - CENTER[0], found[:, 2] - CENTER[2])
-    # All around: one of each eighth of those that there are.
+    # All around: one from each eighth of the candidates.
     order = found[np.argsort(angle)]
     return np.stack([order[(2 * n + 1) * len(order) // 16] for n in range(len(RINGS))])
 
 
 def cast(scene: nf.Scene, eye: NDArray[np.float64], ways: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The points that rays hit; far away for those that hit nothing."""
+    """The points that rays hit; far away for misses."""
     units = ways / np.linalg.norm(ways, axis=1, keepdims=True)
     length = nf.cast_rays(scene, np.broadcast_to(eye, units.shape), units).t_hit
     return np.asarray(eye + np.minimum(length, 1e3)[:, None] * units, np.float64)
 
 
 def turn_to(pages: list[RoomPage], number: int, target: NDArray[np.float64]) -> None:
-    """Let a user look to where its picture shows a point."""
+    """Turn a user to where its picture shows a point."""
     inner, radius = zones_of(number)
     eye = position_of(number)
     x, y, z = nf.morph([target], user=eye, center=CENTER, r1=inner, r2=radius)[0] - eye
@@ -116,7 +116,7 @@ def turn_to(pages: list[RoomPage], number: int, target: NDArray[np.float64]) -> 
 
 
 def pointed(pages: list[RoomPage], number: int, target: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Where the pointer of a user ends who points at a point of the world."""
+    """The end of the pointer of a user who points at a point of the world."""
     turn_to(pages, number, target)
     pages[number].step()
     column, row = np.floor(pages[number].pixel_of([target], CENTER, zones_of(number))[0]).astype(int)
@@ -127,13 +127,13 @@ def pointed(pages: list[RoomPage], number: int, target: NDArray[np.float64]) -> 
 
 
 def seen_end(viewer: RoomPage, name: str) -> NDArray[np.float64] | None:
-    """Where a viewer sees the pointer of a user end."""
+    """The end of a user's pointer as a viewer sees it."""
     body = next(each for each in viewer.step()["seen"] if each["name"] == name)
     return ends(body)[1] if body["pointer"] else None
 
 
 def check_picture(pages: list[RoomPage], viewer: int, name: str, end: NDArray[np.float64]) -> None:
-    """The picture of a viewer shows the end of a pointer in its place."""
+    """Check that the picture of a viewer shows the end of a pointer at its position."""
     one = pages[viewer]
     before = dict(one.pose)
     turn_to(pages, viewer, end)

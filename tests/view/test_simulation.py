@@ -1,4 +1,4 @@
-"""Simulated clients do what the page does: they ask for the same files in the same order, and show the same states."""
+"""Simulated clients behave like the page: they request the same files in the same order, and show the same states."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ writeFileSync(output, JSON.stringify(told));
 
 
 def walks() -> list[dict[str, Any]]:
-    """Arrivals at random times, of frames that take random times, for users at random distances."""
+    """Random arrival times, random frame times, and users at random distances."""
     dice = np.random.default_rng(3)
     settings = {"radii": RADII, "speed": SPEED, "reach": 1.0, "nearShare": 0.7, "fade": FADE}
     found = []
@@ -77,7 +77,7 @@ def states(walk: dict[str, Any]) -> list[list[float]]:
     return found
 
 
-def test_states_are_those_of_the_page(tmp_path: Path) -> None:
+def test_states_equal_the_page(tmp_path: Path) -> None:
     need("web")
     for name in ("growth", "stage"):
         run("npx", "esbuild", f"src/show/{name}.ts", "--bundle", "--format=esm", f"--outfile={tmp_path / name}.mjs")
@@ -96,7 +96,7 @@ def bundle(tmp_path_factory: pytest.TempPathFactory) -> nf.stream.Bundle:
 
 
 @pytest.mark.parametrize("strategy", STRATEGIES)
-def test_files_are_asked_for_in_the_order_of_the_page(
+def test_files_are_requested_in_the_order_of_the_page(
     strategy: Strategy, chromium: Any, bundle: nf.stream.Bundle
 ) -> None:
     plan = plan_of(strategy, bundle._region, 0, bundle._manifest["dynamic"])
@@ -112,5 +112,5 @@ def test_files_are_asked_for_in_the_order_of_the_page(
         SteppedPage(page).load({"position": list(CENTER), "yaw": 0.0, "pitch": 0.0}, 10.0)
         assert page.evaluate("() => window.nearfar.viewer.facts.arrived") == len(plan.radii)
     assert list(asked) == list(transport.asked)
-    # Nothing of rooms where none is named.
+    # No requests about rooms if no room is named.
     assert not any("rooms" in url for url in urls)

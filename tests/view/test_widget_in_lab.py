@@ -1,4 +1,4 @@
-"""The view in a running JupyterLab: its picture, its camera in both directions, and what is left of it."""
+"""The view in a running JupyterLab: its picture, its camera in both directions, and clean-up."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ pytestmark = pytest.mark.slow
 CENTER = (3.0, 1.7, -2.0)
 SIZE = (320, 200)
 ROOM = (1000, 1600)
-"""Size of a page that shows all cells: views that are not on the screen are not drawn, and do not load."""
+"""Size of a page that shows all cells: off-screen views are not drawn, and do not load."""
 CANVAS = ".nearfar-view canvas"
 VIEWER = "document.querySelector('.nearfar-view')?.nearfar?.viewer"
 
@@ -63,7 +63,7 @@ def notebook(chromium: Any, folder: Path) -> Iterator[Any]:
 
 
 def state(notebook: Any) -> tuple[tuple[float, ...], float, float, float, int, float, str]:
-    """The state of the view as Python has it."""
+    """The state of the view in Python."""
     position, *others = json.loads(notebook.run(2))
     return (tuple(position), *others)
 
@@ -76,7 +76,7 @@ def until_python_has(notebook: Any, condition: Any) -> Any:
     raise AssertionError(f"Python does not have it: {found}")
 
 
-def test_the_picture_is_that_of_the_camera_that_python_sets(notebook: Any, folder: Path) -> None:
+def test_the_picture_is_rendered_by_the_camera_set_in_python(notebook: Any, folder: Path) -> None:
     before = notebook.photo()
     notebook.run(1)
     notebook.until(f"() => {VIEWER}.camera.rotation.y > 0.4")
@@ -95,7 +95,7 @@ def test_the_picture_is_that_of_the_camera_that_python_sets(notebook: Any, folde
     assert (radius, problem) == (22.0, "")
 
 
-def test_python_reads_where_the_user_goes(notebook: Any) -> None:
+def test_python_reads_the_users_position(notebook: Any) -> None:
     page, before = notebook.page, state(notebook)
     box = page.locator(CANVAS).first.bounding_box()
     x, y = box["x"] + 150, box["y"] + 100
@@ -109,13 +109,13 @@ def test_python_reads_where_the_user_goes(notebook: Any) -> None:
     assert turned[0] == before[0]
     page.locator(CANVAS).first.click()
     page.keyboard.down("w")
-    # Running a cell would take the keyboard away.
+    # Running a cell would move the keyboard focus.
     x, _, z = np.subtract(before[0], CENTER)
     notebook.until(f"() => Math.hypot({VIEWER}.rig.position.x - {x}, {VIEWER}.rig.position.z - {z}) > 0.1")
     page.keyboard.up("w")
     walked = until_python_has(notebook, lambda found: np.hypot(*np.subtract(found[0], before[0])[[0, 2]]) > 0.1)
     assert walked[0][1] == pytest.approx(1.7)
-    # Keys are the view's alone: no cell came or went.
+    # Keys go only to the view: no cell was added or removed.
     assert page.evaluate("() => window.jupyterapp.shell.currentWidget.content.widgets.length") == len(CELLS)
 
 
@@ -148,8 +148,8 @@ def test_all_views_of_a_widget_show_the_same_user(notebook: Any) -> None:
 
 
 @pytest.mark.stress
-def test_views_that_are_replaced_leave_nothing(notebook: Any) -> None:
-    """Browsers keep 16 contexts; with more of them the oldest is lost, with a warning."""
+def test_replaced_views_release_their_contexts(notebook: Any) -> None:
+    """Browsers keep 16 contexts; beyond that the oldest is lost, with a warning."""
     notebook.run(3)
     kept = "document.querySelectorAll('.nearfar-view')[1].nearfar.viewer"
     for _ in range(20):

@@ -18,7 +18,7 @@ function countingFetch(fails = false) {
   return { asked, fetch };
 }
 
-test('what was fetched ahead is not fetched again, and counts no longer', async () => {
+test('a prefetched file is not fetched again, and no longer counts as prefetched', async () => {
   const { asked, fetch } = countingFetch();
   const ahead = createAhead(fetch, sizeOf);
   ahead.want(['a', 'b', 'a'], signal);
@@ -29,20 +29,20 @@ test('what was fetched ahead is not fetched again, and counts no longer', async 
   assert.deepEqual(asked, ['a', 'b', 'b']);
 });
 
-test('no more bytes are fetched ahead than there is room for', () => {
+test('prefetching stays within its limit of bytes', () => {
   const { asked, fetch } = countingFetch();
   const ahead = createAhead(fetch, sizeOf, 45);
   ahead.want(['a', 'c', 'b'], signal);
   assert.deepEqual([asked, ahead.bytes], [['a', 'c'], 40]);
 });
 
-test('a failure ahead is told to who asks for the file', async () => {
+test('a failed prefetch is reported when the file is requested', async () => {
   const ahead = createAhead(countingFetch(true).fetch, sizeOf);
   ahead.want(['a'], signal);
   await assert.rejects(ahead.fetch('a', signal), /the server is gone/);
 });
 
-test('arrays of a mesh are made once, and are free when the last one that uses them goes', () => {
+test('arrays of a mesh are created once, and freed with the last mesh that uses them', () => {
   const store = createStore();
   let made = 0;
   const make = (): MeshArrays => ({ attributes: {}, *steps() {}, dispose: () => undefined, made: ++made }) as MeshArrays;
@@ -57,7 +57,7 @@ test('arrays of a mesh are made once, and are free when the last one that uses t
   assert.equal(store.give(null), true);
 });
 
-test('textures and buffers that no region needs go, others stay', () => {
+test('textures and buffers that no region needs are freed, others stay', () => {
   const store = createStore();
   const gone: string[] = [];
   for (const name of ['x', 'y']) {
@@ -69,7 +69,7 @@ test('textures and buffers that no region needs go, others stay', () => {
   assert.deepEqual([[...store.textures.keys()], [...store.buffers]], [['y'], ['x.bin']]);
 });
 
-test('steps of a job that is dropped clean up', async () => {
+test('steps of a cancelled job clean up', async () => {
   const stop = new AbortController();
   const log: string[] = [];
   function* steps(): Generator<Step> {

@@ -27,7 +27,7 @@ function fakeGl() {
   return { gl: gl as unknown as WebGL2RenderingContext, state };
 }
 
-test('arrays are sent in steps of a bounded size, small ones together', () => {
+test('arrays are sent in steps of limited size, small ones together', () => {
   const { gl, state } = fakeGl();
   const position = Float32Array.from({ length: 300_000 }, (_, n) => n);
   const index = Uint16Array.from({ length: 1000 }, (_, n) => n);
@@ -53,7 +53,7 @@ test('arrays are sent in steps of a bounded size, small ones together', () => {
     const [held] = attributes[name as 'position']?.buffer as unknown as [Uint8Array];
     assert.deepEqual(held, new Uint8Array(rows.buffer), name);
   }
-  // WebGL knows which buffer has indices, and three.js's vertex array is as it was.
+  // WebGL knows the index buffer, and three.js's vertex array is unchanged.
   assert.deepEqual(state(), [['index while null is bound'], 'three', 0]);
   buffers.dispose();
   assert.equal(state()[2], 3);

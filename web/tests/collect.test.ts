@@ -10,14 +10,14 @@ import { FrameError } from '../src/rooms/bytes';
 const bytesOf = (hex: string): Uint8Array => Uint8Array.from(Buffer.from(hex, 'hex'));
 const hexOf = (bytes: Uint8Array): string => Buffer.from(bytes).toString('hex');
 
-/** A message by the names of the vectors. */
+/** A message with the field names of the vectors. */
 function withVectorNames(message: Message | null): unknown {
   if (message?.kind !== 'trial') return message;
-  const tallied = ({ spheres, misses, seconds }: Tally): readonly number[] => [spheres, misses, seconds];
-  return { ...message, tallies: message.tallies.map(tallied) };
+  const tallyRow = ({ spheres, misses, seconds }: Tally): readonly number[] => [spheres, misses, seconds];
+  return { ...message, tallies: message.tallies.map(tallyRow) };
 }
 
-test('messages are those of the vectors of all languages', () => {
+test('messages equal the vectors of all languages', () => {
   for (const { message, bytes, region } of vectors.messages) {
     const found = read(bytesOf(bytes));
     assert.deepEqual(withVectorNames(found), message, region);
@@ -25,13 +25,13 @@ test('messages are those of the vectors of all languages', () => {
   }
 });
 
-test('bytes that are no message are refused', () => {
+test('malformed bytes are refused', () => {
   for (const { bytes, region } of vectors.refused) assert.throws(() => read(bytesOf(bytes)), FrameError, region);
   assert.equal(read(new Uint8Array()), null);
   assert.equal(read(new TextEncoder().encode('hello')), null);
 });
 
-test('every truncation and every changed bit is a message or refused', () => {
+test('truncated and corrupted messages are parsed or refused', () => {
   for (const { bytes } of vectors.messages) {
     const data = bytesOf(bytes);
     for (let length = 1; length < data.length; length++) {
@@ -62,7 +62,7 @@ function firstTrial(): Rules {
   return found;
 }
 
-test('spheres and seats are where all languages put them', () => {
+test('spheres and seats have the positions of the vectors', () => {
   const rules = firstTrial();
   const isNear = (found: readonly number[], expected: readonly number[]): void =>
     found.forEach((value, axis) => assert.ok(Math.abs(value - (expected[axis] ?? NaN)) < 1e-12));
@@ -75,9 +75,9 @@ test('spheres and seats are where all languages put them', () => {
   }
 });
 
-/** A message as the vectors tell it. */
+/** A message in the wording of the vectors. */
 function words(speaker: number, message: Message): string {
-  const told = (): string => {
+  const describe = (): string => {
     if (message.kind === 'trial') return `${message.over ? 'over' : 'trial'} ${message.trial}`;
     if (message.kind === 'sphere') return `sphere ${message.number} ${message.level}`;
     if (message.kind === 'score') return `score ${message.spheres} ${message.misses}`;
@@ -88,15 +88,15 @@ function words(speaker: number, message: Message): string {
     if (event === 'told') return `told [${users.join(', ')}]${users.length > 0 ? '' : `, ${misses} missed`}`;
     return `${event} ${user}${event === 'lost' ? `, ${misses} missed` : ''}${held === null ? '' : `, held ${held}`}`;
   };
-  return `${speaker}: ${told()}`;
+  return `${speaker}: ${describe()}`;
 }
 
-test('a play goes as in all languages', () => {
+test('a game runs as in the vectors', () => {
   for (const { rules, group, users, steps } of vectors.plays) {
     const tasks = new Map<number, Task>(users.map((user) => [user, new Task(user, group)]));
     let said: string[] = [];
     const join = (user: number): void => tasks.forEach((task) => task.joined(user));
-    const tell = (speaker: number, messages: readonly Message[], now: number): void => {
+    const deliver = (speaker: number, messages: readonly Message[], now: number): void => {
       for (const message of messages) {
         said.push(words(speaker, message));
         for (const [user, task] of tasks) if (user !== speaker) task.hear(message, now, speaker, group);
@@ -114,14 +114,14 @@ test('a play goes as in all languages', () => {
         tasks.delete(goes);
         tasks.forEach((task) => task.left(goes));
       }
-      if (now === 0) tell(3, tasks.get(3)?.start({ ...firstTrial(), ...rules }, now) ?? [], now);
+      if (now === 0) deliver(3, tasks.get(3)?.start({ ...firstTrial(), ...rules }, now) ?? [], now);
       for (const [user, task] of [...tasks].sort(([a], [b]) => b - a)) {
         const [x, y, z] = task.place(now) ?? [0, 0, 0];
         const rayOf = (other: number): Ray => ({
           begin: [x, y, z + 4],
           direction: aiming.includes(other) ? [0, 0, -1] : [0, 1, 0],
         });
-        tell(user, task.conduct(now, new Map([...tasks.keys()].map((other) => [other, rayOf(other)]))), now);
+        deliver(user, task.conduct(now, new Map([...tasks.keys()].map((other) => [other, rayOf(other)]))), now);
       }
       assert.deepEqual(said, expected, `${now}`);
       said = [];
@@ -130,22 +130,22 @@ test('a play goes as in all languages', () => {
   }
 });
 
-/** A message of the vectors by its own names. */
+/** A message of the vectors with this module's field names. */
 function messageOf(fields: Hearing['steps'][number]['message']): Message {
-  const tallied = ([spheres, misses, seconds]: readonly number[]): Tally =>
+  const tallyOf = ([spheres, misses, seconds]: readonly number[]): Tally =>
     ({ spheres: spheres ?? 0, misses: misses ?? 0, seconds: seconds ?? 0 });
-  const tallies = 'tallies' in fields && { tallies: fields.tallies?.map(tallied) };
+  const tallies = 'tallies' in fields && { tallies: fields.tallies?.map(tallyOf) };
   return { ...fields, ...tallies } as unknown as Message;
 }
 
 /** Rays of users who aim at the middle of the sphere. */
-function aimed(task: Task, users: Iterable<number>, now: number): Map<number, Ray> {
+function raysAtSphere(task: Task, users: Iterable<number>, now: number): Map<number, Ray> {
   const [x, y, z] = task.place(now) ?? [0, 0, 0];
   const ray: Ray = { begin: [x, y, z + 4], direction: [0, 0, -1] };
   return new Map([...users].map((user) => [user, ray]));
 }
 
-test('a user believes as in all languages', () => {
+test('the state that a user derives equals the vectors', () => {
   for (const { region, user, group, others, steps, now: end, said } of vectors.hearings) {
     const task = new Task(user, group);
     const enter = (): void => {
@@ -157,13 +157,13 @@ test('a user believes as in all languages', () => {
       if (returns) enter();
       assert.equal(task.hear(messageOf(message), now, sender, group), taken, `${region}: ${message.kind}`);
     }
-    const told = task.conduct(end, aimed(task, task.present, end));
-    assert.deepEqual(told.map((message) => words(user, message)), said, region);
+    const messages = task.conduct(end, raysAtSphere(task, task.present, end));
+    assert.deepEqual(messages.map((message) => words(user, message)), said, region);
   }
 });
 
 /** The task of a conductor whose trial has begun, with a still sphere. */
-function begun(users: number): Task {
+function startTrial(users: number): Task {
   const task = new Task(0, 0);
   for (let user = 1; user < users; user++) task.joined(user);
   task.start({ ...firstTrial(), speeds: [0, 0, 0], duration: 1000, hold: 1000, users }, 0);
@@ -171,35 +171,35 @@ function begun(users: number): Task {
   return task;
 }
 
-test('pointers that flicker do not make the conductor say too much', () => {
-  const [task, seconds] = [begun(64), 8];
+test('flickering pointers do not exceed the rate of messages', () => {
+  const [task, seconds] = [startTrial(64), 8];
   const users = Array.from({ length: 64 }, (_, user) => user);
   let size = 0;
   for (let moment = 1; moment <= 512 * seconds; moment++) {
     const now = moment / 512;
-    const said = task.conduct(now, moment % 2 === 1 ? aimed(task, users, now) : new Map());
+    const said = task.conduct(now, moment % 2 === 1 ? raysAtSphere(task, users, now) : new Map());
     for (const message of said) size += Math.max(write(message).length + 5, 64);
   }
   assert.ok(size > 8000 * seconds && size <= 16384 * seconds + 8192, `${size}`);
-  // The last state is told as soon as there is room for it.
+  // The last state is sent as soon as the rate allows.
   for (let moment = 0; moment < 80; moment++) {
     const now = seconds + 1 + moment / 80;
-    task.conduct(now, aimed(task, users, now));
+    task.conduct(now, raysAtSphere(task, users, now));
   }
   assert.deepEqual(task.aims, users);
 });
 
-test('the conductor judges no more often than poses of a user come', () => {
-  const task = begun(1);
+test('the conductor judges at most as often as it receives poses', () => {
+  const task = startTrial(1);
   let told = 0;
   for (let moment = 1; moment <= 1000; moment++) {
     const now = moment / 1000;
-    told += task.conduct(now, moment % 2 === 1 ? aimed(task, [0], now) : new Map()).length;
+    told += task.conduct(now, moment % 2 === 1 ? raysAtSphere(task, [0], now) : new Map()).length;
   }
   assert.ok(told > 0 && told <= 80, `${told}`);
 });
 
-test('scores of groups that are gone are forgotten', () => {
+test('scores of groups that have left are forgotten', () => {
   const task = new Task(0, 2);
   for (const group of [0, 1, 2, 3, 4]) {
     task.hear({ kind: 'score', run: 1, trial: 1, over: false, spheres: group, misses: 0 }, 0, 9, group);
@@ -218,7 +218,7 @@ test('a pointer must meet the sphere ahead of it', () => {
   assert.equal(met(0.1, [0, 0, 0]), true);
 });
 
-test('spheres turn back where their box ends', () => {
+test('spheres reverse at the faces of their box', () => {
   assert.deepEqual([0.5, 2.5, -1.5, 7.5].map((at) => folded(at, -1, 2)), [0.5, 1.5, -0.5, 1.5]);
   assert.equal(folded(7, 1, 1), 1);
   assert.equal(LEVELS.length, 3);

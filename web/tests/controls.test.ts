@@ -10,7 +10,7 @@ import { fakeElement, letGo, point, press, send } from './fakes';
 
 const START: Pose = { position: [0, 1.7, 0], yaw: 0, pitch: 0 };
 
-function steered(pads: readonly (Pad | null)[] = []) {
+function createSteering(pads: readonly (Pad | null)[] = []) {
   const [element, keys] = [fakeElement(), new EventTarget()];
   const [poses, thumbs]: [Pose[], (Thumb | null)[]] = [[], []];
   const places: [number, number][] = [];
@@ -31,7 +31,7 @@ function close(a: number | undefined, b: number): void {
 }
 
 test('keys walk while they are held', () => {
-  const { keys, controls } = steered();
+  const { keys, controls } = createSteering();
   assert.ok(press(keys, 'KeyW').defaultPrevented);
   close(controls.update(0.5).position[2], -0.8);
   press(keys, 'KeyD');
@@ -42,8 +42,8 @@ test('keys walk while they are held', () => {
   assert.deepEqual(controls.update(0.5).position, position);
 });
 
-test('shift runs, opposite keys stand, a window that loses the keys stands', () => {
-  const { keys, controls } = steered();
+test('shift runs, opposite keys cancel each other, losing the focus stops', () => {
+  const { keys, controls } = createSteering();
   press(keys, 'ArrowUp', { shiftKey: true });
   close(controls.update(0.5).position[2], -2.4);
   press(keys, 'KeyS');
@@ -53,8 +53,8 @@ test('shift runs, opposite keys stand, a window that loses the keys stands', () 
   close(controls.update(0.5).position[2], -2.4);
 });
 
-test('arrows turn, and other keys and shortcuts are left alone', () => {
-  const { keys, controls } = steered();
+test('arrow keys turn, and other keys and shortcuts are ignored', () => {
+  const { keys, controls } = createSteering();
   for (const modifier of ['ctrlKey', 'metaKey', 'altKey']) {
     assert.ok(!press(keys, 'KeyW', { [modifier]: true }).defaultPrevented);
   }
@@ -65,8 +65,8 @@ test('arrows turn, and other keys and shortcuts are left alone', () => {
   close(controls.update(0.5).yaw, 0.7);
 });
 
-test('nothing moves in no time, and a long pause counts as half a second', () => {
-  const { keys, controls, poses } = steered();
+test('no time means no movement, and a long pause counts as half a second', () => {
+  const { keys, controls, poses } = createSteering();
   press(keys, 'KeyW');
   for (const seconds of [0, -1, Number.NaN]) assert.deepEqual(controls.update(seconds), START);
   assert.equal(poses.length, 0);
@@ -74,8 +74,8 @@ test('nothing moves in no time, and a long pause counts as half a second', () =>
   assert.equal(poses.length, 1);
 });
 
-test('dragging turns the head, by the same for every frame rate', () => {
-  const { element, controls } = steered();
+test('dragging turns the head by the same amount at every frame rate', () => {
+  const { element, controls } = createSteering();
   point(element, 'pointermove', 500, 300);
   point(element, 'pointerdown', 100, 100);
   assert.ok(element.held.has(1));
@@ -88,8 +88,8 @@ test('dragging turns the head, by the same for every frame rate', () => {
   close(pitch, 0.4);
 });
 
-test('a locked pointer looks the other way round', () => {
-  const { element, controls } = steered();
+test('a locked pointer turns in the opposite sense', () => {
+  const { element, controls } = createSteering();
   point(element, 'pointerdown', 100, 100);
   point(element, 'pointerup', 100, 100);
   controls.lookAround();
@@ -98,21 +98,21 @@ test('a locked pointer looks the other way round', () => {
   close(controls.update(0.1).pitch, -0.2);
 });
 
-test('two clicks, or two taps of a finger, ask for the place in the picture', () => {
-  const { element, places } = steered();
+test('two clicks, or two taps of a finger, request the place in the picture', () => {
+  const { element, places } = createSteering();
   send(element, 'dblclick', { clientX: 200, clientY: 150 });
   const touch = { pointerId: 4, pointerType: 'touch' };
   for (let tap = 0; tap < 2; tap++) {
     point(element, 'pointerdown', 600, 300, touch);
     point(element, 'pointerup', 600, 300, touch);
   }
-  // Some browsers tell of two taps, too.
+  // Some browsers report both taps as a double click, too.
   send(element, 'dblclick', { clientX: 600, clientY: 300 });
   assert.deepEqual(places, [[0.25, 0.25], [0.75, 0.5]]);
 });
 
 test('the left thumb walks while the right one looks', () => {
-  const { element, controls, thumbs } = steered();
+  const { element, controls, thumbs } = createSteering();
   const [left, right] = [{ pointerId: 7, pointerType: 'touch' }, { pointerId: 9, pointerType: 'touch' }];
   point(element, 'pointerdown', 100, 500, left);
   point(element, 'pointermove', 100, 400, left);
@@ -127,15 +127,15 @@ test('the left thumb walks while the right one looks', () => {
   assert.deepEqual(controls.update(0.5).position, position);
 });
 
-test('a thumb that rests does not creep', () => {
-  const { element, controls } = steered();
+test('a resting thumb does not drift', () => {
+  const { element, controls } = createSteering();
   point(element, 'pointerdown', 100, 500, { pointerType: 'touch' });
   point(element, 'pointermove', 103, 504, { pointerType: 'touch' });
   assert.deepEqual(controls.update(0.5).position, START.position);
 });
 
-test('modes change without a jump, and let go of fingers', () => {
-  const { element, controls } = steered();
+test('a change of mode causes no jump, and releases fingers', () => {
+  const { element, controls } = createSteering();
   point(element, 'pointerdown', 100, 500, { pointerType: 'touch' });
   point(element, 'pointermove', 100, 400, { pointerType: 'touch' });
   const before = controls.update(0.2);
@@ -147,7 +147,7 @@ test('modes change without a jump, and let go of fingers', () => {
 });
 
 test('in an orbit the wheel and two fingers zoom, and two fingers pan', () => {
-  const { element, controls } = steered();
+  const { element, controls } = createSteering();
   assert.ok(!send(element, 'wheel', { deltaY: 100, deltaMode: 0 }).defaultPrevented);
   controls.setMode('orbit');
   assert.ok(send(element, 'wheel', { deltaY: 100, deltaMode: 0, ctrlKey: false }).defaultPrevented);
@@ -165,8 +165,8 @@ test('in an orbit the wheel and two fingers zoom, and two fingers pan', () => {
   assert.ok(controls.update(0).position[1] > 1.8);
 });
 
-test('home stands at once, and a limit holds for both modes', () => {
-  const { keys, controls } = steered();
+test('home takes effect at once, and a limit holds for both modes', () => {
+  const { keys, controls } = createSteering();
   controls.setPose({ position: [3, 2, 1], yaw: 1, pitch: 0.1 });
   assert.deepEqual(controls.update(0), { position: [3, 2, 1], yaw: 1, pitch: 0.1 });
   controls.setPose(START);
@@ -184,8 +184,8 @@ test('home stands at once, and a limit holds for both modes', () => {
   assert.ok(controls.update(0.1).position[2] > 3);
 });
 
-test('after dispose nothing is heard', () => {
-  const { element, keys, controls } = steered();
+test('after dispose events are ignored', () => {
+  const { element, keys, controls } = createSteering();
   controls.dispose();
   press(keys, 'KeyW');
   point(element, 'pointerdown', 100, 100);
@@ -195,8 +195,8 @@ test('after dispose nothing is heard', () => {
 
 const PAD: Pad = { connected: true, mapping: 'standard', axes: [0, -1, 0.5, 0], buttons: [] };
 
-test('sticks walk and look; at rest, and of unknown layout, they do nothing', () => {
-  const { controls } = steered([null, PAD]);
+test('sticks walk and look; at rest or with an unknown layout they do nothing', () => {
+  const { controls } = createSteering([null, PAD]);
   const { yaw } = controls.update(0.5);
   close(yaw, (-0.7 * (0.5 - 0.18)) / (1 - 0.18));
   assert.ok(controls.update(0).position[2] < -0.7);
@@ -209,7 +209,7 @@ test('sticks walk and look; at rest, and of unknown layout, they do nothing', ()
   assert.ok(readPads([{ ...PAD, buttons }]).isHasty);
 });
 
-test('keys move the divider within the picture, and take it away', () => {
+test('keys move the divider within the picture, and remove it', () => {
   close(nextShare('ArrowLeft', 0.5) ?? undefined, 0.49);
   close(nextShare('PageUp', 0.95) ?? undefined, 1);
   assert.equal(nextShare('Home', 0.5), 0);
@@ -217,7 +217,7 @@ test('keys move the divider within the picture, and take it away', () => {
   for (const key of ['w', 'constructor', 'Tab']) assert.equal(nextShare(key, 0.5), undefined);
 });
 
-test('keys run commands once each, but not where they walk or where a shortcut is meant', () => {
+test('each key press runs a command once, but not if the key walks or belongs to a shortcut', () => {
   const [keys, stop] = [new EventTarget(), new AbortController()];
   const ran: string[] = [];
   listen(keys, (name) => ran.push(name), stop.signal);
@@ -226,7 +226,7 @@ test('keys run commands once each, but not where they walk or where a shortcut i
   press(keys, 'KeyC', { key: 'c', ctrlKey: true });
   press(keys, 'Slash', { key: '?', shiftKey: true });
   press(keys, 'Home', { key: 'Home' });
-  // Dvorak has its L where others have P, and its E, which nothing uses, where they walk to the right.
+  // Dvorak has L in place of P, and E, which has no command, in place of the key that walks to the right.
   press(keys, 'KeyP', { key: 'l' });
   press(keys, 'KeyD', { key: 'p' });
   press(keys, 'KeyQ', { key: '__proto__' });
@@ -235,8 +235,8 @@ test('keys run commands once each, but not where they walk or where a shortcut i
   assert.deepEqual(ran, ['split', 'help', 'home', 'link']);
 });
 
-test('a press while the pointer is locked neither captures it nor stops the looking around', () => {
-  const { element, controls } = steered();
+test('a press during pointer lock neither captures the pointer nor stops looking around', () => {
+  const { element, controls } = createSteering();
   controls.lookAround();
   point(element, 'pointerdown', 400, 300);
   point(element, 'pointermove', 400, 300, { movementX: 60 });

@@ -11,7 +11,7 @@ import type { FileData } from '../src/decode/messages';
 const folders = process.env['NEARFAR_BUNDLES']?.split(delimiter) ?? [];
 
 for (const folder of folders) {
-  /** Writes all pieces of a bundle's geometry beside it, for Python to compare with its own. */
+  /** Writes all pieces of a bundle's geometry beside it, for comparison in Python. */
   test(`geometry of a bundle: ${basename(folder)}`, async () => {
     const manifest = parseManifest(await readFile(`${folder}/manifest.json`, 'utf8'));
     const [region] = manifest.regions;

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { startDecoder } from '../src/show/decoder';
 
-/** A worker that hears, and answers nothing by itself. */
+/** A worker that receives messages and never answers by itself. */
 class SilentWorker {
   static last: SilentWorker | null = null;
   readonly heard: unknown[] = [];
@@ -20,7 +20,7 @@ class SilentWorker {
 
 const FORGET = { kind: 'forget', buffers: [], region: 0 } as const;
 
-test('after a decoder has stopped nobody waits for it', async () => {
+test('stopping a decoder ends all waiting', async () => {
   Object.assign(globalThis, { Worker: SilentWorker });
   const { decode } = startDecoder(new URL('https://example.org/worker.js'), () => undefined);
   const before = decode(FORGET);

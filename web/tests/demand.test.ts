@@ -14,7 +14,7 @@ const OTHER = 'files/fedcba9876543210.webp';
 const BASE = new URL('http://example.test/site/');
 const described = { bytes: 3, sha256: 'a'.repeat(64) };
 
-/** Lines that come when they are sent. */
+/** Lines that are delivered when the test sends them. */
 function createChannel() {
   const waiting: ((line: IteratorResult<unknown>) => void)[] = [];
   const sent: IteratorResult<unknown>[] = [];
@@ -49,7 +49,7 @@ function createListener() {
   };
 }
 
-/** The manifest with which a stage begins, whose maps have so many texels. */
+/** The manifest at the begin of a stage, with maps of so many texels. */
 function outline(face: number): Record<string, unknown> {
   const whole = manifest() as { regions: Record<string, unknown>[]; files: unknown };
   const rings = (whole.regions[0]?.['rings'] as object[]).map((ring) => ({ ...ring, geometry: null, parts: [], map: null }));
@@ -66,7 +66,7 @@ function ring(stage: number, number: number, file = FILE): unknown {
 
 const settled = (): Promise<void> => new Promise((done) => setTimeout(done, 1));
 
-test('rings can be fetched as they come, and maps of full size take the place of coarse ones', async () => {
+test('rings can be fetched as they are announced, and full-size maps replace coarse ones', async () => {
   const { lines, send, end } = createChannel();
   const { files, listener, makings } = createListener();
   send({ event: 'waiting', before: 2 }, begin(0));
@@ -80,7 +80,7 @@ test('rings can be fetched as they come, and maps of full size take the place of
   send(ring(0, 0));
   assert.deepEqual((await first).map?.color, FACES);
   assert.deepEqual(Object.keys(files), [FILE]);
-  // From now on at once.
+  // From now on lines arrive at once.
   assert.deepEqual(coming.ring(0), coming.entry.rings[0]);
   assert.equal(coming.manifest.map.face_size, 64);
   const last = coming.ring(3);
@@ -95,7 +95,7 @@ test('rings can be fetched as they come, and maps of full size take the place of
   end();
 });
 
-test('a place that was made before comes whole', async () => {
+test('an existing place comes complete', async () => {
   const { lines, send } = createChannel();
   const { files, listener, makings } = createListener();
   send({ event: 'whole', manifest: manifest() });
@@ -106,7 +106,7 @@ test('a place that was made before comes whole', async () => {
   assert.deepEqual(Object.keys(files), [FILE]);
 });
 
-test('rings beyond the last that is wanted are left out', async () => {
+test('rings beyond the last requested one are left out', async () => {
   const { lines, send } = createChannel();
   send(begin(0), ring(0, 0), ring(0, 1), ring(0, 2), begin(1), ring(1, 0), ring(1, 1), ring(1, 2), { event: 'end' });
   const coming = await readPlace(lines, '1', createListener().listener);
@@ -114,7 +114,7 @@ test('rings beyond the last that is wanted are left out', async () => {
   assert.equal((await coming.ring(2)).sharper?.maps.length, 2);
 });
 
-test('a reason, an end and damage are told to who waits', async () => {
+test('reasons, ends and damage reach those who wait', async () => {
   const cases: [lines: unknown[], kind: string, message: RegExp][] = [
     [[{ event: 'failed', reason: 'center: expected one with objects around it' }], 'place', /^center: expected one/],
     [[], 'network', /broke off/],
@@ -152,7 +152,7 @@ test('a reason, an end and damage are told to who waits', async () => {
   }
 });
 
-test('lines are yielded when they are whole, however they are cut', async () => {
+test('lines are yielded complete, however the stream is cut', async () => {
   const bytes = new TextEncoder().encode('{"a":"ä"}\n[1]\n2');
   for (const size of [1, 3, 100]) {
     const pieces = Array.from({ length: Math.ceil(bytes.length / size) }, (_, n) => bytes.slice(n * size, (n + 1) * size));
@@ -174,7 +174,7 @@ test('lines are yielded when they are whole, however they are cut', async () => 
   }, /parts: expected JSON/);
 });
 
-/** A network that answers in turn, and counts seconds. */
+/** A network with prepared answers, which records waiting times. */
 function createNetwork(...answers: (Response | Error)[]) {
   const waits: number[] = [];
   const network: Network = {
@@ -188,7 +188,7 @@ function createNetwork(...answers: (Response | Error)[]) {
   return { network, waits };
 }
 
-test('a busy server is asked again when it says, one that is not reached a few times', async () => {
+test('a busy server is asked again after the time it states, an unreachable one a few times', async () => {
   const { signal } = new AbortController();
   const later = (status: number, seconds?: string) =>
     new Response('', { status, headers: seconds === undefined ? {} : { 'retry-after': seconds } });
@@ -207,7 +207,7 @@ test('a busy server is asked again when it says, one that is not reached a few t
   });
 });
 
-test('a place on the grid has one number, and its margin when it is known', () => {
+test('a place on the grid has one number, and its margin once known', () => {
   const grid = createGrid(2);
   const first = grid.nearest([0.9, 1.7, -0.9]);
   assert.deepEqual(grid.of(first).center.join(), '0,1.75,0');
@@ -217,7 +217,7 @@ test('a place on the grid has one number, and its margin when it is known', () =
   assert.equal(grid.of(first).fold_margin, 44);
 });
 
-test('the next place is asked for where the user is when half of the limit is left, and kept while it serves', () => {
+test('the next place is requested at the user when half of the limit is left, and kept while it serves', () => {
   const grid = createGrid(2);
   const current = grid.nearest([0, 1.75, 0]);
   const at = (z: number, ahead: number | null, metres = 44) => {
@@ -226,14 +226,14 @@ test('the next place is asked for where the user is when half of the limit is le
   assert.equal(at(21, null), null);
   const next = at(23, null) as number;
   assert.deepEqual(grid.of(next).center, [0, 1.75, 24]);
-  // Going on, and back a little.
+  // Moving on, and back a little.
   assert.equal(at(30, next), next);
   assert.equal(at(19, next), next);
   assert.equal(at(17, next), null);
-  // Aside of it another one serves better.
+  // To the side another place serves better.
   const aside = grid.ahead({ place: [18, 1.75, 18], current, ahead: next, limit: { center: [0, 1.75, 0], metres: 44 } });
   assert.deepEqual(grid.of(aside as number).center, [18, 1.75, 18]);
-  // The limit grew with the picture that is shown.
+  // The limit grew with the shown picture.
   assert.deepEqual(grid.of(at(5.2, null, 7) as number).center, [0, 1.75, 6]);
   assert.equal(at(5, null), null);
   assert.equal(at(0.5, null, 0.6), null);
@@ -252,7 +252,7 @@ const SCENE = {
   is_static: true,
 };
 
-test('the documents of a scene are read, and damage is named', async () => {
+test('the documents of a scene are parsed, and damage is named', async () => {
   const { signal } = new AbortController();
   assert.ok(isSite(SITE));
   assert.ok(![manifest(), null, 3, []].some(isSite));

@@ -1,6 +1,6 @@
-/** Parts of a browser that Node lacks, as far as controls use it. */
+/** Stand-ins for parts of a browser that Node lacks, as far as controls use them. */
 
-/** An element of 800 × 600 pixels that hears pointers, and remembers which it holds. */
+/** An element of 800 × 600 pixels that records pointer events and captured pointers. */
 export interface FakeElement extends HTMLElement {
   readonly held: Set<number>;
 }
@@ -21,7 +21,7 @@ export function fakeElement(): FakeElement {
   return element as unknown as FakeElement;
 }
 
-/** An event with properties that its type would have in a browser. */
+/** An event with the properties of its type in a browser. */
 export function send(target: EventTarget, name: string, properties: object = {}): Event {
   const event = Object.assign(new Event(name, { cancelable: true }), properties);
   target.dispatchEvent(event);
@@ -37,7 +37,7 @@ export function letGo(target: EventTarget, code: string, modifiers: object = {})
   return send(target, 'keyup', { code, key: code, shiftKey: false, ...modifiers });
 }
 
-/** A pointer at a place; `pointerdown`, `pointermove` or `pointerup`. */
+/** A pointer event at a position; `pointerdown`, `pointermove` or `pointerup`. */
 export function point(target: EventTarget, name: string, clientX: number, clientY: number, more: object = {}): Event {
   const usual = { pointerId: 1, pointerType: 'mouse', button: 0, shiftKey: false, movementX: 0, movementY: 0 };
   return send(target, name, { ...usual, clientX, clientY, ...more });

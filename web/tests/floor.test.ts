@@ -22,7 +22,7 @@ function near(a: readonly number[], b: readonly number[], far = 1e-12): void {
   a.forEach((value, axis) => assert.ok(Math.abs(value - (b[axis] ?? Number.NaN)) < far, `${a} is not ${b}`));
 }
 
-/** Columns of the matrix of a head that has turned by a yaw, looked up, and rolled to the left. */
+/** Columns of the matrix of a head after a yaw, a pitch upwards and a roll to the left. */
 function matrixOf(yaw: number, pitch: number, roll: number): number[] {
   const [cy, sy, cp, sp] = [Math.cos(yaw), Math.sin(yaw), Math.cos(pitch), Math.sin(pitch)];
   const [right, up]: [Vector, Vector] = [[cy, 0, -sy], [sy * sp, cp, cy * sp]];
@@ -32,25 +32,25 @@ function matrixOf(yaw: number, pitch: number, roll: number): number[] {
   return [...mixed(right, up, c, s), 0, ...mixed(up, right, c, -s), 0, ...back, 0, 1, 2, 3, 1];
 }
 
-test('points of the headset and of the world are each other’s', () => {
+test('conversions of points between headset and world are inverse', () => {
   near(worldOf({ position: [1, 2, 3], yaw: Math.PI / 2 }, [0, 0, -1]), [0, 2, 3]);
   near(localOf(FLOOR, worldOf(FLOOR, [1.5, 0.2, -4])), [1.5, 0.2, -4]);
 });
 
-test('the head stands where the page was, and looks the same way', () => {
+test('the head keeps position and direction of the page', () => {
   const floor = floorUnder([5, 0, 6], 2.5, HEAD);
   const { position, yaw, pitch } = inWorld(floor, HEAD);
   near([...position, yaw, pitch], [5, 1.5, 6, 2.5, -0.2]);
 });
 
-test('turns go around the head', () => {
+test('turns rotate about the head', () => {
   const before = inWorld(FLOOR, HEAD);
   const after = inWorld(turnFloor(FLOOR, HEAD, 0.5), HEAD);
   near(after.position, before.position);
   near([after.yaw - before.yaw], [0.5]);
 });
 
-test('moves put the head above a point, at its height', () => {
+test('moves place the head above a point, at its height', () => {
   near(inWorld(moveFloor(FLOOR, HEAD, [-1, 99, 2]), HEAD).position, [-1, 4.5, 2]);
 });
 
@@ -61,7 +61,7 @@ test('both eyes stay within the limits', () => {
   near(clampToBounds([1, 7, 101], bounds), [1, 7, 5 - EYE_APART]);
   near(clampToBounds([1, 7, 101], null), [1, 7, 101]);
   near(clampToBounds([3, 7, 1], headBounds({ open: [], shown: [{ ...limit, metres: 0 }] })), [1, 7, 1]);
-  // While one region takes over from another, within both.
+  // While one region replaces another, within both.
   const two = { open: [], shown: [limit, { center: [6, 0, 1], metres: 2 }] } as const;
   for (const point of [[0, 7, 0], [9, 7, 9], [4.5, 7, 1]] as const) {
     const [x, y, z] = clampToBounds(point, two);
@@ -71,7 +71,7 @@ test('both eyes stay within the limits', () => {
   near(clampToBounds([4.5, 7, 1], two), [4.5, 7, 1]);
 });
 
-test('a head has yaw and pitch, however it is rolled', () => {
+test('yaw and pitch of a head do not depend on its roll', () => {
   for (const [yaw, pitch, roll] of [[0, 0, 0], [2, 1, 0.4], [-3, -1.2, -1], [0.3, 1.5, 0.01]] as const) {
     const { position, ...angles } = headOf(matrixOf(yaw, pitch, roll));
     assert.deepEqual(position, [1, 2, 3]);
@@ -79,6 +79,6 @@ test('a head has yaw and pitch, however it is rolled', () => {
   }
 });
 
-test('a head that looks straight up or down has the yaw that it came with', () => {
+test('a head that looks straight up or down keeps its yaw', () => {
   for (const pitch of [Math.PI / 2, -Math.PI / 2, 1.56, -1.56]) near([headOf(matrixOf(0.8, pitch, 0)).yaw], [0.8], 1e-9);
 });

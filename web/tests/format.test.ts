@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { bytes, bytesOf, count, metres, milliseconds, percent, rate } from '../src/ui/format';
 
-/** Numbers and units are held together by a space at which no line breaks. */
+/** Replaces the no-break space between numbers and units. */
 const plain = (text: string): string => text.replaceAll('\u00a0', ' ');
 
 const CASES: readonly (readonly [string, string])[] = [
@@ -44,11 +44,11 @@ const CASES: readonly (readonly [string, string])[] = [
   [metres(3210), '3.2 km'],
 ];
 
-test('numbers are said as people say them', () => {
+test('numbers are written as people say them', () => {
   for (const [found, expected] of CASES) assert.equal(plain(found), expected);
 });
 
-test('what is no amount is a dash', () => {
+test('missing amounts are a dash', () => {
   for (const wrong of [Number.NaN, Number.POSITIVE_INFINITY, -1]) {
     const found = [bytes(wrong), bytesOf(1, wrong), rate(wrong), count(wrong), percent(wrong, 1), milliseconds(wrong)];
     assert.deepEqual([...found, metres(wrong)], Array(7).fill('–'));

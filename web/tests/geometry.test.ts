@@ -5,7 +5,7 @@ import { type Buffers, type Decoded, decodeGeometry } from '../src/decode/geomet
 import { openGlb } from '../src/decode/glb';
 import type { GeometryRequest } from '../src/decode/messages';
 import { type Arrays, createArrays, documentOf, fileOf, glbOf, type Json, NAME, requestOf } from './support/glb';
-import { altered } from './support/manifest';
+import { replaceAt } from './support/manifest';
 
 before(() => MeshoptEncoder.ready);
 
@@ -29,7 +29,7 @@ function decode(document: Json, arrays: Arrays, changes: Partial<GeometryRequest
 
 const PLAIN = { color: [1, 1, 1, 1], image: null, cutoff: null, emission: null, glow: null, isUnlit: false } as const;
 
-test('all attributes of a primitive', async () => {
+test('all attributes of a primitive are decoded', async () => {
   const arrays = createArrays();
   const geometry = await decode(documentOf(arrays, square(arrays), [{ mesh: 0 }]), arrays);
   assert.deepEqual(geometry.triangles, { own: 2, drawn: 2 });
@@ -56,7 +56,7 @@ test('far from the origin of the world positions are rounded once', async () => 
   assert.deepEqual(pieces[0]?.positions.slice(0, 6), expected);
 });
 
-test('placements of nodes and of arrays are one piece; those of dynamic objects stay apart', async () => {
+test('placements by nodes and by arrays are one piece; dynamic objects stay apart', async () => {
   const arrays = createArrays();
   const primitive = square(arrays);
   const turn = Math.fround(Math.SQRT1_2);
@@ -86,7 +86,7 @@ test('placements of nodes and of arrays are one piece; those of dynamic objects 
   assert.deepEqual(apart, [['sheared', 12], ['', 24]]);
 });
 
-test('hundreds of thousands of placements come as one piece', async () => {
+test('hundreds of thousands of placements are one piece', async () => {
   const arrays = createArrays();
   const count = 300_000;
   const primitive = square(arrays);
@@ -97,7 +97,7 @@ test('hundreds of thousands of placements come as one piece', async () => {
   assert.deepEqual(pieces.map(({ placements }) => placements?.length), [12 * (count + 1)]);
 });
 
-test('large meshes come in parts with the same triangles', async () => {
+test('large meshes are split into parts with the same triangles', async () => {
   const side = 150;
   const positions = new Float32Array(3 * side * side).map((_, n) => {
     const vertex = Math.floor(n / 3);
@@ -127,12 +127,12 @@ test('large meshes come in parts with the same triangles', async () => {
         return side * (piece.positions[3 * vertex + 1] ?? NaN) + (piece.positions[3 * vertex] ?? NaN);
       });
     });
-    // The codec may begin a triangle at another of its corners.
+    // The codec may rotate a triangle's corners.
     assert.equal(leastCornerFirst(found), leastCornerFirst(corners));
   }
 });
 
-/** Triangles that begin at their least corner. */
+/** Triangles rotated so that each begins at its least corner. */
 function leastCornerFirst(corners: number[]): string {
   return Array.from({ length: corners.length / 3 }, (_, n) => {
     const triangle = corners.slice(3 * n, 3 * n + 3);
@@ -141,11 +141,11 @@ function leastCornerFirst(corners: number[]): string {
   }).join();
 }
 
-test('buffers of earlier requests are kept, also if another part is damaged', async () => {
+test('buffers of earlier requests are kept, even if another part is damaged', async () => {
   const arrays = createArrays();
   const primitive = square(arrays);
   const uri = '00000000000000bb.bin';
-  const document = altered(documentOf(arrays, primitive, [{ mesh: 0 }]), ['buffers', 0, 'uri'], uri);
+  const document = replaceAt(documentOf(arrays, primitive, [{ mesh: 0 }]), ['buffers', 0, 'uri'], uri);
   const data = glbOf(document, new Uint8Array());
   const part = fileOf(`files/${uri}`, Uint8Array.from(arrays.chunk()));
   const wrong = { ...fileOf('files/00000000000000cc.bin', Uint8Array.of(1, 2)), sha256: 'f'.repeat(64) };
@@ -156,7 +156,7 @@ test('buffers of earlier requests are kept, also if another part is damaged', as
   assert.equal((await decodeGeometry(requestOf(data), kept)).triangles.own, 2);
 });
 
-test('cut-outs, and pictures that the page has', async () => {
+test('cut-outs, and textures that the page already has', async () => {
   const arrays = createArrays();
   const uri = '00000000000000dd.webp';
   const surface = { baseColorTexture: { index: 0 } };
@@ -169,11 +169,11 @@ test('cut-outs, and pictures that the page has', async () => {
   const { pieces } = await decode(document, arrays, { known: [`files/${uri}`] });
   assert.deepEqual(pieces[0]?.material, { ...PLAIN, image: `files/${uri}`, cutoff: 0.25 });
   await assert.rejects(decode(document, arrays), /^Error: files\/00000000000000dd\.webp is not there$/);
-  const outside = altered(document, ['images', 0, 'uri'], '../../secret.webp') as Json;
+  const outside = replaceAt(document, ['images', 0, 'uri'], '../../secret.webp') as Json;
   await assert.rejects(decode(outside, arrays), /pictures that are files of the bundle/);
 });
 
-test('emission, and materials that are unlit', async () => {
+test('emission and unlit materials', async () => {
   const arrays = createArrays();
   const uri = '00000000000000ee.webp';
   const strength = { KHR_materials_emissive_strength: { emissiveStrength: 4 } };
@@ -185,7 +185,7 @@ test('emission, and materials that are unlit', async () => {
   };
   const known = { known: [`files/${uri}`] };
   const materialOf = async (path: readonly (string | number)[], value: unknown) =>
-    (await decode(altered(document, ['materials', 0, ...path], value) as Json, arrays, known)).pieces[0]?.material;
+    (await decode(replaceAt(document, ['materials', 0, ...path], value) as Json, arrays, known)).pieces[0]?.material;
   assert.deepEqual(await materialOf(['name'], 'lamp'), { ...PLAIN, emission: [2, 4, 0], glow: `files/${uri}` });
   assert.deepEqual(await materialOf(['emissiveFactor'], [0, 0, 0]), PLAIN);
   assert.deepEqual(await materialOf(['extensions'], { KHR_materials_unlit: {} }), { ...PLAIN, isUnlit: true });
@@ -194,7 +194,7 @@ test('emission, and materials that are unlit', async () => {
   }
 });
 
-test('damage is an error that names the file', async () => {
+test('damage raises an error that names the file', async () => {
   const arrays = createArrays();
   const primitive = square(arrays);
   const bad = arrays.add(Float32Array.of(0, NaN, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0), 3);
@@ -233,7 +233,7 @@ test('damage is an error that names the file', async () => {
     [['images'], [{}], /pictures that are files/],
   ];
   for (const [path, value, message] of changes) {
-    await assert.rejects(decode(altered(document, path, value) as Json, arrays), (error: Error) => {
+    await assert.rejects(decode(replaceAt(document, path, value) as Json, arrays), (error: Error) => {
       assert.ok(error.message.startsWith(`${NAME}: `), error.stack);
       assert.match(error.message, message);
       return true;
@@ -244,7 +244,7 @@ test('damage is an error that names the file', async () => {
   }
 });
 
-test('compressed arrays that claim what cannot be are refused before anything is set aside', async () => {
+test('compressed arrays with impossible sizes are refused before allocation', async () => {
   const arrays = createArrays();
   const attributes = { POSITION: arrays.pack(POSITIONS, 3, 'ATTRIBUTES') };
   const document = documentOf(arrays, { attributes, indices: arrays.add(CORNERS, 1) }, [{ mesh: 0 }]);
@@ -262,11 +262,11 @@ test('compressed arrays that claim what cannot be are refused before anything is
     ['byteLength', 12, /expected a compressed array/],
   ];
   for (const [name, value, message] of changes) {
-    await assert.rejects(decode(altered(document, [...packed, name], value) as Json, arrays), message);
+    await assert.rejects(decode(replaceAt(document, [...packed, name], value) as Json, arrays), message);
   }
 });
 
-test('one array that many describe does not fill the memory', async () => {
+test('one array with many descriptions does not fill the memory', async () => {
   const arrays = createArrays();
   const corners = arrays.add(new Uint32Array(100), 1);
   const glb = openGlb(glbOf(arrays.lists(), arrays.chunk()), new Map(), 1000);
@@ -275,7 +275,7 @@ test('one array that many describe does not fill the memory', async () => {
   await assert.rejects(glb.read(corners, 1), /the arrays take more than 1000 bytes/);
 });
 
-test('files with wrong bytes are decoded or refused, always with a sentence', async () => {
+test('files with wrong bytes are decoded or refused, always with a message', async () => {
   const arrays = createArrays();
   const attributes = { POSITION: arrays.pack(POSITIONS, 3, 'ATTRIBUTES') };
   const primitive = { ...square(arrays), attributes };

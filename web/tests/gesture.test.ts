@@ -18,7 +18,7 @@ function hand(...bends: readonly [number, number, number, number]): Joints {
 
 const [STRAIGHT, BENT, FIST] = [0.1, 0.9, 1.4] as const;
 
-test('a hand points by its index finger alone', () => {
+test('a hand points with its index finger alone', () => {
   assert.equal(isPointing(hand(STRAIGHT, FIST, FIST, FIST), false), true);
   assert.equal(isPointing(hand(STRAIGHT, STRAIGHT, STRAIGHT, STRAIGHT), false), false);
   assert.equal(isPointing(hand(FIST, FIST, FIST, FIST), true), false);
@@ -27,13 +27,13 @@ test('a hand points by its index finger alone', () => {
   assert.equal(isPointing(hand(STRAIGHT, FIST, FIST, STRAIGHT), true), false);
 });
 
-test('who points goes on with it while fingers tremble', () => {
+test('pointing continues while fingers tremble', () => {
   const between = hand(0.6, 1.0, 1.0, 1.0);
   assert.equal(isPointing(between, false), false);
   assert.equal(isPointing(between, true), true);
 });
 
-test('a hand without joints, or whose joints are all in one place, does not point', () => {
+test('a hand without joints, or with all joints in one place, does not point', () => {
   assert.equal(isPointing(null, true), false);
   assert.equal(isPointing({ matrices: new Float32Array(400), radii: new Float32Array(25) }, true), false);
 });

@@ -6,7 +6,7 @@ import { createStage } from '../src/show/stage';
 const settings = { radii: [10, 22, 63], speed: 0.7, reach: 1, nearShare: 0.7, fade: 0.5 };
 const rate = (0.7 * Math.PI) / 180;
 
-test('ring 1 grows by strength, in the time that the manifest prescribes', () => {
+test('ring 1 grows in strength, in the time that the manifest prescribes', () => {
   const whole = 1 / (0.7 * 10 * rate);
   const half = grow(NOTHING_NEAR, 1, whole / 2, settings);
   assert.ok(Math.abs(half.strength - 0.5) < 1e-12);
@@ -19,14 +19,14 @@ test('later rings grow so that 1/R falls linearly', () => {
   assert.equal(grow({ radius: 10, strength: 1 }, 2, 1e6, settings).radius, 22);
 });
 
-test('the time of frames does not matter', () => {
+test('the frame rate does not matter', () => {
   let many = NOTHING_NEAR;
   for (let n = 0; n < 3000; n++) many = grow(many, 3, 0.01, settings);
   const once = grow(NOTHING_NEAR, 3, 30, settings);
   assert.ok(Math.abs(many.radius - once.radius) < 1e-6);
 });
 
-test('rings that come at once fade in one after the other, and no radius exceeds that of a ring that is there', async () => {
+test('rings that arrive together fade in one after the other, no radius exceeds that of a loaded ring', async () => {
   const stage = createStage(settings, { isSmooth: true, isWhole: false });
   stage.enter(NOTHING_NEAR);
   for (const ring of [0, 1, 2, 3]) stage.arrive(ring);
@@ -42,7 +42,7 @@ test('rings that come at once fade in one after the other, and no radius exceeds
   await stage.replaceable(4);
 });
 
-test('a ring may replace a map only when that is no longer shown', async () => {
+test('a ring may replace a map only when the map is no longer shown', async () => {
   const stage = createStage(settings, { isSmooth: true, isWhole: false });
   stage.enter(NOTHING_NEAR);
   stage.arrive(0);
@@ -61,18 +61,18 @@ test('a ring may replace a map only when that is no longer shown', async () => {
   assert.equal(isFree, true);
 });
 
-test('a radius that would fold is not shown: near things stay as the centre sees them until a ring is large enough', () => {
+test('a folding radius is not shown: near things stay as seen from the centre until a ring is large enough', () => {
   const held = grow(NOTHING_NEAR, 2, 5, settings, 30);
   assert.deepEqual(held, { radius: 22, strength: 0 });
   const begun = grow(held, 3, 1, settings, 30);
   assert.ok(begun.radius === 63 && begun.strength > 0 && begun.strength < 1);
-  // Once things have begun to move, they go on.
+  // Once points have begun to move, they continue.
   assert.ok(grow({ radius: 22, strength: 0.5 }, 2, 1, settings, 30).strength > 0.5);
-  // Whoever walks back needs no large radius.
+  // Walking back needs no large radius.
   assert.equal(grow(held, 2, 1, settings, 5).radius, 10);
 });
 
-test('a region begins as another one is shown, as far as its rings allow', () => {
+test('a region begins like the region shown before, as far as its rings allow', () => {
   const stage = createStage(settings, { isSmooth: true, isWhole: false });
   assert.equal(stage.offer({ radius: 15, strength: 1 }), null);
   stage.arrive(0);
@@ -87,7 +87,7 @@ test('a region begins as another one is shown, as far as its rings allow', () =>
   assert.ok(later && later.grown.radius > 15);
 });
 
-test('a region that is not shown takes each ring in place of the one before, so that no map waits', async () => {
+test('a hidden region replaces each ring by the next, so that no map waits', async () => {
   const stage = createStage(settings, { isSmooth: true, isWhole: false });
   for (const ring of [0, 1, 2]) {
     await stage.replaceable(ring);

@@ -22,7 +22,7 @@ interface Loaded {
   since: number;
 }
 
-/** Regions along x, whose rings arrive some seconds after their loading began; one region loads at a time. */
+/** Regions along x, whose rings arrive some seconds after loading began; one region loads at a time. */
 function world(centers: readonly number[], arrivals: readonly number[] = [0.2, 0.5, 1], speed = 50) {
   const opened = new Map<number, Loaded>();
   const log: string[] = [];
@@ -76,7 +76,7 @@ function world(centers: readonly number[], arrivals: readonly number[] = [0.2, 0
   );
   let position: Vector = [centers[0] ?? 0, 1.7, 0];
 
-  /** A frame of a user who wants to move; every picture that is shown is checked. */
+  /** A frame of a user who wants to move; every displayed picture is checked. */
   function frame(velocity: Vector, seconds = FRAME): Leg {
     load(seconds);
     const { bounds } = journey;
@@ -93,7 +93,7 @@ function world(centers: readonly number[], arrivals: readonly number[] = [0.2, 0
     return leg;
   }
 
-  /** Whether the picture of a region does not fold at a place. */
+  /** Asserts that the picture of a region does not fold at a place. */
   function check(region: number, place: Vector): void {
     const grown = regions.grown(region);
     if (!grown || grown.strength === 0) return;
@@ -112,7 +112,7 @@ function frames(walk: ReturnType<typeof world>, count: number, velocity: Vector)
 const STILL: Vector = [0, 0, 0];
 const EAST: Vector = [1.4, 0, 0];
 
-test('the region ahead is loaded before its border, and takes over behind it by a cross-fade', () => {
+test('the region ahead is loaded before its border, and cross-fades behind it', () => {
   const walk = world([0, 12]);
   frames(walk, 72 * 12, STILL);
   assert.deepEqual(walk.log, ['open 0', 'enter 0']);
@@ -129,12 +129,12 @@ test('the region ahead is loaded before its border, and takes over behind it by 
   assert.equal(shares[0], 0);
   shares.forEach((share, n) => n > 0 && close(share - (shares[n - 1] ?? 0), FRAME / FADE));
   close(shares.at(-1) ?? 0, 1, 1.5 * (FRAME / FADE));
-  // Its radius and strength are those that were shown.
+  // Radius and strength are those of the region shown before.
   assert.deepEqual(walk.opened.get(1)?.shown?.grown, { radius: 22, strength: 1 });
   close(walk.place()[0], 1.4 * 8, 1e-9);
 });
 
-test('at a border nothing flaps, and the region behind is kept', () => {
+test('at a border regions do not alternate, and the region behind is kept', () => {
   const walk = world([0, 12]);
   frames(walk, 72 * 12, STILL);
   frames(walk, Math.round(72 * (7 / 1.4)), EAST);
@@ -148,12 +148,12 @@ test('at a border nothing flaps, and the region behind is kept', () => {
     'enter 1',
     'enter 0',
   ]);
-  // Far away it is let go.
+  // Far away it is released.
   frames(walk, 72 * 4, [-1.4, 0, 0]);
   assert.equal(walk.log.at(-1), 'close 1');
 });
 
-test('on a slow network the old picture stays, and the user is held where it folds', () => {
+test('on a slow network the old picture stays, and the user is stopped where it would fold', () => {
   const walk = world([0, 24]);
   frames(walk, 72 * 12, STILL);
   walk.stalled.add(1);
@@ -166,7 +166,7 @@ test('on a slow network the old picture stays, and the user is held where it fol
   assert.ok(walk.place()[0] > MARGIN);
 });
 
-test('without ring 1 of the next region near geometry does not go back into a map', () => {
+test('without ring 1 of the next region near geometry does not return into a map', () => {
   const walk = world([0, 24], [0.2, 0.5, 1]);
   frames(walk, 72 * 12, STILL);
   const slow = walk.opened;
@@ -177,7 +177,7 @@ test('without ring 1 of the next region near geometry does not go back into a ma
   assert.equal(walk.journey.region, 0);
 });
 
-test('a region with smaller rings than those shown takes over only at the edge', () => {
+test('a region with smaller rings takes over only at the edge', () => {
   const walk = world([0, 16], [0.2, 0.5, 1e9]);
   const first = walk.opened.get(0) as Loaded;
   [0, 1, 2].forEach((ring) => first.stage.arrive(ring));
@@ -205,14 +205,14 @@ test('turning round during a fade ends it first, and then fades back', () => {
   assert.deepEqual(runs, ['1 fades', '0 fades', '0 is shown']);
 });
 
-test('running along many regions never shows a picture that folds', () => {
+test('running through many regions never shows a folding picture', () => {
   const walk = world(Array.from({ length: 20 }, (_, n) => 6 * n), [0.5, 1.5, 3]);
   frames(walk, 72, STILL);
   for (let n = 0; n < 72 * 60; n++) walk.frame([4.8, 0, n % 300 < 150 ? 1 : -1]);
   assert.equal(walk.journey.region, 19);
 });
 
-test('any walk and any network: no picture folds, and steps stay steps', () => {
+test('any walk on any network: no picture folds, and steps keep their length', () => {
   let seed = 1;
   const random = (): number => {
     seed = (seed * 48271) % 2147483647;
@@ -240,7 +240,7 @@ test('any walk and any network: no picture folds, and steps stay steps', () => {
   }
 });
 
-test('a place near by is gone to at once, with the old picture where it was', () => {
+test('a nearby place is reached at once, with the old picture in its position', () => {
   const walk = world([0, 40]);
   frames(walk, 72 * 12, STILL);
   walk.journey.go({ position: [5, 1.7, 2], yaw: 1, pitch: 0 });
@@ -253,7 +253,7 @@ test('a place near by is gone to at once, with the old picture where it was', ()
   assert.equal(walk.log.includes('leave 0'), false);
 });
 
-test('a place in another region is gone to when its first map is there, whatever else would load', () => {
+test('a place in another region is reached when its first map has arrived, before other loads', () => {
   const walk = world([0, 100], [1, 2, 3]);
   frames(walk, 10, STILL);
   walk.journey.go({ position: [105, 1.7, 0], yaw: 0, pitch: 0 });
@@ -265,11 +265,11 @@ test('a place in another region is gone to when its first map is there, whatever
   assert.deepEqual(walk.place(), [105, 1.7, 0]);
   frames(walk, 72 * 4, STILL);
   assert.deepEqual([...walk.opened.keys()], [1]);
-  // 5 m from the centre: the first ring's radius does not fold there.
+  // 5 m from the centre the first ring's radius does not fold.
   assert.deepEqual(walk.opened.get(1)?.shown?.grown, { radius: 22, strength: 1 });
 });
 
-test('where the first radius would fold all is shown as the centre sees it, until a ring is large enough', () => {
+test('where the first radius would fold, everything is shown from the centre until a ring is large enough', () => {
   const walk = world([0, 100], [0.1, 0.2, 5]);
   frames(walk, 72, STILL);
   walk.journey.go({ position: [112, 1.7, 0], yaw: 0, pitch: 0 });
@@ -280,7 +280,7 @@ test('where the first radius would fold all is shown as the centre sees it, unti
   assert.ok(radius === 22 && (strength ?? 0) > 0);
 });
 
-test('a place beyond all regions is put within the nearest', () => {
+test('a place outside all regions is clamped into the nearest', () => {
   const walk = world([0, 30]);
   frames(walk, 72 * 12, STILL);
   walk.journey.go({ position: [500, 1.7, 0], yaw: 0, pitch: 0 });
@@ -289,7 +289,7 @@ test('a place beyond all regions is put within the nearest', () => {
   close(walk.place()[0], 30 + 0.9 * MARGIN, 1e-9);
 });
 
-test('a region that cannot be loaded is not waited for', () => {
+test('the page does not wait for a region that failed to load', () => {
   const walk = world([0, 100]);
   frames(walk, 72 * 2, STILL);
   walk.stalled.add(1);
@@ -302,13 +302,13 @@ test('a region that cannot be loaded is not waited for', () => {
   assert.deepEqual([...walk.opened.keys()], [0]);
 });
 
-test('coarse maps do not take the place of fine ones, but at the edge', () => {
+test('coarse maps replace fine ones only at the edge', () => {
   const walk = world([0, 16]);
   frames(walk, 72 * 12, STILL);
   walk.coarse.add(1);
   frames(walk, Math.round(72 * (8 / 1.4)), EAST);
   const loaded = walk.opened.get(1) as Loaded;
-  // All rings but for the one that makes it fine.
+  // All rings but the one with the fine map.
   loaded.ring = RADII.length - 1;
   [0, 1, 2].forEach((ring) => loaded.stage.arrive(ring));
   walk.stalled.add(1);

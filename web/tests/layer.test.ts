@@ -4,7 +4,7 @@ import type { WebGLRenderer } from 'three';
 import type { Cube } from '../src/show/cubes';
 import { createMapLayer } from '../src/xr/layer';
 
-/** A renderer in a headset with layers; `copies` counts what is copied into them. */
+/** A renderer in a headset with layers; `copies` counts copies into layers. */
 function renderer(): { renderer: WebGLRenderer; copies: () => number } {
   let copies = 0;
   const layer = { needsRedraw: false };
@@ -30,7 +30,7 @@ function renderer(): { renderer: WebGLRenderer; copies: () => number } {
   return { renderer: made as unknown as WebGLRenderer, copies: () => copies };
 }
 
-test('coarse maps are drawn, because a layer has the texels of full ones', () => {
+test('coarse maps are drawn, because a layer has the texels of full maps', () => {
   Object.assign(globalThis, { DOMPointReadOnly: class {} });
   const { renderer: made, copies } = renderer();
   const layer = createMapLayer(made, 1024);

@@ -8,12 +8,12 @@ const BOUNDS: Bounds = { open: [LIMIT], shown: [LIMIT] };
 const at = (away: number, height = 1.7): Vector => [5 + 0.6 * away, height, -3 + 0.8 * away];
 const close = (a: number, b: number, within = 1e-9): void => assert.ok(Math.abs(a - b) <= within, `${a} is not ${b}`);
 
-test('within the free part, and without a limit, steps are whole', () => {
+test('within the free part, and without a limit, steps have their full length', () => {
   assert.deepEqual(confine(at(0), at(7.9), BOUNDS), at(7.9));
   assert.deepEqual(confine(at(0), at(500), null), at(500));
 });
 
-test('steps back are whole from everywhere', () => {
+test('steps inwards always have their full length', () => {
   assert.deepEqual(confine(at(9.9), at(9.5), BOUNDS), at(9.5));
   assert.deepEqual(confine(at(30), at(29), BOUNDS), at(29));
 });
@@ -36,11 +36,11 @@ test('one long step equals many short ones', () => {
   place.forEach((value, axis) => close(value, once[axis] ?? 0));
 });
 
-test('the first step beyond the free part is whole: nothing jars', () => {
+test('the first step beyond the free part has almost its full length: no jolt', () => {
   close(distance(confine(at(8), at(8.001), BOUNDS), LIMIT), 8.001, 1e-6);
 });
 
-test('a user beyond the limit cannot go on, and is led back without a jump', () => {
+test('a user beyond the limit can only move back, and without a jump', () => {
   close(distance(confine(at(12), at(13), BOUNDS), LIMIT), 12);
   let place = at(12);
   for (let step = 0; step < 100; step++) {
@@ -53,7 +53,7 @@ test('a user beyond the limit cannot go on, and is led back without a jump', () 
   assert.deepEqual(settle(at(9), BOUNDS, 1), at(9));
 });
 
-test('the share of a step ends as far out as the step does', () => {
+test('the returned share of a step agrees with its end point', () => {
   const [from, to]: [Vector, Vector] = [at(7), at(15)];
   const share = allowedShare(from, to, BOUNDS);
   close(7 + 8 * share, distance(confine(from, to, BOUNDS), LIMIT));
@@ -65,15 +65,15 @@ test('the share of a step ends as far out as the step does', () => {
 /** Two discs that overlap by 8 m along x; the border lies at 6. */
 const [LEFT, RIGHT] = [{ center: [0, 0, 0], metres: 10 }, { center: [12, 0, 0], metres: 10 }] as const;
 
-test('between two regions that can be shown no step is shortened', () => {
+test('between two displayable regions no step is shortened', () => {
   const both: Bounds = { open: [LEFT, RIGHT], shown: [LEFT] };
   assert.deepEqual(confine([5, 1.7, 0], [7.5, 1.7, 0], both), [7.5, 1.7, 0]);
-  // Beyond the free part of the left one alone it would be.
+  // It would be shortened beyond the free part of the left region alone.
   assert.ok(confine([8, 1.7, 0], [9, 1.7, 0], { open: [LEFT], shown: [LEFT] })[0] < 9);
   assert.deepEqual(confine([8, 1.7, 0], [9, 1.7, 0], both), [9, 1.7, 0]);
 });
 
-test('no step leaves a region that is shown, whatever else can be', () => {
+test('no step leaves the displayed region, even if others can be displayed', () => {
   const both: Bounds = { open: [LEFT, RIGHT], shown: [LEFT] };
   close(confine([9, 1.7, 0], [14, 1.7, 0], both)[0], 10);
   const crossing: Bounds = { open: [RIGHT], shown: [LEFT, RIGHT] };
@@ -86,12 +86,12 @@ test('no step leaves a region that is shown, whatever else can be', () => {
   }
 });
 
-test('a user outside all regions is led to the one that is nearest', () => {
+test('a user outside all regions is led to the nearest one', () => {
   const place = settle([30, 1.7, 0], { open: [LEFT, RIGHT], shown: [] }, 60);
   close(place[0], 22, 1e-6);
 });
 
-test('a place is put within a limit', () => {
+test('a place is clamped to a limit', () => {
   assert.deepEqual(clampToLimit([3, 5, 4], LEFT), [3, 5, 4]);
   assert.deepEqual(clampToLimit([30, 5, 40], LEFT), [6, 5, 8]);
 });

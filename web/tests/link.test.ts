@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { readLink, writeLink } from '../src/control/link';
 
-test('a link leads back to its pose', () => {
+test('a link restores its pose', () => {
   for (let number = 0; number < 200; number++) {
     const chance = (factor: number): number => Math.sin(factor * 12.9898 * (number + 1));
     const position = [1e4 * chance(1), 50 * chance(2), 1e4 * chance(3)] as const;
@@ -15,12 +15,12 @@ test('a link leads back to its pose', () => {
   }
 });
 
-test('links are short and the same for the same view', () => {
+test('links are short, and the same for the same view', () => {
   const pose = { position: [3, 1.7, -0] as const, yaw: 2 * Math.PI + 0.5, pitch: -0 };
   assert.equal(writeLink(pose), '#p=3,1.7,0&yaw=0.5&pitch=0');
 });
 
-test('what is left out is level and straight ahead', () => {
+test('missing values mean level and straight ahead', () => {
   assert.deepEqual(readLink('#p=1,2,3'), { position: [1, 2, 3], yaw: 0, pitch: 0 });
   assert.deepEqual(readLink('p=1%2C2%2C-3e0&other=7'), { position: [1, 2, -3], yaw: 0, pitch: 0 });
 });
@@ -58,11 +58,11 @@ const RUBBISH = [
   `#p=${'1,'.repeat(200)}`,
 ];
 
-test('rubbish names no pose, and raises nothing', () => {
+test('malformed fragments give no pose and raise nothing', () => {
   for (const fragment of RUBBISH) assert.equal(readLink(fragment), null, fragment.slice(0, 60));
 });
 
-test('random fragments name no pose but finite ones', () => {
+test('random fragments give no pose or a finite one', () => {
   let seed = 1;
   const random = (): number => (seed = (seed * 48271) % 2147483647) / 2147483647;
   const letters = '#p=&yawitch,.-+e0123456789%\u0000é;';

@@ -15,10 +15,10 @@ const [FIRST, SECOND, THIRD, SHARED] = [
 ] as const;
 
 /**
- * A region of three rings without maps, whose files and whose decoder answer when they are told to. The second ring
- * shows what the first one has brought.
+ * A region of three rings without maps, whose files and decoder answer on command. The second ring shows what the
+ * first one has brought.
  */
-function loaded() {
+function createRegion() {
   const whole = readManifest(manifest({ [FIRST]: 10, [SECOND]: 20, [THIRD]: 30, [SHARED]: 5 }));
   const none = { geometry: null, parts: [], map: null };
   const rings = [
@@ -76,8 +76,8 @@ function loaded() {
   };
 }
 
-test('while a ring is made files of the next one come, and of no other', async () => {
-  const { asked, arrived, come, decode } = loaded();
+test('while a ring is built, files of the next ring are fetched, and no others', async () => {
+  const { asked, arrived, come, decode } = createRegion();
   await come(FIRST, SHARED);
   assert.deepEqual(arrived, [0]);
   assert.deepEqual(asked, [FIRST, SHARED, SECOND]);
@@ -87,8 +87,8 @@ test('while a ring is made files of the next one come, and of no other', async (
   assert.deepEqual([arrived, asked.at(-1)], [[0, 1], THIRD]);
 });
 
-test('rings are shown in their order, whatever comes first', async () => {
-  const { made, arrived, come, decode } = loaded();
+test('rings are shown in order, whatever arrives first', async () => {
+  const { made, arrived, come, decode } = createRegion();
   await come(SECOND);
   assert.deepEqual(arrived, [0]);
   await come(SHARED, FIRST);
@@ -101,8 +101,8 @@ test('rings are shown in their order, whatever comes first', async () => {
   assert.deepEqual(arrived, [0, 1, 2, 3]);
 });
 
-test('what two rings need comes once and counts once', async () => {
-  const { made, asked, come, decode, loading } = loaded();
+test('a file that two rings need is fetched and counted once', async () => {
+  const { made, asked, come, decode, loading } = createRegion();
   await come(FIRST, SHARED, SECOND);
   await decode(FIRST);
   await come(THIRD);
@@ -114,8 +114,8 @@ test('what two rings need comes once and counts once', async () => {
   assert.ok(loading.store.buffers.has(SHARED));
 });
 
-test('a file that does not come ends the loading with the rings before', async () => {
-  const { made, arrived, stop, come } = loaded();
+test('a missing file ends loading with the rings before it', async () => {
+  const { made, arrived, stop, come } = createRegion();
   const ended = assert.rejects(made.end, /enough/);
   await come(FIRST);
   stop.abort(new Error('enough'));

@@ -9,7 +9,7 @@ import { fileOf } from './support/glb';
 const [SIZE, TILE, ACROSS] = [4, 2, 3] as const;
 const NOTHING = 65535;
 
-/** The head of a lossless WebP picture; the browser below fills it with one value. */
+/** The header of a lossless WebP picture; the fake browser below fills it with one value. */
 function picture(width: number, height: number, value: number): FileData {
   const data = new Uint8Array(32);
   data.set(Buffer.from('RIFF\0\0\0\0WEBPVP8L\0\0\0\0\x2f', 'latin1'));
@@ -18,7 +18,7 @@ function picture(width: number, height: number, value: number): FileData {
   return fileOf(`files/00000000000000${value.toString(16).padStart(2, '0')}.webp`, data);
 }
 
-/** Planes of bits and nothing else. */
+/** Bit planes and nothing else. */
 function ranges(...planes: number[][]): FileData {
   const lengths = Buffer.alloc(36);
   planes.forEach((plane, number) => lengths.writeUInt32LE(plane.length, 4 * number));
@@ -71,7 +71,7 @@ const RING_1: NextMapRequest = {
   range: EMPTY,
   since: null,
 };
-/** In ring 2 tile 4 changes, the first of face 1: its upper left texel by a bit, the others by prediction. */
+/** In ring 2 tile 4 changes, the first of face 1: its upper left texel by one bit, the others as predicted. */
 const RING_2: NextMapRequest = {
   kind: 'next-map',
   region: 0,
@@ -82,14 +82,14 @@ const RING_2: NextMapRequest = {
   since: 1,
 };
 
-async function begun(): Promise<Maps> {
+async function startMaps(): Promise<Maps> {
   const maps = createMaps();
   await maps.first(FIRST);
   await maps.next(RING_1);
   return maps;
 }
 
-test('the first map is whole and has no range', async () => {
+test('the first map is complete and has no range', async () => {
   const update = await createMaps().first(FIRST);
   assert.ok(update.whole);
   assert.equal(update.codes, null);
@@ -97,7 +97,7 @@ test('the first map is whole and has no range', async () => {
   assert.deepEqual(ends, [10, 11, 12, 13, 14, 15].map((value) => [64, value, value]));
 });
 
-test('a ring changes texels and their neighbours within its tiles', async () => {
+test('a ring changes texels within its tiles, and their neighbours', async () => {
   const maps = createMaps();
   await maps.first(FIRST);
   const first = await maps.next(RING_1);
@@ -106,13 +106,13 @@ test('a ring changes texels and their neighbours within its tiles', async () => 
   const update = await maps.next(RING_2);
   assert.ok(!update.whole);
   assert.deepEqual([...update.tiles], [4]);
-  // Alpha stays.
+  // Alpha is unchanged.
   assert.deepEqual([...update.color], Array.from({ length: 16 }, (_, n) => (n % 4 === 3 ? 11 : 99)));
   assert.deepEqual([...update.codes], [NOTHING, NOTHING, NOTHING, NOTHING]);
 });
 
-test('tiles that changed since an older ring come together, in their order', async () => {
-  const maps = await begun();
+test('tiles that changed since an older ring are returned together, in order', async () => {
+  const maps = await startMaps();
   await maps.next({ ...RING_2, tiles: [12], since: null });
   const range = [ranges([0x88], [0])];
   const update = await maps.next({ ...RING_2, ring: 3, tiles: [4, 20], range, since: 1 });
@@ -120,7 +120,7 @@ test('tiles that changed since an older ring come together, in their order', asy
   assert.deepEqual([...update.tiles], [4, 12, 20]);
 });
 
-test('a damaged ring leaves the map as it was, so that it can come again', async () => {
+test('a damaged ring leaves the map unchanged, so that it can be fetched again', async () => {
   const maps = createMaps();
   await maps.first(FIRST);
   const cut = (file: FileData): FileData => ({ ...file, data: file.data.slice(0, -1) });
@@ -149,7 +149,7 @@ test('a damaged ring leaves the map as it was, so that it can come again', async
   assert.equal(update.color[0], 99);
 });
 
-test('maps of sizes that cannot be are refused', async () => {
+test('maps of impossible sizes are refused', async () => {
   for (const changes of [{ faceSize: 1e9 }, { tile: 3 }, { across: 0 }, { faceSize: NaN }]) {
     await assert.rejects(createMaps().first({ ...FIRST, ...changes }), /expected faces of up to 4096/);
   }
@@ -157,7 +157,7 @@ test('maps of sizes that cannot be are refused', async () => {
   await assert.rejects(createMaps().next(RING_1), /before the first map/);
 });
 
-test('sizes of pictures are read from all three kinds of files', () => {
+test('picture sizes are read from all three kinds of files', () => {
   const head = (kind: string, rest: readonly number[]): Uint8Array => {
     const start = Buffer.from(`RIFF\0\0\0\0WEBP${kind}\0\0\0\0`, 'latin1');
     return Uint8Array.from([...start, ...rest, ...Array<number>(16).fill(0)]);

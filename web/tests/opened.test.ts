@@ -9,7 +9,7 @@ import { manifest } from './support/manifest';
 const SITE = { format: 'nearfar.on_demand', version: 1, title: 'a city', grid: 2, scene: 'files/0123456789abcdef.json' };
 const SCENE = { format: 'nearfar.scene', version: 1, failed: 'disk.glb: the disk is gone' };
 
-/** Open an address whose server has these documents. */
+/** Opens an address whose server has these documents. */
 async function open(query: string, documents: Readonly<Record<string, unknown>>): Promise<Opened> {
   const usual = globalThis.fetch;
   globalThis.fetch = (async (url: URL) => {
@@ -24,7 +24,7 @@ async function open(query: string, documents: Readonly<Record<string, unknown>>)
   }
 }
 
-/** Open in vain; the title of what the page says. */
+/** Returns the title of the page's error message. */
 async function titleOfFailure(query: string, documents: Readonly<Record<string, unknown>>, message: RegExp): Promise<string> {
   let title = '';
   await assert.rejects(open(query, documents), (error: BundleError) => {
@@ -35,14 +35,14 @@ async function titleOfFailure(query: string, documents: Readonly<Record<string, 
   return title;
 }
 
-test('a bundle begins at its first centre, as far as the address asks', async () => {
+test('a bundle begins at its first centre, with the rings that the address requests', async () => {
   const { start, world, isStatic, centers } = await open('rings=1', { 'manifest.json': manifest() });
   assert.deepEqual([start, isStatic, centers], [{ position: [0, 1.7, 0], yaw: 0, pitch: 0 }, true, [[0, 1.7, 0]]]);
   const { entry } = await world.open(0, new AbortController().signal);
   assert.deepEqual(entry.rings.map(({ radius }) => radius), [0, 10]);
 });
 
-test('what cannot be shown is told by its kind', async () => {
+test('errors have a title by kind', async () => {
   const site = { 'manifest.json': SITE, [SITE.scene]: SCENE };
   assert.match(await titleOfFailure('strategy=vis1', site, /^strategy: expected clovr or clovrd/), /The address asks/);
   assert.match(await titleOfFailure('', site, /disk\.glb: the disk is gone/), /cannot load the scene/);

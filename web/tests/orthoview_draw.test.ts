@@ -1,4 +1,4 @@
-/** Before the page draws: where parts are seen, the order of the work, room on the GPU, bands of samples. */
+/** Preparation of drawing: projected bounds of parts, order of the work, GPU memory, bands of samples. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { cameraOf } from '../src/orthoview/cut/camera';
@@ -45,7 +45,7 @@ function cameraAt(random: () => number): Projector {
   return projectorOf(cameraOf(pose, 1, 64, 48));
 }
 
-/** A view and a part of it that begins at any of its pixels. */
+/** A view and a part of it that begins at a random pixel. */
 function viewOf(random: () => number, count: number): { readonly model: Model; readonly part: Part } {
   const low = [0, 1, 2].map((axis) => Math.floor(random() * (axis < 2 ? 7 : 4000))) as unknown as Triple;
   const high = low.map((lowest, axis) => lowest + 1 + Math.floor(random() * (axis < 2 ? 2 : 90))) as unknown as Triple;
@@ -53,7 +53,7 @@ function viewOf(random: () => number, count: number): { readonly model: Model; r
   return { model: modelOf(LAYOUT, 0, place, Math.floor(3 * random())), part: { first: 0, count, low, high } };
 }
 
-/** A point of a splat of a part, as the projector shows it: up to half a pixel around its pixel, as the largest reach. */
+/** A random point of a splat of a part as the projector shows it: half a pixel around its pixel at most. */
 function randomSplatPoint({ model, part }: ReturnType<typeof viewOf>, { eye, rows }: Projector, random: () => number): Triple {
   const at = part.low.map((lowest, axis) => {
     const place = lowest + random() * ((part.high[axis] as number) - lowest);
@@ -67,7 +67,7 @@ function randomSplatPoint({ model, part }: ReturnType<typeof viewOf>, { eye, row
   ) as unknown as Triple;
 }
 
-test('what a part shows lies where it is seen, and no nearer', () => {
+test('points of a part lie within its bounds, and no nearer', () => {
   const random = randomOf(7);
   let [inside, unseen] = [0, 0];
   for (let turn = 0; turn < 400; turn++) {
@@ -88,7 +88,7 @@ test('what a part shows lies where it is seen, and no nearer', () => {
   assert.ok(inside > 500 && unseen > 100);
 });
 
-test('the work has each part once, nearest first, and lists them by their splats', () => {
+test('the work lists each part once, nearest first, by its splats', () => {
   const random = randomOf(11);
   const projector = projectorOf(cameraOf({ position: [20, 20, 60], yaw: 0, pitch: 0 }, 1, 64, 48));
   const items = Array.from({ length: 200 }, (_, n) => {
@@ -113,7 +113,7 @@ test('the work has each part once, nearest first, and lists them by their splats
     counts.reduce((sum, each) => sum + each, 0),
     splats,
   );
-  // Numbers of splats follow the order of the items, without gaps.
+  // Splat numbers follow the order of the items, without gaps.
   let next = 0;
   for (const part of listed) {
     assert.equal(numbers[part], next);
@@ -123,7 +123,7 @@ test('the work has each part once, nearest first, and lists them by their splats
     [...listed].map((part) => firsts[part]),
     [...firsts].sort((one, other) => one - other),
   );
-  // Calls follow one another; each has one page, and those of a batch are nearer than those of the next one.
+  // Calls are consecutive; each has one page, and those of a batch are nearer than those of the next one.
   let [at, farthest, nearest] = [0, Number.POSITIVE_INFINITY, 0];
   for (const { page, first, count: length, begins } of calls) {
     assert.equal(first, at);
@@ -139,7 +139,7 @@ test('the work has each part once, nearest first, and lists them by their splats
   assert.ok(calls.length > 5);
 });
 
-test('nothing in the picture is no work', () => {
+test('an empty picture needs no work', () => {
   const { parts, calls, splats } = workOf([], cameraAt(randomOf(1)), LAYOUT, 0.5);
   assert.deepEqual([parts.length, calls.length, splats], [0, 0, 0]);
 });
@@ -155,7 +155,7 @@ test('batches grow, and the last one has the rest', () => {
   assert.deepEqual(sizes([]), []);
 });
 
-/** As much of a device as rooms need. */
+/** The part of a device that allocation uses. */
 function deviceOf(most: number): GPUDevice & { readonly sizes: number[] } {
   Object.assign(globalThis, { GPUBufferUsage: { STORAGE: 128, COPY_DST: 8 } });
   const sizes: number[] = [];
@@ -169,7 +169,7 @@ function deviceOf(most: number): GPUDevice & { readonly sizes: number[] } {
   };
 }
 
-test('places on the GPU never overlap, and pages leave with their last view', () => {
+test('allocations on the GPU never overlap, and pages are freed with their last view', () => {
   const [random, device] = [randomOf(3), deviceOf(1 << 27)];
   const arena = new Arena(device);
   const held: Place[] = [];
@@ -198,13 +198,13 @@ test('places on the GPU never overlap, and pages leave with their last view', ()
   assert.deepEqual(device.sizes, []);
 });
 
-test('a view that no buffer can have is refused', () => {
+test('a view larger than any buffer is refused', () => {
   const arena = new Arena(deviceOf(1 << 20));
   arena.put(new Uint32Array(1 << 18));
   assert.throws(() => arena.put(new Uint32Array((1 << 18) + 1)), /larger than the graphics allow/);
 });
 
-test('bands have all rows of a picture once, in whole pixels', () => {
+test('bands cover all rows of a picture once, in whole pixels', () => {
   const device = deviceOf(1 << 27);
   assert.deepEqual(bandsOf(device, 640, 480, 1), [{ number: 0, first: 0, rows: 480 }]);
   const bands = bandsOf(device, 4 * 3840, 4 * 2160, 4);
@@ -218,7 +218,7 @@ test('bands have all rows of a picture once, in whole pixels', () => {
   assert.equal(next, 4 * 2160);
 });
 
-test('numbers of calls lie in slots of their own', () => {
+test('parameters of calls lie in separate slots', () => {
   const projector = cameraAt(randomOf(5));
   const numbers = new Numbers({ projector, grid: 2, nearest: 0.25, parts: 9 }, 2);
   const band = { number: 0, first: 8, rows: 24 };
@@ -240,23 +240,23 @@ test('directions are raised towards the zenith, and not beyond it', () => {
   assert.deepEqual(liftOf(0)([0.6, 0, 0.8]), [0.6, 0, 0.8]);
 });
 
-test('graphics in software are taken only where they are asked for by name', async () => {
+test('software rendering is used only if requested by name', async () => {
   const limits = { maxBufferSize: 7, maxStorageBufferBindingSize: 8, maxTextureDimension2D: 9, maxBindGroups: 4 };
   const adapter = (isFallbackAdapter: boolean) => ({
     info: { isFallbackAdapter },
     limits,
     requestDevice: async ({ requiredLimits }: GPUDeviceDescriptor) => requiredLimits,
   });
-  const found = async (gpu: object | null | undefined, isNamed: boolean): Promise<unknown> => {
+  const findGraphics = async (gpu: object | null | undefined, isNamed: boolean): Promise<unknown> => {
     const value = gpu === undefined ? {} : { gpu: { requestAdapter: async () => gpu } };
     Object.defineProperty(globalThis, 'navigator', { value, configurable: true });
     return openDevice(isNamed);
   };
   const { maxBindGroups: _, ...wanted } = limits;
   for (const isNamed of [false, true]) {
-    assert.equal(await found(undefined, isNamed), null);
-    assert.equal(await found(null, isNamed), null);
-    assert.deepEqual(await found(adapter(false), isNamed), wanted);
-    assert.deepEqual(await found(adapter(true), isNamed), isNamed ? wanted : null);
+    assert.equal(await findGraphics(undefined, isNamed), null);
+    assert.equal(await findGraphics(null, isNamed), null);
+    assert.deepEqual(await findGraphics(adapter(false), isNamed), wanted);
+    assert.deepEqual(await findGraphics(adapter(true), isNamed), isNamed ? wanted : null);
   }
 });

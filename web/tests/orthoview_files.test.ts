@@ -1,4 +1,4 @@
-/** Files of trees behind an address that fails, documents that are missing or damaged, and leaves within few bytes. */
+/** Files of trees: failing servers, missing or damaged documents, and leaves within a small memory limit. */
 import assert from 'node:assert/strict';
 import { afterEach, mock, test } from 'node:test';
 import { cameraOf } from '../src/orthoview/cut/camera';
@@ -12,8 +12,8 @@ import { openRecords } from '../src/orthoview/store/records';
 
 afterEach(() => mock.restoreAll());
 
-/** Files below an address that answers as it is told to; what was asked for and how many bytes came. */
-function answering(reply: (init: RequestInit) => Promise<Response>) {
+/** A server with prepared replies, which records requested files and received bytes. */
+function createAnsweringFiles(reply: (init: RequestInit) => Promise<Response>) {
   const told: { asked: string[]; range: string | null; received: number } = { asked: [], range: null, received: 0 };
   mock.method(globalThis, 'fetch', (url: URL, init: RequestInit) => {
     told.asked.push(url.href);
@@ -29,25 +29,25 @@ const failing =
   (error: unknown): boolean =>
     error instanceof StoreError && error.kind === kind && error.message.includes(word);
 
-test('a server that fails, does not answer or is too slow is told from one without the file', async () => {
+test('a server that fails, does not answer or is too slow is distinguished from one without the file', async () => {
   const cases: [() => Promise<Response>, Kind, string][] = [
     [async () => new Response(null, { status: 500 }), 'refused', 'answers 500'],
     [() => Promise.reject(new TypeError('fetch failed')), 'unreachable', 'does not answer'],
     [() => Promise.reject(new DOMException('late', 'TimeoutError')), 'unreachable', 'too slow'],
   ];
   for (const [reply, kind, word] of cases) {
-    const { files } = answering(reply);
+    const { files } = createAnsweringFiles(reply);
     await assert.rejects(files.read({ path: 'b/c', version: 'v' }), (error) => failing(kind, word)(error));
     assert.ok(isPassing({ kind, message: word }));
     mock.restoreAll();
   }
-  const { files } = answering(async () => new Response(null, { status: 404 }));
+  const { files } = createAnsweringFiles(async () => new Response(null, { status: 404 }));
   assert.equal(await files.read({ path: 'b/c' }), null);
 });
 
-test('parts and whole files come as such', async () => {
+test('parts of files and whole files are marked as such', async () => {
   for (const status of [206, 200]) {
-    const { files, told } = answering(async () => new Response(new Uint8Array(4), { status }));
+    const { files, told } = createAnsweringFiles(async () => new Response(new Uint8Array(4), { status }));
     const found = await files.read({ path: 'b/c', version: 'v', part: [3, 4] });
     assert.equal(found?.isWhole, status === 200);
     assert.deepEqual(told, { asked: ['http://tree.test/a/b/c?key=1&v=v'], range: 'bytes=3-6', received: 4 });
@@ -55,9 +55,9 @@ test('parts and whole files come as such', async () => {
   }
 });
 
-test('a request that nobody wants any more is no failure of the server', async () => {
+test('a cancelled request is no failure of the server', async () => {
   const gone = new AbortController();
-  const { files } = answering(({ signal }) => Promise.reject(signal?.reason));
+  const { files } = createAnsweringFiles(({ signal }) => Promise.reject(signal?.reason));
   gone.abort();
   await assert.rejects(files.read({ path: 'b/c', signal: gone.signal }), { name: 'AbortError' });
 });
@@ -81,7 +81,7 @@ const DESCRIBED = {
 
 const WHOLE = { format: 'nearfar.orthoview', version: 1, generation: 0, complete: true, layout: DESCRIBED };
 
-test('a tree without its documents is gone, and one with damaged ones damaged', async () => {
+test('a tree without its documents is missing, and one with damaged documents is damaged', async () => {
   const group = (attributes: object): string =>
     JSON.stringify({
       zarr_format: 3,
@@ -108,7 +108,7 @@ test('a tree without its documents is gone, and one with damaged ones damaged', 
   }
 });
 
-test('few bytes keep the leaves of the picture', () => {
+test('a small limit keeps the leaves of the picture', () => {
   const layout = parseLayout(DESCRIBED);
   let drawn: readonly number[] = [];
   const drawer: Drawer<Held, Held & { readonly number: number }> = {
@@ -135,7 +135,7 @@ test('few bytes keep the leaves of the picture', () => {
   };
   for (const x of [0, 1, 2, 3]) stock.addLeaf(leaf(x), [{ origin: leaf(x) } as unknown as Piece]);
   draw([0, 1, 2]);
-  // Three are more than there is room for, but the picture shows them.
+  // Three exceed the limit, but the picture shows them.
   assert.deepEqual([drawn, there()], [[0, 1, 2], [0, 1, 2]]);
   stock.addLeaf(leaf(3), [{ origin: leaf(3) } as unknown as Piece]);
   draw([3], [0]);

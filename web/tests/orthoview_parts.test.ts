@@ -36,7 +36,7 @@ const DESCRIBED = {
 };
 const LAYOUT = parseLayout(DESCRIBED);
 
-/** Cells of a tree of three levels, all of which show something from all directions, but for some. */
+/** Cells of a tree of three levels, all visible from all directions except those in `empty`. */
 function cellsOf(layout: Layout, empty: readonly string[] = []): Cells {
   const cells = new Cells(layout);
   const shapes = shapesOf(layout, 0);
@@ -69,7 +69,7 @@ function cutOf(...cells: readonly (readonly [number, Triple, readonly number[]])
   return { cells: drawn, leaves: [], reach: 1, unknown: [] };
 }
 
-/** A cut whose cells are all to be drawn as geometry. */
+/** A cut whose cells are all drawn as geometry. */
 function nearOf(...cells: readonly (readonly [number, Triple, readonly number[]])[]): Cut {
   const { cells: leaves, ...cut } = cutOf(...cells);
   return { ...cut, cells: [], leaves };
@@ -101,12 +101,12 @@ test('cells are drawn from their own views', () => {
   assert.deepEqual(found, { shown: ['1/0/0/0:0', '1/0/0/0:1'], missing: [], holes: 0 });
 });
 
-test('after a turn a cell is drawn from the views that it has', () => {
+test('after a turn a cell is drawn from the views that are loaded', () => {
   const found = chooseParts(cutOf([1, [0, 0, 0], [0, 2]]), { '1/0/0/0': [0, 1], [ROOT]: [0, 1] });
   assert.deepEqual(found, { shown: ['1/0/0/0:0', '1/0/0/0:1'], missing: ['1/0/0/0:2'], holes: 0 });
 });
 
-test('a cell above stands in within the box of the cell that is missing', () => {
+test('a cell above stands in within the box of the missing cell', () => {
   const cut = cutOf([0, [3, 2, 1], [0, 1]], [0, [0, 0, 0], [0, 1]]);
   const found = chooseParts(cut, { '0/0/0/0': [0, 1], '1/1/1/0': [0], [ROOT]: [0, 1] });
   // The cell between has one of two views: the one above it has no holes.
@@ -114,13 +114,13 @@ test('a cell above stands in within the box of the cell that is missing', () => 
   assert.deepEqual(found.missing, ['0/3/2/1:0', '0/3/2/1:1']);
 });
 
-test('views stand in for a leaf until its geometry and that of its guests is there', () => {
+test('views stand in for a leaf until its geometry and that of its guests are loaded', () => {
   const cut = nearOf([0, [0, 0, 0], [0, 1]], [0, [1, 1, 1], [0, 1]]);
   const without = (...names: readonly string[]): Near => {
     return (place) => (names.includes(place.join('/')) ? 'coming' : 'there');
   };
   const found = chooseParts(cut, { [ROOT]: [0, 1] }, undefined, without('0/0/1'));
-  // Its own views are not asked for.
+  // Its own views are not requested.
   const shown = [`${ROOT}:0 in 0/0/0/0`, `${ROOT}:1 in 0/0/0/0`];
   assert.deepEqual(found, { shown, missing: [], holes: 0, near: [[1, 1, 1]], coming: [[0, 0, 1]] });
   const all = chooseParts(cut, { [ROOT]: [0, 1] }, undefined, without());
@@ -140,7 +140,7 @@ test('a leaf whose geometry cannot be drawn is drawn from views', () => {
   assert.deepEqual([found.near, found.coming], [[], []]);
 });
 
-test('cells below stand in if they cover all of it', () => {
+test('cells below stand in if they cover the whole cell', () => {
   const children = Object.fromEntries(
     [...Array(8).keys()].map((n) => [`0/${n >> 2}/${(n >> 1) & 1}/${n & 1}`, [0, 1]]),
   );
@@ -148,18 +148,18 @@ test('cells below stand in if they cover all of it', () => {
   assert.equal(chooseParts(cut, { ...children, [ROOT]: [0, 1] }).shown.length, 16);
   const { '0/1/1/1': _, ...some } = children;
   assert.deepEqual(chooseParts(cut, { ...some, [ROOT]: [0, 1] }).shown, [`${ROOT}:0 in 1/0/0/0`, `${ROOT}:1 in 1/0/0/0`]);
-  // Nothing is to be seen in the one that is missing.
+  // The missing cell is empty.
   assert.equal(chooseParts(cut, { ...some, [ROOT]: [0, 1] }, cellsOf(LAYOUT, ['0/1/1/1'])).shown.length, 14);
 });
 
-test('some views are more than none', () => {
+test('some views are better than none', () => {
   const cut = cutOf([1, [0, 0, 0], [0, 1]]);
   assert.deepEqual(chooseParts(cut, { '1/0/0/0': [1] }).shown, ['1/0/0/0:1']);
   assert.equal(chooseParts(cut, { '1/0/0/0': [1] }).holes, 0);
   assert.equal(chooseParts(cut, NONE).holes, 1);
 });
 
-function queued(atOnce = 2) {
+function createQueue(atOnce = 2) {
   const told: { sent: [number, string][]; cancelled: number[]; failed: string[]; recovered: number; now: number } = {
     recovered: 0,
     sent: [],
@@ -179,8 +179,8 @@ function queued(atOnce = 2) {
   return { queue, told, want };
 }
 
-test('the most wanted views are asked for first, so many at once', () => {
-  const { queue, told, want } = queued();
+test('the most wanted views are requested first, up to the concurrency limit', () => {
+  const { queue, told, want } = createQueue();
   want('a', 'b', 'c');
   assert.deepEqual(told.sent, [
     [1, 'a'],
@@ -192,7 +192,7 @@ test('the most wanted views are asked for first, so many at once', () => {
   assert.equal(queue.waiting, 2);
   want('b', 'd');
   assert.deepEqual(told.cancelled, [3]);
-  // There is room when the cancelled request has ended.
+  // A slot is free when the cancelled request has ended.
   assert.equal(told.sent.length, 3);
   queue.cancelled(3);
   assert.deepEqual(told.sent.at(-1), [4, 'd']);
@@ -201,8 +201,8 @@ test('the most wanted views are asked for first, so many at once', () => {
 const GONE: Failure = { kind: 'gone', message: 'a shard is gone' };
 const AWAY: Failure = { kind: 'unreachable', message: 'no answer' };
 
-test('what fails in passing is asked for again, later each time, and told once', () => {
-  const { queue, told, want } = queued();
+test('temporary failures are retried with growing pauses, and reported once', () => {
+  const { queue, told, want } = createQueue();
   want('a', 'b');
   queue.failed(2, { ...AWAY, message: 'no answer for b' });
   assert.deepEqual(told.failed, ['no answer for b']);
@@ -224,8 +224,8 @@ test('what fails in passing is asked for again, later each time, and told once',
   assert.equal(told.recovered, 1);
 });
 
-test('what is damaged is not asked for again until the user asks', () => {
-  const { queue, told, want } = queued();
+test('damaged views are retried only if the user asks', () => {
+  const { queue, told, want } = createQueue();
   want('a', 'b');
   queue.failed(1, GONE);
   told.now = 1e6;
@@ -236,7 +236,7 @@ test('what is damaged is not asked for again until the user asks', () => {
   assert.deepEqual(told.sent.at(-1), [3, 'a']);
 });
 
-test('views that were used the longest ago give way, none that a picture shows', () => {
+test('the least recently used views are evicted, none that the picture shows', () => {
   const dropped: number[] = [];
   const resident = new Resident<{ bytes: number }>(({ bytes }) => dropped.push(bytes), 100);
   [40, 44, 48].forEach((bytes, direction) => resident.add(0, [1, 2, 3], direction, [{ bytes }]));
@@ -244,7 +244,7 @@ test('views that were used the longest ago give way, none that a picture shows',
   resident.begin();
   assert.equal(resident.use(0, [1, 2, 3], 0).length, 1);
   resident.trim(() => false);
-  // 132 bytes are 32 too many: the second view goes, since the first one is in the picture.
+  // 132 bytes exceed the limit by 32: the second view is evicted, since the first one is in the picture.
   assert.deepEqual(dropped, [44]);
   assert.deepEqual(resident.there(0, [1, 2, 3]), [0, 2]);
   resident.add(0, [1, 2, 3], 1, [{ bytes: 80 }]);
@@ -253,10 +253,10 @@ test('views that were used the longest ago give way, none that a picture shows',
 });
 
 test('checksums and sizes are read', () => {
-  // RFC 3720, B.4.
+  // Test vector of RFC 3720, B.4.
   assert.equal(crc32c(new Uint8Array(32)), 0x8a9136aa);
   assert.equal(crc32c(Uint8Array.from({ length: 32 }, (_, n) => n)), 0x46dd794e);
-  // Of the reference implementation, seed 0.
+  // Hash by the reference implementation, seed 0.
   const text = (letters: string): Uint8Array => new TextEncoder().encode(letters);
   assert.equal(xxh64(text('')), 0xef46db3751d8e999n);
   assert.equal(xxh64(text('abc')), 0x44bc2cf5ad770999n);
@@ -271,11 +271,11 @@ test('checksums and sizes are read', () => {
   assert.equal(statedSize(frame(0x00, 99)), null);
 });
 
-test('frames of Zstandard that were altered are refused', () => {
+test('altered Zstandard frames are refused', () => {
   const content = new TextEncoder().encode('a block as it is');
   const sum = new Uint8Array(4);
   new DataView(sum.buffer).setUint32(0, Number(xxh64(content) & 0xffff_ffffn), true);
-  // One segment with a checksum, and one last block that is not compressed.
+  // One segment with a checksum, and one last uncompressed block.
   const head = [0x28, 0xb5, 0x2f, 0xfd, 0x24, content.length, (content.length << 3) | 1, 0, 0];
   const frame = Uint8Array.from([...head, ...content, ...sum]);
   assert.deepEqual(unpacked(frame), content);
@@ -288,7 +288,7 @@ test('frames of Zstandard that were altered are refused', () => {
   assert.throws(() => unpacked(huge), /states 4294967296 bytes/);
 });
 
-test('layouts that do not fit together are refused', () => {
+test('inconsistent layouts are refused', () => {
   for (const wrong of [
     { size: 10 },
     { levels: 2 },
@@ -301,7 +301,7 @@ test('layouts that do not fit together are refused', () => {
   }
 });
 
-test('flight is faster in the height, and follows the view', () => {
+test('flight is faster at greater height, and follows the view', () => {
   const start = { position: [0, 12, 0] as Triple, yaw: 0, pitch: 0 };
   const low = flown(start, { ...REST, ahead: 1 }, 0, 0, 2, 0.5);
   assert.deepEqual(low.position, [0, 12, -3]);
@@ -311,7 +311,7 @@ test('flight is faster in the height, and follows the view', () => {
   assert.ok(Math.abs(dive.position[1] - 6) < 1e-9);
 });
 
-test('a viewer without a link begins above the world and looks at its middle', () => {
+test('without a link the viewer begins above the world and looks at its middle', () => {
   const { position, pitch } = startOf(LAYOUT);
   assert.equal(position[0], 20);
   assert.ok(Math.abs((position[1] - 0) / (position[2] - 20) - Math.tan(-pitch)) < 1e-9);

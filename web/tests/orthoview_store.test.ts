@@ -1,4 +1,4 @@
-/** The page's reading of trees beside Python's, which writes a file of what it found in each and serves the stores. */
+/** Compares the page's reader of trees with Python's, which serves stores and writes its results for each to a file. */
 import assert from 'node:assert/strict';
 import { readFile, writeFile } from 'node:fs/promises';
 import { test } from 'node:test';
@@ -27,21 +27,21 @@ interface Case {
   readonly geometry: boolean;
   readonly lift: number;
   readonly reach: number;
-  /** Level, place, distance, whether it is in the picture, and directions of each cell. */
+  /** Level, place, distance, visibility and directions of each cell. */
   readonly cells: readonly (readonly [number, Triple, number, boolean, readonly number[]])[];
-  /** Place, distance and whether it is in the picture of each leaf that is drawn as geometry. */
+  /** Place, distance and visibility of each leaf that is drawn as geometry. */
   readonly leaves: readonly (readonly [Triple, number, boolean])[];
-  /** All leaves whose files these need, in any order. */
+  /** All leaves whose files are needed, in any order. */
   readonly files: readonly Triple[];
 }
 
 interface Told {
   readonly url: string;
   readonly cases: readonly Case[];
-  /** Level, place and direction of views whose splats are written. */
+  /** Level, place and direction of views whose splats are stored. */
   readonly views: readonly View[];
   readonly output: string;
-  /** Views and leaves that are damaged or gone, with the kind and words of the error. */
+  /** Damaged or missing views and leaves, with the kind and message of the error. */
   readonly damaged: readonly { readonly view: View; readonly kind: Kind; readonly words: readonly string[] }[];
 }
 
@@ -124,7 +124,7 @@ function wantedOf({ records, cells, shards, leafFiles }: Opened, [level, place, 
 
 const { signal } = new AbortController();
 
-test('cuts are those of tree.cut, and splats are read', { skip }, async () => {
+test('cuts equal those of tree.cut, and splats are read', { skip }, async () => {
   for (const told of stores) {
     const store = await openStore(told);
     await checkCuts(store, told.cases);
@@ -134,7 +134,7 @@ test('cuts are those of tree.cut, and splats are read', { skip }, async () => {
       return layers.map(({ words, parts }) => ({ words: [...words], parts }));
     };
     const found: Awaited<ReturnType<typeof read>>[] = [];
-    // Some at once, as the page does: small servers take no more.
+    // Only a few at once, as in the page: small servers refuse more.
     for (let first = 0; first < told.views.length; first += 4) {
       found.push(...(await Promise.all(told.views.slice(first, first + 4).map(read))));
     }
@@ -142,7 +142,7 @@ test('cuts are those of tree.cut, and splats are read', { skip }, async () => {
   }
 });
 
-test('what is damaged or gone is named', { skip }, async () => {
+test('damaged and missing files are named', { skip }, async () => {
   for (const told of stores.filter(({ damaged }) => damaged.length > 0)) {
     const store = await openStore(told);
     for (const each of told.cases) await whole(store, each);

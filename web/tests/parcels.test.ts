@@ -3,7 +3,7 @@ import { test } from 'node:test';
 import type { Band, Piece } from '../src/decode/messages';
 import { contentsOf, parcelled, samplesOf } from '../src/decode/parcels';
 
-/** A piece of so many vertices. */
+/** A piece with a number of vertices. */
 function piece(vertices: number, changes: Partial<Piece> = {}): Piece {
   return {
     positions: new Float32Array(3 * vertices).fill(1),
@@ -23,7 +23,7 @@ function band(width: number, height: number): Band {
   return { name: 'files/a.webp', width, height, y: 0, rows: { width, height } as ImageBitmap };
 }
 
-test('all pieces come once and in their order, few at a time', () => {
+test('all pieces come once and in order, few at a time', () => {
   const pieces = Array.from({ length: 100 }, (_, n) => piece(1, { name: `${n}` }));
   const parts = parcelled([], pieces);
   assert.deepEqual(parts.flatMap((part) => part.pieces), pieces);
@@ -31,7 +31,7 @@ test('all pieces come once and in their order, few at a time', () => {
   assert.ok(parts.length <= 4);
 });
 
-test('parts have a bounded size, unless one piece alone has more', () => {
+test('parts have a limited size, unless one piece alone is larger', () => {
   const sizes = [100_000, 100_000, 100_000, 600_000, 10, 10];
   const parts = parcelled([], sizes.map((vertices) => piece(vertices)));
   assert.deepEqual(parts.map((part) => part.pieces.length), [2, 1, 1, 2]);
@@ -61,7 +61,7 @@ test('arrays that pieces share are transferred once', () => {
   assert.equal(new Set(contents).size, contents.length);
 });
 
-test('samples tell kinds apart, and have no arrays', () => {
+test('samples distinguish kinds, and have no arrays', () => {
   const placements = new Float32Array(12);
   const plain = piece(3).material;
   const materials = [{ cutoff: 0.5 }, { emission: [1, 2, 0] as const }, { emission: [9, 9, 9] as const }, { isUnlit: true }];

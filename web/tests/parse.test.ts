@@ -2,13 +2,13 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { BundleError } from '../src/bundle/error';
 import { parseManifest } from '../src/bundle/parse';
-import { altered, asManifest, FACES, FILE, manifest } from './support/manifest';
+import { asManifest, FACES, FILE, manifest, replaceAt } from './support/manifest';
 
 const OTHER = 'files/fedcba9876543210.glb';
 const REGION = ['regions', 0] as const;
 const RING = [...REGION, 'rings', 1] as const;
 
-test('a manifest is read', () => {
+test('a manifest is parsed', () => {
   const read = parseManifest(asManifest(manifest()));
   assert.equal(read.regions[0]?.rings[1]?.radius, 10);
   assert.deepEqual(read.regions[0]?.rings[1]?.map?.tiles, [0, 3]);
@@ -16,7 +16,7 @@ test('a manifest is read', () => {
 });
 
 test('a reduced scene ends at the radius of its one ring', () => {
-  const two = altered(manifest(), [...REGION, 'rings'], (manifest() as any).regions[0].rings.slice(0, 2));
+  const two = replaceAt(manifest(), [...REGION, 'rings'], (manifest() as any).regions[0].rings.slice(0, 2));
   const read = parseManifest(asManifest({ ...(two as object), unit: 'triangle', morph: { kind: 'blend', near_share: 0 } }));
   assert.deepEqual([read.morph.kind, read.morph.near_share], ['blend', 0]);
   assert.equal(read.regions[0]?.cut, 10);
@@ -73,7 +73,7 @@ test('damage is named', () => {
     [['files', FILE, 'sha256'], 'A'.repeat(64), /SHA-256/],
   ];
   for (const [path, value, message] of changes) {
-    assert.throws(() => parseManifest(asManifest(altered(manifest(), path, value))), (error: Error) => {
+    assert.throws(() => parseManifest(asManifest(replaceAt(manifest(), path, value))), (error: Error) => {
       assert.ok(error instanceof BundleError, `${path}: ${error.stack}`);
       assert.match(error.message, message);
       assert.ok(error.message.length < 250);
@@ -84,11 +84,11 @@ test('damage is named', () => {
   assert.throws(() => parseManifest('['.repeat(1e6)), BundleError);
 });
 
-test('names of the language are no fields', () => {
+test('inherited names of JavaScript objects are no fields', () => {
   const text = asManifest(manifest()).replace('"notes":[]', '"notes":[],"__proto__":{"polluted":1},"constructor":2');
   parseManifest(text);
   assert.equal(({} as { polluted?: number }).polluted, undefined);
-  const inherited = asManifest(altered(manifest(), ['morph'], undefined)).replace(
+  const inherited = asManifest(replaceAt(manifest(), ['morph'], undefined)).replace(
     '{"format"',
     '{"__proto__":{"morph":{"kind":"cylinder","near_share":0.7}},"format"',
   );

@@ -12,7 +12,7 @@ function storage(): Storage {
   } as unknown as Storage;
 }
 
-test('the choice of a user holds for the pages that follow', () => {
+test('the choice of a user holds for later pages', () => {
   const kept = storage();
   const choice = createChoice(() => kept);
   assert.ok(choice.isOn);
@@ -26,7 +26,7 @@ test('the choice of a user holds for the pages that follow', () => {
   assert.notEqual(refusalHere(new URLSearchParams(), next), UNWANTED);
 });
 
-test('where the browser forbids the storage the choice holds for the page', () => {
+test('if the browser forbids storage, the choice holds for the page', () => {
   const choice = createChoice(() => {
     throw new Error('forbidden');
   });
@@ -35,7 +35,7 @@ test('where the browser forbids the storage the choice holds for the page', () =
   assert.equal(choice.isOn, false);
 });
 
-test('a page takes part where its address, its browser and the server want that', () => {
+test('a page shares files if its address, its browser and the server allow it', () => {
   const choice = createChoice(storage);
   assert.match(refusalHere(new URLSearchParams('peers=off'), choice) ?? '', /address/);
   assert.match(refusalHere(new URLSearchParams(), choice) ?? '', /WebRTC/);

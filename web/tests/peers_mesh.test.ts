@@ -3,7 +3,7 @@ import { test } from 'node:test';
 import type { Call, CallEvents } from '../src/peers/call';
 import { createMesh, type Mesh } from '../src/peers/mesh';
 import { type Signal, writeSignal } from '../src/peers/signals';
-import { settled, steppedClock, type Stepped, wired } from './support/peers';
+import { createWires, settled, steppedClock, type Stepped } from './support/peers';
 
 const SDP = 'm=application 9 UDP/DTLS/SCTP webrtc-datachannel\r\n';
 
@@ -16,7 +16,7 @@ interface Bench {
   readonly mesh: Mesh;
   readonly clock: Stepped;
   readonly calls: Made[];
-  /** Signals that were sent, with whom they are for. */
+  /** Sent signals with their recipients. */
   readonly sent: [user: number, signal: Signal][];
   readonly opened: number[];
   readonly ended: number[];
@@ -24,7 +24,7 @@ interface Bench {
   /** Enter the room as a user, with others in it. */
   enter(own: number, ...others: readonly number[]): void;
   say(user: number, signal: Signal | Uint8Array): Promise<void>;
-  /** The browser makes no connections. */
+  /** Make the browser fail to create connections. */
   refuseCalls(): void;
 }
 
@@ -37,16 +37,16 @@ function bench(): Bench {
     create(events) {
       if (isFull) throw new Error('too many connections');
       const log: string[] = [];
-      const told = (word: string): Promise<string> => {
+      const record = (word: string): Promise<string> => {
         log.push(word);
         return word.includes('garbage') ? Promise.reject(new Error('garbage')) : Promise.resolve(SDP);
       };
       const made: Made = {
         events,
         log,
-        offer: () => told('offer'),
-        answer: (offer) => told(`answer ${offer}`),
-        take: async (answer) => void (await told(`take ${answer}`)),
+        offer: () => record('offer'),
+        answer: (offer) => record(`answer ${offer}`),
+        take: async (answer) => void (await record(`take ${answer}`)),
         close: () => void log.push('close'),
       };
       calls.push(made);
@@ -79,7 +79,7 @@ function bench(): Bench {
 }
 
 const offer = (attempt = 1, sdp = SDP): Signal => ({ kind: 'offer', attempt, sdp });
-const open = (call: Made | undefined): void => call?.events.opened(wired()[0]);
+const open = (call: Made | undefined): void => call?.events.opened(createWires()[0]);
 
 
 test('the user with the smaller number offers, and the other one answers', async () => {
@@ -96,7 +96,7 @@ test('the user with the smaller number offers, and the other one answers', async
   assert.deepEqual(opened, [9, 3]);
 });
 
-test('files wait until all who were there have told what they have, or do not connect, or some time', async () => {
+test('files wait until all users have announced their files or failed to connect, up to a timeout', async () => {
   const alone = bench();
   alone.mesh.begin(true);
   alone.enter(5);
@@ -135,7 +135,7 @@ test('files wait until all who were there have told what they have, or do not co
   assert.ok(refused.isReady);
 });
 
-test('a page that takes no part tells others, and answers no offer', async () => {
+test('a page that does not share files tells others, and answers no offer', async () => {
   const { mesh, enter, calls, sent, say } = bench();
   enter(5, 3, 9);
   await say(3, offer());
@@ -146,7 +146,7 @@ test('a page that takes no part tells others, and answers no offer', async () =>
   assert.deepEqual(sent.map(([user, { kind }]) => [user, kind]), [[3, 'no'], [9, 'no'], [12, 'no'], [3, 'no']]);
 });
 
-test('a page that ends the exchange ends all connections, and tells others', async () => {
+test('ending the exchange closes all connections, and tells others', async () => {
   const { mesh, enter, calls, sent, say, ended } = bench();
   mesh.begin(true);
   enter(5, 3, 9);
@@ -161,7 +161,7 @@ test('a page that ends the exchange ends all connections, and tells others', asy
   assert.equal(calls.length, 2);
 });
 
-test('offers that come before the server has told whether pages may are answered when it has', async () => {
+test('offers that precede permission by the server are answered after it', async () => {
   const { mesh, enter, sent, say } = bench();
   enter(5, 3);
   await say(3, offer(8));
@@ -171,7 +171,7 @@ test('offers that come before the server has told whether pages may are answered
   assert.deepEqual(sent, [[3, { kind: 'answer', attempt: 8, sdp: SDP }]]);
 });
 
-test('garbage of a user ends at most its own connection', async () => {
+test('malformed messages of a user end at most its own connection', async () => {
   const { mesh, enter, calls, sent, say, ended } = bench();
   mesh.begin(true);
   enter(5, 3, 4, 9);
@@ -182,7 +182,7 @@ test('garbage of a user ends at most its own connection', async () => {
   await say(77, offer());
   await say(9, offer());
   assert.deepEqual(ended, [3]);
-  // A greater number does not offer, and who is not there does not either.
+  // A greater number does not offer, nor does an absent user.
   assert.equal(calls.length, 3);
   assert.deepEqual(sent.filter(([, { kind }]) => kind === 'no').map(([user]) => user), [9]);
   for (const [attempt, sdp] of [[1, SDP], [2, SDP.replace('9', 'garbage')]] as const) await say(4, offer(attempt, sdp));
@@ -191,7 +191,7 @@ test('garbage of a user ends at most its own connection', async () => {
   assert.equal(mesh.dropped.size, 0);
 });
 
-test('answers that nobody waits for are ignored, and one that is none drops', async () => {
+test('unexpected answers are ignored, and malformed ones end the connection', async () => {
   const { mesh, enter, calls, sent, say } = bench();
   mesh.begin(true);
   enter(5, 3, 9);
@@ -205,7 +205,7 @@ test('answers that nobody waits for are ignored, and one that is none drops', as
   assert.equal(calls[0]?.log.at(-1), 'close');
 });
 
-test('who is dropped is not connected to any more, nor is who offers too often', async () => {
+test('dropped users are not reconnected, nor are users who offer too often', async () => {
   const { mesh, enter, calls, say } = bench();
   mesh.begin(true);
   enter(5, 3, 9);
@@ -222,7 +222,7 @@ test('who is dropped is not connected to any more, nor is who offers too often',
   assert.equal(calls.filter(({ log }) => log.at(-1) === 'close').length, 9);
 });
 
-test('connections that do not come about end, and others go when their users do', async () => {
+test('connections that fail end, and others close when their users leave', async () => {
   const { mesh, enter, calls, clock, ended, opened } = bench();
   mesh.begin(true);
   enter(1, 2, 3, 4);
@@ -234,7 +234,7 @@ test('connections that do not come about end, and others go when their users do'
   mesh.hear({ kind: 'left', user: 2 });
   calls[1]?.events.ended();
   assert.deepEqual([ended, opened], [[2, 3], [2, 3]]);
-  // Events of what has ended say nothing.
+  // Events of ended connections are ignored.
   open(calls[2]);
   assert.deepEqual(opened, [2, 3]);
   mesh.hear({ kind: 'joined', user: 2, group: 0, name: '' });
@@ -243,7 +243,7 @@ test('connections that do not come about end, and others go when their users do'
   assert.deepEqual([mesh.own, calls[3]?.log.at(-1)], [null, 'close']);
 });
 
-test('in a large room each page connects to the nearest numbers, and both ends find that', async () => {
+test('in a large room each page connects to the nearest numbers, and both ends choose the same', async () => {
   const users = [...Array(40).keys()].map((at) => 11 * at + 3);
   const pairs = new Set<string>();
   for (const own of users) {
@@ -258,7 +258,7 @@ test('in a large room each page connects to the nearest numbers, and both ends f
   assert.equal(pairs.size, 40 * 6);
 });
 
-test('who is no neighbour gets no answer', async () => {
+test('a user who is not a neighbour gets no answer', async () => {
   const { enter, mesh, calls, sent, say } = bench();
   mesh.begin(true);
   enter(1000, ...[...Array(30).keys()]);
@@ -268,7 +268,7 @@ test('who is no neighbour gets no answer', async () => {
   assert.deepEqual(refused, [...Array(18).keys()].map((at) => at + 6));
 });
 
-test('a page offers to nobody before it knows who is there', async () => {
+test('a page offers to nobody before it knows the users', async () => {
   const { mesh, calls } = bench();
   mesh.begin(true);
   mesh.hear({ kind: 'welcome', user: 1, others: 2, ticket: new Uint8Array() });
@@ -278,7 +278,7 @@ test('a page offers to nobody before it knows who is there', async () => {
   assert.equal(calls.length, 2);
 });
 
-test('who comes back again and again gets no more connections than a second makes', async () => {
+test('repeated returns create no more connections than the limit per second', async () => {
   const { enter, mesh, calls, clock, say } = bench();
   mesh.begin(true);
   enter(5, 3);
@@ -292,14 +292,14 @@ test('who comes back again and again gets no more connections than a second make
   await clock.pass(2);
   for (let turn = 0; turn < 10; turn++) await come();
   assert.equal(calls.length, 18);
-  // An own offer waits for its turn.
+  // A page's own offer waits for its turn.
   mesh.hear({ kind: 'joined', user: 9, group: 0, name: '' });
   assert.equal(calls.length, 18);
   await clock.pass(1);
   assert.deepEqual([calls.length, calls.at(-1)?.log], [19, ['offer']]);
 });
 
-test('a browser that makes no connection costs the connection alone', async () => {
+test('a browser that fails to create a connection loses that connection only', async () => {
   const { enter, mesh, sent, say, refuseCalls } = bench();
   refuseCalls();
   mesh.begin(true);

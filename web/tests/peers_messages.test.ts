@@ -26,14 +26,14 @@ const MESSAGES: readonly (readonly [Message, string])[] = [
   [{ kind: 'cancel', request: 7 }, '0607000000'],
 ];
 
-test('messages are the bytes of the table, and come back', () => {
+test('messages equal the bytes of the table, and are parsed back', () => {
   for (const [message, expected] of MESSAGES) {
     assert.equal(hex(writeMessage(message)), expected);
     assert.deepEqual(readMessage(bytes(expected)), message);
   }
 });
 
-test('what is no message is refused, and nothing else happens', () => {
+test('malformed messages are refused without side effects', () => {
   const wrong = ['', '00', '07', '01', '0103', '0100ff', '02', '0204030201ff', '05', '050700000000', '0407000000'];
   for (const text of wrong) assert.throws(() => readMessage(bytes(text)), FrameError, text);
   assert.throws(() => readMessage(new Uint8Array(6 + PART).fill(3)), FrameError);
@@ -50,7 +50,7 @@ test('what is no message is refused, and nothing else happens', () => {
   }
 });
 
-test('signals are bytes, and come back', () => {
+test('signals are encoded as bytes, and decoded', () => {
   const said: readonly Signal[] = [
     { kind: 'offer', attempt: 0x01020304, sdp: SDP },
     { kind: 'answer', attempt: 5, sdp: SDP },
@@ -60,7 +60,7 @@ test('signals are bytes, and come back', () => {
   assert.equal(hex(writeSignal(said[2] as Signal)), '010200000000');
 });
 
-test('a signal that describes anything but one channel for data is refused', () => {
+test('a signal that describes anything but one data channel is refused', () => {
   const head = '01' + '00' + '00000000';
   for (const text of ['', '02', '0103', head, '010200000000ff', head + 'ff', '010000']) {
     assert.throws(() => readSignal(bytes(text)), FrameError, text);
@@ -73,7 +73,7 @@ test('a signal that describes anything but one channel for data is refused', () 
   assert.throws(() => readSignal(Uint8Array.from([1, 0, 0, 0, 0, 0, ...new Uint8Array(8193).fill(97)])), FrameError);
 });
 
-test('of a description few addresses are used, those of the device itself by UDP', () => {
+test('few addresses of a description are used, those of the device itself by UDP', () => {
   const line = (at: number, way: string, kind: string): string =>
     `a=candidate:${at} 1 ${way} 1 10.0.0.${at} 9 typ ${kind}\r\n`;
   const own = [...Array(12).keys()].map((at) => line(at, 'udp', 'host'));
@@ -83,7 +83,7 @@ test('of a description few addresses are used, those of the device itself by UDP
   assert.equal(read.sdp, SDP + own.slice(0, 7).join('') + 'a=end\r\n');
 });
 
-test('each user asks for its part of the files, and all find the same one', () => {
+test('each user requests its share of the files, and all compute the same shares', () => {
   const users = [3, 4, 900, 65_535, 12, 13, 14, 15];
   const counts = new Map<number, number>();
   for (let file = 0; file < 2000; file++) {
@@ -96,7 +96,7 @@ test('each user asks for its part of the files, and all find the same one', () =
   for (const user of users) assert.ok(Math.abs((counts.get(user) ?? 0) - 250) < 80, `${counts.get(user)}`);
 });
 
-test('a store keeps what was asked for last, up to its size', () => {
+test('a store keeps the last requested files, up to its size', () => {
   const store = createStore(100);
   const data = (size: number): ArrayBuffer => new ArrayBuffer(size);
   assert.deepEqual(store.add('a', data(40)), []);
@@ -110,7 +110,7 @@ test('a store keeps what was asked for last, up to its size', () => {
   assert.equal(store.find('b'), null);
 });
 
-test('a bucket gives a rate, and a burst at first', () => {
+test('a token bucket allows a rate, and a burst at first', () => {
   let time = 0;
   const bucket = createBucket(10, 20, () => time);
   assert.ok(bucket.take(20));
@@ -122,7 +122,7 @@ test('a bucket gives a rate, and a burst at first', () => {
   assert.equal(bucket.take(21), false);
 });
 
-test('signals leave no faster than a room takes them', async () => {
+test('signals are sent no faster than a room accepts them', async () => {
   const clock = steppedClock();
   const sent: number[] = [];
   const outbox = createOutbox((user) => sent.push(user), clock);

@@ -15,7 +15,7 @@ function joinAll(all: readonly Page[], clock: Stepped): void {
   all.forEach((one, at) => all.slice(at + 1).forEach((other) => join(one, other, clock)));
 }
 
-/** Load all files, a few at a time and in the same order, as pages do. */
+/** Loads all files, a few at a time and in the same order, as pages do. */
 async function load(page: Page, names: readonly string[] = NAMES): Promise<void> {
   for (let at = 0; at < names.length; at += 6) {
     const got = await Promise.all(names.slice(at, at + 6).map((name) => page.get(name)));
@@ -26,14 +26,14 @@ async function load(page: Page, names: readonly string[] = NAMES): Promise<void>
   }
 }
 
-const asked = (all: readonly Page[]): string[] => all.flatMap((page) => page.asked);
+const requestedFiles = (all: readonly Page[]): string[] => all.flatMap((page) => page.asked);
 
-test('of eight pages that start together one asks the server for each file, and all take part', async () => {
+test('of eight pages that start together one asks the server for each file, and all share files', async () => {
   const clock = steppedClock();
   const all = pages(8, clock);
   joinAll(all, clock);
   await Promise.all(all.map((page) => load(page)));
-  assert.deepEqual(asked(all).sort(), [...NAMES].sort());
+  assert.deepEqual(requestedFiles(all).sort(), [...NAMES].sort());
   assert.ok(all.filter((page) => page.asked.length > 0).length > 5);
   for (const page of all) {
     assert.ok(page.asked.length < 15);
@@ -41,7 +41,7 @@ test('of eight pages that start together one asks the server for each file, and 
   }
 });
 
-test('pages that come one after the other ask the server for nothing that others have', async () => {
+test('pages that come later ask the server for nothing that others have', async () => {
   const clock = steppedClock();
   const all: Page[] = [];
   for (const page of pages(8, clock)) {
@@ -50,20 +50,20 @@ test('pages that come one after the other ask the server for nothing that others
     await load(page);
     all.push(page);
   }
-  assert.deepEqual(asked(all), NAMES);
+  assert.deepEqual(requestedFiles(all), NAMES);
 });
 
-test('pages that know different others never wait for each other in a circle', async () => {
+test('pages that know different users never wait for each other in a circle', async () => {
   const clock = steppedClock();
   const all = pages(8, clock);
   // A ring, in which each page knows two others.
   all.forEach((page, at) => join(page, all[(at + 1) % all.length] as Page, clock));
   await Promise.all(all.map((page) => load(page)));
-  assert.ok(asked(all).length < 4 * NAMES.length);
+  assert.ok(requestedFiles(all).length < 4 * NAMES.length);
   assert.ok(clock.now() === 100, 'no time passes');
 });
 
-test('pages that go in the middle cost others nothing but their files', async () => {
+test('pages that leave early cost others only repeated files', async () => {
   const clock = steppedClock();
   const all = pages(4, clock);
   joinAll(all, clock);
@@ -76,10 +76,10 @@ test('pages that go in the middle cost others nothing but their files', async ()
     page.peers.delete(gone.number);
   }
   await loading;
-  assert.deepEqual([...new Set(asked(left))].sort(), [...NAMES].sort());
+  assert.deepEqual([...new Set(requestedFiles(left))].sort(), [...NAMES].sort());
 });
 
-test('a page whose server stalls is left for another one after some seconds', async () => {
+test('a page whose server stalls is replaced by another one after some seconds', async () => {
   const clock = steppedClock();
   const all = pages(3, clock);
   joinAll(all, clock);
@@ -93,7 +93,7 @@ test('a page whose server stalls is left for another one after some seconds', as
   assert.equal(left.reduce((sum, page) => sum + page.dropped.size, 0), 0);
 });
 
-test('one that tells of files that it has not costs a question', async () => {
+test('announcing missing files costs one request', async () => {
   const clock = steppedClock();
   const [liar, page] = pages(2, clock) as [Page, Page];
   liar.wanted = [];
@@ -104,7 +104,7 @@ test('one that tells of files that it has not costs a question', async () => {
   assert.deepEqual([page.asked, liar.asked], [NAMES.slice(0, 3), []]);
 });
 
-test('before the first picture nobody is waited for longer than three seconds, and once', async () => {
+test('before the first picture pages wait for others at most once, and three seconds', async () => {
   const clock = steppedClock();
   const all = pages(3, clock);
   joinAll(all, clock);
@@ -136,7 +136,7 @@ test('files wait at first until others are connected, but not if somebody has th
   assert.deepEqual(page.asked, []);
   join(page, other, clock);
   await settled();
-  // Who has nothing says so.
+  // Users without files say so.
   assert.deepEqual([page.greeted, other.greeted], [[2], [1]]);
   await page.get(held);
   assert.deepEqual(page.asked, []);
@@ -148,7 +148,7 @@ test('files wait at first until others are connected, but not if somebody has th
   await coming;
 });
 
-test('a file of the server that is damaged is given on to the decoder, and to nobody else', async () => {
+test('a damaged file of the server is passed to the decoder, and to no other user', async () => {
   const clock = steppedClock();
   const [one, other] = pages(2, clock) as [Page, Page];
   const [name = ''] = NAMES;

@@ -3,6 +3,7 @@ import { test } from 'node:test';
 import { type Message, PART, readMessage, writeMessage } from '../src/peers/messages';
 import {
   createPage,
+  createWires,
   join,
   makeContent,
   type Page,
@@ -11,7 +12,6 @@ import {
   steppedClock,
   type Stepped,
   type Wire,
-  wired,
   type World,
 } from './support/peers';
 
@@ -24,18 +24,18 @@ const same = (one: ArrayBuffer, name: string): void => assert.deepEqual(new Uint
 interface Bench {
   readonly clock: Stepped;
   readonly page: Page;
-  /** The end of the user 2, of which the test plays the page. */
+  /** User 2's end of the channel, driven by the test. */
   readonly line: Wire;
-  /** All that has come to it. */
+  /** All messages that arrived at it. */
   readonly heard: Message[];
   say(...messages: readonly Message[]): Promise<void>;
 }
 
-/** A page that is connected to a user whose messages the test makes. */
+/** A page that is connected to a user whose messages the test writes. */
 function bench(world = WORLD): Bench {
   const clock = steppedClock();
   const page = createPage(1, world, clock);
-  const [own, line] = wired();
+  const [own, line] = createWires();
   const heard: Message[] = [];
   line.onmessage = ({ data }) => heard.push(readMessage(new Uint8Array(data as ArrayBuffer).slice()));
   plug(page, 2, own, clock);
@@ -63,7 +63,7 @@ function partsOf(name: string, request: number, begin = 0): Message[] {
   return places.map((at) => ({ kind: 'part', request, data: data.subarray(PART * at, PART * (at + 1)) }));
 }
 
-test('a file comes from who has it, whole and checked, and is offered on', async () => {
+test('a file comes from a user who has it, complete and checked, and is offered to others', async () => {
   const clock = steppedClock();
   const [one, other] = [createPage(1, WORLD, clock), createPage(2, WORLD, clock)];
   await one.get('a');
@@ -75,7 +75,7 @@ test('a file comes from who has it, whole and checked, and is offered on', async
   assert.deepEqual(other.share.counts, { others: { bytes: 3 * PART + 5, files: 1 }, server: { bytes: 0, files: 0 } });
 });
 
-test('a wrong file is not used: its sender is dropped, and the file comes from the server', async () => {
+test('a wrong file is not used: its sender is dropped, and the server sends the file', async () => {
   const { page, heard, say, line } = bench();
   await say({ kind: 'tell', holding: 'here', keys: [A] });
   const coming = page.get('a');
@@ -91,7 +91,7 @@ test('a wrong file is not used: its sender is dropped, and the file comes from t
   assert.equal(page.share.counts.others.bytes, 0);
 });
 
-test('bytes that nobody asked for, and parts of a wrong length, drop their sender', async () => {
+test('unrequested bytes and parts of a wrong length drop their sender', async () => {
   const wrong: readonly [RegExp, (request: number) => Message[]][] = [
     [/answers nothing/, () => [{ kind: 'part', request: 77, data: new Uint8Array(5) }]],
     [/answers nothing/, () => [{ kind: 'none', request: 77 }]],
@@ -112,7 +112,7 @@ test('bytes that nobody asked for, and parts of a wrong length, drop their sende
   }
 });
 
-test('messages that are none, texts and floods drop their sender', async () => {
+test('malformed messages, texts and floods drop their sender', async () => {
   const unknown = Uint8Array.from([9, 1, 2]).buffer;
   for (const data of ['text', new ArrayBuffer(0), unknown, new ArrayBuffer(1 << 20)]) {
     const { page, line } = bench();
@@ -124,7 +124,7 @@ test('messages that are none, texts and floods drop their sender', async () => {
   assert.match(page.dropped.get(2) ?? '', /more than it may/);
 });
 
-test('who becomes silent in a file loses the request, and is asked again when it has ended it', async () => {
+test('a sender that stalls within a file loses the request, and is asked again once it has ended it', async () => {
   const { page, heard, say, clock } = bench();
   await say({ kind: 'tell', holding: 'here', keys: KEYS });
   const coming = page.get('a');
@@ -147,12 +147,12 @@ test('who becomes silent in a file loses the request, and is asked again when it
   assert.deepEqual([page.asked, page.dropped.size], [['a', 'b'], 0]);
 });
 
-test('who leaves requests without an answer again and again is asked no more', async () => {
+test('a user who repeatedly leaves requests unanswered is asked no more', async () => {
   const { page, heard, say, clock } = bench();
   const names = ['a', 'b', 'c', 'a'];
   for (const [turn, name] of names.entries()) {
     await say({ kind: 'tell', holding: 'here', keys: KEYS });
-    // Nothing of it is kept from the time before.
+    // Nothing of the earlier attempt is kept.
     if (turn === 3) page.store.add('x', new ArrayBuffer(64 * 2 ** 20));
     const coming = page.get(name);
     await settled();
@@ -164,7 +164,7 @@ test('who leaves requests without an answer again and again is asked no more', a
   assert.deepEqual([wants(heard).length, page.asked, page.dropped.size], [3, names, 0]);
 });
 
-test('requests that are left without an answer at one time count as one', async () => {
+test('requests that are unanswered at the same time count as one', async () => {
   const { page, heard, say, clock } = bench();
   await say({ kind: 'tell', holding: 'here', keys: KEYS });
   const all = Promise.all(['a', 'b', 'c'].map((name) => page.get(name)));
@@ -175,7 +175,7 @@ test('requests that are left without an answer at one time count as one', async 
   assert.deepEqual([page.peers.get(2)?.isFree, page.dropped.size], [true, 0]);
 });
 
-test('a page waits for one that has to fetch the file itself, while it comes', async () => {
+test('a page waits for another that has to fetch the file first, while it makes progress', async () => {
   const { page, heard, say, clock } = bench();
   await say({ kind: 'tell', holding: 'coming', keys: [A] });
   const coming = page.get('a');
@@ -220,7 +220,7 @@ test('a user who leaves in the middle of a file is replaced by the server', asyn
   assert.deepEqual(page.asked, ['a']);
 });
 
-test('who is not interested any more cancels, and nothing is kept', async () => {
+test('a cancelled request is cancelled at the sender, and nothing is kept', async () => {
   const { page, heard, say } = bench();
   await say({ kind: 'tell', holding: 'here', keys: [A] });
   const stop = new AbortController();
@@ -234,7 +234,7 @@ test('who is not interested any more cancels, and nothing is kept', async () => 
   assert.deepEqual([ends(heard, 'cancel'), page.store.keys, page.dropped.size, page.asked], [1, [], 0, []]);
 });
 
-test('files are sent no faster than the browser takes them, one after the other', async () => {
+test('files are sent no faster than the browser accepts them, one after the other', async () => {
   const { page, say, line } = bench();
   const big: World = { big: makeContent(40 * PART, 4) };
   page.store.add(big['big']?.listed.sha256 ?? '', big['big']?.data ?? new ArrayBuffer(0));
@@ -251,7 +251,7 @@ test('files are sent no faster than the browser takes them, one after the other'
   assert.equal(page.dropped.size, 0);
 });
 
-test('only listed files are given, to as many requests as there may be', async () => {
+test('only listed files are sent, for a limited number of requests', async () => {
   const { page, heard, say } = bench();
   await say({ kind: 'want', request: 1, key: 'ab'.repeat(32) });
   assert.deepEqual(heard.at(-1), { kind: 'none', request: 1 });
@@ -262,7 +262,7 @@ test('only listed files are given, to as many requests as there may be', async (
   assert.match(page.dropped.get(2) ?? '', /number that was used/);
 });
 
-test('too many requests at once drop, and too many a second get nothing', async () => {
+test('too many concurrent requests drop the sender, and too many a second are refused', async () => {
   const crowd = bench();
   crowd.page.serve = () => new Promise(() => undefined);
   await crowd.say(...[...Array(65).keys()].map((at) => ({ kind: 'want', request: at + 1, key: A }) as const));
@@ -279,7 +279,7 @@ test('too many requests at once drop, and too many a second get nothing', async 
   assert.deepEqual([ends(hurry.heard, 'part'), ends(hurry.heard, 'none'), hurry.page.dropped.size], [400, 100, 0]);
 });
 
-test('a page fetches for others only what it shows itself, once', async () => {
+test('a page fetches for others only files that it shows itself, once', async () => {
   const { page, heard, say } = bench();
   await say({ kind: 'want', request: 1, key: B }, { kind: 'want', request: 2, key: B });
   assert.deepEqual(page.asked, ['b']);
@@ -289,7 +289,7 @@ test('a page fetches for others only what it shows itself, once', async () => {
   assert.deepEqual(heard.at(-1), { kind: 'none', request: 3 });
 });
 
-test('a page gets a file twice at most, from the store and from the server', async () => {
+test('a page loads a file at most twice, from the store and from the server', async () => {
   const { page, heard, say } = bench();
   page.store.add(C, contentOf('c').slice().buffer);
   for (let request = 1; request <= 4; request++) await say({ kind: 'want', request, key: C });
@@ -298,7 +298,7 @@ test('a page gets a file twice at most, from the store and from the server', asy
   assert.deepEqual([ends(heard, 'part'), ends(heard, 'none'), page.asked], [4, 3, ['b']]);
 });
 
-test('all pages together get no more bytes than a page gives', async () => {
+test('all pages together get at most the limit of bytes that a page sends', async () => {
   const clock = steppedClock();
   const page = createPage(1, WORLD, clock);
   page.store.add(A, contentOf('a').slice().buffer);
@@ -318,13 +318,13 @@ test('all pages together get no more bytes than a page gives', async () => {
   assert.deepEqual(third.asked, []);
 });
 
-test('pages that drip hold back the first picture for little more than five seconds each, and two of them', async () => {
+test('slow pages delay the first picture for little more than five seconds each, and two of them at most', async () => {
   const clock = steppedClock();
   const page = createPage(1, WORLD, clock);
   page.isFirst = true;
   const [asked, drips]: [number[], (() => void)[]] = [[], []];
   for (const user of [2, 3, 4]) {
-    const [own, line] = wired();
+    const [own, line] = createWires();
     plug(page, user, own, clock);
     let [request, bytes] = [0, 0];
     line.onmessage = ({ data }) => {

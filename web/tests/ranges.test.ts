@@ -9,7 +9,7 @@ import { decodeRanges } from '../src/decode/ranges';
 const folders = process.env['NEARFAR_BUNDLES']?.split(delimiter) ?? [];
 
 for (const folder of folders) {
-  /** Writes the codes of all rings' maps beside the bundle, for Python to compare with its own. */
+  /** Writes the codes of all rings' maps beside the bundle, for comparison in Python. */
   test(`codes of a bundle: ${basename(folder)}`, async () => {
     const manifest = parseManifest(await readFile(`${folder}/manifest.json`, 'utf8'));
     const [region] = manifest.regions;

@@ -3,7 +3,7 @@ import { test } from 'node:test';
 import { createArrivals } from '../src/rooms/arrivals';
 import { createSeldom } from '../src/rooms/seldom';
 
-test('who comes alone is named, and many who come together are one sentence', () => {
+test('a single arrival is named, and several together are one sentence', () => {
   const said: string[] = [];
   const arrivals = createArrivals((sentence) => said.push(sentence));
   arrivals.begin(2);
@@ -15,13 +15,13 @@ test('who comes alone is named, and many who come together are one sentence', ()
   for (let now = 10; now < 12; now += 0.1) arrivals.tell(now);
   assert.deepEqual(said, ['Ada #3 is here']);
   for (let number = 10; number < 60; number++) arrivals.come(number, `User #${number}`);
-  // Some of them are gone before anybody was told of them.
+  // Some of them have left before anybody was told.
   for (let number = 10; number < 15; number++) arrivals.left(number);
   for (let now = 12; now < 30; now += 0.1) arrivals.tell(now);
   assert.deepEqual(said.slice(1), ['45 more are here']);
 });
 
-test('many who enter at once are one sentence, not one of the first and one of the others', () => {
+test('many who enter together are one sentence, without a separate one for the first', () => {
   const said: string[] = [];
   const arrivals = createArrivals((sentence) => said.push(sentence));
   for (let number = 0; number < 50; number++) {
@@ -32,7 +32,7 @@ test('many who enter at once are one sentence, not one of the first and one of t
   assert.deepEqual(said, ['50 more are here']);
 });
 
-test('nobody is told of those who are there when the connection comes back, or who left while nobody looked', () => {
+test('users present at a reconnection, and users who left meanwhile, are not announced', () => {
   const said: string[] = [];
   const arrivals = createArrivals((sentence) => said.push(sentence));
   arrivals.come(7, 'Grace #7');
@@ -44,7 +44,7 @@ test('nobody is told of those who are there when the connection comes back, or w
   assert.deepEqual(said, []);
 });
 
-test('what costs time is looked at less often than it is asked for', () => {
+test('a costly check runs less often than it is requested', () => {
   const seldom = createSeldom<number | null>(0.1);
   let looks = 0;
   const ask = (now: number): number | null => seldom.at(now, () => (looks++ === 0 ? null : looks));

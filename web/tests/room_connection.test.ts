@@ -4,13 +4,13 @@ import { inviteOf, readAddress, relayOf, shownName } from '../src/rooms/address'
 import { connect, type Connection, type State } from '../src/rooms/connection';
 import type { FromServer } from '../src/rooms/frames';
 import type { Listener, Socket } from '../src/rooms/socket';
-import { framed, REST, served } from './support/room_frames';
+import { encodeBody, encodeFrame, REST } from './support/room_frames';
 
 /** A socket that a test opens and closes. */
 class Fake implements Socket {
   bufferedAmount = 0;
   readonly sent: Uint8Array[] = [];
-  /** Of each frame that was sent, whether it may get lost. */
+  /** For each sent frame, whether it may get lost. */
   readonly passing: boolean[] = [];
   isClosed = false;
   isAtOnce = false;
@@ -33,9 +33,9 @@ class Fake implements Socket {
     this.listener.opened();
   }
 
-  /** Frames of the server come in one message. */
+  /** Deliver frames of the server in one message. */
   comes(...frames: readonly (FromServer | Uint8Array)[]): void {
-    const bytes = frames.map((frame) => (frame instanceof Uint8Array ? frame : served(frame)));
+    const bytes = frames.map((frame) => (frame instanceof Uint8Array ? frame : encodeFrame(frame)));
     this.data(Uint8Array.from(Buffer.concat(bytes)).buffer);
   }
 
@@ -99,7 +99,7 @@ function bench(): Bench {
 const WELCOME: FromServer = { kind: 'welcome', user: 5, others: 1, ticket: new Uint8Array([1, 2, 3]) };
 const PEER: FromServer = { kind: 'joined', user: 6, group: 3, name: 'Peer' };
 
-function entered(): Bench {
+function enterRoom(): Bench {
   const made = bench();
   made.socket().open();
   made.socket().comes(WELCOME, PEER);
@@ -118,8 +118,8 @@ test('it joins the room beside the page, by name and token', () => {
   assert.deepEqual(heard.map(({ kind }) => kind), ['welcome', 'joined']);
 });
 
-test('a pose that comes after a later one is not passed on, nor one of a user who is not there', () => {
-  const { socket, heard } = entered();
+test('a pose older than the last one is not passed on, nor one of an absent user', () => {
+  const { socket, heard } = enterRoom();
   const pose = (sequence: number, stops = false): FromServer =>
     ({ kind: 'pose', user: 6, pose: { ...REST, sequence, clock: 0n, isAcknowledged: false, stops } });
   const passed = (): readonly number[] =>
@@ -128,13 +128,13 @@ test('a pose that comes after a later one is not passed on, nor one of a user wh
   assert.deepEqual(passed(), [5, 6]);
   socket().comes({ kind: 'left', user: 6 }, pose(7));
   assert.deepEqual(passed(), []);
-  // Whoever comes anew counts from 1.
+  // A user with a new number starts afresh.
   socket().comes(PEER, pose(1));
   assert.deepEqual(passed(), [1]);
 });
 
-test('it comes back with its ticket, after pauses that double to half a minute', () => {
-  const { socket, sockets, states, pass } = entered();
+test('it reconnects with its ticket, after pauses that double up to half a minute', () => {
+  const { socket, sockets, states, pass } = enterRoom();
   socket().breaks();
   for (const seconds of [1, 2, 4, 8, 16, 30, 30]) {
     const state = states.at(-1);
@@ -150,15 +150,15 @@ test('it comes back with its ticket, after pauses that double to half a minute',
   socket().open();
   assert.deepEqual([...(socket().sent[0] ?? [])].slice(-4), [3, 1, 2, 3]);
   socket().comes(WELCOME);
-  // Who has been there for long begins with the shortest pause.
+  // After a long connection the pause is the shortest again.
   pass(10);
   socket().breaks();
   const state = states.at(-1);
   assert.deepEqual(state?.kind === 'waiting' && state.seconds, 1);
 });
 
-test('a server that lets in and throws out is not asked faster and faster', () => {
-  const { socket, states, pass } = entered();
+test('a server that admits and throws out is not asked faster and faster', () => {
+  const { socket, states, pass } = enterRoom();
   socket().breaks(4006);
   pass(1);
   socket().open();
@@ -168,7 +168,7 @@ test('a server that lets in and throws out is not asked faster and faster', () =
   assert.ok(state?.kind === 'waiting' && state.seconds === 2 && /more than the server takes/.test(state.words));
 });
 
-test('reasons are told in words, and final ones end it until the user asks', () => {
+test('reasons are given in words, and final ones stop reconnection until the user asks', () => {
   const words: Readonly<Record<number, [string, RegExp]>> = {
     2: ['ended', /another version/],
     4: ['ended', /does not let you into/],
@@ -179,7 +179,7 @@ test('reasons are told in words, and final ones end it until the user asks', () 
   };
   for (const [reason, [kind, expected]] of Object.entries(words)) {
     for (const isFrame of [true, false]) {
-      const { socket, sockets, states, connection } = entered();
+      const { socket, sockets, states, connection } = enterRoom();
       if (isFrame) socket().comes({ kind: 'refused', reason: Number(reason), sentence: '<b>' });
       else socket().breaks(4000 + Number(reason));
       const state = states.at(-1);
@@ -192,7 +192,7 @@ test('reasons are told in words, and final ones end it until the user asks', () 
   }
 });
 
-test('a server that does not answer, or breaks off, is told apart', () => {
+test('a server that does not answer is distinguished from one that breaks off', () => {
   const silent = bench();
   silent.pass(15);
   assert.match(JSON.stringify(silent.states.at(-1)), /does not answer/);
@@ -200,15 +200,15 @@ test('a server that does not answer, or breaks off, is told apart', () => {
   const absent = bench();
   absent.socket().breaks();
   assert.match(JSON.stringify(absent.states.at(-1)), /cannot be reached/);
-  const broken = entered();
+  const broken = enterRoom();
   broken.socket().breaks();
   assert.match(JSON.stringify(broken.states.at(-1)), /broke off/);
 });
 
-test('garbage of a server ends the connection, and nothing of it is heard after', () => {
-  const unknown = framed(7, new Uint8Array()).slice().buffer;
+test('malformed frames end the connection, and later frames are ignored', () => {
+  const unknown = encodeBody(7, new Uint8Array()).slice().buffer;
   for (const data of ['text', new Uint8Array([130, 1]).buffer, unknown]) {
-    const { socket, states, heard } = entered();
+    const { socket, states, heard } = enterRoom();
     const [count, own] = [heard.length, socket()];
     own.data(data);
     assert.equal(states.at(-1)?.kind, 'waiting');
@@ -217,7 +217,7 @@ test('garbage of a server ends the connection, and nothing of it is heard after'
     assert.equal(heard.length, count);
     assert.equal(states.filter(({ kind }) => kind === 'waiting').length, 1);
   }
-  const twice = entered();
+  const twice = enterRoom();
   twice.socket().comes(WELCOME);
   assert.equal(twice.states.at(-1)?.kind, 'waiting');
   const early = bench();
@@ -225,8 +225,8 @@ test('garbage of a server ends the connection, and nothing of it is heard after'
   assert.equal(early.states.at(-1)?.kind, 'waiting');
 });
 
-test('poses of others are acknowledged at once, those that ask for it', () => {
-  const { socket } = entered();
+test('poses of others that ask for it are acknowledged at once', () => {
+  const { socket } = enterRoom();
   const before = socket().sent.length;
   socket().comes(
     { kind: 'pose', user: 6, pose: { ...REST, sequence: 8 } },
@@ -236,12 +236,12 @@ test('poses of others are acknowledged at once, those that ask for it', () => {
   assert.deepEqual(answers, ['030600' + '0600' + '09000000']);
 });
 
-test('what a later frame replaces may get lost, the last one before a pause may not', () => {
-  const { connection, socket, pass } = entered();
+test('frames that a later one replaces may get lost, the last one before a pause may not', () => {
+  const { connection, socket, pass } = enterRoom();
   const before = socket().sent.length;
   connection.pose(REST, false);
   connection.pose(REST, true);
-  // One before it is open, so that it asks for an acknowledgement, too.
+  // An earlier frame is outstanding, so this one asks for an acknowledgement, too.
   assert.deepEqual(poses(socket()), [[1, 1], [2, 3]]);
   const theirs = { ...REST, isAcknowledged: true };
   socket().comes({ kind: 'pose', user: 6, pose: { ...theirs, sequence: 8 } });
@@ -264,14 +264,14 @@ test('datagrams that overtake the welcome are ignored', () => {
   assert.deepEqual([heard.length, socket().sent.length, states.at(-1)?.kind], [0, sent, 'joining']);
 });
 
-/** Sequence and flags of the poses that were sent. */
+/** Sequence numbers and flags of the sent poses. */
 function poses(socket: Fake): [number, number][] {
   const sent = socket.sent.filter(([kind]) => kind === 2).map((bytes) => Buffer.from(bytes));
   return sent.map((bytes) => [bytes.readUInt32LE(3), bytes[15] ?? 0]);
 }
 
-test('round trips are from sending to settling, some of the poses, on one clock', () => {
-  const { connection, socket, pass } = entered();
+test('round trips last from sending to acknowledgement, for some poses, on one clock', () => {
+  const { connection, socket, pass } = enterRoom();
   assert.equal(connection.roundTrips.median, null);
   for (let number = 0; number < 3; number++) {
     assert.ok(connection.pose(REST, number === 2));
@@ -280,15 +280,15 @@ test('round trips are from sending to settling, some of the poses, on one clock'
   assert.deepEqual(poses(socket()), [[1, 1], [2, 0], [3, 3]]);
   socket().comes({ kind: 'settled', sequence: 2 });
   assert.ok(Math.abs((connection.roundTrips.median ?? 0) - 0.375) < 1e-9);
-  // Nobody settles what goes to nobody.
+  // Poses without recipients are not acknowledged.
   socket().comes({ kind: 'left', user: 6 });
   pass(1);
   connection.pose(REST, false);
   assert.deepEqual(poses(socket()).at(-1), [4, 0]);
 });
 
-test('round trips of poses that nobody was left to settle are forgotten', () => {
-  const { connection, socket, pass } = entered();
+test('round trips of poses are forgotten when nobody is left to acknowledge them', () => {
+  const { connection, socket, pass } = enterRoom();
   connection.pose(REST, false);
   socket().comes({ kind: 'left', user: 6 });
   pass(60);
@@ -299,8 +299,8 @@ test('round trips of poses that nobody was left to settle are forgotten', () => 
   assert.ok(Math.abs((connection.roundTrips.median ?? 0) - 0.125) < 1e-9);
 });
 
-test('a peer who never acknowledges does not end the asking', () => {
-  const { connection, socket, pass } = entered();
+test('a peer that never acknowledges does not stop the measurement', () => {
+  const { connection, socket, pass } = enterRoom();
   for (let number = 0; number < 100; number++) {
     connection.pose(REST, false);
     pass(0.25);
@@ -308,8 +308,8 @@ test('a peer who never acknowledges does not end the asking', () => {
   assert.ok(poses(socket()).every(([, flags]) => flags === 1));
 });
 
-test('poses do not wait behind others', () => {
-  const { connection, socket } = entered();
+test('poses do not queue behind others', () => {
+  const { connection, socket } = enterRoom();
   socket().bufferedAmount = 1 << 20;
   assert.equal(connection.pose(REST, false), false);
   socket().bufferedAmount = 0;
@@ -317,8 +317,8 @@ test('poses do not wait behind others', () => {
   assert.deepEqual(poses(socket()), [[1, 1]]);
 });
 
-test('who leaves says so, and does not come back by itself', () => {
-  const { connection, socket, sockets, states, pass } = entered();
+test('leaving sends a goodbye, and does not reconnect by itself', () => {
+  const { connection, socket, sockets, states, pass } = enterRoom();
   connection.leave();
   assert.deepEqual([...(socket().sent.at(-1) ?? [])], [6, 0, 0]);
   socket().breaks(1000);
@@ -327,8 +327,8 @@ test('who leaves says so, and does not come back by itself', () => {
   assert.equal(states.at(-1)?.kind, 'ended');
 });
 
-test('who joins again waits until the server has closed the socket before, for some seconds', () => {
-  const { connection, sockets, states, pass } = entered();
+test('joining again waits some seconds until the server has closed the previous socket', () => {
+  const { connection, sockets, states, pass } = enterRoom();
   connection.leave();
   connection.retry();
   assert.equal(states.at(-1)?.kind, 'joining');
@@ -336,7 +336,7 @@ test('who joins again waits until the server has closed the socket before, for s
   assert.equal(sockets.length, 1);
   sockets[0]?.breaks(1000);
   assert.equal(sockets.length, 2);
-  // Also one that was not let in yet, whose hello may be on its way; who has changed its mind stays away.
+  // Also before admission, when the hello may be on its way; users who change their mind stay away.
   sockets[1]?.open();
   for (let count = 0; count < 2; count++) {
     connection.leave();
@@ -356,15 +356,15 @@ test('who joins again waits until the server has closed the socket before, for s
   assert.deepEqual([sockets.length, states.at(-1)?.kind], [4, 'joining']);
 });
 
-test('a page that goes waits for nothing', () => {
+test('a closing page waits for nothing', () => {
   for (const isAtOnce of [true, false]) {
-    const { connection, socket } = entered();
+    const { connection, socket } = enterRoom();
     connection.leave(isAtOnce);
     assert.deepEqual([socket().isClosed, socket().isAtOnce], [true, isAtOnce]);
   }
 });
 
-test('an address names a room, or says what was expected', () => {
+test('an address names a room, or the error says what was expected', () => {
   const read = (query: string): ReturnType<typeof readAddress> => readAddress(new URLSearchParams(query));
   assert.deepEqual(read('room=x'), { room: 'x', name: 'Guest', group: 0, token: null });
   const all = { room: 'x', name: 'Ada', group: 65535, token: 't' };
@@ -376,13 +376,13 @@ test('an address names a room, or says what was expected', () => {
   for (const group of groups) assert.match(String(read(`room=x&group=${group}`)), /^group:/);
 });
 
-test('the relay is beside the page, and an invitation keeps what is the user’s own', () => {
+test('the relay is beside the page, and an invitation omits the user’s own settings', () => {
   const address = { room: '#?é', name: 'n', group: 0, token: null };
   assert.equal(relayOf('http://h/a/b?c#d', address), 'ws://h/a/rooms/%23%3F%C3%A9');
   const own = 'http://h/?room=x&name=A&token=t&peers=off&group=2&datagrams=off#p=1,2,3';
   assert.equal(inviteOf(own), 'http://h/?room=x&group=2#p=1,2,3');
 });
 
-test('users of one name are told apart by their numbers', () => {
+test('users of the same name are distinguished by their numbers', () => {
   assert.deepEqual([shownName('Ada', 3), shownName('Ada', 4), shownName('', 5)], ['Ada #3', 'Ada #4', 'Guest #5']);
 });

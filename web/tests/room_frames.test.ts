@@ -4,9 +4,9 @@ import vectors from '../../tests/vectors/rooms.json';
 import { FrameError } from '../src/rooms/bytes';
 import { type FromServer, type FromUser, readMessage, writeFrame } from '../src/rooms/frames';
 import type { Placed, Pose } from '../src/rooms/pose';
-import { framed, REST, served } from './support/room_frames';
+import { encodeBody, encodeFrame, REST } from './support/room_frames';
 
-/** Numbers of 16 bits, as rotations have them. */
+/** Numbers of 16 bits, as in rotations. */
 const parts = (...units: readonly number[]): Placed['rotation'] =>
   units.map((unit) => Math.fround(unit / 32767)) as unknown as Placed['rotation'];
 const placed = (x: number): Placed => ({ position: [x, -0, 1e6], rotation: parts(23170, 0, -23170, 1) });
@@ -43,20 +43,20 @@ function hex(bytes: Uint8Array): string {
   return Buffer.from(bytes).toString('hex');
 }
 
-test('frames are read as they were written, one after the other', () => {
-  const message = Uint8Array.from(Buffer.concat(FRAMES.map(served)));
+test('frames survive encoding and decoding, one after the other', () => {
+  const message = Uint8Array.from(Buffer.concat(FRAMES.map(encodeFrame)));
   assert.deepEqual(readMessage(message), FRAMES);
   assert.deepEqual(readMessage(new Uint8Array()), []);
 });
 
 test('every truncation is refused', () => {
-  for (const bytes of FRAMES.map(served)) {
+  for (const bytes of FRAMES.map(encodeFrame)) {
     const again = hex(bytes);
     for (let length = 1; length < bytes.length; length++) {
       assert.throws(() => readMessage(bytes.subarray(0, length)), FrameError, `${length} bytes of ${again}`);
       if (length < 3) continue;
-      // The length in the head says that the body is shorter; a payload or a sentence may be.
-      const short = framed(bytes[0] ?? 0, bytes.subarray(3, length));
+      // The header may say that the body is shorter, if that is a payload or a sentence.
+      const short = encodeBody(bytes[0] ?? 0, bytes.subarray(3, length));
       let found: FromServer[] = [];
       try {
         found = readMessage(short);
@@ -64,28 +64,28 @@ test('every truncation is refused', () => {
         assert.ok(error instanceof FrameError);
         continue;
       }
-      assert.deepEqual(found.map(served).map(hex), [hex(short)]);
+      assert.deepEqual(found.map(encodeFrame).map(hex), [hex(short)]);
     }
   }
 });
 
-test('a byte too many is refused where no payload takes it', () => {
+test('an extra byte is refused unless it belongs to a payload', () => {
   for (const frame of FRAMES) {
-    const bytes = served(frame);
-    const long = framed(bytes[0] ?? 0, Buffer.concat([bytes.subarray(3), new Uint8Array([65])]));
+    const bytes = encodeFrame(frame);
+    const long = encodeBody(bytes[0] ?? 0, Buffer.concat([bytes.subarray(3), new Uint8Array([65])]));
     if (['say', 'signal', 'refused'].includes(frame.kind)) readMessage(long);
     else assert.throws(() => readMessage(long), FrameError, frame.kind);
   }
 });
 
-test('what is read after a bit has changed is written as the same bytes', () => {
+test('frames with a changed bit that are accepted are written as the same bytes', () => {
   let refused = 0;
-  for (const bytes of FRAMES.map(served)) {
+  for (const bytes of FRAMES.map(encodeFrame)) {
     for (let bit = 0; bit < 8 * bytes.length; bit++) {
       const changed = bytes.slice();
       changed[bit >> 3] = (changed[bit >> 3] ?? 0) ^ (1 << (bit & 7));
       try {
-        assert.equal(hex(Buffer.concat(readMessage(changed).map(served))), hex(changed));
+        assert.equal(hex(Buffer.concat(readMessage(changed).map(encodeFrame))), hex(changed));
       } catch (error) {
         assert.ok(error instanceof FrameError, String(error));
         refused += 1;
@@ -95,14 +95,14 @@ test('what is read after a bit has changed is written as the same bytes', () => 
   assert.ok(refused > 500, `${refused}`);
 });
 
-/** A pose of the server with bytes of the body changed. */
+/** A pose of the server with changed bytes in its body. */
 function spoilt(pose: Pose, at: number, ...bytes: readonly number[]): Uint8Array {
-  const frame = served({ kind: 'pose', user: 1, pose });
+  const frame = encodeFrame({ kind: 'pose', user: 1, pose });
   frame.set(bytes, 5 + at);
   return frame;
 }
 
-test('poses that no user can have are refused in words', () => {
+test('impossible poses are refused with a reason', () => {
   const [nan, far] = [[0, 0, 0xc0, 0x7f], [0x01, 0x24, 0x74, 0x49]] as const;
   const cases: readonly (readonly [RegExp, Uint8Array])[] = [
     [/flags/, spoilt(REST, 12, 0x40)],
@@ -117,18 +117,18 @@ test('poses that no user can have are refused in words', () => {
   for (const [words, bytes] of cases) assert.throws(() => readMessage(bytes), words);
 });
 
-test('frames that the server does not send are refused', () => {
+test('frames that servers do not send are refused', () => {
   const joined = (...name: readonly number[]): Uint8Array =>
-    framed(134, Uint8Array.from([1, 0, 0, 0, name.length, ...name]));
+    encodeBody(134, Uint8Array.from([1, 0, 0, 0, name.length, ...name]));
   assert.throws(() => readMessage(writeFrame({ kind: 'bye' })), /no kind/);
   assert.throws(() => readMessage(joined(0xff)), /no text/);
   assert.throws(() => readMessage(joined(65, 0x1b)), /control/);
   assert.throws(() => readMessage(joined(...Array<number>(65).fill(65))), /too long/);
-  assert.throws(() => readMessage(framed(132, Uint8Array.from([1, 0, 2]))), /the group or the room/);
-  assert.throws(() => readMessage(framed(132, new Uint8Array(3 + 4097))), /too long/);
+  assert.throws(() => readMessage(encodeBody(132, Uint8Array.from([1, 0, 2]))), /the group or the room/);
+  assert.throws(() => readMessage(encodeBody(132, new Uint8Array(3 + 4097))), /too long/);
 });
 
-test('users send the bytes of the table', () => {
+test('frames of users equal the bytes of the table', () => {
   const pose: Pose = { ...REST, sequence: 0x01020304, clock: 5n, isAcknowledged: true };
   const ticket = new Uint8Array([9, 8]);
   const cases = [
@@ -140,7 +140,7 @@ test('users send the bytes of the table', () => {
   for (const [bytes, expected] of cases) assert.equal(hex(bytes), expected);
 });
 
-test('a hello with a name that is none is not written', () => {
+test('a hello with an invalid name is not written', () => {
   const ticket = new Uint8Array();
   assert.throws(() => writeFrame({ kind: 'hello', group: 0, name: 'a\nb', ticket }), /control/);
   assert.throws(() => writeFrame({ kind: 'hello', group: 0, name: 'é'.repeat(33), ticket }), /too long/);
@@ -150,7 +150,7 @@ interface Field {
   readonly [name: string]: unknown;
 }
 
-/** A frame of the page by the names of docs/rooms.md. */
+/** A frame of the page with the field names of docs/rooms.md. */
 function withFieldNames(frame: FromServer | FromUser): Field {
   const whole = 'pose' in frame ? { ...frame, pose: namedPose(frame.pose) } : frame;
   const fields = Object.entries(whole).map(([name, value]) => [
@@ -167,11 +167,11 @@ function namedPose({ sequence, clock, isAcknowledged: acknowledged, stops, point
   return { sequence, clock: Number(clock), acknowledged, stops, head, left, right, pointer };
 }
 
-test('frames of the server are those of the vectors of all languages', () => {
+test('frames of the server equal the vectors of all languages', () => {
   for (const { frame, bytes, region } of vectors.servers) {
     const read = readMessage(Uint8Array.from(Buffer.from(bytes, 'hex')));
     assert.deepEqual(read.map(withFieldNames), [frame], region);
-    assert.deepEqual(read.map(served).map(hex), [bytes], region);
+    assert.deepEqual(read.map(encodeFrame).map(hex), [bytes], region);
   }
   for (const { server, region } of vectors.refused) {
     if (server === null) continue;
@@ -179,7 +179,7 @@ test('frames of the server are those of the vectors of all languages', () => {
   }
 });
 
-test('what users say is that of the vectors of all languages', () => {
+test('frames of users equal the vectors of all languages', () => {
   for (const { frame, bytes, region } of vectors.users.filter((vector) => vector.frame.kind === 'say')) {
     const to = frame.to === 'room' ? 'room' : 'group';
     const payload = Uint8Array.from(Buffer.from(frame.data ?? '', 'hex'));
@@ -188,7 +188,7 @@ test('what users say is that of the vectors of all languages', () => {
   assert.throws(() => writeFrame({ kind: 'say', to: 'room', payload: new Uint8Array(4097) }), /too long/);
 });
 
-test('poses of users are those of the vectors of all languages', () => {
+test('poses of users equal the vectors of all languages', () => {
   const head = (bytes: string): string => bytes.slice(6);
   for (const { frame, bytes, region } of vectors.servers.filter((vector) => vector.frame.kind === 'pose')) {
     const [read] = readMessage(Uint8Array.from(Buffer.from(bytes, 'hex')));

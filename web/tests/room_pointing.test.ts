@@ -9,7 +9,7 @@ import type { HandRay } from '../src/xr/hands';
 const POSE: Pose = { position: [0, 1.7, 0], yaw: 0, pitch: 0 };
 const SHOWN = { grown: { radius: 20, strength: 1 } };
 
-/** A viewer that counts its looks, and shows something 5 m ahead. */
+/** A viewer that counts its depth queries, and shows something 5 m ahead. */
 class Looked {
   looks = 0;
   isMorphed = true;
@@ -26,14 +26,14 @@ class Looked {
   }
 }
 
-/** Nothing that users do together. */
+/** No task. */
 const nobody = (): null => null;
 
 function hand(isPointing: boolean): HandRay {
   return { side: 'left', origin: [0, 1, 0], direction: [0, 0, -1], isPointing };
 }
 
-test('the GPU is asked at most 36 times a second, at the screen and in the headset', () => {
+test('the GPU is queried at most 36 times a second, on the screen and in the headset', () => {
   const place: Place = [0.5, 0.5];
   for (const hands of [null, [hand(true)]]) {
     const looked = new Looked();
@@ -43,7 +43,7 @@ test('the GPU is asked at most 36 times a second, at the screen and in the heads
   }
 });
 
-test('who points again is asked for at once', () => {
+test('pointing again queries at once', () => {
   const looked = new Looked();
   let hands = [hand(true)];
   const bodyOf = createPointing(looked.viewer, 0.7, { place: null, isAlways: false }, () => hands, nobody);
@@ -55,7 +55,7 @@ test('who points again is asked for at once', () => {
   assert.equal(looked.looks, 2);
 });
 
-test('left of the divider a pointer ends where the picture shows things, right of it where they are', () => {
+test('left of the divider a pointer ends at displayed positions, right of it at true ones', () => {
   const looked = new Looked();
   const user: Pose = { ...POSE, position: [2, 1.7, 0] };
   const end = (): readonly number[] => {

@@ -10,7 +10,7 @@ import { REST } from './support/room_frames';
 
 const HERTZ = 72;
 
-/** A movement with turns and stops of speed: somebody walks in circles and looks around. */
+/** A movement with turns and changes of speed: a user walks in circles and looks around. */
 function movement(time: number): Body {
   const position = [3 * Math.sin(0.8 * time), 1.7, 2 * Math.cos(0.8 * time)] as const;
   const head = { position, rotation: rotationOf(Math.sin(1.3 * time), 0.3 * Math.sin(time)) };
@@ -32,11 +32,11 @@ function random(seed: number): () => number {
 }
 
 interface Way {
-  /** Seconds that each pose takes at least, and by how much more at most. */
+  /** Minimum delay of a pose, and maximum additional delay, seconds. */
   readonly least: number;
   readonly jitter: number;
   readonly loss: number;
-  /** Begin of the sender's clock, seconds, and its speed. */
+  /** Start of the sender's clock in seconds, and its speed. */
   readonly begin: number;
   readonly speed?: number;
 }
@@ -47,7 +47,7 @@ interface Frame {
   readonly behind: number;
 }
 
-/** Play some seconds of the movement over a way; what is drawn at 60 Hz, and how far behind. */
+/** Plays some seconds of the movement over a connection; returns poses drawn at 60 Hz and their delay. */
 function play({ least, jitter, loss, begin, speed = 1 }: Way, seconds: number, seed = 7): Frame[] {
   const chance = random(seed);
   const track = createTrack();
@@ -57,7 +57,7 @@ function play({ least, jitter, loss, begin, speed = 1 }: Way, seconds: number, s
     const pose: Pose = { ...REST, ...movement(sent), sequence: number + 1, clock };
     return { pose, comes: sent + least + jitter * chance() };
   }).filter(() => chance() >= loss);
-  // A pose that is on its way for longer is overtaken.
+  // A pose with a greater delay is overtaken.
   poses.sort((a, b) => a.comes - b.comes);
   const frames: Frame[] = [];
   for (let frame = 0; frame < 60 * seconds; frame++) {
@@ -81,7 +81,7 @@ const WAYS: Readonly<Record<string, Way>> = {
 
 for (const [name, way] of Object.entries(WAYS)) {
   test(`a known movement is drawn as it was, some time behind: ${name}`, () => {
-    // Until the first jitter is known, movements go on by themselves.
+    // Until the first jitter is known, movements are extrapolated.
     const frames = play(way, 30).filter(({ now }) => now > 2);
     assert.ok(frames.length > 1600);
     for (const { drawn, now, behind } of frames) {
@@ -94,7 +94,7 @@ for (const [name, way] of Object.entries(WAYS)) {
   });
 }
 
-test('what is drawn never jumps or goes back, also while delays grow', () => {
+test('drawn poses never jump or go back, even while delays grow', () => {
   for (const way of Object.values(WAYS)) {
     let last: { drawn: Body; now: number } | null = null;
     for (const { drawn, now } of play(way, 10, 3).filter((frame) => frame.now > 1)) {
@@ -104,8 +104,8 @@ test('what is drawn never jumps or goes back, also while delays grow', () => {
   }
 });
 
-/** A track that has heard of a walk along x at 1 m/s, for a second, at once. */
-function walked(stops: boolean): ReturnType<typeof createTrack> {
+/** A track after a walk along x at 1 m/s for a second, received at once. */
+function trackOfWalk(stops: boolean): ReturnType<typeof createTrack> {
   const track = createTrack();
   for (let number = 0; number <= HERTZ; number++) {
     const x = number / HERTZ;
@@ -119,16 +119,16 @@ function walked(stops: boolean): ReturnType<typeof createTrack> {
 
 const xAt = (track: ReturnType<typeof createTrack>, now: number): number => track.at(now)?.head.position[0] ?? NaN;
 
-test('a movement goes on for a tenth of a second, and then stops', () => {
-  const track = walked(false);
+test('a movement is extrapolated for a tenth of a second, and then stops', () => {
+  const track = trackOfWalk(false);
   assert.ok(Math.abs(xAt(track, 1.09) - 1.09 + track.behind) < 1e-3);
   assert.ok(xAt(track, 1.09) > 1.05);
   assert.ok(Math.abs(xAt(track, 1.5) - 1.1) < 1e-3);
   assert.ok(Math.abs(xAt(track, 60) - 1.1) < 1e-3);
 });
 
-test('who stops is not drawn beyond, and does not glide before it moves again', () => {
-  const track = walked(true);
+test('a user who stops is not drawn beyond, and does not glide before moving again', () => {
+  const track = trackOfWalk(true);
   assert.ok(Math.abs(xAt(track, 1.1) - 1) < 1e-9);
   const pose = { ...REST, sequence: 100, clock: 5_000_000n, head: { ...REST.head, position: [2, 0, 0] as const } };
   track.hear(pose, 5);
@@ -136,15 +136,15 @@ test('who stops is not drawn beyond, and does not glide before it moves again', 
   assert.ok(Math.abs(xAt(track, 5.1) - 2) < 1e-9);
 });
 
-test('a jump to another place does not go on', () => {
-  const track = walked(false);
+test('a jump to another place is not extrapolated', () => {
+  const track = trackOfWalk(false);
   const pose = { ...REST, sequence: 100, clock: 1_014_000n, head: { ...REST.head, position: [50, 0, 0] as const } };
   track.hear(pose, 1.014);
   assert.equal(xAt(track, 1.2), 50);
 });
 
-test('old poses and repeated ones change nothing, a clock that begins anew is followed', () => {
-  const track = walked(true);
+test('old and repeated poses change nothing, a clock that restarts is followed', () => {
+  const track = trackOfWalk(true);
   const at = (sequence: number, clock: bigint, x: number): void =>
     track.hear({ ...REST, sequence, clock, stops: true, head: { ...REST.head, position: [x, 0, 0] } }, 2);
   at(HERTZ, 1_000_000n, 77);
@@ -154,14 +154,14 @@ test('old poses and repeated ones change nothing, a clock that begins anew is fo
   assert.equal(xAt(track, 2.5), 88);
 });
 
-test('clocks at their ends make no place that is none', () => {
+test('extreme clocks give finite positions', () => {
   const track = createTrack();
   const clocks = [0n, (1n << 64n) - 1n, 1n, 1n << 63n, 2n];
   clocks.forEach((clock, number) => track.hear({ ...REST, sequence: number + 1, clock }, number / 72));
   for (let now = 0; now < 3; now += 0.01) assert.ok([0].includes(xAt(track, now)), `${xAt(track, now)}`);
 });
 
-test('rotations look along their directions, and turn the shorter way at one speed', () => {
+test('rotations look along their directions, and take the shorter way at one speed', () => {
   for (const [yaw, pitch] of [[0, 0], [0.7, -0.4], [3, 1.2], [-2, 0.1]] as const) {
     const along = rotated(rotationOf(yaw, pitch), [0, 0, -1]);
     ahead({ yaw, pitch }).forEach((value, axis) => assert.ok(Math.abs(value - (along[axis] ?? 9)) < 1e-12));
@@ -177,7 +177,7 @@ test('rotations look along their directions, and turn the shorter way at one spe
   }
 });
 
-test('hands and pointers come and go in the middle, and change between', () => {
+test('hands and pointers appear, disappear and change halfway between poses', () => {
   const [a, b] = [movement(0), { ...movement(1), left: movement(1).head }];
   assert.equal(between(a, b, 0.4).left, null);
   assert.ok(between(a, b, 0.6).left);
@@ -187,7 +187,7 @@ test('hands and pointers come and go in the middle, and change between', () => {
   assert.equal(between(a, { ...b, pointer: null }, 0.6).pointer, null);
 });
 
-test('guests are those who have joined and not left, and are seen once they have told where they are', () => {
+test('guests are users who have joined and not left, visible after their first pose', () => {
   const presence = createPresence();
   const pose = { ...REST, pointer: { begin: 'head', length: 2 } } as const;
   presence.hear({ kind: 'joined', user: 9, group: 0, name: 'Nine' }, 0);
@@ -201,7 +201,7 @@ test('guests are those who have joined and not left, and are seen once they have
   assert.equal(presence.at(1)[0]?.body.pointer, null);
   presence.hear({ kind: 'left', user: 9 }, 1);
   assert.deepEqual(presence.guests.map(({ number }) => number), [4]);
-  // Who comes back with its number is muted still.
+  // A user who returns with the same number is still muted.
   presence.hear({ kind: 'joined', user: 9, group: 0, name: 'Nine' }, 2);
   assert.equal(presence.guests[1]?.isMuted, true);
   presence.hear({ kind: 'welcome', user: 1, others: 0, ticket: new Uint8Array() }, 3);

@@ -8,7 +8,7 @@ import { REST } from './support/room_frames';
 
 const at = (x: number): Body => ({ ...REST, head: { ...REST.head, position: [x, 0, 0] } });
 
-/** A sender, what it has sent, and whether poses are taken. */
+/** A sender, its sent poses, and whether the connection accepts poses. */
 class Outbox {
   readonly sent: [number, boolean][] = [];
   isOpen = true;
@@ -18,13 +18,13 @@ class Outbox {
   });
 }
 
-test('poses are sent while the user moves, and one more that says that it stops', () => {
+test('poses are sent while the user moves, and then one that marks the stop', () => {
   const { sent, sender } = new Outbox();
   [0, 1, 2, 2, 2, 2, 3, 3].forEach((x, frame) => sender.update(at(x), frame / 60));
   assert.deepEqual(sent, [[0, false], [1, false], [2, false], [2, true], [3, false], [3, true]]);
 });
 
-test('there are at most 72 poses a second, on displays of any rate', () => {
+test('at most 72 poses a second are sent, on displays of any rate', () => {
   for (const [hertz, expected] of [[60, 60], [72, 72], [90, 72], [144, 72], [1000, 72]] as const) {
     const { sent, sender } = new Outbox();
     for (let frame = 0; frame < 10 * hertz; frame++) sender.update(at(frame), frame / hertz);
@@ -33,7 +33,7 @@ test('there are at most 72 poses a second, on displays of any rate', () => {
   }
 });
 
-test('trembling below a millimetre is none, and what was not taken is sent again', () => {
+test('movements below a millimetre are ignored, and rejected poses are sent again', () => {
   const made = new Outbox();
   for (let frame = 0; frame < 9; frame++) made.sender.update(at(5e-4 * (frame % 2)), frame / 60);
   assert.deepEqual(made.sent.map(([, stops]) => stops), [false, true]);
@@ -44,7 +44,7 @@ test('trembling below a millimetre is none, and what was not taken is sent again
   assert.deepEqual(made.sent.slice(2), [[1, false]]);
 });
 
-test('who has joined is told where the user rests', () => {
+test('a new user is told the pose of a resting user', () => {
   const { sent, sender } = new Outbox();
   for (const now of [0, 1, 2]) sender.update(at(4), now);
   sender.repeat();
@@ -52,7 +52,7 @@ test('who has joined is told where the user rests', () => {
   assert.deepEqual(sent, [[4, false], [4, true], [4, true]]);
 });
 
-test('who is hidden rests at once without a pointer, and tells those who join', () => {
+test('a hidden user rests at once without a pointer, and new users are told', () => {
   const sent: [Body, boolean][] = [];
   const sender = createSender((body, stops) => sent.push([body, stops]) > 0);
   sender.rest();
@@ -71,7 +71,7 @@ test('who is hidden rests at once without a pointer, and tells those who join', 
   assert.deepEqual(sent.slice(3), [[pointing, false], [pointing, true]]);
 });
 
-test('hands and pointers that come, go or change are changes', () => {
+test('hands and pointers that appear, disappear or change are changes', () => {
   const { sent, sender } = new Outbox();
   const bodies: readonly Body[] = [
     REST,
@@ -85,7 +85,7 @@ test('hands and pointers that come, go or change are changes', () => {
   assert.deepEqual(sent.map(([, stops]) => stops), bodies.map(() => false));
 });
 
-test('the point that is shown somewhere is found, near, far and between', () => {
+test('the point displayed at a position is found, near, far and between', () => {
   let [worst, count, seed] = [0, 0, 5];
   const random = (): number => (seed = (seed * 48271) % 2147483647) / 2147483647;
   for (const strength of [0, 0.3, 1]) {
@@ -105,13 +105,13 @@ test('the point that is shown somewhere is found, near, far and between', () => 
   assert.ok(count === 9000 && worst < 1e-3, `${worst} m`);
 });
 
-test('without a morph yet, points are where the centre sees them', () => {
+test('before a morph is known, points are where the centre sees them', () => {
   const morph: Morph = { user: [1, 0, 0], inner: 0, radius: 0, strength: 0 };
   shownAt([0, 3, -4], morph).forEach((value, axis) => assert.ok(Math.abs(value - ([0, 3, -4][axis] ?? 9)) < 1e-12));
   assert.deepEqual(pointShownAt([0, 3, -4], morph), [0, 3, -4]);
 });
 
-test('directions lead to texels of a cube as GL reads them', () => {
+test('directions map to texels of a cube as GL reads them', () => {
   const size = 4;
   assert.deepEqual(texelOf([1, 0.9, 0.9], size), { face: 0, x: 0, y: 0 });
   assert.deepEqual(texelOf([-1, -0.9, -0.9], size), { face: 1, x: 0, y: 3 });

@@ -4,7 +4,7 @@ import { followPage } from '../src/rooms/away';
 import type { Connection } from '../src/rooms/connection';
 import { createTicketStore } from '../src/rooms/ticket';
 
-/** Storage of a tab, as far as it is used. */
+/** The part of a tab's storage that is used. */
 function fakeStorage(): Storage & { readonly held: Map<string, string> } {
   const held = new Map<string, string>();
   const storage = {
@@ -25,7 +25,7 @@ test('a ticket lies in the storage until it is taken, for its room alone', () =>
   assert.deepEqual(hall?.take(), new Uint8Array([0, 1, 254]));
   assert.deepEqual(hall?.take(), new Uint8Array());
   assert.equal(storage.held.size, 0);
-  // None that could be none is sent.
+  // Malformed tickets are not sent.
   for (const text of ['x', '1', '00'.repeat(256), 'zz']) {
     hall?.put(new Uint8Array([1]));
     for (const key of storage.held.keys()) storage.held.set(key, text);
@@ -41,7 +41,7 @@ test('without a storage there is no ticket, and no error', () => {
   assert.equal(tickets.take().length, 0);
 });
 
-test('a page that goes says bye and leaves its ticket, and joins again when it comes back', () => {
+test('a closing page says bye and leaves its ticket, and joins again when it returns', () => {
   const [page, storage, calls]: [EventTarget, ReturnType<typeof fakeStorage>, string[]] = [
     new EventTarget(), fakeStorage(), [],
   ];
@@ -58,7 +58,7 @@ test('a page that goes says bye and leaves its ticket, and joins again when it c
   assert.deepEqual([calls, [...storage.held.values()]], [['leave true'], ['05']]);
   page.dispatchEvent(new Event('pageshow'));
   assert.deepEqual([calls, storage.held.size], [['leave true', 'retry'], 0]);
-  // Who has left before stays away, and leaves nothing.
+  // Users who had left before stay away, and store nothing.
   connection.state.kind = 'ended';
   page.dispatchEvent(new Event('pagehide'));
   page.dispatchEvent(new Event('pageshow'));

@@ -8,14 +8,14 @@ import { createOpen } from '../src/rooms/way';
 const TO: Datagrams = { port: 8443, hashes: [] };
 const RELAY = 'wss://host:8/rooms/a';
 
-/** A record of what was opened, in order, and of what the page was told. */
+/** A record of opened connections, in order, and of reports to the page. */
 interface Bench {
   readonly opened: string[];
   readonly told: string[];
   readonly open: (isOff?: boolean) => Socket;
-  /** Seconds by the clock. */
+  /** Time by the clock in seconds. */
   now: number;
-  /** Let what was begun go on. */
+  /** Let pending work continue. */
   readonly settle: () => Promise<void>;
 }
 
@@ -51,7 +51,7 @@ function bench(ask: () => Promise<Datagrams | null>, isTaken: () => boolean, has
   return made;
 }
 
-test('datagrams are used where the server tells of them', async () => {
+test('datagrams are used if the server offers them', async () => {
   const { opened, told, open, settle } = bench(async () => TO, () => true);
   const socket = open();
   socket.send(new Uint8Array(2), true);
@@ -66,7 +66,7 @@ test('datagrams are used where the server tells of them', async () => {
   assert.deepEqual(told, ['opened', 'datagrams 3 true', 'opened']);
 });
 
-test('what has failed is tried again when the server has another certificate', async () => {
+test('a failed way is tried again when the server has another certificate', async () => {
   let to = { port: 8443, hashes: [new Uint8Array([1])] };
   const { opened, told, open, settle } = bench(async () => to, () => to.hashes[0]?.[0] === 2);
   for (let count = 0; count < 3; count++) {
@@ -78,7 +78,7 @@ test('what has failed is tried again when the server has another certificate', a
   assert.deepEqual(told, ['opened']);
 });
 
-test('what has failed is tried again after a minute', async () => {
+test('a failed way is tried again after a minute', async () => {
   const made = bench(async () => TO, () => made.now > 0);
   for (const now of [0, 59, 60]) {
     made.now = now;
@@ -88,14 +88,14 @@ test('what has failed is tried again after a minute', async () => {
   assert.deepEqual(made.opened, ['asks', 'datagrams', 'socket', 'asks', 'socket', 'asks', 'datagrams']);
 });
 
-test('a WebSocket that cannot be made is told as closed', async () => {
+test('a WebSocket that cannot be created is reported as closed', async () => {
   const { told, open, settle } = bench(async () => null, () => true, false);
   open();
   await settle();
   assert.deepEqual(told, ['closed 1006']);
 });
 
-test('a server that does not answer is not waited for', async () => {
+test('the page does not wait for a server that does not answer', async () => {
   const { fetch } = globalThis;
   const ends = new AbortController();
   let isEnded = false;
@@ -111,7 +111,7 @@ test('a server that does not answer is not waited for', async () => {
   }
 });
 
-test('an error of who hears a frame ends nothing', async () => {
+test('an error in a frame listener ends nothing', async () => {
   const reported: unknown[] = [];
   Object.assign(globalThis, { reportError: (error: unknown) => reported.push(error) });
   const taken: number[] = [];
@@ -125,7 +125,7 @@ test('an error of who hears a frame ends nothing', async () => {
   assert.deepEqual([taken, reported.length], [[1, 3], 1]);
 });
 
-test('the end of a session that is of no use is not told', async () => {
+test('the end of an unused session is not reported', async () => {
   let end = (_: object): void => {};
   class Useless {
     readonly ready = Promise.resolve();
@@ -184,7 +184,7 @@ test('a session ends with its stream, which the server closes, or after some sec
   }
 });
 
-test('without datagrams it is a WebSocket', async () => {
+test('without datagrams the connection is a WebSocket', async () => {
   const without = bench(async () => null, () => true);
   without.open();
   await without.settle();
@@ -195,14 +195,14 @@ test('without datagrams it is a WebSocket', async () => {
   assert.deepEqual(off.opened, ['socket']);
 });
 
-test('who has left before anything was found is not there', async () => {
+test('a user who leaves before a way was found is not connected', async () => {
   const { told, open, settle } = bench(async () => TO, () => true);
   open().close(false);
   await settle();
   assert.deepEqual(told, ['datagrams closes at once']);
 });
 
-test('frames of a stream are whole, however they come', () => {
+test('frames of a stream are complete, however it is cut', () => {
   const frames = [[1, 2, 0, 9, 9], [6, 0, 0], [4, 1, 0, 5]];
   const bytes = Uint8Array.from(frames.flat());
   for (let length = 1; length <= bytes.length; length++) {
@@ -217,7 +217,7 @@ test('frames of a stream are whole, however they come', () => {
   }
 });
 
-test('frames of one task are one datagram, as far as it holds them', async () => {
+test('frames of one task are one datagram, up to its size', async () => {
   const sent: number[] = [];
   const gather = gatherer((frames) => sent.push(frames.length));
   for (const length of [40, 30, 30, 50]) gather(new Uint8Array(length), 100);
@@ -229,7 +229,7 @@ test('frames of one task are one datagram, as far as it holds them', async () =>
   assert.deepEqual(sent, [100, 50, 1]);
 });
 
-test('what the server tells of rooms is read, or not at all', () => {
+test('the description that a server gives of rooms is parsed, or ignored as a whole', () => {
   const hash = '0a'.repeat(32);
   const told = readAbout({ peers: true, datagrams: { port: 8443, hashes: [hash] } });
   assert.equal(told?.peers, true);
@@ -241,7 +241,7 @@ test('what the server tells of rooms is read, or not at all', () => {
   for (const wrong of [null, 'text', [], {}, { peers: 1 }]) assert.equal(readAbout(wrong), null);
 });
 
-test('datagrams have a port of their own', () => {
+test('datagrams may have a separate port', () => {
   const address = addressOf('ws://localhost:8080/rooms/a%20b?token=1.2.3', TO);
   assert.equal(address, 'https://localhost:8443/rooms/a%20b?token=1.2.3');
 });

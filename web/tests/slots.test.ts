@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { createSlots } from '../src/bundle/slots';
 
-test('a place that somebody no longer waits for goes to the next', async () => {
+test('the slot of a cancelled job goes to the next one', async () => {
   const slots = createSlots(1);
   const [stop, go] = [new AbortController(), new AbortController()];
   let finish = (): void => undefined;
@@ -17,7 +17,7 @@ test('a place that somebody no longer waits for goes to the next', async () => {
   assert.equal(await slots(go.signal, () => Promise.resolve('again')), 'again');
 });
 
-test('a job that fails leaves its place', async () => {
+test('a failed job frees its slot', async () => {
   const { signal } = new AbortController();
   const slots = createSlots(1);
   await assert.rejects(slots(signal, () => Promise.reject(new Error('broken'))), /broken/);

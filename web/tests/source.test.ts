@@ -10,7 +10,7 @@ const name = (number: number): string => `files/${number.toString(16).padStart(1
 
 type Reply = (signal: AbortSignal) => Promise<Response> | Response;
 
-/** A server of replies by name, and a clock that stands still until it is told to go on. */
+/** A server of replies by name, and a clock that the test advances. */
 function createWorld(replies: Record<string, Reply[]>) {
   const asked: string[] = [];
   const again: boolean[] = [];
@@ -48,7 +48,7 @@ function createWorld(replies: Record<string, Reply[]>) {
     network,
     asked,
     again,
-    /** Greatest number of requests at the same time. */
+    /** Maximum number of concurrent requests. */
     most: () => most,
     settle,
     /** Let the shortest wait end; returns its seconds. */
@@ -95,7 +95,7 @@ const read = async (source: Source, number: number): Promise<number[]> => [
   ...new Uint8Array(await source.fetch(name(number), signal())),
 ];
 
-test('one request serves all who ask at the same time, each with bytes of its own', async () => {
+test('one request serves all concurrent readers, each with its own bytes', async () => {
   const { world, source, counted } = await openWorld({ [name(0)]: [whole(4, 7)] });
   const told: number[] = [];
   const all = await Promise.all([
@@ -106,7 +106,7 @@ test('one request serves all who ask at the same time, each with bytes of its ow
   assert.equal(new Set(all).size, 3);
   for (const data of all) {
     assert.deepEqual([...new Uint8Array(data)], [7, 7, 7, 7]);
-    // As a worker takes it.
+    // As a worker that takes ownership.
     structuredClone(data, { transfer: [data] });
   }
   assert.deepEqual([counted.bytes, told.reduce((sum, more) => sum + more)], [4, 4]);
@@ -115,7 +115,7 @@ test('one request serves all who ask at the same time, each with bytes of its ow
   assert.equal(world.asked.length, 3);
 });
 
-test('at most six at once, in the order of asking', async () => {
+test('at most six requests at once, in order', async () => {
   const sizes = Array.from({ length: 20 }, () => 4);
   const later: Reply = () => new Promise((done) => setTimeout(() => done(new Response(bytes(4))), 3));
   const { world, source } = await openWorld(Object.fromEntries(sizes.map((_, number) => [name(number), [later]])), sizes);
@@ -124,7 +124,7 @@ test('at most six at once, in the order of asking', async () => {
   assert.deepEqual(world.asked.slice(1), sizes.map((_, number) => name(number)));
 });
 
-test('a transfer that breaks off begins anew after growing pauses, and bytes count once', async () => {
+test('an interrupted transfer restarts after growing pauses, and bytes count once', async () => {
   const { world, source, counted } = await openWorld({ [name(0)]: [broken, whole(3), broken, whole(4, 5)] });
   const done = read(source, 0);
   const pauses = [await world.tick(), await world.tick(), await world.tick()];
@@ -134,7 +134,7 @@ test('a transfer that breaks off begins anew after growing pauses, and bytes cou
   assert.deepEqual(world.again.slice(1), [false, true, true, true]);
 });
 
-test('a file that was damaged is not taken from the cache the next time', async () => {
+test('a damaged file is not taken from the cache the next time', async () => {
   const { world, source } = await openWorld({ [name(0)]: [whole(4)], [name(1)]: [whole(4)] });
   await read(source, 0);
   source.distrust(name(0));
@@ -142,10 +142,10 @@ test('a file that was damaged is not taken from the cache the next time', async 
   assert.deepEqual(world.again.slice(1), [false, false, true, false]);
 });
 
-test('a server that stalls is given up, and asked again', async () => {
+test('a stalled transfer is aborted and repeated', async () => {
   const { world, source, counted } = await openWorld({ [name(0)]: [slow(2, NEVER), whole(4)] });
   const done = read(source, 0);
-  // The bytes came before the first look.
+  // The bytes arrived before the first check.
   assert.equal(await world.tick(), 10);
   assert.equal(counted.bytes, 2);
   assert.equal(await world.tick(), 10);
@@ -154,7 +154,7 @@ test('a server that stalls is given up, and asked again', async () => {
   assert.equal(counted.bytes, 4);
 });
 
-test('after five trials the file is named', async () => {
+test('after five attempts the error names the file', async () => {
   const { world, source } = await openWorld({ [name(0)]: [broken] });
   const failed = assert.rejects(read(source, 0), (error: Error) => {
     assert.ok(error instanceof BundleError);
@@ -166,7 +166,7 @@ test('after five trials the file is named', async () => {
   assert.equal(world.asked.length, 6);
 });
 
-test('what asking again does not change is told at once', async () => {
+test('permanent errors are reported at once', async () => {
   const endless: Reply = (end) =>
     new Response(new ReadableStream({ pull: (controller) => {
       end.throwIfAborted();
@@ -180,7 +180,7 @@ test('what asking again does not change is told at once', async () => {
   assert.equal(world.asked.length, 4);
 });
 
-test('servers that are too busy are asked again', async () => {
+test('busy servers are asked again', async () => {
   const busy = (status: number): Reply => () => new Response(null, { status });
   const { world, source } = await openWorld({ [name(0)]: [busy(503), busy(429), whole(4)] });
   const done = read(source, 0);
@@ -188,7 +188,7 @@ test('servers that are too busy are asked again', async () => {
   assert.equal((await done).length, 4);
 });
 
-test('who stops waiting is told at once, and others go on', async () => {
+test('cancelled readers return at once, and others continue', async () => {
   let go = (): void => undefined;
   const ready = new Promise<void>((done) => (go = done));
   const { world, source } = await openWorld({ [name(0)]: [slow(4, ready), whole(4)] });
@@ -203,7 +203,7 @@ test('who stops waiting is told at once, and others go on', async () => {
   assert.equal(world.asked.length, 2);
 });
 
-test('a request that nobody waits for is stopped, and its place is free', async () => {
+test('a request without readers is aborted, and its slot is free', async () => {
   const sizes = Array.from({ length: 8 }, () => 4);
   const replies = Object.fromEntries(sizes.map((_, number) => [name(number), [slow(1, NEVER)]]));
   const { world, source, counted } = await openWorld({ ...replies, [name(7)]: [whole(4)] }, sizes);
@@ -221,7 +221,7 @@ test('a request that nobody waits for is stopped, and its place is free', async 
   await assert.rejects(source.fetch(name(0), stop.signal), /enough/);
 });
 
-test('a manifest that does not come, or is none, is told', async () => {
+test('a missing or malformed manifest is reported', async () => {
   const open = (reply: Reply): Promise<Source> => {
     const { network } = createWorld({ 'manifest.json': [reply] });
     return openSource(BASE, () => undefined, signal(), network);

@@ -42,7 +42,7 @@ function mean(points: readonly Vector[], weights: readonly number[]): Vector {
   return [sum(0), sum(1), sum(2)];
 }
 
-/** From the user, where a point is shown: Eq. 1 to 3 as they are written. */
+/** Displayed position of a point for a user: Eq. 1 to 3, written out. */
 function displayedPoint(p: Vector, user: Vector, radius: number, nearShare: number, strength: number): Vector {
   const rho = Math.hypot(p[0], p[2]);
   const w = strength * Math.min(Math.max((radius - rho) / (radius * (1 - nearShare)), 0), 1);
@@ -63,7 +63,7 @@ interface State {
   readonly strength: number;
 }
 
-/** Greatest angle between where points of a mesh are shown and where its morphed triangles show them. */
+/** Greatest angle between displayed points of a mesh and the same points on its morphed triangles. */
 function greatest(mesh: Arrays, growth: Growth, pick: () => State): number {
   let most = 0;
   const outer = growth.radii.at(-1) ?? 0;
@@ -106,12 +106,12 @@ for (const [name, mesh, growth] of [['ground', GROUND, CITY], ['floor', FLOOR, R
     assert.ok(growing <= 8 * TOLERANCE, `growing ${growing}`);
     const weak = greatest(split, growth, () => ({ away: reach, radius: first, strength: random() }));
     assert.ok(weak <= TOLERANCE, `below full strength ${weak}`);
-    // Of the ground hardly a point of the two triangles is near.
+    // Hardly any point on the ground's two triangles is near.
     if (mesh !== GROUND) assert.ok(greatest(mesh, growth, resting(0.2)) > 20 * TOLERANCE);
   });
 }
 
-test('no crack opens, and attributes are those of the source', () => {
+test('no crack opens, and attributes are interpolated from the source', () => {
   for (const [mesh, growth] of [[FLOOR, ROOM], [WALL, CITY]] as const) {
     const split = splitArrays(mesh, createRule(growth), { left: ENOUGH });
     const count = split.indices.length / 3;
@@ -151,7 +151,7 @@ test('no crack opens, and attributes are those of the source', () => {
   }
 });
 
-test('what is small or far away is left alone', () => {
+test('small and distant triangles are not split', () => {
   const rule = createRule(CITY);
   const small = rectangle([8, 0, 0], [0, 0.05, 0], [0, 0, 0.05]);
   const far = rectangle([70, 0, -500], [0, 0, 1000], [0, 100, 0]);
@@ -159,7 +159,7 @@ test('what is small or far away is left alone', () => {
   for (const mesh of [small, far, near]) assert.equal(splitArrays(mesh, rule, { left: ENOUGH }), mesh);
 });
 
-test('placements that are near have triangles of their own', () => {
+test('near placements get their own triangles', () => {
   const rule = createRule(CITY);
   const mesh = rectangle([-2, 0, 0], [4, 0, 0], [0, 3, 0]);
   const at = (x: number): number[] => [1, 0, 0, x, 0, 1, 0, -1.7, 0, 0, 1, -1];
@@ -176,7 +176,7 @@ test('placements that are near have triangles of their own', () => {
   assert.deepEqual(splitPlaced(mesh, far, rule, { left: ENOUGH }), [{ arrays: mesh, placements: far }]);
 });
 
-test('a budget ends the work, and greater tolerances need less', () => {
+test('a budget limits the work, and greater tolerances need less', () => {
   const budget = { left: 100 };
   splitArrays(GROUND, createRule(CITY), budget);
   assert.ok(budget.left < 0);

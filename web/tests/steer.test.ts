@@ -11,11 +11,11 @@ test('the left stick walks and runs', () => {
   const { drive } = steering.read({ x: 1, y: 0, isPressed: true }, still);
   assert.deepEqual(drive, { ...REST, right: 1, isHasty: true });
   assert.equal(steering.read({ ...still, y: -1 }, still).drive.ahead, 1);
-  // A worn stick does not come back to 0.
+  // A worn stick does not return to 0.
   assert.deepEqual(steering.read({ ...still, x: 0.1, y: -0.1 }, still).drive, REST);
 });
 
-test('the right stick turns once each time that it is pushed', () => {
+test('the right stick turns once per push', () => {
   const steering = createSteering();
   const turns = [0.2, 0.8, 1, 0.5, 0.9, 0.1, 1, 0, -1].map((x) => steering.read(still, { ...still, x }).turn);
   assert.deepEqual(turns, [0, -SNAP, 0, 0, 0, 0, -SNAP, 0, SNAP]);

@@ -5,20 +5,20 @@ import { parseManifest } from '../src/bundle/parse';
 import { NOTHING_NEAR } from '../src/show/growth';
 import { createStage } from '../src/show/stage';
 import { strategyOf } from '../src/show/strategy';
-import { altered, asManifest, FACES, FILE, manifest } from './support/manifest';
+import { asManifest, FACES, FILE, manifest, replaceAt } from './support/manifest';
 
 const GLB = 'files/0123456789abcdef.glb';
 const PORTION = { objects: 2, triangles: 7, geometry: GLB, parts: [] };
 const PLACE = ['regions', 0, 'by_footprint'] as const;
 const BY_FOOTPRINT = { portions: [PORTION, { ...PORTION, geometry: null }], map: { color: FACES, range: FACES } };
 
-test('rings are the bundle as it is', () => {
+test('rings are the bundle unchanged', () => {
   const read = parseManifest(asManifest(manifest()));
   for (const name of [null, 'clovr', 'clovrd']) assert.equal(strategyOf(name).arrange(read), read);
 });
 
-test('by footprint, portions come first and the whole map of the last ring at the end', () => {
-  const read = parseManifest(asManifest(altered(manifest({ [GLB]: 5 }), PLACE, BY_FOOTPRINT)));
+test('by footprint, portions come first and the whole map of the last ring comes last', () => {
+  const read = parseManifest(asManifest(replaceAt(manifest({ [GLB]: 5 }), PLACE, BY_FOOTPRINT)));
   for (const name of ['vis0', 'vis1']) {
     const rings = strategyOf(name).arrange(read).regions[0]?.rings ?? [];
     assert.deepEqual(rings.map(filesOfRing), [[], [GLB], [], [...FACES, ...FACES]]);
@@ -27,7 +27,7 @@ test('by footprint, portions come first and the whole map of the last ring at th
   }
 });
 
-test('a bundle without objects by footprint, and other names, are told', () => {
+test('a bundle without objects by footprint, and unknown names, are refused', () => {
   const read = parseManifest(asManifest(manifest()));
   assert.throws(() => strategyOf('vis1').arrange(read), /regions\[0\].by_footprint: .* by_footprint=True/);
   for (const name of ['vis2', '', 'toString', '__proto__']) {
@@ -35,7 +35,7 @@ test('a bundle without objects by footprint, and other names, are told', () => {
   }
 });
 
-test('damage of what is there by footprint is named', () => {
+test('damage in the description by footprint is named', () => {
   const damaged: [unknown, RegExp][] = [
     [{ ...BY_FOOTPRINT, portions: 3 }, /by_footprint.portions: expected a list/],
     [{ ...BY_FOOTPRINT, portions: [{ ...PORTION, objects: -1 }] }, /portions\[0\].objects/],
@@ -45,11 +45,11 @@ test('damage of what is there by footprint is named', () => {
   ];
   for (const [value, told] of damaged) {
     const sizes = value === BY_FOOTPRINT ? {} : { [GLB]: 5 };
-    assert.throws(() => parseManifest(asManifest(altered(manifest(sizes), PLACE, value))), told);
+    assert.throws(() => parseManifest(asManifest(replaceAt(manifest(sizes), PLACE, value))), told);
   }
 });
 
-test('vis0 shows nothing before all is there, vis1 every portion at once by the last morph', () => {
+test('vis0 shows nothing before everything has arrived, vis1 every portion at once with the last morph', () => {
   const settings = { radii: [22, 22, 22], speed: 0.7, reach: 1, nearShare: 0.7, fade: 0.5 };
   const seen = ['vis0', 'vis1'].map((name) => {
     const stage = createStage(settings, strategyOf(name));

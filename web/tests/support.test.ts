@@ -6,7 +6,7 @@ function system(answer: () => Promise<boolean>): XRSystem {
   return { isSessionSupported: answer } as unknown as XRSystem;
 }
 
-test('a sentence says why no headset can be entered', async () => {
+test('a sentence explains why no headset can be entered', async () => {
   const missing = system(async () => false);
   const forbidden = system(async () => {
     throw new DOMException('no', 'SecurityError');

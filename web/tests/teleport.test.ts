@@ -4,21 +4,21 @@ import { arc, ARC_POINTS, createJump, landing } from '../src/xr/teleport';
 
 const LEVEL = { origin: [1, 1.2, 2], direction: [0, 0, -1] } as const;
 
-test('arcs come down on the floor, as thrown things do', () => {
+test('arcs come down on the floor, like thrown objects', () => {
   const [x, y, z] = landing(LEVEL);
   // A fall of 1.2 m takes √(2 h / g).
   assert.ok(Math.abs(z - (2 - 7.5 * Math.sqrt(2.4 / 9.81))) < 1e-12);
   assert.deepEqual([x, y], [1, 0]);
   const diagonal = { ...LEVEL, origin: [0, 0, 0], direction: [0, Math.SQRT1_2, -Math.SQRT1_2] } as const;
   assert.ok(Math.abs(landing(diagonal)[2] + 7.5 ** 2 / 9.81) < 1e-12);
-  // Straight up comes back; straight down is below the hand; a hand below the floor stays there.
+  // A throw straight up comes back; a throw down ends below the hand; a hand below the floor stays in place.
   const up = landing({ ...LEVEL, direction: [0, 1, 0] });
   assert.ok(Math.hypot(up[0] - 1, up[2] - 2) < 1e-12);
   const low = landing({ origin: [1, -0.5, 2], direction: [0, -1, 0] });
   assert.ok(Math.hypot(low[0] - 1, low[2] - 2) < 1e-12);
 });
 
-test('the arc that is drawn leads from the hand to the target', () => {
+test('the drawn arc leads from the hand to the target', () => {
   for (const target of [landing(LEVEL), [3, 0, 1]] as const) {
     const points = arc(LEVEL, target);
     assert.equal(points.length, ARC_POINTS);
@@ -27,7 +27,7 @@ test('the arc that is drawn leads from the hand to the target', () => {
   }
 });
 
-test('a jump happens once, when it is dark', () => {
+test('a jump happens once, when the picture is dark', () => {
   for (const seconds of [0.001, 0.011, 0.05, 0.3]) {
     const jump = createJump();
     let count = 0;
@@ -47,7 +47,7 @@ test('a jump happens once, when it is dark', () => {
   }
 });
 
-test('the second of two jumps takes the place of the first, and the picture does not flash', () => {
+test('the second of two jumps replaces the first, and the picture does not flash', () => {
   const jump = createJump();
   const done: string[] = [];
   jump.start(() => done.push('first'));

@@ -4,7 +4,7 @@ import { parseManifest } from '../src/bundle/parse';
 import { upTo } from '../src/bundle/up_to';
 import { asManifest, manifest } from './support/manifest';
 
-test('a bundle ends with the ring that is asked for', () => {
+test('a bundle ends with the requested ring', () => {
   const read = parseManifest(asManifest(manifest()));
   const count = read.regions[0]?.rings.length ?? 0;
   assert.ok(count > 1);
@@ -14,7 +14,7 @@ test('a bundle ends with the ring that is asked for', () => {
   }
 });
 
-test('what is no number of a ring is told', () => {
+test('an invalid ring number is refused', () => {
   const read = parseManifest(asManifest(manifest()));
   for (const asked of ['', '-1', '1.5', 'two', '99999']) {
     assert.throws(() => upTo(asked, read), /rings: expected the number of a ring, got/);

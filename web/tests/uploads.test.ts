@@ -5,7 +5,7 @@ import { createUploads, type Step } from '../src/show/uploads';
 
 const signal = new AbortController().signal;
 
-/** Uploads on a clock that only steps move. */
+/** Uploads on a clock that only steps advance. */
 function onClock() {
   let time = 0;
   const uploads = createUploads(() => time);
@@ -15,7 +15,7 @@ function onClock() {
   return { uploads, step };
 }
 
-test('no frame passes its budget once the costs of steps are known', async () => {
+test('no frame exceeds its budget once the costs of steps are known', async () => {
   const { uploads, step } = onClock();
   // 0.03 ms and 0.03 ms for each 64 KiB.
   const sizes = Array.from({ length: 500 }, (_, n) => ((7 * n) % 19) * 2 ** 14);
@@ -31,11 +31,11 @@ test('no frame passes its budget once the costs of steps are known', async () =>
   const sum = sizes.reduce((all, bytes) => all + 0.03 * (1 + bytes / 2 ** 16), 0);
   assert.ok(Math.abs(taken.reduce((all, each) => all + each, 0) - sum) < 1e-9);
   assert.ok(taken.every((each) => each <= 3), `${taken}`);
-  // No frame leaves much time unused while work is left.
+  // No frame leaves much time unused while work remains.
   assert.ok(taken.length <= Math.ceil(sum / 2.7) + 2, `${taken}`);
 });
 
-test('a step that is expected to pass the budget waits for a frame of its own', async () => {
+test('a step that is expected to exceed the budget waits for the next frame', async () => {
   const { uploads, step } = onClock();
   const long = Array.from({ length: 40 }, () => step(2, 'mesh'));
   const mixed = [step(1.5, 'program'), step(2, 'mesh'), step(0.1), step(0.1)];
@@ -47,7 +47,7 @@ test('a step that is expected to pass the budget waits for a frame of its own', 
   await done;
 });
 
-test('a step that takes longer than a frame is done all the same', async () => {
+test('a step that takes longer than a frame runs all the same', async () => {
   const { uploads, step } = onClock();
   const done = uploads.add([step(10), step(10), step(1)], signal);
   const taken = [uploads.run(3), uploads.run(3), uploads.run(3), uploads.run(3)];
@@ -55,27 +55,27 @@ test('a step that takes longer than a frame is done all the same', async () => {
   await done;
 });
 
-test('time that answers took is not there for steps', async () => {
+test('time spent on answers is not available for steps', async () => {
   const { uploads, step } = onClock();
   void uploads.add(Array.from({ length: 100 }, () => step(0.2)), signal);
   assert.ok(Math.abs(uploads.run(3) - 3) < 0.2001);
   uploads.spend(2.1);
   const taken = uploads.run(3);
   assert.ok(taken >= 2.1 && taken <= 3, `${taken}`);
-  // An answer that took all of it leaves nothing, and the next frame has its own time again.
+  // An answer that took the whole budget leaves nothing; the next frame has its own budget.
   uploads.spend(5);
   assert.equal(uploads.run(3), 5);
   assert.ok(uploads.run(3) > 2);
 });
 
-test('an urgent job is done before the others', async () => {
+test('an urgent job runs before the others', async () => {
   const { uploads } = onClock();
   const order: string[] = [];
-  const told = (name: string): Step => ({ kind: 'mesh', bytes: 0, run: () => void order.push(name) });
+  const stepNamed = (name: string): Step => ({ kind: 'mesh', bytes: 0, run: () => void order.push(name) });
   const done = [
-    uploads.add([told('a'), told('b')], signal),
-    uploads.add([told('c')], signal),
-    uploads.add([told('urgent')], signal, true),
+    uploads.add([stepNamed('a'), stepNamed('b')], signal),
+    uploads.add([stepNamed('c')], signal),
+    uploads.add([stepNamed('urgent')], signal, true),
   ];
   while (uploads.run(0.1) || order.length < 4);
   uploads.run(0.1);
@@ -83,7 +83,7 @@ test('an urgent job is done before the others', async () => {
   assert.deepEqual(order, ['urgent', 'a', 'b', 'c']);
 });
 
-test('a step that fails ends its job alone', async () => {
+test('a failed step ends its job alone', async () => {
   const { uploads, step } = onClock();
   const broken: Step = { kind: 'map', bytes: 0, run: () => assert.fail('no memory') };
   const failed = uploads.add([step(0.1), broken, step(0.1)], signal);
@@ -93,7 +93,7 @@ test('a step that fails ends its job alone', async () => {
   await done;
 });
 
-/** A GPU that comes to marks when it is told to. */
+/** A GPU that reaches fences on command. */
 function slowGpu() {
   const marks: { isPassed: boolean }[] = [];
   const gl = {
@@ -110,7 +110,7 @@ function slowGpu() {
   return { marks, flight: createFlight(gl as unknown as WebGL2RenderingContext) };
 }
 
-test('no more is sent than the GPU takes', async () => {
+test('no more is sent than the GPU accepts', async () => {
   const { marks, flight } = slowGpu();
   const uploads = createUploads(() => 0, flight);
   let sent = 0;
@@ -124,7 +124,7 @@ test('no more is sent than the GPU takes', async () => {
   for (const mark of marks) mark.isPassed = true;
   uploads.run(Infinity);
   assert.equal(sent, 2 * MAX_IN_FLIGHT);
-  // Lost graphics take nothing any more, and new ones have room.
+  // A lost context accepts nothing, and a new one has room.
   uploads.forget();
   uploads.run(Infinity);
   uploads.run(Infinity);
@@ -132,7 +132,7 @@ test('no more is sent than the GPU takes', async () => {
   assert.equal(sent, 10 * bytes);
 });
 
-test('what is larger than the room goes alone', () => {
+test('an upload larger than the limit goes alone', () => {
   const { marks, flight } = slowGpu();
   assert.ok(flight.hasRoom(2 * MAX_IN_FLIGHT));
   flight.send(2 * MAX_IN_FLIGHT);

@@ -13,7 +13,7 @@ const BOUNDS: Bounds = { open: [LIMIT], shown: [LIMIT] };
 const glides = (): boolean => false;
 const jumps = (): boolean => true;
 
-function walked(
+function poseAfterWalk(
   drive: object,
   seconds: number,
   rate: number,
@@ -29,11 +29,11 @@ function apart(a: Pose, b: Pose): number {
   return Math.hypot(...a.position.map((value, axis) => value - (b.position[axis] ?? 0)));
 }
 
-test('speeds are metres a second', () => {
-  assert.ok(apart(walked({ ahead: 1 }, 10, 60, jumps), { ...START, position: [0, 1.7, -16] }) < 1e-9);
-  assert.ok(apart(walked({ right: 1 }, 10, 60, jumps), { ...START, position: [16, 1.7, 0] }) < 1e-9);
-  assert.ok(apart(walked({ ahead: 1, isHasty: true }, 10, 60, jumps), { ...START, position: [0, 1.7, -48] }) < 1e-9);
-  assert.ok(Math.abs(walked({ turn: 1 }, 10, 60).yaw - 14) < 1e-9);
+test('speeds are metres per second', () => {
+  assert.ok(apart(poseAfterWalk({ ahead: 1 }, 10, 60, jumps), { ...START, position: [0, 1.7, -16] }) < 1e-9);
+  assert.ok(apart(poseAfterWalk({ right: 1 }, 10, 60, jumps), { ...START, position: [16, 1.7, 0] }) < 1e-9);
+  assert.ok(apart(poseAfterWalk({ ahead: 1, isHasty: true }, 10, 60, jumps), { ...START, position: [0, 1.7, -48] }) < 1e-9);
+  assert.ok(Math.abs(poseAfterWalk({ turn: 1 }, 10, 60).yaw - 14) < 1e-9);
 });
 
 test('a user walks where the view looks, at the same height', () => {
@@ -45,37 +45,37 @@ test('a user walks where the view looks, at the same height', () => {
 
 test('walking does not depend on the frame rate', () => {
   for (const drive of [{ ahead: 1 }, { right: -0.4, ahead: 0.2, isHasty: true }]) {
-    const exact = walked(drive, 2, 1);
-    for (const rate of [4, 30, 72, 144]) assert.ok(apart(walked(drive, 2, rate), exact) < 1e-9);
+    const exact = poseAfterWalk(drive, 2, 1);
+    for (const rate of [4, 30, 72, 144]) assert.ok(apart(poseAfterWalk(drive, 2, rate), exact) < 1e-9);
   }
-  const curve = walked({ ahead: 1, turn: 1, isHasty: true }, 2, 1);
+  const curve = poseAfterWalk({ ahead: 1, turn: 1, isHasty: true }, 2, 1);
   for (const rate of [4, 30, 72, 144, 1000]) {
-    const found = walked({ ahead: 1, turn: 1, isHasty: true }, 2, rate);
+    const found = poseAfterWalk({ ahead: 1, turn: 1, isHasty: true }, 2, rate);
     assert.ok(apart(found, curve) < 0.001, `${rate}: ${apart(found, curve)}`);
     assert.ok(Math.abs(found.yaw - curve.yaw) < 1e-9);
   }
-  const edge = walked({ ahead: 1, isHasty: true }, 4, 1, glides, BOUNDS);
+  const edge = poseAfterWalk({ ahead: 1, isHasty: true }, 4, 1, glides, BOUNDS);
   for (const rate of [4, 30, 144]) {
-    assert.ok(apart(walked({ ahead: 1, isHasty: true }, 4, rate, glides, BOUNDS), edge) < 1e-6);
+    assert.ok(apart(poseAfterWalk({ ahead: 1, isHasty: true }, 4, rate, glides, BOUNDS), edge) < 1e-6);
   }
 });
 
-test('nobody leaves the limit, sideways neither', () => {
+test('nobody leaves the limit, not even sideways', () => {
   for (const drive of [{ ahead: 1, isHasty: true }, { ahead: 1, right: 1, turn: 0.3, isHasty: true }]) {
-    const { position } = walked(drive, 60, 30, glides, BOUNDS);
+    const { position } = poseAfterWalk(drive, 60, 30, glides, BOUNDS);
     assert.ok(Math.hypot(position[0], position[2]) <= 5 + 1e-9);
   }
 });
 
-test('the view stops before it is turned over', () => {
-  assert.equal(walked({ look: 1 }, 10, 60).pitch, 1.5);
-  assert.equal(walked({ look: -1 }, 10, 60).pitch, -1.5);
+test('the view stops before it turns over', () => {
+  assert.equal(poseAfterWalk({ look: 1 }, 10, 60).pitch, 1.5);
+  assert.equal(poseAfterWalk({ look: -1 }, 10, 60).pitch, -1.5);
   const walk = createWalk(START, () => null, glides);
   walk.look(0.5, 9);
   assert.deepEqual([walk.pose.yaw, walk.pose.pitch], [0.5, 1.5]);
 });
 
-test('after orbiting the eye comes down to its height without a jump, or at once where that is wanted', () => {
+test('after orbiting the eye returns to its height without a jump, or at once on request', () => {
   const high: Pose = { position: [0, 21.7, 0], yaw: 0, pitch: 0 };
   const walk = createWalk(START, () => null, glides);
   walk.resume(high);
@@ -93,12 +93,12 @@ test('after orbiting the eye comes down to its height without a jump, or at once
   assert.equal(sudden.pose.position[1], 21.7);
 });
 
-/** The point 4 m ahead, around which an orbit goes that begins at a pose. */
+/** The point 4 m ahead, about which an orbit from a pose rotates. */
 function middle({ position, yaw, pitch }: Pose, away: number): number[] {
   return ahead({ yaw, pitch }).map((value, axis) => value * away + (position[axis] ?? 0));
 }
 
-test('an orbit keeps its point in the middle and its distance', () => {
+test('an orbit keeps its point in the middle of the picture and its distance', () => {
   const orbit = createOrbit({ position: [3, 2, 1], yaw: 0.4, pitch: -0.2 }, () => null);
   const point = middle(orbit.pose, 4);
   orbit.rotate(0.9, 0.3);
@@ -127,7 +127,7 @@ test('an orbit does not depend on the frame rate', () => {
   for (const rate of [4, 30, 144]) assert.ok(apart(end(rate), end(1)) < 1e-9);
 });
 
-test('an orbit stays within the limit, whatever is asked', () => {
+test('an orbit stays within the limit for all inputs', () => {
   const orbit = createOrbit(START, () => BOUNDS);
   const acts = [
     () => orbit.zoom(3),

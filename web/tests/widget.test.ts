@@ -13,19 +13,19 @@ interface Asked {
   readonly start: number;
 }
 
-/** A model whose Python is the test. */
+/** A model whose Python side is the test. */
 function fakeModel(state: Record<string, unknown> = {}) {
   const callbacks = new Map<string, Set<Callback>>();
   const asked: Asked[] = [];
   const saved: Record<string, unknown>[] = [];
-  const tell = (event: string, ...args: unknown[]): void => {
+  const emit = (event: string, ...args: unknown[]): void => {
     for (const callback of [...(callbacks.get(event) ?? [])]) callback(...(args as never[]));
   };
   const model: Model = {
     get: (name) => state[name],
     set(name, value) {
       state[name] = value;
-      tell(`change:${name}`);
+      emit(`change:${name}`);
     },
     save_changes: () => void saved.push({ ...state }),
     on: (event, callback) => void callbacks.set(event, (callbacks.get(event) ?? new Set()).add(callback)),
@@ -33,7 +33,7 @@ function fakeModel(state: Record<string, unknown> = {}) {
     send: (content) => void asked.push(content as Asked),
   };
   const answer = (content: object, data?: Uint8Array): void =>
-    tell('msg:custom', content, data ? [new DataView(data.buffer, data.byteOffset, data.byteLength)] : []);
+    emit('msg:custom', content, data ? [new DataView(data.buffer, data.byteOffset, data.byteLength)] : []);
   return { model, asked, saved, answer, count: () => [...callbacks.values()].reduce((sum, set) => sum + set.size, 0) };
 }
 
@@ -61,7 +61,7 @@ test('a manifest comes from the kernel, and files in pieces', async () => {
   assert.deepEqual([...new Uint8Array(await file)], [7, 8, 9]);
 });
 
-test('what the kernel has not is told', async () => {
+test('missing files are reported', async () => {
   const fake = await openFakeKernel();
   await assert.rejects(fake.source.fetch('files/0000000000000000.webp', signal), /manifest does not list/);
   for (const [answer, data, message] of [
@@ -77,7 +77,7 @@ test('what the kernel has not is told', async () => {
   }
 });
 
-test('a view that goes waits for nothing and hears nothing', async () => {
+test('a removed view stops waiting and listening', async () => {
   const fake = await openFakeKernel();
   const stop = new AbortController();
   const file = fake.source.fetch(FILE, stop.signal);
@@ -89,7 +89,7 @@ test('a view that goes waits for nothing and hears nothing', async () => {
   assert.equal(fake.count(), 0);
 });
 
-test('answers for another view are left to it', async () => {
+test('answers for another view are ignored', async () => {
   const fake = fakeModel();
   const [first, second] = [0, 1].map(() => openKernel(fake.model, () => undefined, signal));
   const [one, two] = fake.asked;
@@ -100,19 +100,19 @@ test('answers for another view are left to it', async () => {
   assert.equal((await first)?.manifest.version, 1);
 });
 
-test('Python hears of changes only, and not in every frame', () => {
+test('only changes are sent to Python, and not in every frame', () => {
   const { model, saved } = fakeModel({ yaw: 0, position: [1, 2, 3] });
   const mirror = createMirror(model);
   mirror.tell({ yaw: 0, position: [1, 2, 3] }, 0);
   assert.equal(saved.length, 0);
   for (let now = 0; now <= 10 * EVERY; now += 16) mirror.tell({ yaw: now }, now);
   assert.ok(saved.length > 5 && saved.length <= 11, `${saved.length}`);
-  // The rest is sent when its time has come.
+  // The rest is sent after the pause.
   mirror.tell({ yaw: -1 }, 20 * EVERY);
   assert.equal(saved.at(-1)?.['yaw'], -1);
 });
 
-test('a view hears what Python sets, once for all of it, and nothing of its own', async () => {
+test('changes from Python are applied together, and those of the view are not echoed', async () => {
   const fake = fakeModel({ yaw: 0, pitch: 0 });
   const mirror = createMirror(fake.model);
   let heard = 0;

@@ -50,7 +50,7 @@ def distribute(
         The first exception of the function; items that have not begun are cancelled.
     """
     if workers is not None and client is not None:
-        raise ValueError("workers: expected None beside a client, which has its own")
+        raise ValueError("workers: expected None with a client, which has its own workers")
     if workers is not None:
         workers = check.integer("workers", workers, 1, 4096)
     if client is not None:

@@ -40,9 +40,9 @@ def atomic_file(path: str | os.PathLike[str]) -> Iterator[Path]:
     """
     target = _absolute(path)
     if target.is_dir():
-        raise IsADirectoryError(errno.EISDIR, "is a folder, expected a place for a file", str(target))
+        raise IsADirectoryError(errno.EISDIR, "is a folder, expected a file path", str(target))
     if target.exists() and not target.is_file():
-        message = "is a pipe, a socket or a device, expected a place for a file"
+        message = "is a pipe, a socket or a device, expected a file path"
         raise OSError(errno.EINVAL, message, str(target))
     aside.clear(target)
     with aside.temporary_beside(target, folder=False) as temporary:
@@ -143,7 +143,7 @@ def _check_replaceable(target: Path, marker: str) -> None:
     if not target.exists():
         return
     if not target.is_dir():
-        raise NotADirectoryError(errno.ENOTDIR, "is a file, expected a place for a folder", str(target))
+        raise NotADirectoryError(errno.ENOTDIR, "is a file, expected a folder path", str(target))
     if any(target.iterdir()) and not (target / marker).is_file():
         message = f"holds other files (no {marker}), expected a new or empty folder"
         raise FileExistsError(errno.EEXIST, message, str(target))

@@ -89,7 +89,7 @@ def from_json(text: str | bytes) -> Any:
     """Parse strict JSON; ValueError for NaN, Infinity, numbers beyond float64 and lone surrogates."""
 
     def refuse(word: str) -> float:
-        raise ValueError(f"{word} is no number of JSON")
+        raise ValueError(f"{word} is not a JSON number")
 
     def number(digits: str) -> float:
         value = float(digits)
@@ -130,7 +130,7 @@ def _refuse_lone_surrogates(document: Any) -> None:
     try:
         json.dumps(document, ensure_ascii=False).encode()
     except UnicodeEncodeError:
-        raise ValueError("a text in it holds a lone surrogate") from None
+        raise ValueError("a string in it contains a lone surrogate") from None
 
 
 def read_json(path: str | os.PathLike[str], name: str, version: int) -> dict[str, Any]:

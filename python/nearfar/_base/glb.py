@@ -153,7 +153,7 @@ class Reader:
         self.document, end = header(data, formats.from_json)
         size = _HEADER.unpack_from(data)[2]
         if size != len(data):
-            raise ValueError(f"expected {size} bytes as it says, got {len(data)}")
+            raise ValueError(f"expected {size} bytes as stated in its header, got {len(data)}")
         self._buffer = memoryview(data)[end + _CHUNK.size :]
 
     def bytes(self, view: int) -> memoryview:

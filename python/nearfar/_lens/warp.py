@@ -190,8 +190,8 @@ class Warping(abc.ABC):
         while mesh.error_px > tolerance:
             if high == most:
                 raise ValueError(
-                    f"tolerance_px: expected one that {MAX_CELLS:,} cells hold, got {tolerance}; "
-                    f"they may be off by up to {mesh.error_px:.3g} px"
+                    f"tolerance_px: expected at least {mesh.error_px:.3g} px, the error of {MAX_CELLS:,} cells, "
+                    f"got {tolerance}"
                 )
             high = min(2 * high, most)
             mesh = square_grid(high)

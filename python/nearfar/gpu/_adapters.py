@@ -40,7 +40,7 @@ class Adapter:
         if not self.usable:
             return f"it can't be used: {self.refused}"
         if self.kind == "software":
-            return "it is the processor itself: 'auto' takes it only where nearfar.gpu.measure found it faster"
+            return "it is a software adapter: 'auto' uses it only if nearfar.gpu.measure found it faster"
         return ""
 
 
@@ -88,7 +88,7 @@ def select(adapter: str | None) -> None:
     """
     if adapter is not None:
         if not check.text("adapter", adapter).strip():
-            raise ValueError("adapter: expected a back end or a part of a name, got nothing; None selects the best one")
+            raise ValueError("adapter: expected a back end or a part of a name, got ''; None selects the best one")
         adapter = adapter.strip()
         backends.open_device(adapter)
     backends.select(adapter)

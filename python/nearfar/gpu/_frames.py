@@ -86,6 +86,8 @@ def render(
     with progress.bar("drawing") as report:
         (job,) = view.begin(device, report)
         if not isinstance(job, _core.GpuJob):
-            raise TypeError(f"source: expected one whose pictures a device can keep, got {type(source).__name__}")
+            raise TypeError(
+                f"source: expected a renderable whose pictures can stay on the device, got {type(source).__name__}"
+            )
         core = _core.gpu_keep(job)
     return DeviceFrame(core, camera, check.vector("origin", view.drawn.origin), renderer.channels)

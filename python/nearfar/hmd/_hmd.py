@@ -139,7 +139,7 @@ class Hmd:
         if not least <= distance <= most:
             raise ValueError(f"ipd: expected {least:g} to {most:g}, in metres: 0.064, not 64; got {distance:g}")
         if self.ipd == 0.0:
-            raise ValueError("ipd: expected eyes that are apart already, which say in which direction")
+            raise ValueError("ipd: expected eyes at different positions, which define the direction, got equal ones")
         half = (other - one) * (0.5 * distance / self.ipd)
         middle = (one + other) / 2.0
         left = replace(self.left, position=tuple((middle - half).tolist()))
@@ -214,7 +214,7 @@ class Hmd:
         else:
             fields = _file.fields(document, where)
             if runtime is not None:
-                raise ValueError(f"runtime: expected None for {where}, which is no file of hmdq's, got {runtime!r}")
+                raise ValueError(f"runtime: expected None for {where}, which is not an hmdq file, got {runtime!r}")
         return _file.convert(where, lambda: cls(**fields))
 
     @card.repr_html

@@ -43,7 +43,7 @@ def fields(content: dict[str, Any], where: str, runtime: str | None) -> dict[str
     """Return a headset's fields by name from the data of one runtime; the first that is present if None."""
     geometries = {name: reader for name in RUNTIMES if (reader := _geometry(content, where, name)) is not None}
     if not geometries:
-        raise FormatError(f"{where}: geometry: expected it in openvr or oculus, found none without an error")
+        raise FormatError(f"{where}: geometry: expected valid geometry in openvr or oculus, got none")
     if runtime is not None and runtime not in geometries:
         raise FormatError(f"{where}: expected geometry from {runtime}, found {', '.join(geometries)}")
     chosen = runtime or next(iter(geometries))

@@ -62,7 +62,7 @@ class Views:
         return key in self._kept
 
     @property
-    def bytes(self) -> int:
+    def cached_bytes(self) -> int:
         """Bytes of the cached views."""
         return self._kept.size
 

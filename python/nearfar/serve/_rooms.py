@@ -105,7 +105,7 @@ class Rooms:
         if self.key is not None:
             _check_key("key", self.key)
         if check.flag("needs_token", self.needs_token) and self.key is None:
-            raise ValueError("needs_token: expected a key beside it")
+            raise ValueError("needs_token: expected a key as well, got none")
 
 
 def token(room: str, key: bytes, *, hours: float = 24.0) -> str:

@@ -36,17 +36,17 @@ def pose_of(camera: Camera) -> Pose:
     """Convert a camera to a pose; ValueError or TypeError if the page cannot represent it."""
     fov = check.instance("camera", camera, Camera).fov
     if not isinstance(fov, Fov):
-        raise TypeError(f"camera: expected a perspective one (nearfar.Fov), got {type(fov).__name__}")
+        raise TypeError(f"camera: expected a perspective camera (nearfar.Fov), got {type(fov).__name__}")
     if abs(fov.left + fov.right) > LEVEL * fov.right or abs(fov.down + fov.up) > LEVEL * fov.up:
         raise ValueError("camera: expected the same field of view to both sides, up and down, got others")
     x, y, z, w = camera.orientation
     ahead = np.array([-2 * (x * z + w * y), -2 * (y * z - w * x), 2 * (x * x + y * y) - 1])
     right_y = 2 * (x * y + w * z)
     if abs(right_y) > LEVEL:
-        raise ValueError(f"camera: expected one that is not rolled, got {math.degrees(math.asin(right_y)):.3g} degrees")
+        raise ValueError(f"camera: expected one without roll, got {math.degrees(math.asin(right_y)):.3g} degrees")
     pitch = math.atan2(ahead[1], math.hypot(ahead[0], ahead[2]))
     if abs(pitch) > STEEPEST:
-        raise ValueError(f"camera: expected one that looks up or down by at most {STEEPEST} radians, got {pitch:.4g}")
+        raise ValueError(f"camera: expected a pitch of at most ±{STEEPEST} radians, got {pitch:.4g}")
     angle = math.degrees(2.0 * math.atan(fov.up))
     check.in_range("camera: vertical field of view", angle, MIN_ANGLE, MAX_ANGLE)
     return Pose(camera.position, math.atan2(-ahead[0], -ahead[2]), pitch, angle)

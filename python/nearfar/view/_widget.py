@@ -123,7 +123,7 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
         """Return the content of a file; the last file is cached, because it is sent in pieces."""
         if self._last is None or self._last[0] != name:
             if not isinstance(name, str) or name not in self._files:
-                raise ValueError(f"name: expected a file of what is shown, got {check.shortened(name)}")
+                raise ValueError(f"name: expected a file of the shown scene, got {check.shortened(name)}")
             self._last = name, self._files[name]()
         return self._last[1]
 
@@ -148,9 +148,7 @@ def _check_strategy(shown: Bundle | ReducedScene, strategy: str) -> None:
     """Raise ValueError for a strategy that needs files which the content does not have."""
     by_footprint = check.choice("strategy", strategy, STRATEGIES).startswith("vis")
     if by_footprint and not (isinstance(shown, Bundle) and shown._region["by_footprint"] is not None):
-        raise ValueError(
-            f"strategy: expected 'clovr' or 'clovrd' for what export(by_footprint=True) did not write, got {strategy!r}"
-        )
+        raise ValueError(f"strategy: expected 'clovr' or 'clovrd' without export(by_footprint=True), got {strategy!r}")
 
 
 def _files(shown: Bundle | ReducedScene) -> dict[str, _content.Read]:

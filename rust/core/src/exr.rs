@@ -282,7 +282,7 @@ mod tests {
     }
 
     #[test]
-    fn parts_come_back_bit_for_bit() {
+    fn parts_are_restored_bit_for_bit() {
         let parts = [example("px", 5, 3), example("nx", 33, 40), example("one", 1, 1)];
         assert_eq!(decode(&encode(&parts, &Progress::new()).unwrap(), &Progress::new()).unwrap(), parts);
         let single = [example("frame", 17, 9)];
@@ -302,7 +302,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_image_is_refused() {
+    fn invalid_images_are_refused() {
         let good = encode(&[example("a", 8, 8)], &Progress::new()).unwrap();
         for cut in [0, 3, 40, good.len() / 2, good.len() - 1] {
             assert!(matches!(decode(&good[..cut], &Progress::new()), Err(base::Error::Format(_))), "{cut}");
@@ -314,7 +314,7 @@ mod tests {
     }
 
     #[test]
-    fn damaged_files_neither_panic_nor_ask_for_much_memory() {
+    fn damaged_files_neither_panic_nor_allocate_much() {
         let good = encode(&[example("a", 16, 20)], &Progress::new()).unwrap();
         for round in 0..2000 {
             let mut bytes = good.clone();

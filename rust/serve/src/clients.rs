@@ -116,7 +116,7 @@ mod tests {
     }
 
     #[test]
-    fn a_client_has_so_many_connections_and_no_more() {
+    fn connections_of_a_client_are_limited() {
         let clients = Arc::new(Clients::default());
         let enter = |client: [u8; 4]| Clients::enter(&clients, client.into(), 2);
         let (first, _second, other) = (enter([10, 0, 0, 1]), enter([10, 0, 0, 1]), enter([10, 0, 0, 2]));

@@ -219,13 +219,13 @@ fn redirect_to_https<B>(router: &Router, request: &Request<B>) -> Response<Body>
     });
     match target {
         Some(target) => {
-            let mut answer = respond::refusal(StatusCode::PERMANENT_REDIRECT, "the server answers over https alone");
+            let mut answer = respond::refusal(StatusCode::PERMANENT_REDIRECT, "the server answers only over https");
             if let Ok(value) = target.to_string().parse() {
                 answer.headers_mut().insert(header::LOCATION, value);
             }
             answer
         }
-        None => respond::refusal(StatusCode::BAD_REQUEST, "the server answers over https alone"),
+        None => respond::refusal(StatusCode::BAD_REQUEST, "the server answers only over https"),
     }
 }
 

@@ -79,7 +79,7 @@ mod tests {
     const LONG: Duration = Duration::from_secs(3600);
 
     #[test]
-    fn connections_end_when_nothing_is_asked_or_taken() {
+    fn connections_without_requests_or_reads_are_closed() {
         let flow = Flow::new();
         assert_eq!(flow.end(Duration::ZERO, LONG), Some("idle"));
         assert_eq!(flow.end(LONG, Duration::ZERO), None);

@@ -61,19 +61,19 @@ impl Metrics {
         // 17 buckets from 1 ms to 65 s, by factors of two.
         let seconds = Histogram::new(exponential_buckets(0.001, 2.0, 17));
         let (sent, connections, expiry) = (Counter::default(), Gauge::default(), Gauge::default());
-        registry.register("answers", "Answers that ended, by their code", answers.clone());
+        registry.register("answers", "Completed responses, by status code", answers.clone());
         registry.register_with_unit(
             "answer",
-            "Time from a request to the end of its answer",
+            "Time from a request to the end of its response",
             Unit::Seconds,
             seconds.clone(),
         );
-        registry.register_with_unit("sent", "Bytes of answers, without headers", Unit::Bytes, sent.clone());
-        registry.register("connections", "Connections that are open", connections.clone());
-        registry.register("connections_lost", "Connections that the server ended, by reason", lost.clone());
+        registry.register_with_unit("sent", "Bytes of responses, without headers", Unit::Bytes, sent.clone());
+        registry.register("connections", "Open connections", connections.clone());
+        registry.register("connections_lost", "Connections closed by the server, by reason", lost.clone());
         registry.register(
             "certificate_end",
-            "When the certificate ends, in seconds since 1970; 0 without one",
+            "Expiry of the certificate, in seconds since 1970; 0 without one",
             expiry.clone(),
         );
         let demands: Vec<_> =
@@ -124,7 +124,7 @@ impl Collector for Demands {
     fn encode(&self, mut encoder: DescriptorEncoder<'_>) -> fmt::Result {
         let all: Vec<_> = self.0.iter().map(|(name, demand)| (name, demand.figures())).collect();
         let mut waiting =
-            encoder.encode_descriptor("regions_waiting", "Regions that are waited for", None, MetricType::Gauge)?;
+            encoder.encode_descriptor("regions_waiting", "Regions that clients wait for", None, MetricType::Gauge)?;
         for (site, figures) in &all {
             let labels = Of { site: (*site).clone() };
             ConstGauge::new(figures.waiting as i64).encode(waiting.encode_family(&labels)?)?;

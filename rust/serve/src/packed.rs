@@ -123,7 +123,7 @@ mod tests {
     }
 
     #[tokio::test]
-    async fn copies_are_made_once_and_the_oldest_go() {
+    async fn copies_are_made_once_and_the_oldest_are_evicted() {
         static TEXT: [u8; 5000] = [b'a'; 5000];
         let packed = Packed::new(2 * ENTRY);
         let copy = get(&packed, "a", &TEXT).await.expect("equal letters are packed");
@@ -146,7 +146,7 @@ mod tests {
     }
 
     #[tokio::test]
-    async fn what_cannot_be_read_is_read_again_next_time() {
+    async fn failed_reads_are_repeated_next_time() {
         let packed = Packed::new(100);
         let failed = packed.get("a", async { Err(io::Error::other("no")) }).await;
         assert!(failed.is_err());

@@ -51,7 +51,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn ranges_are_those_of_the_standard() {
+    fn ranges_follow_the_standard() {
         let part = |range| Wanted::Part(range);
         for (header, expected) in [
             ("bytes=0-0", part(0..1)),

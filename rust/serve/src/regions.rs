@@ -128,9 +128,9 @@ async fn file(demand: &Arc<Demand>, name: &str, asked: &Asked<'_>) -> Response<B
 fn refused(refusal: Refusal) -> Response<Body> {
     let (status, reason) = match refusal {
         Refusal::TooManyOfClient(most) => {
-            (StatusCode::TOO_MANY_REQUESTS, format!("{most} places are waited for from this address"))
+            (StatusCode::TOO_MANY_REQUESTS, format!("this address already waits for {most} regions"))
         }
-        Refusal::TooMany(most) => (StatusCode::SERVICE_UNAVAILABLE, format!("{most} places are waited for")),
+        Refusal::TooMany(most) => (StatusCode::SERVICE_UNAVAILABLE, format!("clients already wait for {most} regions")),
         Refusal::Closing => (StatusCode::SERVICE_UNAVAILABLE, "the server ends".to_owned()),
     };
     let mut answer = respond::refusal(status, &reason);

@@ -175,7 +175,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn clients_tell_whether_they_unpack() {
+    fn accepted_encodings_are_parsed() {
         for (header, expected) in [
             ("gzip", true),
             ("br, GZIP", true),

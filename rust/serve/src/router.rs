@@ -102,7 +102,7 @@ impl Router {
 
     async fn dispatch<B>(&self, client: IpAddr, request: &Request<B>) -> Response<Body> {
         if !self.is_called_by_its_name(request) {
-            return respond::refusal(StatusCode::FORBIDDEN, "the server is not called by this name");
+            return respond::refusal(StatusCode::FORBIDDEN, "the server does not have this host name");
         }
         if *request.method() == Method::OPTIONS && self.answering.origin.is_some() {
             return preflight();

@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn tags_tell_content_apart() {
+    fn tags_distinguish_content() {
         let [first, second] =
             ["one", "two"].map(|text| Document::mutable(Bytes::from_static(text.as_bytes()), "text/plain"));
         assert_ne!(first.tag, second.tag);

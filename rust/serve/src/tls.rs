@@ -171,7 +171,7 @@ mod tests {
     }
 
     #[test]
-    fn a_certificate_that_was_made_is_read() {
+    fn a_generated_certificate_is_read() {
         let folder = tempfile::tempdir().expect("a folder");
         let (certificate, key) = files(folder.path(), "one");
         let identity = Identity::read(&certificate, &key).expect("it is valid");
@@ -182,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_is_told() {
+    fn defects_of_certificates_are_named() {
         let folder = tempfile::tempdir().expect("a folder");
         let ((certificate, key), (_, other)) = (files(folder.path(), "one"), files(folder.path(), "two"));
         let reason = Identity::read(&certificate, &other).expect_err("the key of another");

@@ -14,7 +14,7 @@ from tests.support.valid_calls.streams import STREAMS
 from tests.support.valid_calls.values import INSTANCES, SMALL, required_argument
 
 OWN = {**SCENES, **PICTURES, **STREAMS}
-"""Arguments by the callable's name, or by the beginning of names that ends in a full stop.
+"""Arguments by the callable's name, or by a prefix of names that ends in a full stop.
 
 A name followed by " @" and a word is another call of the same callable, which reaches other checks.
 """
@@ -81,7 +81,7 @@ def arguments(name: str, valid: Valid) -> dict[str, Any]:
 
 
 def target(name: str, valid: Valid) -> Callable[..., Any]:
-    """Return what is called; methods of objects that calls change get a new one each time."""
+    """Return the callable; methods of objects that calls change get a new one each time."""
     entry = callable_of(name)
     if entry.owner is None:
         return entry.on(None)

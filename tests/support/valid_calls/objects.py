@@ -25,7 +25,7 @@ MATRIX = np.array([[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, -1.0, 
 class Valid:
     """Valid arguments for tests: objects of every public kind, made once, and files in a folder.
 
-    Large ones take milliseconds, so that calls meet in threads.
+    Large ones take milliseconds, so that calls in threads overlap.
     """
 
     def __init__(self, folder: Path, *, large: bool = False) -> None:
@@ -41,7 +41,7 @@ class Valid:
         self.cube = draw.random((6, side, side, 3), np.float32)
         for value in vars(self).values():
             if isinstance(value, np.ndarray):
-                value.setflags(write=False)  # no call may change what it is given
+                value.setflags(write=False)  # No call may change its arguments.
 
     @functools.cached_property
     def scene(self) -> nf.Scene:

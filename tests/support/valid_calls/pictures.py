@@ -1,4 +1,4 @@
-"""Arguments of calls that draw, map, warp and compare pictures, where their names do not tell them."""
+"""Arguments of calls that draw, map, warp and compare pictures, if parameter names do not determine them."""
 
 from __future__ import annotations
 

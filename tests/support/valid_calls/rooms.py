@@ -17,8 +17,8 @@ class _Nowhere(Connection):
         del data
 
 
-class Told(client.Room):
-    """A room of which all has been told."""
+class FinishedRoom(client.Room):
+    """A room whose events have all been delivered."""
 
     async def __anext__(self) -> Any:
         raise StopAsyncIteration

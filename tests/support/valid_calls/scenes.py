@@ -1,4 +1,4 @@
-"""Arguments of calls that make, cut and reduce scenes, where their names do not tell them."""
+"""Arguments of calls that make, cut and reduce scenes, if parameter names do not determine them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Arguments of calls for levels of detail, orthoviews, bundles and rooms, where their names do not tell them."""
+"""Arguments of calls for levels of detail, orthoviews, bundles and rooms, if parameter names do not determine them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from nearfar.orthoview._pilot import Ahead
 from nearfar.stream import collect
 from tests.support.valid_calls.fields import fields
 from tests.support.valid_calls.objects import EYE, ZONES, Valid
-from tests.support.valid_calls.rooms import URL, Told, room
+from tests.support.valid_calls.rooms import URL, FinishedRoom, room
 from tests.support.valid_calls.values import Make
 
 SIZES = np.geomspace(1e-4, 0.3, 8)
@@ -109,7 +109,7 @@ STREAMS: dict[str, Make] = {
     "stream.collect.Person": lambda v: fields(collect.Person()),
     "stream.collect.Settings": lambda v: fields(collect.Settings()),
     "stream.collect.play": lambda v: {
-        "room": room(Told), "settings": collect.Settings(), "person": collect.Person(),
+        "room": room(FinishedRoom), "settings": collect.Settings(), "person": collect.Person(),
     },
     "stream.collect.simulate": lambda v: {
         "settings": collect.Settings(users=1, trials=1, duration=0.1), "person": collect.Person(), "groups": 1,

@@ -1,25 +1,25 @@
-/** A room that a page uses for hours in minutes: a server in the page, on a clock that steps. It is no part of the page. */
+/** Simulates hours in a room within minutes: a server in the page, on a stepped clock. It is no part of the page. */
 import type { Pose as Place } from '../../src/control/pose';
 import type { FromServer } from '../../src/rooms/frames';
 import type { Body, Pose } from '../../src/rooms/pose';
 import { rotationAlong, rotationOf } from '../../src/rooms/rotation';
 import { randomOf } from '../support/random';
-import { served } from '../support/room_frames';
+import { encodeFrame } from '../support/room_frames';
 
 declare global {
   interface Window {
     used: {
-      /** Take the clock and the frames; the page is loaded. */
+      /** Replace the clock and the frames; the page is loaded. */
       take(): void;
-      /** So many seconds of use; poses of others that have come until now. */
+      /** Simulate some seconds of use; returns the number of poses that others have sent so far. */
       run(seconds: number): Promise<number>;
     };
   }
 }
 
-/** Others, frames a second, and frames of which one is drawn: drawing in software takes most of the time. */
+/** Other users, frames a second, and frames per drawn frame: drawing in software takes most of the time. */
 const [OTHERS, RATE, DRAWN] = [8, 72, 36] as const;
-/** Seconds between two of each kind, on average. */
+/** Mean seconds between two events of each kind. */
 const EVERY = { change: 10, say: 2, point: 3, mute: 7, press: 10, breaks: 60 } as const;
 /** Seconds for which the user presses the key to point. */
 const PRESSED = 0.5;
@@ -80,7 +80,7 @@ class Fake {
   }
 
   comes(frames: readonly FromServer[]): void {
-    const parts = frames.map(served);
+    const parts = frames.map(encodeFrame);
     const whole = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
     let at = 0;
     for (const part of parts) {
@@ -102,7 +102,7 @@ function joinedFrame({ number }: Guest): FromServer {
   return { kind: 'joined', user: number, group: 0, name: `User ${number}` };
 }
 
-/** Where a user is after some seconds: on a circle, with both hands. */
+/** Pose of a user after some seconds: on a circle, with both hands. */
 function bodyOf({ begin, isPointing }: Guest, seconds: number): Body {
   const angle = 0.3 * seconds + begin;
   const [x, z] = [3 + 2 * Math.sin(angle), -2 - 2 * Math.cos(angle)];
@@ -130,7 +130,7 @@ function enter(): Guest {
   return { number: newest, begin: newest, isPointing: false, sequence: 0 };
 }
 
-/** Whether something that happens every so many seconds happens in this frame. */
+/** Whether an event with a mean period happens in this frame. */
 function happens(every: number): boolean {
   return random() < 1 / (every * RATE);
 }
@@ -143,7 +143,7 @@ function oneOf<Item>(items: readonly Item[]): Item | undefined {
   return items[Math.floor(random() * items.length)];
 }
 
-/** Frames of the server that come together. */
+/** Frames of the server that arrive together. */
 function news(seconds: number): FromServer[] {
   const frames: FromServer[] = guests.map((guest) => ({ kind: 'pose', user: guest.number, pose: poseOf(guest, seconds) }));
   if (settles !== null) frames.push({ kind: 'settled', sequence: settles });
@@ -204,7 +204,7 @@ window.used = {
   async run(seconds) {
     for (let number = 0; number < seconds * RATE; number++) {
       step(number);
-      // The page opens sockets in turns of its own.
+      // The page opens sockets in later tasks.
       await Promise.resolve();
     }
     return poses;

@@ -37,7 +37,7 @@ export function createArrays() {
   };
   const bytesOf = (rows: Rows): Uint8Array => new Uint8Array(rows.buffer, rows.byteOffset, rows.byteLength);
   return {
-    /** Rows of so many columns, with gaps between rows if a stride is given; returns the accessor. */
+    /** Appends rows of a number of columns, with gaps between rows if a stride is given; returns the accessor. */
     add(rows: Rows, width: number, stride = width * rows.BYTES_PER_ELEMENT): number {
       const row = width * rows.BYTES_PER_ELEMENT;
       const count = rows.length / width;
@@ -46,7 +46,7 @@ export function createArrays() {
       const view = { buffer: 0, byteOffset: append(data), byteLength: data.length, byteStride: stride };
       return describe(view, rows, width, count);
     },
-    /** The same, compressed. */
+    /** Appends the same, compressed. */
     pack(rows: Rows, width: number, mode: 'ATTRIBUTES' | 'TRIANGLES'): number {
       const byteStride = width * rows.BYTES_PER_ELEMENT;
       const count = rows.length / width;

@@ -37,17 +37,17 @@ export function manifest(sizes: Readonly<Record<string, number>> = {}): Record<s
   };
 }
 
-/** Its text. Infinity stands for a number that is too great for a double. */
+/** Its text. Infinity stands for a number that exceeds a double. */
 export function asManifest(value: unknown): string {
   const text = JSON.stringify(value, (_, item: unknown) => (item === Infinity ? 'HUGE' : item));
   return text.replaceAll('"HUGE"', '1e999');
 }
 
 /** A copy with the value at a path of names and numbers replaced; undefined removes it. */
-export function altered(value: unknown, path: readonly (string | number)[], to: unknown): unknown {
+export function replaceAt(value: unknown, path: readonly (string | number)[], to: unknown): unknown {
   const [first, ...rest] = path;
   if (first === undefined) return to;
   const copy = (Array.isArray(value) ? [...value] : { ...(value as object) }) as Record<string | number, unknown>;
-  copy[first] = altered(copy[first], rest, to);
+  copy[first] = replaceAt(copy[first], rest, to);
   return copy;
 }

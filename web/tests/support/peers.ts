@@ -1,4 +1,4 @@
-/** Pages that exchange files over channels in memory, on a clock that the test moves. */
+/** Pages that exchange files over channels in memory, on a clock that the test advances. */
 import { createHash } from 'node:crypto';
 import type { Described } from '../../src/bundle/manifest';
 import type { Bucket } from '../../src/peers/bucket';
@@ -10,9 +10,9 @@ import { createBudget } from '../../src/peers/uploads';
 import type { Clock } from '../../src/rooms/clock';
 
 export interface Stepped extends Clock {
-  /** Let some seconds pass, by ticks. */
+  /** Let some seconds pass, in ticks. */
   pass(seconds: number): Promise<void>;
-  /** Act at each tick. */
+  /** Run a function at each tick. */
   each(action: () => void): void;
 }
 
@@ -41,7 +41,7 @@ export function steppedClock(): Stepped {
   };
 }
 
-/** Hashes that are computed now, by threads that take their time. */
+/** Hashes being computed now by worker threads in real time. */
 let hashes = 0;
 const digest = crypto.subtle.digest.bind(crypto.subtle);
 crypto.subtle.digest = async (...given) => {
@@ -53,12 +53,12 @@ crypto.subtle.digest = async (...given) => {
   }
 };
 
-/** Wait until all that can happen without the clock has: no hash is computed, and so many turns are over. */
+/** Waits until no hash is being computed, and then for a number of event loop turns. */
 export async function settled(turns = 60): Promise<void> {
   for (let turn = 0; turn < turns; turn = hashes > 0 ? 0 : turn + 1) await new Promise((done) => setImmediate(done));
 }
 
-/** One end of a channel. What it sends comes to the other end in order, later. */
+/** One end of a channel. Sent data reaches the other end in order, later. */
 export class Wire implements Line {
   binaryType: BinaryType = 'blob';
   bufferedAmount = 0;
@@ -67,7 +67,7 @@ export class Wire implements Line {
   onbufferedamountlow: Line['onbufferedamountlow'] = null;
   other: Wire | null = null;
   isClosed = false;
-  /** Nothing that is sent leaves. */
+  /** Stop delivery of sent data. */
   isHeld = false;
   readonly sent: Uint8Array[] = [];
 
@@ -83,7 +83,7 @@ export class Wire implements Line {
     if (!this.isClosed) this.onmessage?.call(this as unknown as RTCDataChannel, { data } as MessageEvent);
   }
 
-  /** All that is held has left. */
+  /** Deliver all held data. */
   drain(): void {
     this.isHeld = false;
     this.bufferedAmount = 0;
@@ -95,13 +95,13 @@ export class Wire implements Line {
   }
 }
 
-export function wired(): [Wire, Wire] {
+export function createWires(): [Wire, Wire] {
   const [one, other] = [new Wire(), new Wire()];
   [one.other, other.other] = [other, one];
   return [one, other];
 }
 
-/** Content of some size, and how a manifest lists it. */
+/** Content of some size, and its entry in a manifest. */
 export function makeContent(size: number, fill: number): { readonly data: ArrayBuffer; readonly listed: Described } {
   const data = new Uint8Array(size).fill(fill);
   return { data: data.buffer, listed: { bytes: size, sha256: createHash('sha256').update(data).digest('hex') } };
@@ -113,13 +113,13 @@ export interface Page {
   readonly number: number;
   readonly share: Share;
   readonly store: Store;
-  /** Bytes that it gives to all others. */
+  /** Total bytes that it may give to others. */
   readonly budget: Bucket;
   readonly peers: Map<number, Peer>;
   readonly dropped: Map<number, string>;
-  /** Users who have told what they have. */
+  /** Users who have announced their files. */
   readonly greeted: number[];
-  /** Names of files that the server was asked for. */
+  /** Names of files requested from the server. */
   readonly asked: string[];
   /** Answers of the server. */
   serve: (name: string) => Promise<ArrayBuffer>;
@@ -128,7 +128,7 @@ export interface Page {
   get(name: string, signal?: AbortSignal): Promise<ArrayBuffer>;
 }
 
-/** A page of a world; whoever it is joined with comes later. */
+/** A page of a world; users that it is joined with come later. */
 export function createPage(number: number, world: World, clock: Stepped, ready = Promise.resolve()): Page {
   const [peers, dropped] = [new Map<number, Peer>(), new Map<number, string>()];
   const [store, asked]: [Store, string[]] = [createStore(), []];
@@ -176,7 +176,7 @@ export function createPage(number: number, world: World, clock: Stepped, ready =
   return page;
 }
 
-/** Give a page an end of a channel to a user. */
+/** Gives a page an end of a channel to a user. */
 export function plug(page: Page, number: number, line: Wire, clock: Clock): Peer {
   const peer = createPeer({
     number,
@@ -198,9 +198,9 @@ export function plug(page: Page, number: number, line: Wire, clock: Clock): Peer
   return peer;
 }
 
-/** Join two pages; both ends of their channel. */
+/** Joins two pages; returns both ends of their channel. */
 export function join(one: Page, other: Page, clock: Clock): [Wire, Wire] {
-  const [mine, theirs] = wired();
+  const [mine, theirs] = createWires();
   plug(one, other.number, mine, clock);
   plug(other, one.number, theirs, clock);
   return [mine, theirs];

@@ -1,4 +1,4 @@
-/** Numbers from 0 to 1 that are the same in each run. */
+/** Returns a generator of numbers from 0 to 1, the same in each run. */
 export function randomOf(seed: number): () => number {
   let state = seed;
   return () => {

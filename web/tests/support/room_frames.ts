@@ -15,7 +15,7 @@ export const REST: Pose = {
   pointer: null,
 };
 
-export function served(frame: FromServer): Uint8Array {
+export function encodeFrame(frame: FromServer): Uint8Array {
   const body = new Writer();
   switch (frame.kind) {
     case 'welcome':
@@ -51,11 +51,11 @@ export function served(frame: FromServer): Uint8Array {
       body.u8(frame.reason);
       body.put(new TextEncoder().encode(frame.sentence));
   }
-  return framed(SERVER[frame.kind], body.done());
+  return encodeBody(SERVER[frame.kind], body.done());
 }
 
-/** Bytes of a kind and a body. */
-export function framed(kind: number, body: Uint8Array): Uint8Array {
+/** Encodes a frame of a kind and a body. */
+export function encodeBody(kind: number, body: Uint8Array): Uint8Array {
   const out = new Writer();
   out.u8(kind);
   out.u16(body.length);

@@ -1,9 +1,9 @@
-/** An emulated headset for the page, put into it before its own script runs. It is no part of the page. */
+/** An emulated headset, installed in the page before its own script runs. It is no part of the page. */
 import { metaQuest2, metaQuest3, XRDevice } from 'iwer';
 import type { Facts } from '../../src/show/viewer';
 import { installLayers, type LayersFound } from './layers';
 
-/** The wishes of a test: a headset, and the tangents of the angles to the sides of each eye's picture. */
+/** Settings of a test: a headset, and the tangents of the angles to the sides of each eye's picture. */
 interface Wanted {
   readonly headset: 'quest2' | 'quest3';
   readonly eyes: Readonly<Record<'left' | 'right', Tangents>>;
@@ -25,7 +25,7 @@ interface Captured {
   readonly height: number;
   readonly pixels: string;
   readonly shown: Facts['shown'];
-  /** Values that the shaders of near geometry got as positions of eyes while the frame was drawn. */
+  /** Eye positions that the shaders of near geometry received while the frame was drawn. */
   readonly eyes: readonly (readonly number[])[];
 }
 
@@ -38,7 +38,7 @@ declare global {
       capture(isWanted: (shown: NonNullable<Facts['shown']>) => boolean): Promise<Captured>;
       /** Wait until some frames are drawn. */
       frames(count: number): Promise<void>;
-      /** Wait until the user's floor has been in one place for some frames, as long as a jump takes. */
+      /** Wait until the user's floor has not moved for the frames that a jump takes. */
       rest(): Promise<void>;
     };
   }
@@ -49,7 +49,7 @@ const device = new XRDevice(headset === 'quest2' ? metaQuest2 : metaQuest3, { ip
 device.installRuntime({ forceInstall: true });
 const found = layers ? installLayers(() => window.nearfar?.viewer.renderer.resetState()) : null;
 
-/** Pictures of headsets reach farther outwards than inwards; the emulator's own do not. */
+/** Headset pictures extend farther outwards than inwards; the emulator's own do not. */
 Object.defineProperty(XRView.prototype, 'projectionMatrix', {
   get(this: XRView): Float32Array {
     const { left, right, down, up } = eyes[this.eye === 'right' ? 'right' : 'left'];
@@ -64,7 +64,7 @@ Object.defineProperty(XRView.prototype, 'projectionMatrix', {
   },
 });
 
-/** Values that the shaders get of the eyes. */
+/** Uniform values that describe the eyes. */
 const told = new Map<string, readonly number[]>();
 const names = new WeakMap<WebGLUniformLocation, string>();
 const { getUniformLocation, uniform3f, uniform3fv } = WebGL2RenderingContext.prototype;
@@ -107,7 +107,7 @@ function read(): Captured {
   return { width, height, pixels: base64(pixels), shown: viewer.facts.shown, eyes: [...told.values()] };
 }
 
-/** Frames after which nobody waits any longer; those for which a floor rests; and metres that are no step. */
+/** Frames until a timeout; frames after which a floor counts as resting; and the least movement, metres. */
 const [MAX, RESTING, STILL] = [2000, 20, 1e-4] as const;
 
 window.emulated = {
@@ -118,7 +118,7 @@ window.emulated = {
       let frames = 0;
       const look = (): void => {
         const shown = window.nearfar?.viewer.facts.shown;
-        // The first of the frames may have been begun before.
+        // The first of the frames may have begun before.
         if (++frames > 2 && shown && isWanted(shown)) done(read());
         else if (frames > MAX) failed(new Error(`no frame is wanted: ${JSON.stringify([shown, found])}`));
         else {

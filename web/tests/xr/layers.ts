@@ -1,6 +1,6 @@
 /**
- * A stand-in for the browser's part of WebXR Layers, over the emulator: it makes projection and cube layers, and draws
- * those of a session, in their order, onto the canvas. It is written for tests, and shows nothing of what devices do.
+ * A stand-in for the browser's part of WebXR Layers, over the emulator: it creates projection and cube layers, and
+ * composites those of a session, in order, onto the canvas. It serves tests, and says nothing about real devices.
  */
 
 interface Made {
@@ -16,12 +16,12 @@ interface Made {
 }
 
 export interface LayersFound {
-  /** Times that a cube layer was written to. */
+  /** Number of writes to a cube layer. */
   writes: number;
-  /** Times that samples were resolved and let go of, and draws after that in the same frame. */
+  /** Number of multisample buffers resolved and invalidated, and draws after that in the same frame. */
   resolves: number;
   lost: number;
-  /** Part of the projection layer, in the last frame, through which what is below is seen. */
+  /** Part of the projection layer, in the last frame, through which layers below are visible. */
   clear: number;
   readonly cube: Made | null;
 }
@@ -44,7 +44,7 @@ out vec4 shade;
 void main() {
   vec4 place = to_space * vec4(at, 1.0, 1.0);
   vec3 d = place.xyz / place.w - (to_space * vec4(0.0, 0.0, -1.0, 0.0)).xyz / (to_space * vec4(0.0, 0.0, -1.0, 0.0)).w;
-  // Back by the turn of the layer.
+  // Inverse of the layer's rotation.
   vec3 axis = -turn.xyz;
   d += 2.0 * cross(axis, cross(axis, d) + turn.w * d);
   vec3 c = texture(image, d).rgb;
@@ -60,7 +60,7 @@ void main() {
   shade = texelFetch(image, ivec2(gl_FragCoord.xy), 0);
 }`;
 
-/** Put the stand-in in; `sizes` of projection layers are those of the canvas. */
+/** Installs the stand-in; `sizes` of projection layers are those of the canvas. */
 export function installLayers(reset: () => void): LayersFound {
   const found = { writes: 0, resolves: 0, lost: 0, clear: 0, cube: null as Made | null };
   let layers: Made[] = [];
@@ -119,7 +119,7 @@ export function installLayers(reset: () => void): LayersFound {
     return { kind, texture, depth, ...sizes, ignoreDepthValues: true, orientation, needsRedraw: true, fixedFoveation: 0 };
   }
 
-  /** Layers show what they had in the frame before, unless they are written to. */
+  /** Layers keep the content of the frame before, unless they are written to. */
   function begin(gl: WebGL2RenderingContext): void {
     if (pending) layers = pending;
     pending = null;
@@ -181,7 +181,7 @@ export function installLayers(reset: () => void): LayersFound {
     return pixels.filter((value, index) => index % 4 === 3 && value === 0).length / (pixels.length / 4);
   }
 
-  /** Count what is drawn into samples that were let go of. */
+  /** Counts draws into invalidated multisample buffers. */
   function watch(): void {
     const prototype = WebGL2RenderingContext.prototype;
     const { invalidateFramebuffer, drawElements, drawArrays } = prototype;
@@ -212,7 +212,7 @@ export function installLayers(reset: () => void): LayersFound {
     const { layers: wanted, ...rest } = state;
     if (!wanted) return updateRenderState.call(this, rest);
     pending = wanted as unknown as Made[];
-    // The emulator draws no frames without one.
+    // The emulator draws no frames without a base layer.
     return updateRenderState.call(this, { ...rest, baseLayer: new XRWebGLLayer(this, context as WebGL2RenderingContext) });
   };
   const spaces = new WeakMap<XRSession, XRReferenceSpace>();

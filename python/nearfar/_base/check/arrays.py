@@ -98,7 +98,7 @@ def output(name: str, value: NDArray[Any], source: NDArray[Any]) -> NDArray[Any]
     if not (value.flags.c_contiguous and value.flags.aligned and value.flags.writeable):
         raise ValueError(f"{name}: expected a C-contiguous array that can be written, got one that is not")
     if np.may_share_memory(value, source):
-        raise ValueError(f"{name}: expected memory of its own, got that of the argument")
+        raise ValueError(f"{name}: expected an array that shares no memory with the argument, got one that does")
     return value
 
 

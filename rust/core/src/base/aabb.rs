@@ -86,7 +86,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_turned_box_holds_its_turned_corners() {
+    fn a_rotated_box_contains_its_rotated_corners() {
         let unit = Aabb { min: Vec3::splat(-1.0), max: Vec3::ONE };
         let map = DAffine3::from_rotation_y(0.7) * DAffine3::from_translation(DVec3::new(1e4, 0.1, -3.3));
         let image = unit.transformed(&map);

@@ -74,7 +74,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_in_messages_read_back_as_they_were() {
+    fn numbers_in_messages_are_parsed_back_unchanged() {
         for value in [1.0 / 3.0, f64::MIN_POSITIVE / 3.0, 2f64.powi(60) + 1024.0, -1e-4 / 3.0] {
             assert_eq!(number(value).parse(), Ok(value));
         }

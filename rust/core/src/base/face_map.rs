@@ -178,7 +178,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn three_layouts_answer_alike() {
+    fn three_layouts_return_the_same() {
         let wide = FaceMap::PerFace(vec![4, 4, 4, 2, 2, 0].into());
         let ranges = FaceMap::Ranges { starts: vec![0, 3, 5].into(), values: vec![4, 2, 0].into() };
         for face in 0..6 {
@@ -222,7 +222,7 @@ mod tests {
     }
 
     #[test]
-    fn long_runs_become_ranges_and_short_ones_stay() {
+    fn long_runs_become_ranges_and_short_ones_are_kept() {
         let long = FaceMap::PerFace((0..1000).map(|face| face / 100).collect()).compacted(1000);
         assert!(matches!(long, FaceMap::Ranges { ref starts, .. } if starts.len() == 10));
         let short = FaceMap::PerFace((0..100).collect()).compacted(100);

@@ -20,7 +20,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_no_machine_has_is_refused() {
+    fn impossible_sizes_are_refused() {
         assert_eq!(room_for(0), Ok(()));
         assert_eq!(room_for(1 << 20), Ok(()));
         for bytes in [1 << 62, u64::MAX] {

@@ -95,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn every_call_meets_the_same_pool() {
+    fn every_call_uses_the_same_pool() {
         let first: *const ThreadPool = current().unwrap();
         let second: *const ThreadPool = current().unwrap();
         assert_eq!(first, second);

@@ -51,7 +51,7 @@ proptest! {
     }
 
     #[test]
-    fn any_user_and_any_radii_end(
+    fn curves_end_for_any_user_and_radii(
         x in -90.0..90.0f64, y in -50.0..50.0f64, z in -90.0..90.0f64, r1 in 0.0..40.0f64, width in 1e-3..40.0f64,
         dx in -1.0..1.0f64, dy in -1.0..1.0f64, dz in -1.0..1.0f64, strength in 0.0..2.0f64,
     ) {
@@ -78,7 +78,7 @@ proptest! {
 }
 
 #[test]
-fn upright_rays_are_in_a_cylinder_for_ever_or_never() {
+fn upright_rays_are_in_a_cylinder_always_or_never() {
     assert_eq!(within_cylinder(DVec2::new(3.0, 0.0), DVec2::ZERO, 3.0), Some((0.0, f64::INFINITY)));
     assert_eq!(within_cylinder(DVec2::new(3.5, 0.0), DVec2::ZERO, 3.0), None);
 }
@@ -106,7 +106,7 @@ fn users_between_the_radii_see_the_near_part_straight_on() {
 }
 
 #[test]
-fn margins_are_those_of_a_dense_search() {
+fn margins_equal_a_dense_search() {
     // Found with finite differences on a grid of 41 × 41 × 61 points: (r1, r2, height of the user above O, margin at
     // O), metres.
     let cases = [

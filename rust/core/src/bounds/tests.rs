@@ -31,7 +31,7 @@ fn slowly(points: &[[f64; 3]]) -> f64 {
 
 proptest! {
     #[test]
-    fn few_points_have_the_least_sphere(
+    fn few_points_have_the_smallest_sphere(
         points in prop::collection::vec(prop::array::uniform3(-1.0..1.0f64), 1..9), flat: bool, shift in -1e3..1e3f64,
     ) {
         let points: Vec<[f64; 3]> =
@@ -44,7 +44,7 @@ proptest! {
     }
 
     #[test]
-    fn nothing_is_left_outside_of_many_points(seed in 0..1000u32, count in 4000..9000usize, thin in 0.0..1.0f64) {
+    fn spheres_of_many_points_contain_all(seed in 0..1000u32, count in 4000..9000usize, thin in 0.0..1.0f64) {
         let unit = |n: usize, axis: u64| crate::base::random::uniform(u64::from(seed), axis, n as u64) - 0.5;
         let points: Vec<[f64; 3]> = (0..count).map(|n| [unit(n, 0), unit(n, 1) * thin, unit(n, 2)]).collect();
         let found = bounding_sphere(&points, SphereMethod::Exact, &Progress::new()).unwrap();
@@ -56,7 +56,7 @@ proptest! {
 }
 
 #[test]
-fn radii_that_are_no_numbers_are_refused() {
+fn nan_radii_are_refused() {
     let refused = |radius: f64| check(&[[0.0; 3]], &[radius], DVec3::ONE, 0).is_err();
     assert_eq!([f64::NAN, f64::INFINITY, -1e-300, -0.0, 0.0].map(refused), [true, true, true, false, false]);
 }

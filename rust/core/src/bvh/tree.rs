@@ -173,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn a_tree_of_several_parts_holds_each_box_once() {
+    fn a_tree_of_several_parts_contains_each_box_once() {
         let boxes = boxes(600_000);
         let tlas = Tlas::build(&boxes, &Progress::new()).unwrap();
         assert_eq!(tlas.validate(&boxes), Ok(()));

@@ -217,7 +217,7 @@ mod tests {
     }
 
     #[test]
-    fn refuses_what_is_no_view() {
+    fn invalid_views_are_refused() {
         let view = |projection, w, h| Camera::new(DVec3::ZERO, DQuat::IDENTITY, projection, w, h);
         assert!(view(Projection::Perspective(FOV), 0, 5).is_err());
         assert!(view(Projection::CubeFace(6), 4, 4).is_err());

@@ -34,7 +34,7 @@ pub(super) fn centers(size: u32) -> Vec<[f64; 3]> {
 }
 
 #[test]
-fn blocks_find_what_single_lookups_find_bit_for_bit() {
+fn blocks_equal_single_lookups_bit_for_bit() {
     for (size, channels) in [(1, 1), (2, 3), (3, 2), (4, 1), (16, 3), (37, 5)] {
         let values: Vec<f64> = (0..6 * u64::from(size * size) * channels).map(|i| uniform(9, 1, i)).collect();
         let channels = channels as usize;
@@ -88,7 +88,7 @@ fn least_and_greatest_bracket_the_mean_and_infinity_stays_out_of_weightless_texe
 }
 
 #[test]
-fn refuses_what_has_no_direction() {
+fn zero_directions_are_refused() {
     let values = [0.0f32; 6];
     let faces = CubeFaces::new(&values, 1, 1).unwrap();
     let mut out = vec![0.0; 20_000];
@@ -109,7 +109,7 @@ fn refuses_what_has_no_direction() {
 }
 
 #[test]
-fn a_table_of_what_lies_beyond_edges_changes_no_bit() {
+fn a_table_of_texels_beyond_edges_changes_no_bit() {
     let size = 6;
     let values: Vec<f64> = (0..6 * 36 * 5).map(|i| uniform(2, 2, i)).collect();
     let faces = CubeFaces::new(&values, size, 5).unwrap();
@@ -208,7 +208,7 @@ fn angle_to_arc(d: DVec3, from: DVec3, to: DVec3) -> f64 {
 
 proptest! {
     #[test]
-    fn footprints_are_the_texels_that_cones_touch(
+    fn footprints_are_the_texels_touched_by_cones(
         x in -1.0..1.0f64, y in -1.0..1.0f64, z in -1.0..1.0f64,
         size in 1..24u32, kind in 0..8u8, radius in 0.0..1.57f64, scale in 0..4i32, seed in 0..99u64,
     ) {

@@ -227,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn textures_are_seen_as_finely_as_their_coarsest_face() {
+    fn texture_detail_follows_the_coarsest_face() {
         let scene = scene();
         let far = f64::INFINITY;
         for distances in [[3.0, 5.0, 2.0, 9.0, 4.0, 7.0], [far, 50.0, 20.0, far, far, 30.0], [0.0; 6]] {
@@ -243,7 +243,7 @@ mod tests {
     }
 
     #[test]
-    fn stretched_axes_are_what_their_finest_direction_is() {
+    fn stretched_axes_count_by_their_finest_direction() {
         let corners = [DVec3::ZERO, DVec3::new(4.0, 0.0, 0.0), DVec3::new(0.0, 1.0, 0.0)];
         let density = |texels| texels_per_metre(corners, texels).unwrap();
         assert!((density([[5.0, 0.0], [13.0, 0.0], [5.0, 6.0]]) - 6.0).abs() < 1e-12);

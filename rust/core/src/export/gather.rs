@@ -206,7 +206,7 @@ mod tests {
     use crate::scene::srgb::srgb_from_linear;
 
     #[test]
-    fn colors_come_back() {
+    fn colors_are_restored() {
         assert!((0..=255u8).all(|code| srgb_from_linear(f32::from(LINEAR[usize::from(code)]) / 65535.0) == code));
     }
 

@@ -87,7 +87,7 @@ mod tests {
     use crate::base::random::uniform;
 
     #[test]
-    fn steps_are_powers_of_two_that_reach_far_enough() {
+    fn steps_are_sufficient_powers_of_two() {
         let step = |step, reach| Grid::new(step, reach).step();
         assert_eq!(step(1.0, 0.0), 1.0);
         assert_eq!(step(0.9, 0.0), 0.5);

@@ -93,7 +93,7 @@ mod tests {
     }
 
     #[test]
-    fn parts_place_a_box_where_the_placement_does() {
+    fn parts_of_a_placement_equal_the_placement() {
         let bounds = Aabb { min: glam::Vec3::splat(-3.0), max: glam::Vec3::splat(5.0) };
         for seed in 0..50 {
             let to_scene = placement(seed);

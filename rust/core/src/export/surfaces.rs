@@ -204,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn materials_that_are_drawn_alike_are_one() {
+    fn materials_that_look_alike_are_merged() {
         let both = surfaces([Some("a.png"), Some("b.WebP")]);
         assert_eq!([0, 1, 2, 3, 4, -1, 9].map(|number| both.drawn_material(number)), [0, 1, 0, 3, 4, -1, -1]);
         let neither = surfaces([None, None]);
@@ -237,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn emission_and_unlit_are_written_and_tell_materials_apart() {
+    fn emission_and_unlit_are_written_and_distinguish_materials() {
         let glow = |emission, emission_texture| Material { emission, emission_texture, ..Material::default() };
         let unlit = Material { unlit: true, ..Material::default() };
         let bright = glow([0.0, 3.0, 1.5], Some(0));

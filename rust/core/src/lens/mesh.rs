@@ -62,7 +62,7 @@ pub fn warp_mesh(
         }
     }
     if faces.is_empty() {
-        return Err(Error::value("fov", "a field of view that the lens serves", "one beyond its fold"));
+        return Err(Error::value("fov", "a field of view within the fold of the lens", "one beyond it"));
     }
     Ok(WarpMesh { places, sources, faces, error })
 }

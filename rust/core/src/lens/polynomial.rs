@@ -104,7 +104,7 @@ mod tests {
     }
 
     #[test]
-    fn touching_counts_and_nothing_is_nothing() {
+    fn double_zeros_count_and_zero_polynomials_have_none() {
         assert_eq!(first_zero(&[1.0]), None);
         assert_eq!(first_zero(&[1.0, 2.0, 0.0]), None);
         assert_eq!(first_zero(&[1.0, -2.0]), Some(0.5));

@@ -13,7 +13,7 @@ fn is_root(k: &[f64], r: f64, x: f64) -> bool {
 }
 
 #[test]
-fn every_radius_of_a_headset_comes_back() {
+fn every_radius_of_a_headset_is_inverted() {
     for k in
         [vec![0.22, 0.24], vec![], vec![0.1], vec![-0.2, 0.0], vec![-0.4, 0.05], vec![-0.3, 0.1], vec![0.0, 0.0, 0.7]]
     {

@@ -86,7 +86,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_or_not_read_is_left_out() {
+    fn nan_and_unread_pixels_are_ignored() {
         let mut reals = [2.0f64; 300];
         (reals[3], reals[8]) = (f64::NAN, -1.0);
         (reals[1], reals[299]) = (9.0, 9.0);

@@ -154,7 +154,7 @@ fn both_radii_are_crossed_continuously() {
 }
 
 #[test]
-fn degenerate_places_have_answers() {
+fn degenerate_positions_have_results() {
     let center = DVec3::new(5.0, 1.5, 5.0);
     // If the user is at the centre, nothing moves.
     for kind in [Kind::Blend, Kind::Cylinder] {
@@ -185,7 +185,7 @@ fn degenerate_places_have_answers() {
 }
 
 #[test]
-fn nonsense_is_refused() {
+fn invalid_settings_are_refused() {
     let (o, nan) = (DVec3::ZERO, f64::NAN);
     for (user, center, r1, r2) in [
         (DVec3::splat(nan), o, 30.0, 50.0),
@@ -208,7 +208,7 @@ fn nonsense_is_refused() {
 }
 
 #[test]
-fn far_distances_are_those_of_far_points() {
+fn far_distances_equal_those_of_far_points() {
     let center = DVec3::new(2.0, 1.7, -3.0);
     for offset in [DVec3::ZERO, DVec3::new(6.0, 0.5, -4.0), DVec3::new(-80.0, 2.0, 30.0)] {
         for kind in [Kind::Blend, Kind::Cylinder] {

@@ -131,7 +131,7 @@ mod tests {
     use crate::orthoview::Direction;
 
     #[test]
-    fn points_lie_where_their_places_say() {
+    fn points_have_the_positions_of_their_cells() {
         let cell = Cell::new(DVec3::new(40.0, -3.0, 7.0), 20.0).unwrap();
         let sight = Sight::new(&cell, Direction::new([1, 1, 0]).unwrap().frame(), 64);
         let camera = sight.camera().unwrap();

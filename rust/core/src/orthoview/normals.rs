@@ -32,7 +32,7 @@ mod tests {
     use crate::base::random;
 
     #[test]
-    fn normals_come_back_within_half_a_cell_and_axes_exactly() {
+    fn normals_are_restored_within_half_a_cell_and_axes_exactly() {
         // Maximum angles over many directions; a cell of the octahedron's map is largest at the axes.
         for (bits, limit) in [(8, 0.96f32), (12, 0.06)] {
             let mut worst = 0f32;

@@ -45,7 +45,7 @@ impl Parent {
             return Err(Error::value("octant", "0 or 1 along each axis", format!("{octant:?}")));
         }
         if (&child.directions, child.format) != (&self.directions, self.format) {
-            return Err(Error::value("child", "the directions and the format of its parent", "others"));
+            return Err(Error::value("child", "the directions and the format of its parent", "different ones"));
         }
         let (octant, format) = (IVec3::from_array(octant.map(i32::from)), self.format);
         let children = self.directions.par_iter().zip(child.views());

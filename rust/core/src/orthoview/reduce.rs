@@ -78,7 +78,7 @@ mod tests {
     }
 
     #[test]
-    fn what_lies_far_behind_counts_as_little_as_what_is_not_there() {
+    fn surfaces_far_behind_are_ignored_like_empty_pixels() {
         assert_eq!(reduced([None; 4], 1.0), None);
         let near = reduced([sample(3.0, 0.25), None, sample(4.0, 0.75), sample(4.5, 9.0)], 1.0).unwrap();
         assert_eq!((near.depth, near.color.x), (3.0, 0.5));
@@ -87,7 +87,7 @@ mod tests {
     }
 
     #[test]
-    fn normals_that_cancel_leave_the_one_in_front() {
+    fn cancelling_normals_give_the_front_one() {
         let back = Some(Sample { depth: 2.0, color: Vec3::ZERO, normal: Vec3::NEG_Z });
         let kept = reduced([back, sample(1.0, 0.0), None, None], 5.0).unwrap();
         assert_eq!(kept.normal, Vec3::Z);

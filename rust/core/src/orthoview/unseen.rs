@@ -86,7 +86,7 @@ mod tests {
     }
 
     #[test]
-    fn what_lies_behind_is_seen_from_the_other_side_alone() {
+    fn hidden_surfaces_are_visible_only_from_the_other_side() {
         let (down, up) = ([0, 1, 0], [0, -1, 0]);
         let steps = views(&[], &[]).format.steps as u16;
         // A floor 1,500 steps below the top, under a roof 10 steps below it.
@@ -100,7 +100,7 @@ mod tests {
     }
 
     #[test]
-    fn shares_are_of_the_pixels_that_show_something() {
+    fn shares_count_non_empty_pixels() {
         let mut first = views(&[[0, 0, 1]], &[0]).views()[0].texels.clone();
         first[..4].fill(Texel { depth: 3, ..Texel::default() });
         let mut second = vec![Texel::default(); SIZE * SIZE];

@@ -110,7 +110,7 @@ impl Views {
     /// Returns the views with another second layer, which must have the same directions and format.
     pub fn with_behind(&self, behind: &Self) -> Result<Self> {
         if (&behind.directions, behind.format) != (&self.directions, self.format) {
-            return Err(Error::value("behind", "the directions and the format of the views before it", "others"));
+            return Err(Error::value("behind", "the directions and the format of the first layer", "different ones"));
         }
         Ok(Self { behind: unless_empty(behind.views.clone()), ..self.clone() })
     }

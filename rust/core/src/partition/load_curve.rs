@@ -112,7 +112,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn of_several_wrong_rows_the_first_is_named() {
+    fn the_first_of_several_invalid_rows_is_named() {
         let curve = LoadCurve { sorted: vec![1.0f32.to_bits(); 3], moving: 2 };
         let mut radii = vec![0.5; 3 * TILE];
         (radii[TILE - 1], radii[2 * TILE]) = (-1.0, -2.0);

@@ -49,7 +49,7 @@ fn sampled(triangle: &[[f32; 3]; 3], axis: [f64; 2]) -> f64 {
 
 proptest! {
     #[test]
-    fn least_radius_is_that_of_the_sampled_triangle(all in triangles(6), x in -20i32..20, z in -20i32..20) {
+    fn least_radius_equals_the_sampled_triangle(all in triangles(6), x in -20i32..20, z in -20i32..20) {
         let axis = [f64::from(x) * 0.5, f64::from(z) * 0.5];
         for triangle in &all {
             let [least, greatest] = radii_of(triangle.map(|c| [c[0], c[2]]), axis);
@@ -68,7 +68,7 @@ proptest! {
     }
 
     #[test]
-    fn instances_divide_as_their_merged_triangles_do(
+    fn instances_are_partitioned_like_merged_triangles(
         all in triangles(40),
         places in prop::collection::vec((-30.0..30.0, 0.0..6.0, 0.5..3.0), 1..6),
         r1 in 0.0..12.0,
@@ -99,7 +99,7 @@ proptest! {
 }
 
 #[test]
-fn degenerate_triangles_are_what_they_are() {
+fn degenerate_triangles_have_their_zones() {
     let at = |corners: [[f32; 2]; 3]| radii_of(corners, [0.0, 0.0]);
     // A large triangle around the axis, and triangles that touch it with a corner and with an edge.
     assert_eq!(at([[-100.0, -100.0], [100.0, -100.0], [0.0, 100.0]])[0], 0.0);
@@ -155,7 +155,7 @@ fn empty_scenes_have_empty_partitions() {
 }
 
 #[test]
-fn nonsense_and_cancelling_stop_early() {
+fn invalid_input_and_cancelling_stop_early() {
     let one = scene(DVec3::ZERO, vec![instance(&mesh(&[[[1.0; 3]; 3]]), DAffine3::IDENTITY)], vec![]);
     let progress = Progress::new();
     for (center, r1, r2) in

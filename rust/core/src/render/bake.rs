@@ -177,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn walls_inside_the_cylinder_do_not_hide_those_beyond() {
+    fn walls_inside_the_cylinder_do_not_hide_walls_beyond() {
         let map = baked(&scene(&[wall(5.0, 3.0), wall(20.0, 50.0)]), 10.0, 16);
         let (range, object) = map.surface(glam::Vec3::X);
         assert_eq!(object, 1);
@@ -188,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn vertical_rays_meet_nothing() {
+    fn vertical_rays_miss_everything() {
         let roof = [[-8.0, 9.0, -8.0], [8.0, 9.0, -8.0], [8.0, 9.0, 8.0], [-8.0, 9.0, 8.0]];
         let map = baked(&scene(&[roof]), 40.0, 8);
         assert!(map.object_id.unwrap().iter().all(|&object| object == -1));

@@ -225,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn maps_are_those_drawn_one_by_one() {
+    fn maps_equal_those_drawn_one_by_one() {
         let scene = scene();
         // Objects of ring 0 are in no map; rings 3 and 4 lie beyond all.
         let rings: Vec<u16> = (0..41).map(|n| n * 7 % 5).collect();

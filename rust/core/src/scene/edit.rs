@@ -221,7 +221,7 @@ mod tests {
     }
 
     #[test]
-    fn gathered_faces_stand_where_they_stood_and_know_their_places() {
+    fn gathered_faces_keep_positions_and_indices() {
         let scene = row(&[0, 1, 2, 3]);
         let chosen = [(0, 3), (0, 1), (1, 0)];
         let mesh = scene.gathered(&chosen, &Progress::new()).unwrap();
@@ -246,7 +246,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn moving_objects_changes_nothing_that_is_seen(objects in vec(0i32..4, 1..30), chosen in vec(any::<bool>(), 4)) {
+        fn separating_moving_objects_changes_no_surface(objects in vec(0i32..4, 1..30), chosen in vec(any::<bool>(), 4)) {
             let scene = row(&objects);
             let moved = scene.with_moving(&chosen, &Progress::new()).unwrap();
             prop_assert_eq!(contents(&moved), contents(&scene));
@@ -259,7 +259,7 @@ mod tests {
         }
 
         #[test]
-        fn subsets_hold_what_was_chosen(objects in vec(0i32..4, 1..30), chosen in vec(any::<bool>(), 4)) {
+        fn subsets_contain_the_chosen_triangles(objects in vec(0i32..4, 1..30), chosen in vec(any::<bool>(), 4)) {
             let scene = row(&objects);
             let expected: Vec<_> =
                 contents(&scene).into_iter().filter(|(object, _)| chosen[*object as usize]).collect();

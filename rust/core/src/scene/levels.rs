@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn surfaces_are_added_once_and_meshes_speak_of_them() {
+    fn surfaces_are_added_once_and_meshes_refer_to_them() {
         let red = |texture| Material { base_color: [1.0, 0.0, 0.0, 1.0], texture, ..Material::default() };
         let own = scene(vec![instance(&fan(2, 0), 0.0, 0)], vec![red(Some(0))], vec![image(7)]);
         let mesh = fan(3, 1);
@@ -230,7 +230,7 @@ mod tests {
     }
 
     #[test]
-    fn materials_that_are_drawn_alike_stay_apart_by_their_tags() {
+    fn equal_materials_with_different_tags_stay_separate() {
         let tagged = |tag| Material { tag, ..Material::default() };
         let level = |tag| scene(vec![instance(&fan(1, 0), 0.0, 0)], vec![tagged(tag)], vec![]);
         let (joined, meshes) = level(1).with_surfaces(&[&level(2), &level(1)], &Progress::new()).unwrap();
@@ -250,7 +250,7 @@ mod tests {
     }
 
     #[test]
-    fn objects_show_their_levels_and_the_rest_stays() {
+    fn objects_show_their_levels_and_others_are_unchanged() {
         let (fine, coarse, wall) = (fan(9, 0), fan(2, 0), fan(4, 0));
         let meshes = LevelMeshes(vec![vec![Arc::clone(&fine), Arc::clone(&coarse)]]);
         let all =

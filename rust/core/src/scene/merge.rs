@@ -186,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn parts_stand_where_they_are_placed_and_keep_objects_and_colors() {
+    fn parts_are_transformed_and_keep_objects_and_colors() {
         let part = |mesh, to_scene, object| PlacedMesh { mesh, to_scene, object };
         let merged = merge(
             &[
@@ -204,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn mirrors_keep_the_outside_outside() {
+    fn mirrored_parts_keep_their_orientation() {
         let mirror = DAffine3::from_scale(DVec3::new(1.0, 1.0, -1.0));
         for count in [1, 2] {
             let part = PlacedMesh { mesh: triangle(FaceMap::Uniform(0), false), to_scene: mirror, object: None };

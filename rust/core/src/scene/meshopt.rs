@@ -185,7 +185,7 @@ mod tests {
     }
 
     #[test]
-    fn attributes_come_back_bit_for_bit() {
+    fn attributes_are_decoded_bit_for_bit() {
         check_rows::<1>();
         check_rows::<2>();
         check_rows::<3>();
@@ -195,7 +195,7 @@ mod tests {
     }
 
     #[test]
-    fn indices_come_back() {
+    fn indices_are_decoded() {
         let corners: Vec<u32> = (0..300u32).flat_map(|n| [n, n + 1, n + 2, n + 2, n + 1, 302 + n * 7 % 300]).collect();
         let bytes = encode_index_buffer(&corners, 602).unwrap();
         // The codec may rotate a triangle's corners.
@@ -238,7 +238,7 @@ mod tests {
     }
 
     #[test]
-    fn colours_come_back() {
+    fn colours_are_decoded() {
         let colors = [[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 0.5], [0.0, 0.0, 1.0, 0.25], [0.4, 0.4, 0.4, 0.75]];
         // Tolerance: half a step of the bits kept, and as much for the sum of luma and chroma.
         let near = |values: &[f32], bits: i32| {
@@ -267,7 +267,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_cut_off_is_an_error() {
+    fn truncated_streams_are_errors() {
         for (bytes, layout) in streams() {
             for length in 0..bytes.len() {
                 assert!(decode(&bytes[..length], layout).is_err(), "{layout:?} {length}");
@@ -290,7 +290,7 @@ mod tests {
     }
 
     #[test]
-    fn layouts_that_no_stream_has_are_errors() {
+    fn impossible_layouts_are_errors() {
         let (bytes, rows) = streams().swap_remove(0);
         let corners = indices(3, 2, Mode::Triangles);
         for (layout, words) in [

@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn placed_normals_stay_across_what_they_were_across() {
+    fn transformed_normals_stay_perpendicular() {
         let instance = Instance::new(leaning(), slanted(), None).unwrap();
         let [a, b, none] = instance.corner_normals(0).unwrap();
         // Two tangents of the plane perpendicular to each normal, transformed like points.

@@ -429,7 +429,7 @@ mod tests {
     }
 
     #[test]
-    fn the_whole_scene_comes_back_without_a_tree() {
+    fn the_whole_scene_is_returned_without_a_tree() {
         let scene = scene();
         let whole = part(&scene, f64::NEG_INFINITY, f64::INFINITY).scene;
         assert!(Arc::ptr_eq(&whole.standing, &scene.standing) && Arc::ptr_eq(&whole.moving, &scene.moving));

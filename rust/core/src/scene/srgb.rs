@@ -112,7 +112,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_code_comes_back() {
+    fn every_code_is_restored() {
         for code in 0..=255u8 {
             assert_eq!(srgb_from_linear(linear_from_srgb()[usize::from(code)]), code);
         }
@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_colour_is_clipped() {
+    fn values_outside_the_gamut_are_clipped() {
         assert_eq!([-1.0, 2.0, f32::NAN, f32::INFINITY].map(srgb_from_linear), [0, 255, 0, 255]);
     }
 }

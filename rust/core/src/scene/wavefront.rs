@@ -377,7 +377,7 @@ mod tests {
     }
 
     #[test]
-    fn what_names_nothing_is_an_error() {
+    fn out_of_range_indices_are_errors() {
         for (faces, words) in [
             ("f 0 1 2", "line 5: a face names vertex 0, but the first is 1"),
             ("\nf 1 2 3\nf 1 2 4\n", "line 7: a face names vertex 4 of 3"),

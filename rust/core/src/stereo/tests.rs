@@ -209,7 +209,7 @@ fn impossible_rigs_are_refused() {
 
 /// Compares with the pixels around each position, one by one; for eyes without rotation runs are marked.
 #[test]
-fn needed_pixels_are_those_around_all_places() {
+fn needed_pixels_surround_all_positions() {
     for (eyes, turned) in [(vive(), false), (canted(4.0), true)] {
         let rig = Rig::new(eyes, Planes { begin: 2.0, end: 2.0 }, (70, 60)).unwrap();
         let (width, height) = (rig.center_size().0 as usize, rig.center_size().1 as usize);

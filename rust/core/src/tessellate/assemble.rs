@@ -48,7 +48,7 @@ impl Budget {
         if all > u64::from(u32::MAX) {
             return Err(Error::value(
                 "tolerance_px",
-                "one that fewer than 2^32 triangles reach",
+                "a tolerance reached by fewer than 2^32 triangles",
                 format!("{all} triangles"),
             ));
         }
@@ -128,7 +128,7 @@ fn join(source: &[[u32; 3]], vertex_count: usize, split: &[Split], progress: &Pr
             all.sources.push(*face);
         }
         if vertex_count + all.new.len() > u32::MAX as usize {
-            return Err(Error::value("tolerance_px", "one that fewer than 2^32 vertices reach", "more"));
+            return Err(Error::value("tolerance_px", "a tolerance reached by fewer than 2^32 vertices", "more"));
         }
     }
     all.faces.extend_from_slice(&source[next..]);

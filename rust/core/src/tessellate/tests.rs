@@ -185,7 +185,7 @@ fn radii_below_what_coordinates_tell_apart_end_too() {
 }
 
 #[test]
-fn what_has_no_bound_is_refused_and_the_argument_named() {
+fn settings_without_a_bound_are_refused_by_argument() {
     let refused = |settings: Settings| {
         let rule = Rule::new(&settings, Precision::Double)?;
         tessellate_arrays(&[], &[], &rule, &Progress::new())

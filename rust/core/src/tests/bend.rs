@@ -12,7 +12,7 @@ fn kinds(case: &Value) -> &'static [Kind] {
 }
 
 #[test]
-fn curves_run_where_the_equation_says() {
+fn curves_satisfy_the_equation() {
     for case in cases("bend", "cases") {
         let bound = number(&case["tolerance"]["float64"]);
         for &kind in kinds(&case) {
@@ -60,7 +60,7 @@ fn polylines_lie_on_the_curve_and_end_on_the_rays_from_the_centre() {
 }
 
 #[test]
-fn the_cylinders_margin_is_the_way_to_its_near_radius() {
+fn the_cylinders_margin_is_the_distance_to_its_near_radius() {
     for case in cases("bend", "cylinder_margins") {
         let found = margin(&morph_of(&case, Kind::Cylinder)).unwrap();
         assert_near(&case, &[found], &[number(&case["margin"])], number(&case["tolerance"]["float64"]));

@@ -10,7 +10,7 @@ fn lens_of(case: &Value) -> RadialLens {
 }
 
 #[test]
-fn radii_are_shown_where_the_polynomial_says() {
+fn distorted_radii_equal_the_polynomial() {
     for case in cases("lens", "radial") {
         let (lens, r, tolerance) = (lens_of(&case), numbers(&case["r"]), &case["tolerance"]);
         let mut found = vec![0.0; r.len()];
@@ -25,7 +25,7 @@ fn radii_are_shown_where_the_polynomial_says() {
 }
 
 #[test]
-fn radii_come_back_by_every_method() {
+fn every_method_undistorts_radii() {
     for case in cases("lens", "radial") {
         let (lens, x, tolerance) = (lens_of(&case), numbers(&case["distorted"]), &case["tolerance"]);
         let expected = numbers(&case["undistorted"]);
@@ -54,7 +54,7 @@ fn the_published_iteration_takes_its_steps() {
 }
 
 #[test]
-fn lenses_fold_where_the_derivative_says() {
+fn lenses_fold_at_the_root_of_the_derivative() {
     for case in cases("lens", "radial") {
         let lens = lens_of(&case);
         if case["r_max"].is_null() {
@@ -68,7 +68,7 @@ fn lenses_fold_where_the_derivative_says() {
 }
 
 #[test]
-fn points_are_shown_and_come_back() {
+fn points_are_distorted_and_undistorted() {
     for case in cases("lens", "points") {
         let (lens, points) = (lens_of(&case), rows::<2>(&case["points"]));
         let expected = [rows::<2>(&case["distorted"]), rows::<2>(&case["undistorted"])];

@@ -12,7 +12,7 @@ fn opposed(case: &Value) -> Vec<bool> {
 }
 
 #[test]
-fn single_points_are_shown_where_the_formula_says() {
+fn single_points_equal_the_formula() {
     for (file, kind) in FILES {
         for case in cases(file, "cases") {
             let morph = morph_of(&case, kind);
@@ -29,7 +29,7 @@ fn single_points_are_shown_where_the_formula_says() {
 }
 
 #[test]
-fn streams_of_points_are_shown_where_the_formula_says() {
+fn streams_of_points_equal_the_formula() {
     for (file, kind) in FILES {
         for case in cases(file, "cases") {
             let morph = morph_of(&case, kind);

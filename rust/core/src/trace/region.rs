@@ -75,7 +75,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn nothing_that_reaches_in_is_overlooked(
+        fn all_intersecting_triangles_are_found(
             points in prop::collection::vec(prop::array::uniform3(-20.0..20.0f32), 3..90),
             low in prop::array::uniform3(-25.0..25.0f32), size in prop::array::uniform3(0.0..10.0f32),
         ) {
@@ -95,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn empty_regions_and_scenes_are_told_apart() {
+    fn empty_regions_and_scenes_are_distinguished() {
         let corner = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
         let far = [[9.0, 9.0, 9.0], [9.5, 9.0, 9.0], [9.0, 9.5, 9.0]];
         let instances = vec![instance(DVec3::ZERO, &corner), instance(DVec3::X, &far)];

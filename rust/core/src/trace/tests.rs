@@ -235,7 +235,7 @@ fn ties_go_to_the_lowest_instance_and_face() {
 }
 
 #[test]
-fn segments_end_where_they_say() {
+fn segments_end_at_their_limits() {
     let triangle = |z: f32| [Vec3::new(-9.0, -9.0, z), Vec3::new(9.0, -9.0, z), Vec3::new(0.0, 9.0, z)];
     let scene = scene(vec![(mesh(&[triangle(1.0), triangle(2.0), triangle(3.0)]), DAffine3::IDENTITY)], vec![]);
     for (t_min, t_max, face) in [(0.0, 9.0, 0), (1.0, 9.0, 0), (1.5, 9.0, 1), (1.5, 2.0, 1), (2.5, 2.75, u32::MAX)] {

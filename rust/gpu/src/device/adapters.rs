@@ -120,5 +120,5 @@ fn refusal(adapter: &Adapter) -> Option<String> {
     }
     let usages = adapter.get_texture_format_features(VISIBLE).allowed_usages;
     let wanted = TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING;
-    (!usages.contains(wanted)).then(|| "it draws no 64-bit integers".to_string())
+    (!usages.contains(wanted)).then(|| "it cannot render to 64-bit integers".to_string())
 }

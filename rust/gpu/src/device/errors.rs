@@ -86,7 +86,7 @@ mod tests {
     }
 
     #[test]
-    fn a_shader_error_is_a_sentence_and_the_device_lives_on() {
+    fn a_shader_error_has_a_message_and_the_device_survives() {
         for device in devices() {
             let scope = Scope::open(&device);
             let source = ShaderSource::Wgsl("fn broken( {".into());

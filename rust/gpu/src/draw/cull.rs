@@ -105,7 +105,7 @@ mod tests {
     use nearfar_core::render::Segment;
 
     #[test]
-    fn what_projects_into_the_image_is_seen() {
+    fn boxes_that_project_into_the_image_are_visible() {
         let fov = Fov { left: -0.7, right: 1.1, down: -0.9, up: 0.4 };
         for projection in [Projection::Perspective(fov), Projection::Orthographic(fov), Projection::CubeFace(1)] {
             let turn = DQuat::from_rotation_y(2.0) * DQuat::from_rotation_x(-0.5);

@@ -85,7 +85,7 @@ mod tests {
     use super::changes;
 
     #[test]
-    fn only_what_changed_is_sent() {
+    fn only_changed_data_is_uploaded() {
         let before = vec![0u8; 100];
         assert_eq!(changes(&before, &before), []);
         assert_eq!(changes(&[], &before).first(), Some(&(0..100)));

@@ -190,5 +190,5 @@ pub(super) fn identity(view: &Arc<Splats>) -> usize {
 
 fn too_many(device: &Device) -> Error {
     let label = device.report().label();
-    Error::Device(format!("{label}: it cannot hold the splats of this picture at a time; use backend='cpu'"))
+    Error::Device(format!("{label}: the splats of this picture exceed its memory; use backend='cpu'"))
 }

@@ -47,7 +47,7 @@ impl Layout {
         if pieces > device.largest_binding() {
             let label = device.report().label();
             return Err(Error::Device(format!(
-                "{label}: the parts of splats that cover much take {pieces} bytes, more than it holds; use backend='cpu'"
+                "{label}: large splats take {pieces} bytes, more than its limit; use backend='cpu'"
             )));
         }
         let rows = (most / row).min(u64::from(size[1])) as u32;

@@ -43,7 +43,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn words_are_given_once_and_come_back_in_one_piece() {
+    fn words_are_allocated_once_and_merged_when_freed() {
         let mut room = Room::new(1000);
         let mut owner = vec![None; 1000];
         let mut taken: Vec<(u32, u32)> = Vec::new();

@@ -95,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn words_are_given_once_and_pages_that_nobody_holds_are_gone() {
+    fn words_are_allocated_once_and_unused_pages_are_freed() {
         let shelf = Shelf::default();
         assert!(shelf.take(0).is_none());
         let page = Arc::new(());

@@ -41,7 +41,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_oldest_go_when_the_budget_is_full() {
+    fn the_oldest_are_evicted_when_the_budget_is_full() {
         let mut leftover = Leftover::default();
         let third = Bytes::from(vec![1; BUDGET / 3]);
         for name in ["a", "b", "c", "d"] {

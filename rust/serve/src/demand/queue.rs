@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn early_stages_come_first_and_then_who_came_first() {
+    fn early_stages_and_then_earlier_requests_come_first() {
         let queue = queue(&[(1, "ann", "a1"), (0, "bob", "b0"), (0, "ann", "a0")]);
         assert_eq!(drain(queue), ["b0", "a0", "a1"]);
     }
@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn work_that_several_wait_for_is_charged_to_all_and_stays_until_the_last_leaves() {
+    fn shared_work_is_charged_to_all_and_stays_until_the_last_leaves() {
         let mut queue = queue(&[(0, "ann", "both"), (0, "carl", "c")]);
         queue.join("bob", |work| *work == "both");
         assert_eq!(queue.leave("ann", |work| *work == "both"), None);

@@ -211,7 +211,7 @@ impl Shared {
             let part = making.next(&is_wanted)?;
             Ok((part, making))
         }));
-        let (part, making) = made.unwrap_or_else(|_| Err("an internal error, which the log tells of".into()))?;
+        let (part, making) = made.unwrap_or_else(|_| Err("an internal error; see the server's log".into()))?;
         work.making = Some(making);
         Ok(part)
     }

@@ -3,7 +3,7 @@ use axum::body::to_bytes;
 use super::*;
 
 #[tokio::test]
-async fn parts_of_any_length_are_those_of_the_file() {
+async fn parts_of_any_length_equal_the_file() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().canonicalize().unwrap().join("file");
     let content: Vec<u8> = (0..3 * PIECE + 7).map(|place| (place % 251) as u8).collect();

@@ -27,7 +27,7 @@ fn files_are_opened_and_links_are_not_followed() {
 }
 
 #[test]
-fn a_pipe_is_not_waited_for() {
+fn opening_a_pipe_does_not_block() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().canonicalize().unwrap().join("pipe");
     let made = std::process::Command::new("mkfifo").arg(&path).status().unwrap();

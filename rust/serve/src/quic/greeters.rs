@@ -66,7 +66,7 @@ mod tests {
     }
 
     #[test]
-    fn forged_packets_take_no_place_of_whose_address_they_bear() {
+    fn forged_packets_use_no_slot_of_their_claimed_address() {
         let greeters = Greeters::new();
         let find = |is_proven| greeters.find(VICTIM.into(), is_proven);
         let forged = place(find(false)).expect("the first one needs no proof");

@@ -131,7 +131,7 @@ async fn requests_are_answered_with_their_codes() {
 }
 
 #[tokio::test]
-async fn what_asks_for_no_session_is_closed() {
+async fn connections_without_a_session_request_are_closed() {
     let bench = Bench::new(limits(), crate::Limits::default());
     let mut numbers = Numbers(11);
     let mut cases = vec![
@@ -171,7 +171,7 @@ async fn few_frames_come_before_a_head() {
 }
 
 #[test]
-fn whatever_comes_on_the_first_stream_is_a_request_or_none() {
+fn any_bytes_on_the_first_stream_are_a_request_or_refused() {
     let mut numbers = Numbers(5);
     for _ in 0..20_000 {
         let mut bytes = request("/rooms/hall", "https://localhost");
@@ -184,7 +184,7 @@ fn whatever_comes_on_the_first_stream_is_a_request_or_none() {
 }
 
 #[tokio::test]
-async fn connections_that_ask_for_nothing_are_few_and_end() {
+async fn idle_connections_are_limited_and_closed() {
     let bench = Bench::new(Limits { hello: HOURS, ..limits() }, crate::Limits::default());
     let mut idle = Vec::new();
     for _ in 0..GREETINGS {

@@ -215,7 +215,7 @@ impl Way {
                 return Err(End::new(Reason::Silent, "expected hello"));
             }
             if !self.written.is_empty() && now >= self.moved + self.silence {
-                return Err(End::new(Reason::Slow, "expected a user who reads"));
+                return Err(End::new(Reason::Slow, "expected a client that reads"));
             }
             let deadline = if self.session.is_in() { self.moved + self.silence } else { self.begun + limits.hello };
             // Periodic wake-ups also count received bytes that were not for any reader.

@@ -52,12 +52,12 @@ impl Figures {
 
     /// Registers the metrics.
     pub fn register(&self, registry: &mut Registry) {
-        registry.register("rooms", "Rooms that somebody is in", self.rooms.clone());
+        registry.register("rooms", "Rooms with users", self.rooms.clone());
         registry.register("room_users", "Users who are in rooms", self.users.clone());
         let sessions = self.datagrams.clone();
-        registry.register("room_datagram_connections", "Connections whose poses come as datagrams", sessions);
-        registry.register("room_poses", "Poses that came to a user or were overwritten", self.poses.clone());
-        registry.register("room_closes", "Connections of rooms that ended, by reason", self.closes.clone());
+        registry.register("room_datagram_connections", "Connections that send poses as datagrams", sessions);
+        registry.register("room_poses", "Poses delivered to a user or overwritten", self.poses.clone());
+        registry.register("room_closes", "Closed connections of rooms, by reason", self.closes.clone());
         registry.register_with_unit(
             "room_residence",
             "Time from reading a pose to writing it",

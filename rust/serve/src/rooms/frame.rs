@@ -112,7 +112,7 @@ impl<'a> FromUser<'a> {
             SAID => FromUser::Say { to: to(&mut body)?, payload: payload(&mut body, SAY)? },
             SIGNALLED => FromUser::Signal { user: number(&mut body)?, payload: payload(&mut body, SIGNAL)? },
             BYE => FromUser::Bye,
-            _ => return Err(Fault::Frame("a frame is of no kind that users send")),
+            _ => return Err(Fault::Frame("a frame has a kind that users do not send")),
         };
         if body.is_empty() { Ok((frame, rest)) } else { Err(Fault::Frame("a frame is too long")) }
     }
@@ -180,7 +180,7 @@ impl<'a> FromServer<'a> {
                 let sentence = std::str::from_utf8(payload(&mut body, SAY)?);
                 FromServer::Refused { code, sentence: sentence.map_err(|_| Fault::Frame("a sentence is no text"))? }
             }
-            _ => return Err(Fault::Frame("a frame is of no kind that the server sends")),
+            _ => return Err(Fault::Frame("a frame has a kind that the server does not send")),
         };
         if body.is_empty() { Ok((frame, rest)) } else { Err(Fault::Frame("a frame is too long")) }
     }

@@ -62,7 +62,7 @@ impl Limits {
         let times = [self.burst, self.hello, self.ping, self.silence, self.linger];
         for (name, time) in ["burst", "hello", "ping", "silence", "linger"].into_iter().zip(times) {
             if time.is_zero() {
-                return Err(format!("{name}: expected more than no time"));
+                return Err(format!("{name}: expected a duration above 0"));
             }
         }
         if self.ping >= self.silence {

@@ -126,7 +126,7 @@ impl Outbox {
             return;
         }
         if pending.queue.len() + pending.on_way + frame.bytes() > self.most {
-            let sentence = format!("expected a user who reads before {} bytes wait for it", self.most);
+            let sentence = format!("expected a client that reads before {} bytes are queued", self.most);
             pending.finish(End::new(Reason::Slow, sentence));
         } else {
             frame.write(&mut pending.queue);

@@ -82,7 +82,7 @@ impl Pose {
         let clock = body.try_get_u64_le().map_err(short)?;
         let flags = body.try_get_u8().map_err(short)?;
         if flags & !KNOWN != 0 {
-            return Err("a pose has flags without a meaning");
+            return Err("a pose has unknown flags");
         }
         let head = read_placed(&mut body)?;
         let mut hands = [None; 2];
@@ -99,12 +99,12 @@ impl Pose {
         };
         let pointer = match begin {
             None => None,
-            Some(Begin::Left) if hands[0].is_none() => return Err("a pointer begins at no hand"),
-            Some(Begin::Right) if hands[1].is_none() => return Err("a pointer begins at no hand"),
+            Some(Begin::Left) if hands[0].is_none() => return Err("a pointer begins at a missing hand"),
+            Some(Begin::Right) if hands[1].is_none() => return Err("a pointer begins at a missing hand"),
             Some(begin) => {
                 let length = body.try_get_f32_le().map_err(short)?;
                 if !(0.0..=FARTHEST).contains(&length) {
-                    return Err("a pointer's length is none");
+                    return Err("a pointer's length is not valid");
                 }
                 Some((begin, length))
             }
@@ -150,7 +150,7 @@ fn read_placed(body: &mut &[u8]) -> Result<Placed, &'static str> {
     }
     let length: f32 = rotation.iter().map(|value| (f32::from(*value) / ONE).powi(2)).sum();
     if !UNIT.contains(&length) {
-        return Err("a rotation is no unit quaternion");
+        return Err("a rotation is not a unit quaternion");
     }
     Ok(Placed { position, rotation })
 }

@@ -106,7 +106,7 @@ impl Room {
         for user in replaced {
             let Some(outbox) = state.leave(user) else { continue };
             self.figures.users.dec();
-            outbox.end(End::new(Reason::Replaced, "the user came back by another connection"));
+            outbox.end(End::new(Reason::Replaced, "the user reconnected over another connection"));
         }
         let back = joining.back.filter(|(user, _)| !state.users.contains_key(user));
         let (user, identity) = back.unwrap_or_else(|| (state.unused(), joining.identity));

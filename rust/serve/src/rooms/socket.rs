@@ -176,9 +176,9 @@ fn lost(error: Error) -> End {
     use tokio_tungstenite::tungstenite::error::ProtocolError;
     match error {
         Error::Io(error) if error.kind() == io::ErrorKind::TimedOut => {
-            End::new(Reason::Slow, "expected a user who reads")
+            End::new(Reason::Slow, "expected a client that reads")
         }
-        Error::WriteBufferFull(_) => End::new(Reason::Slow, "expected a user who reads the answers to its pings"),
+        Error::WriteBufferFull(_) => End::new(Reason::Slow, "expected a client that reads the answers to its pings"),
         Error::Protocol(ProtocolError::ResetWithoutClosingHandshake) | Error::Io(_) => broken_connection(),
         Error::ConnectionClosed | Error::AlreadyClosed => broken_connection(),
         other => End::new(Reason::Frame, other.to_string()),

@@ -59,7 +59,7 @@ impl Key {
         let code: [u8; CODE] = from_hex(code).ok_or(WRONG)?;
         // Constant-time comparison.
         self.entry(room, ends, &number).verify_slice(&code).map_err(|_| WRONG)?;
-        if now < ends { Ok(number) } else { Err("expected a token that has not ended") }
+        if now < ends { Ok(number) } else { Err("expected a token that has not expired") }
     }
 
     /// Creates a ticket for a user's number and identity in a room; it is valid only with the user's token.

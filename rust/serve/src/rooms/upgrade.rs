@@ -35,7 +35,7 @@ pub fn answer<B>(
     match create_response_with_body(request, Body::empty) {
         Ok(mut answer) => {
             let Some(place) = place() else {
-                return respond::refusal(StatusCode::SERVICE_UNAVAILABLE, "there are as many users as there may be");
+                return respond::refusal(StatusCode::SERVICE_UNAVAILABLE, "the server has its maximum number of users");
             };
             answer.extensions_mut().insert(entering(room, place, request));
             answer

@@ -84,7 +84,7 @@ mod tests {
 
     /// Examples of RFC 9000, A.1.
     #[test]
-    fn numbers_are_those_of_the_specification() {
+    fn numbers_equal_the_specification() {
         for (bytes, expected) in [
             (&[0xc2, 0x19, 0x7c, 0x5e, 0xff, 0x14, 0xe8, 0x8c][..], 151_288_809_941_952_652),
             (&[0x9d, 0x7f, 0x3e, 0x7d], 494_878_333),

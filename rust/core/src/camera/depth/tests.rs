@@ -12,7 +12,7 @@ fn ranges(buffer: &DepthBuffer, depth: &[f64]) -> Vec<f64> {
 }
 
 #[test]
-fn a_matrix_says_what_planes_and_tangents_say() {
+fn a_matrix_agrees_with_planes_and_tangents() {
     let (n, f) = (0.1, 500.0);
     let Fov { left: l, right: r, down: b, up: t } = FOV;
     // D3D and WebGPU with reversed depth: n (f − z)/((f − n) z).
@@ -49,7 +49,7 @@ fn the_first_refused_value_is_named() {
 }
 
 #[test]
-fn refuses_what_is_no_view() {
+fn invalid_projections_are_refused() {
     let view = |planes| DepthBuffer::new(Projection::Orthographic(FOV), planes, 4, 4).is_ok();
     assert!(view(Planes { near: 0.0, far: 10.0, reverse: false }));
     assert!(!view(PLANES));

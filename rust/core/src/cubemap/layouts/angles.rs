@@ -53,7 +53,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn angles_are_those_of_the_library(x in -1.0..1.0f64, y in -1.0..1.0f64, scale in -12..12i32) {
+        fn angles_equal_the_library(x in -1.0..1.0f64, y in -1.0..1.0f64, scale in -12..12i32) {
             let y = y * 10f64.powi(scale);
             prop_assert!((angle_of(y, x) - y.atan2(x)).abs() <= 2.0 * f64::EPSILON * 2.0);
             // Small angles keep their relative precision.

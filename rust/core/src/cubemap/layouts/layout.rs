@@ -211,7 +211,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn samples_lie_where_they_should_and_share_their_tables() {
+    fn samples_have_their_positions_and_share_tables() {
         for (layout, height, width) in [(Layout::Equirectangular, 3, 8), (Layout::Octahedral, 5, 5)] {
             let grid = Grid::new(layout, height, width).unwrap();
             let rows = GridRows::new(grid, 4).unwrap();

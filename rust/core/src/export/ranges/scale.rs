@@ -63,7 +63,7 @@ mod tests {
     }
 
     #[test]
-    fn codes_come_back_from_their_nearness_whatever_the_guess() {
+    fn codes_are_recovered_from_any_initial_guess() {
         let scale = Scale::new(0.001);
         for code in (0..NOTHING).step_by(97).chain([1, NOTHING - 2, NOTHING - 1]) {
             for guess in [0, code, code.saturating_sub(3), NOTHING - 1] {

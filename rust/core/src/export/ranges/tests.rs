@@ -59,7 +59,7 @@ impl Maps {
 
 proptest! {
     #[test]
-    fn maps_come_back(seed: u64, noise in prop::sample::select(vec![1u16, 2, 5, 300, 25_000]), is_delta: bool) {
+    fn maps_are_restored(seed: u64, noise in prop::sample::select(vec![1u16, 2, 5, 300, 25_000]), is_delta: bool) {
         let maps = Maps::new(seed, noise);
         let (codes, changed) = maps.decoded(&maps.encoded(is_delta), is_delta).unwrap();
         prop_assert_eq!(&codes, &maps.after);

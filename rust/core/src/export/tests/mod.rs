@@ -120,7 +120,7 @@ fn merged_triangles_are_the_scenes_on_the_grid_up_to_eight_kilometres() {
 }
 
 #[test]
-fn far_corners_get_a_coarser_grid_and_say_so() {
+fn far_corners_get_a_coarser_grid_with_a_note() {
     let scene = scene(vec![instance(&plain_mesh(1, 50), DAffine3::from_translation(DVec3::X * 20_000.0), 0)], vec![]);
     let file = glb(&export(&scene, &[0, 0], 1, COMPRESSED), 0);
     assert_eq!(file.statistics.position_error, 2.0 / 1024.0);

@@ -41,7 +41,7 @@ fn slope(triangles: &[i64], scores: &[f64], step: usize) -> f64 {
 }
 
 #[test]
-fn slopes_are_those_of_the_upper_hull() {
+fn slopes_equal_the_upper_hull() {
     let mut numbers = Numbers(1);
     for _ in 0..200 {
         let mut triangles: Vec<i64> =
@@ -105,7 +105,7 @@ fn classes_rise_with_slopes() {
 }
 
 #[test]
-fn after_a_step_that_does_not_fit_come_smaller_ones_of_others() {
+fn after_a_step_that_does_not_fit_smaller_ones_follow() {
     let step = |object, to, triangles| Step { slope: 1.0 / f64::from(object + 1), object, to, triangles, gain: 1.0 };
     let steps = [step(0, 1, 50), step(1, 1, 60), step(1, 0, 1), step(2, 1, 40), step(3, 1, 30)];
     let mut filling = Filling::new(100, 0);

@@ -100,7 +100,7 @@ proptest! {
 }
 
 #[test]
-fn steps_explain_what_they_say() {
+fn steps_have_their_stated_residual() {
     let x = places(12);
     let y = [0.9, 1.0, 1.1, 1.0, 0.3, -0.9, -1.0, -1.1, -1.0, -1.0, -1.0, -1.0];
     with_samples(&x, &y, |frame, samples, room| {

@@ -90,7 +90,7 @@ impl AddAssign for SelectionCounts {
 /// Returns the error for an invalid number of a model or level.
 fn refused(argument: &'static str, least: i64, most: usize, got: i64, index: usize) -> Error {
     if most == 0 {
-        return Error::value(argument, "no objects where there are no models", format!("{got} at index {index}"));
+        return Error::value(argument, "no objects without models", format!("{got} at index {index}"));
     }
     let expected = format!("whole numbers from {least} to {}", most - 1);
     Error::value(argument, expected, format!("{got} at index {index}"))

@@ -89,7 +89,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn weights_that_measure_nothing_are_refused() {
+    fn invalid_weights_are_refused() {
         let positions = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
         for weight in [-1.0, f32::NAN, f32::INFINITY] {
             let vertices =

@@ -52,7 +52,7 @@ fn slowly(
 
 proptest! {
     #[test]
-    fn any_images_have_their_definition((a, b, size, taps, mask) in images(), uniform: bool, hidden: bool) {
+    fn random_images_equal_the_definition((a, b, size, taps, mask) in images(), uniform: bool, hidden: bool) {
         let [height, width] = size;
         let window = if uniform { Window::uniform(taps) } else { Window::gaussian(taps, 1.5) };
         let Window::Weights(weights) = &window else { unreachable!() };

@@ -248,7 +248,7 @@ mod tests {
     }
 
     #[test]
-    fn all_bits_come_back() {
+    fn all_bits_are_restored() {
         let draw = |salt, n, most: u64| random::bits(salt, n, 0) % most;
         let block = |n: u64| {
             // From all equal to all different.
@@ -281,7 +281,7 @@ mod tests {
     }
 
     #[test]
-    fn lines_and_lone_pixels_come_back() {
+    fn lines_and_single_pixels_are_restored() {
         let texel = |lane: u32| Packed::new(1 + 9 * lane as u16, [0, 0], [0; 3]);
         for shown in [1, 1 << 63, 0xFF, 0x0101_0101_0101_0101] {
             let texels = lanes(shown).map(texel).collect();

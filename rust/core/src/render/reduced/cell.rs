@@ -173,7 +173,7 @@ mod tests {
     use super::parabola;
 
     #[test]
-    fn parabolas_meet_their_points() {
+    fn parabolas_pass_through_their_points() {
         let f = |x: f32| Vec4::splat(3.0 - 2.0 * x + 0.5 * x * x);
         for (first, at) in [(0, [0.0, 1.0, 2.0]), (1, [-1.0, 0.0, 1.0])] {
             let [one, x, square] = parabola(at.map(f), first);

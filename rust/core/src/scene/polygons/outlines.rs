@@ -71,7 +71,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn arrays_that_are_no_polygons_are_refused() {
+    fn inconsistent_offsets_are_refused() {
         let points = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
         for (rings, polygons) in
             [(vec![], vec![0]), (vec![0, 2], vec![0, 1]), (vec![0, 4, 3], vec![0, 2]), (vec![0, 3], vec![0, 2])]

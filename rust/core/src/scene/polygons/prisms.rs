@@ -84,7 +84,7 @@ mod tests {
     }
 
     #[test]
-    fn rings_that_are_no_rings_have_no_walls() {
+    fn degenerate_rings_have_no_walls() {
         let polygons = Polygons::new(&OUTER, &[0, 2, 4], &[0, 1, 2]).unwrap();
         let found = prisms(&polygons, &[true, true], &Progress::new()).unwrap();
         assert_eq!(found, Faces { faces: vec![], offsets: vec![0, 0, 0] });

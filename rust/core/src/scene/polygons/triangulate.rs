@@ -238,7 +238,7 @@ mod tests {
         /// Arbitrary points, with duplicates and crossing rings: corners are points of the polygon, no triangle is
         /// flipped.
         #[test]
-        fn any_rings_have_an_answer(
+        fn random_rings_are_triangulated(
             points in proptest::collection::vec((0..6i8, 0..6i8), 0..40),
             cut in 0..40usize,
         ) {

@@ -123,7 +123,7 @@ impl<'a> Reader<'a, '_> {
         let is_little = match self.take(1)? {
             [0] => false,
             [1] => true,
-            other => return Err(format!("its order of bytes is {}, not 0 or 1", other[0])),
+            other => return Err(format!("its byte order is {}, not 0 or 1", other[0])),
         };
         let stated = self.number(is_little)?;
         let plain = stated & !(HAS_Z | HAS_M | HAS_SRID);
@@ -171,7 +171,7 @@ impl<'a> Reader<'a, '_> {
     fn count(&mut self, header: &Header, least: usize) -> Parsed<usize> {
         let count = self.number(header.is_little)? as usize;
         if count > self.rest.len() / least {
-            return Err(format!("it claims {count} parts, for which its bytes have no room"));
+            return Err(format!("it claims {count} parts, more than its bytes can hold"));
         }
         Ok(count)
     }

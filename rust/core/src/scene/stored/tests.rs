@@ -138,7 +138,7 @@ fn faces_of_one_mesh_share_vertices_and_other_meshes_take_their_range() {
 }
 
 #[test]
-fn boxes_of_faces_leave_out_what_they_do_not_use() {
+fn boxes_of_faces_exclude_unused_vertices() {
     let mut bytes = Bytes::default();
     let positions = bytes.add(&SQUARE, Number::F32, false, 0);
     let corners = bytes.add(&HALVES[..3], Number::U16, false, 0);
@@ -183,7 +183,7 @@ fn scaled_coordinates_are_rounded_at_their_place() {
 }
 
 #[test]
-fn what_is_not_finite_or_not_there_is_not_fit() {
+fn meshes_with_missing_or_non_finite_values_are_unfit() {
     for (point, corner) in [(f32::NAN, 0.0), (f32::INFINITY, 0.0), (2e30, 0.0), (0.0, 4.0)] {
         let mut bytes = Bytes::default();
         let positions = bytes.add(&[SQUARE[0], SQUARE[1], SQUARE[2], [0.0, point, 0.0]], Number::F32, false, 0);
@@ -208,7 +208,7 @@ fn normals_get_length_one_and_colours_know_their_alpha() {
 }
 
 #[test]
-fn colours_of_whole_numbers_are_those_of_fractions() {
+fn integer_colours_equal_fractions() {
     let shorts: Vec<[f32; 4]> =
         (0..=u16::MAX).map(|x| [f32::from(x), f32::from(u16::MAX - x), 7.0, f32::from(x)]).collect();
     let mut bytes = Bytes::default();

@@ -59,7 +59,7 @@ fn aimed_at_edges_and_vertices_near_and_far() {
 }
 
 #[test]
-fn nothing_leaves_a_closed_box_whatever_the_length_of_its_directions() {
+fn no_ray_leaves_a_closed_box_for_any_length_of_directions() {
     let corner = |i: usize| {
         let side = |bit: usize| if i >> bit & 1 == 1 { 1.0 } else { -1.0 };
         Vec3::new(side(0), side(1), side(2))

@@ -114,7 +114,7 @@ impl Cache {
         let entry = index.places.get_mut(key)?;
         let manifest = read(&entry.manifest).ok().filter(|manifest| is_named(&entry.manifest, manifest));
         let Some(manifest) = manifest else {
-            tracing::warn!(place = key, "a manifest of the cache is damaged, its region is made anew");
+            tracing::warn!(place = key, "a manifest of the cache is damaged: its region is made again");
             if let Err(error) = self.remove(&mut index, key) {
                 tracing::warn!(place = key, %error, "a damaged region cannot be removed from the cache");
             }
@@ -148,7 +148,7 @@ impl Cache {
             stored.is_checked = true;
             return Some(stored.bytes);
         }
-        tracing::warn!(file = name, "a file of the cache is damaged, its regions are made anew");
+        tracing::warn!(file = name, "a file of the cache is damaged: its regions are made again");
         self.drop_users(index, name);
         None
     }

@@ -28,7 +28,7 @@ fn open(folder: &Path, budget: u64) -> Cache {
 }
 
 #[test]
-fn a_folder_is_one_servers_at_a_time() {
+fn a_folder_belongs_to_one_server_at_a_time() {
     let folder = tempfile::tempdir().unwrap();
     let first = open(folder.path(), 100);
     assert!(Cache::open(folder.path(), 100).unwrap().is_none());
@@ -37,7 +37,7 @@ fn a_folder_is_one_servers_at_a_time() {
 }
 
 #[test]
-fn what_is_kept_is_found_again_also_after_a_restart() {
+fn cached_regions_are_found_after_a_restart() {
     let folder = tempfile::tempdir().unwrap();
     let content = region(&[("a.glb", "geometry"), ("b.webp", "picture")]);
     let first = open(folder.path(), 1 << 20);
@@ -56,7 +56,7 @@ fn what_is_kept_is_found_again_also_after_a_restart() {
 }
 
 #[test]
-fn regions_share_files_and_the_longest_unused_go_first() {
+fn regions_share_files_and_the_least_recently_used_are_evicted() {
     let folder = tempfile::tempdir().unwrap();
     let long = "x".repeat(1000);
     let both = region(&[("shared.bin", &long), ("own.glb", "first")]);
@@ -78,7 +78,7 @@ fn regions_share_files_and_the_longest_unused_go_first() {
 }
 
 #[test]
-fn what_is_damaged_or_not_complete_is_not_used() {
+fn damaged_and_incomplete_regions_are_not_used() {
     let content = region(&[("a.glb", "geometry"), ("b.bin", "numbers")]);
     type Damage = fn(&Path);
     let damages: [(&str, Damage); 6] = [

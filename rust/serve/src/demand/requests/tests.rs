@@ -97,7 +97,7 @@ async fn collect_events(mut ticket: Ticket) -> (Vec<Bytes>, Outcome) {
 }
 
 #[tokio::test]
-async fn a_place_that_several_ask_for_is_made_once_and_told_to_all() {
+async fn a_place_requested_by_several_is_made_once_for_all() {
     let kitchen = kitchen(None, one());
     let first = coming(kitchen.demand.ask(ANN, Place([3.9, 1.7, 0.1])));
     let second = coming(kitchen.demand.ask(BOB, Place([4.2, 1.74, -0.3])));
@@ -202,7 +202,7 @@ async fn requests_are_bounded_for_each_client_and_in_all() {
 }
 
 #[tokio::test]
-async fn failures_and_panics_are_told_and_others_notice_nothing() {
+async fn failures_and_panics_are_reported_without_affecting_others() {
     let kitchen = kitchen(None, one());
     let lost = coming(kitchen.demand.ask(ANN, Place([2e6, 0.0, 0.0])));
     assert_eq!(collect_events(lost).await.1, Outcome::Failed("center: expected one with objects around it".into()));
@@ -215,7 +215,7 @@ async fn failures_and_panics_are_told_and_others_notice_nothing() {
 }
 
 #[tokio::test]
-async fn waiting_clients_hear_how_many_come_first() {
+async fn waiting_clients_are_told_their_position() {
     let kitchen = kitchen(None, one());
     let _first = coming(kitchen.demand.ask(ANN, Place([0.0; 3])));
     kitchen.log.recv().unwrap();
@@ -239,7 +239,7 @@ async fn complete_regions_come_from_the_disk() {
 }
 
 #[tokio::test]
-async fn a_server_that_ends_stops_the_work_and_tells() {
+async fn a_stopping_server_cancels_work_and_reports_it() {
     let kitchen = kitchen(None, one());
     let ticket = coming(kitchen.demand.ask(ANN, Place([0.0; 3])));
     kitchen.log.recv().unwrap();

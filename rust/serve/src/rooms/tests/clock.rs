@@ -45,7 +45,7 @@ async fn apart(limits: Limits) -> (User<DuplexStream>, impl Future<Output = Reas
 }
 
 #[tokio::test(start_paused = true)]
-async fn who_says_no_hello_is_ended() {
+async fn users_without_hello_are_disconnected() {
     let (mut user, served) = user(limits()).await;
     let begun = Instant::now();
     assert_eq!(user.is_refused(Reason::Silent).await, "expected hello");
@@ -54,7 +54,7 @@ async fn who_says_no_hello_is_ended() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn who_only_pings_before_hello_is_ended_at_the_same_time() {
+async fn pings_before_hello_do_not_extend_the_timeout() {
     let (mut user, served) = user(limits()).await;
     let begun = Instant::now();
     while user.socket.send(Message::Ping(Bytes::new())).await.is_ok() {
@@ -67,7 +67,7 @@ async fn who_only_pings_before_hello_is_ended_at_the_same_time() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn who_answers_no_ping_is_ended() {
+async fn users_who_do_not_answer_pings_are_disconnected() {
     let (mut user, served) = user(limits()).await;
     user.hello(0, "", &[]).await;
     let begun = Instant::now();
@@ -82,7 +82,7 @@ async fn who_answers_no_ping_is_ended() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn who_answers_pings_stays() {
+async fn users_who_answer_pings_stay() {
     let (mut user, served) = user(limits()).await;
     user.hello(0, "", &[]).await;
     let (begun, mut pings) = (Instant::now(), 0);
@@ -98,7 +98,7 @@ async fn who_answers_pings_stays() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn who_does_not_close_is_left_behind() {
+async fn clients_that_do_not_close_are_abandoned() {
     let limits = limits();
     let (mut user, served) = user(limits).await;
     user.hello(0, "", &[]).await;
@@ -109,7 +109,7 @@ async fn who_does_not_close_is_left_behind() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn who_floods_is_not_read_on() {
+async fn flooding_clients_are_not_read_further() {
     let limits = Limits { messages_per_second: 1e-6, burst: Duration::from_secs(5_000_000), ..limits() };
     let (mut user, served) = user(limits).await;
     user.hello(0, "", &[]).await;
@@ -134,7 +134,7 @@ async fn blocked(limits: Limits) -> (User<DuplexStream>, JoinHandle<Reason>, Arc
 }
 
 #[tokio::test(start_paused = true)]
-async fn a_ping_goes_before_all_that_waits() {
+async fn a_ping_precedes_queued_messages() {
     let (mut user, _served, _outbox) = blocked(limits()).await;
     tokio::time::sleep(12 * SECOND).await;
     let mut next = async || user.socket.next().await.expect("a message").expect("the connection lives");
@@ -204,7 +204,7 @@ async fn a_close_is_answered() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn a_pause_of_the_process_ends_nobody_who_has_sent() {
+async fn a_pause_of_the_process_disconnects_no_active_user() {
     let (mut user, serving, _) = apart(limits()).await;
     let mut serving = pin!(serving);
     tokio::select! {

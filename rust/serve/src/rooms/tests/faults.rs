@@ -45,7 +45,7 @@ fn bytes(frame: FromUser<'_>) -> Vec<u8> {
 }
 
 #[tokio::test]
-async fn what_is_no_message_ends_its_sender_alone() {
+async fn malformed_messages_disconnect_their_sender_alone() {
     let server = server(limits(), None);
     let mut witnesses = Witnesses::new(&server).await;
     let nowhere = Pose { head: Placed { position: [f32::NAN; 3], ..pose(1).head }, ..pose(1) };
@@ -55,10 +55,10 @@ async fn what_is_no_message_ends_its_sender_alone() {
     let good = bytes(FromUser::Say { to: To::Group, payload: b"before" });
     for (message, sentence) in [
         (vec![0xff; 500], "a frame is too short"),
-        (vec![99, 0, 0], "a frame is of no kind that users send"),
-        (vec![0x82, 0, 0], "a frame is of no kind that users send"),
+        (vec![99, 0, 0], "a frame has a kind that users do not send"),
+        (vec![0x82, 0, 0], "a frame has a kind that users do not send"),
         (bytes(FromUser::Pose(nowhere)), "a position is none"),
-        (bytes(FromUser::Pose(lost)), "a rotation is no unit quaternion"),
+        (bytes(FromUser::Pose(lost)), "a rotation is not a unit quaternion"),
         (half, "a frame is too short"),
         ([good, vec![3, 1, 0, 9]].concat(), "a frame is too short"),
         (bytes(FromUser::Hello { group: 1, name: "again", ticket: &[] }), "expected one hello"),
@@ -91,7 +91,7 @@ async fn nobody_is_in_a_room_before_hello() {
 }
 
 #[tokio::test]
-async fn who_vanishes_within_a_message_has_left() {
+async fn users_who_vanish_within_a_message_have_left() {
     let server = server(limits(), None);
     let mut witnesses = Witnesses::new(&server).await;
     // Three bytes of a message of 100 bytes; and the first fragment of another message.
@@ -105,7 +105,7 @@ async fn who_vanishes_within_a_message_has_left() {
 }
 
 #[tokio::test]
-async fn broken_framing_ends_its_sender_alone() {
+async fn broken_framing_disconnects_its_sender_alone() {
     let server = server(limits(), None);
     let mut witnesses = Witnesses::new(&server).await;
     for wrong in [
@@ -136,7 +136,7 @@ async fn acknowledgements_and_signals_for_nobody_are_ignored() {
 }
 
 #[tokio::test]
-async fn who_sends_too_much_is_ended() {
+async fn users_who_send_too_much_are_disconnected() {
     let few = Limits { messages_per_second: 1e-6, burst: Duration::from_secs(50_000_000), ..limits() };
     let little = Limits { bytes_per_second: 1e-6, burst: Duration::from_secs(10_000_000_000), ..limits() };
     for (limits, message) in [

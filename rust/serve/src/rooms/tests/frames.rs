@@ -127,7 +127,7 @@ fn every_truncation_is_refused() {
 }
 
 #[test]
-fn what_is_read_after_a_bit_has_changed_is_written_as_the_same_bytes() {
+fn accepted_frames_with_a_changed_bit_are_written_as_the_same_bytes() {
     let mut refused = 0;
     for (frames, of_user) in [(of_users(), true), (of_servers(), false)] {
         for frame in frames {
@@ -155,7 +155,7 @@ fn numbers_are_little_endian_and_poses_are_short() {
 }
 
 #[test]
-fn poses_of_nowhere_are_refused() {
+fn invalid_poses_are_refused() {
     let head = |position: [f32; 3]| Pose { head: Placed { position, ..pose(1).head }, ..pose(1) };
     let turned = |rotation: [i16; 4]| Pose { head: Placed { rotation, ..pose(1).head }, ..pose(1) };
     let pointing = |begin, length| Pose { pointer: Some((begin, length)), ..pose(1) };
@@ -178,7 +178,7 @@ fn poses_of_nowhere_are_refused() {
 }
 
 #[test]
-fn names_and_payloads_have_an_end() {
+fn names_and_payloads_have_a_maximum_length() {
     let read = |frame: FromUser<'_>| {
         let mut out = Vec::new();
         frame.write(&mut out);

@@ -79,7 +79,7 @@ async fn pages_of_other_origins_do_not_enter() {
 }
 
 #[tokio::test]
-async fn a_name_that_the_server_was_not_told_proves_nothing_without_a_key() {
+async fn unknown_host_names_are_refused_without_a_key() {
     for (host, has_key, allowed, expected) in [
         ("rebound.example:80", false, None, 403),
         ("rebound.example:80", true, None, 101),
@@ -126,7 +126,7 @@ async fn rooms_leave_connections_to_files() {
 }
 
 #[test]
-fn one_client_has_so_many_sockets_and_begins_so_many_rooms() {
+fn sockets_and_new_rooms_of_a_client_are_limited() {
     let limits = Limits { sockets_per_client: 2, rooms_per_client: 1, ..limits() };
     let rooms = Arc::new(Rooms::new(limits, None).expect("limits that fit"));
     let place = |client: [u8; 4]| rooms.place(client.into(), 100);
@@ -182,7 +182,7 @@ fn poses_beyond_the_rate_are_dropped_but_those_that_end_a_movement_are_not() {
 }
 
 #[test]
-fn who_says_more_than_others_should_take_is_ended() {
+fn users_who_say_too_much_are_disconnected() {
     for (payload, most) in [(4096, 7), (0, 512)] {
         let (_rooms, mut say) = alone(Limits { said_bytes_per_second: 1000.0, ..limits() });
         let payload = vec![1; payload];
@@ -198,7 +198,7 @@ fn who_says_more_than_others_should_take_is_ended() {
 }
 
 #[test]
-fn limits_fit_together() {
+fn limits_are_consistent() {
     let refused = |limits| Rooms::new(limits, None).err().expect("they do not fit");
     let base = Limits::default();
     let least = 34 + 72 * base.users;
@@ -226,7 +226,7 @@ fn limits_fit_together() {
 }
 
 #[tokio::test]
-async fn what_does_not_ask_for_a_socket_gets_none() {
+async fn requests_without_an_upgrade_get_no_socket() {
     let server = start(answering(None, true), None);
     for missing in &ASKS[1..] {
         let headers: Vec<&str> = ASKS.into_iter().filter(|each| each != missing).collect();

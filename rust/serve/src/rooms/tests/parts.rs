@@ -78,7 +78,7 @@ fn poses_of_a_large_group_wait_for_several_full_datagrams() {
 }
 
 #[test]
-fn what_a_later_one_replaces_is_sent_apart_from_what_must_arrive() {
+fn replaceable_poses_are_sent_apart_from_required_ones() {
     let (outbox, now) = (Outbox::new(1000, BURST), Instant::now());
     let part = || {
         let (mut message, mut read) = (BytesMut::new(), Vec::new());
@@ -132,7 +132,7 @@ fn datagrams_hold_as_much_as_fits_and_leave_nobody_out() {
 }
 
 #[test]
-fn who_lets_too_much_wait_is_ended_and_holds_nothing() {
+fn users_with_too_long_queues_are_disconnected_and_freed() {
     let (outbox, frame) = (Outbox::new(20, BURST), FromServer::Left { user: 1 });
     (0..3).for_each(|_| outbox.add(&frame));
     let _ = drain(&outbox);
@@ -150,7 +150,7 @@ fn who_lets_too_much_wait_is_ended_and_holds_nothing() {
 }
 
 #[test]
-fn who_fills_its_share_at_once_sends_too_much_and_its_receiver_stays() {
+fn senders_that_fill_a_queue_are_disconnected_and_receivers_stay() {
     let (outbox, begin) = (Outbox::new(1000, BURST), Instant::now());
     let say = FromServer::Say { user: 1, to: To::Room, payload: &[0; 94] };
     assert_eq!(say.bytes(), 100);
@@ -167,7 +167,7 @@ fn who_fills_its_share_at_once_sends_too_much_and_its_receiver_stays() {
 }
 
 #[test]
-fn poses_do_not_count_as_what_waits() {
+fn poses_do_not_count_as_queued_bytes() {
     let (outbox, now) = (Outbox::new(20, BURST), Instant::now());
     for sequence in 0..1000 {
         (0..10).for_each(|user| {

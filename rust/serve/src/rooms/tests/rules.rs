@@ -27,7 +27,7 @@ fn count(text: &str, name: &str) -> f64 {
 }
 
 #[tokio::test]
-async fn users_are_told_who_is_there_who_comes_and_who_goes() {
+async fn users_are_told_of_present_joining_and_leaving_users() {
     let server = server(limits(), None);
     let mut ada = join(&server, "hall", 4, "Ada").await;
     let mut grace = connect(server.address(), "/rooms/hall").await.expect("a connection");
@@ -72,7 +72,7 @@ async fn poses_go_to_the_group_and_have_the_number_that_the_server_gave() {
 }
 
 #[tokio::test]
-async fn what_is_said_comes_to_the_group_or_the_room_in_order() {
+async fn messages_reach_the_group_or_the_room_in_order() {
     let server = server(limits(), None);
     let mut sender = join(&server, "hall", 1, "").await;
     let (mut friend, mut stranger) = (join(&server, "hall", 1, "").await, join(&server, "hall", 2, "").await);
@@ -97,7 +97,7 @@ async fn what_is_said_comes_to_the_group_or_the_room_in_order() {
 }
 
 #[tokio::test]
-async fn signals_come_to_one_user_of_the_room() {
+async fn signals_reach_one_user_of_the_room() {
     let server = server(limits(), None);
     let mut sender = join(&server, "hall", 1, "").await;
     let (mut near, mut far) = (join(&server, "hall", 1, "").await, join(&server, "hall", 2, "").await);
@@ -155,7 +155,7 @@ async fn a_pose_settles_when_the_last_of_the_group_has_acknowledged_it_or_left()
 }
 
 #[tokio::test]
-async fn a_server_has_so_many_rooms_and_a_room_so_many_users() {
+async fn rooms_of_a_server_and_users_of_a_room_are_limited() {
     let server = server(Limits { rooms: 2, users: 2, ..limits() }, None);
     let (_one, two) = (join(&server, "hall", 1, "").await, join(&server, "hall", 2, "").await);
     let _yard = join(&server, "yard", 1, "").await;
@@ -173,7 +173,7 @@ async fn a_server_has_so_many_rooms_and_a_room_so_many_users() {
 }
 
 #[tokio::test]
-async fn counts_tell_of_rooms() {
+async fn metrics_count_rooms() {
     let server = server(limits(), None);
     let mut sender = join(&server, "hall", 1, "").await;
     let mut friend = join(&server, "hall", 1, "").await;
@@ -211,7 +211,7 @@ fn ending_within(grace: Duration) -> Server {
 }
 
 #[tokio::test]
-async fn a_server_that_ends_tells_all_users_and_waits_for_them() {
+async fn a_stopping_server_tells_all_users_and_waits_for_them() {
     let server = ending_within(HOURS);
     let mut user = join(&server, "hall", 1, "").await;
     let mut early = connect(server.address(), "/rooms/hall").await.expect("a connection");
@@ -223,7 +223,7 @@ async fn a_server_that_ends_tells_all_users_and_waits_for_them() {
 }
 
 #[tokio::test]
-async fn a_server_that_ends_leaves_behind_who_does_not_close() {
+async fn a_stopping_server_abandons_users_who_do_not_close() {
     let server = ending_within(Duration::from_millis(1));
     let mut rude = join(&server, "hall", 1, "").await;
     let closing = tokio::task::spawn_blocking(move || server.close());

@@ -19,11 +19,11 @@ async fn sees_that_left(user: &mut User, number: u16) {
 }
 
 #[tokio::test]
-async fn garbage_on_the_stream_ends_its_sender_alone() {
+async fn malformed_streams_disconnect_their_sender_alone() {
     let server = server(limits(), None);
     let mut witness = support::join(&server, "hall", 1, "").await;
     for (sent, sentence) in [
-        (vec![99, 0, 0], "a frame is of no kind that users send"),
+        (vec![99, 0, 0], "a frame has a kind that users do not send"),
         (vec![2, 3, 0, 1, 1, 1], "a pose is too short"),
         (vec![4, 0xff, 0xff], "expected frames of at most 32768 bytes"),
         (bytes(&[FromUser::Hello { group: 1, name: "again", ticket: &[] }]), "expected one hello"),
@@ -43,11 +43,11 @@ async fn garbage_on_the_stream_ends_its_sender_alone() {
 }
 
 #[tokio::test]
-async fn garbage_in_datagrams_ends_its_sender_alone() {
+async fn malformed_datagrams_disconnect_their_sender_alone() {
     let server = server(limits(), None);
     let mut witness = support::join(&server, "hall", 1, "").await;
     for (sent, sentence) in [
-        (vec![99, 0, 0], "a frame is of no kind that users send"),
+        (vec![99, 0, 0], "a frame has a kind that users do not send"),
         (vec![2], "a frame is too short"),
         (bytes(&[FromUser::Pose(pose(1)), FromUser::Bye]), "expected poses and acknowledgements alone in datagrams"),
         (
@@ -74,7 +74,7 @@ async fn datagrams_before_hello_are_dropped() {
 }
 
 #[tokio::test]
-async fn who_sends_too_much_is_ended() {
+async fn sessions_that_send_too_much_are_closed() {
     let few = Limits { messages_per_second: 20.0, ..limits() };
     let narrow = Limits { bytes_per_second: 4000.0, ..limits() };
     let quiet = Limits { said_bytes_per_second: 100.0, ..limits() };
@@ -100,7 +100,7 @@ async fn who_sends_too_much_is_ended() {
 }
 
 #[tokio::test]
-async fn who_vanishes_is_gone_and_who_says_nothing_stays() {
+async fn vanished_users_leave_and_silent_users_stay() {
     let limits = Limits { ping: Duration::from_millis(300), silence: Duration::from_secs(10), ..limits() };
     let server = server(limits, None);
     let mut witness = join(&server, "hall", 1, "").await;
@@ -121,7 +121,7 @@ async fn who_vanishes_is_gone_and_who_says_nothing_stays() {
 }
 
 #[tokio::test]
-async fn others_see_who_closes_its_session_or_its_stream() {
+async fn others_are_told_of_closed_sessions_and_streams() {
     let server = server(limits(), None);
     let mut witness = support::join(&server, "hall", 1, "").await;
     let guest = join(&server, "hall", 1, "").await;
@@ -138,7 +138,7 @@ async fn others_see_who_closes_its_session_or_its_stream() {
 }
 
 #[tokio::test]
-async fn who_says_no_hello_is_ended() {
+async fn sessions_without_hello_are_closed() {
     let limits = Limits { hello: Duration::from_secs(5), ping: HOURS, silence: 2 * HOURS, ..limits() };
     let server = server(limits, None);
     let mut guest = connect(&server, "/rooms/hall").await;
@@ -150,7 +150,7 @@ async fn who_says_no_hello_is_ended() {
 }
 
 #[tokio::test]
-async fn who_does_not_read_is_ended_and_others_get_all() {
+async fn sessions_that_do_not_read_are_closed_and_others_receive_all() {
     let server = server(Limits { ping: HOURS, silence: 2 * HOURS, burst: MOMENT, ..limits() }, None);
     let mut slow = join(&server, "hall", 1, "").await;
     let mut sender = support::join(&server, "hall", 1, "").await;

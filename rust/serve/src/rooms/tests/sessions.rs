@@ -14,7 +14,7 @@ use crate::rooms::{Key, Limits, Reason, Rooms};
 use crate::{Answering, HeaderValue, tls};
 
 #[tokio::test]
-async fn users_of_both_ways_see_each_other() {
+async fn users_of_both_transports_see_each_other() {
     let server = server(limits(), None);
     let mut socket = support::join(&server, "hall", 1, "socket").await;
     let mut guest = join(&server, "hall", 1, "guest").await;
@@ -62,7 +62,7 @@ async fn poses_settle_by_datagrams_and_by_the_stream_once_the_user_rests() {
 }
 
 #[tokio::test]
-async fn an_older_pose_that_comes_late_is_dropped() {
+async fn an_older_late_pose_is_dropped() {
     let server = server(limits(), None);
     let mut one = join(&server, "hall", 1, "").await;
     let mut two = support::join(&server, "hall", 1, "").await;
@@ -105,7 +105,7 @@ async fn pages_of_other_origins_and_other_paths_get_no_session() {
 }
 
 #[tokio::test]
-async fn pages_are_told_where_datagrams_are_taken() {
+async fn pages_are_told_the_port_for_datagrams() {
     let server = server(limits(), None);
     let told = server.datagrams().expect("datagrams");
     assert_eq!(told.port, server.address().port());
@@ -115,7 +115,7 @@ async fn pages_are_told_where_datagrams_are_taken() {
 }
 
 #[tokio::test]
-async fn users_need_a_token_where_those_of_sockets_do() {
+async fn users_need_a_token_as_over_sockets() {
     let key = Key::new(&[7; 32]).expect("a key");
     let server = server(limits(), Some(key.clone()));
     let mut guest = connect(&server, "/rooms/hall?token=none").await;
@@ -156,7 +156,7 @@ async fn datagrams_have_another_port_where_theirs_is_taken() {
 }
 
 #[tokio::test]
-async fn a_certificate_that_signs_itself_is_not_used_for_datagrams() {
+async fn a_self_signed_certificate_is_not_used_for_datagrams() {
     let folder = tempfile::tempdir().expect("a folder");
     let (certificate, key) = tls::self_signed(vec!["127.0.0.1".into()]).expect("made");
     let paths = (folder.path().join("chain.pem"), folder.path().join("key.pem"));
@@ -175,7 +175,7 @@ async fn rooms_have_no_datagrams_where_they_are_switched_off() {
 }
 
 #[tokio::test]
-async fn a_server_that_ends_tells_users_of_both_ways() {
+async fn a_stopping_server_tells_users_of_both_transports() {
     let server = server(limits(), None);
     let mut guest = join(&server, "hall", 1, "").await;
     let (silent, _endpoint) = ask(&server, "/rooms/hall", None).await.expect("a session");
@@ -186,7 +186,7 @@ async fn a_server_that_ends_tells_users_of_both_ways() {
 }
 
 #[tokio::test]
-async fn counts_tell_of_sessions() {
+async fn metrics_count_sessions() {
     let server = server(limits(), None);
     let guest = join(&server, "hall", 1, "").await;
     let (_, text) = about::get(&server, "/metrics", "").await;

@@ -34,7 +34,7 @@ fn least(log: &[Happened]) -> Option<u32> {
 }
 
 #[test]
-fn what_is_told_is_what_the_model_says() {
+fn settled_poses_equal_the_model() {
     let mut numbers = Numbers(1);
     let (mut told_often, mut left_and_settled) = (0, 0);
     for _ in 0..300 {
@@ -79,7 +79,7 @@ fn what_is_told_is_what_the_model_says() {
 }
 
 #[test]
-fn those_who_are_not_there_settle_nothing() {
+fn absent_users_settle_nothing() {
     let mut settling = Settling::new([5].into_iter());
     assert!(settling.send(3));
     assert_eq!(settling.acknowledge(6, 3), None);

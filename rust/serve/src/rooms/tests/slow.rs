@@ -27,7 +27,7 @@ async fn slow(server: &Server, group: u16) -> User {
 }
 
 #[tokio::test]
-async fn who_does_not_read_delays_nobody_and_gets_the_newest_pose_later() {
+async fn slow_readers_delay_nobody_and_get_the_newest_pose_later() {
     let server = server(Limits { ping: HOURS, silence: 2 * HOURS, ..limits() }, None);
     let mut slow = slow(&server, 1).await;
     let (mut sender, mut friend) = (join(&server, "hall", 1, "").await, join(&server, "hall", 1, "").await);
@@ -51,7 +51,7 @@ async fn who_does_not_read_delays_nobody_and_gets_the_newest_pose_later() {
 }
 
 #[tokio::test]
-async fn who_lets_too_much_wait_is_ended_and_others_get_all() {
+async fn slow_readers_are_disconnected_and_others_receive_all() {
     let server = server(Limits { ping: HOURS, silence: 2 * HOURS, linger: HOURS, burst: MOMENT, ..limits() }, None);
     let mut slow = slow(&server, 1).await;
     let (mut sender, mut friend) = (join(&server, "hall", 1, "").await, join(&server, "hall", 1, "").await);
@@ -62,7 +62,7 @@ async fn who_lets_too_much_wait_is_ended_and_others_get_all() {
 }
 
 #[tokio::test]
-async fn a_burst_ends_its_sender_and_none_of_those_who_do_not_read_meanwhile() {
+async fn a_burst_disconnects_its_sender_and_no_slow_reader() {
     let server = server(Limits { said_bytes_per_second: 1e-6, ping: HOURS, silence: 2 * HOURS, ..limits() }, None);
     let mut victim = slow(&server, 1).await;
     let mut friend = join(&server, "hall", 2, "").await;

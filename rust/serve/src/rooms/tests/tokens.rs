@@ -34,7 +34,7 @@ fn a_token_is_valid_for_its_room_until_it_ends() {
     let text = key.token("hall", 1000, number);
     assert!(text.starts_with("1000.0707"));
     assert_eq!(key.check("hall", 999, &text), Ok(number));
-    assert_eq!(key.check("hall", 1000, &text), Err("expected a token that has not ended"));
+    assert_eq!(key.check("hall", 1000, &text), Err("expected a token that has not expired"));
     let wrong = Err("expected a token that was made for this room");
     assert_eq!(key.check("hal", 999, &text), wrong);
     assert_eq!(super::tokens::key(2).check("hall", 999, &text), wrong);
@@ -59,7 +59,7 @@ fn a_token_that_was_altered_is_refused() {
 }
 
 #[test]
-fn a_ticket_leads_back_to_its_number_in_its_room() {
+fn a_ticket_restores_its_number_in_its_room() {
     let key = key(1);
     let token = Some(&[7; 16]);
     let ticket = key.ticket("hall", token, 513, 1 << 40);
@@ -76,14 +76,14 @@ fn a_ticket_leads_back_to_its_number_in_its_room() {
 }
 
 #[tokio::test]
-async fn nobody_enters_without_a_valid_token() {
+async fn entering_requires_a_valid_token() {
     let (key, number) = (key(1), [3; 16]);
     let server = server(limits(), Some(key.clone()));
     for (token, sentence) in [
         (String::new(), "expected a token that was made for this room"),
         (token(&key, "yard", number), "expected a token that was made for this room"),
         (token(&super::tokens::key(2), "hall", number), "expected a token that was made for this room"),
-        (key.token("hall", 1000, number), "expected a token that has not ended"),
+        (key.token("hall", 1000, number), "expected a token that has not expired"),
     ] {
         assert_eq!(is_refused(with_token(&server, "hall", &token).await).await, sentence);
     }
@@ -118,7 +118,7 @@ async fn a_token_in_use_lets_nobody_else_in() {
 }
 
 #[tokio::test]
-async fn a_ticket_gives_the_number_back_also_after_a_restart() {
+async fn a_ticket_restores_the_number_after_a_restart() {
     let (key, many) = (key(1), Limits { users: 1, ..limits() });
     let first = server(many, Some(key.clone()));
     let own = token(&key, "hall", [1; 16]);

@@ -4,7 +4,7 @@ use super::support::Numbers;
 use crate::rooms::trial;
 
 #[test]
-fn whatever_users_do_each_sees_what_it_may() {
+fn users_see_only_what_they_may_after_any_actions() {
     let mut numbers = Numbers(7);
     for _ in 0..2_000 {
         let length = numbers.below(400);

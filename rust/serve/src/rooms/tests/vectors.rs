@@ -108,7 +108,7 @@ fn frames_of_the_server_have_their_bytes_and_their_fields() {
 }
 
 #[test]
-fn bytes_that_are_no_frame_are_refused() {
+fn malformed_frames_are_refused() {
     for case in cases("refused") {
         assert!(FromServer::read(&bytes(&case["server"])).is_err(), "{}", case["region"]);
         if !case["user"].is_null() {

@@ -117,14 +117,14 @@ fn flaws_name_the_first_row_that_has_one() {
         nested = PLAIN.many(7, &[nested]);
     }
     for (row, words) in [
-        (good[..good.len() - 1].to_vec(), "it claims 4 parts, for which its bytes have no room"),
+        (good[..good.len() - 1].to_vec(), "it claims 4 parts, more than its bytes can hold"),
         ([&good[..], &[0]].concat(), "1 bytes follow its geometry"),
-        (vec![2, 3, 0, 0, 0], "its order of bytes is 2, not 0 or 1"),
+        (vec![2, 3, 0, 0, 0], "its byte order is 2, not 0 or 1"),
         (vec![1, 3, 0, 0], "it is cut off"),
         (vec![1], "it is cut off"),
         ([PLAIN.header(1), vec![0; 15]].concat(), "it is cut off"),
-        ([&PLAIN.header(3)[..], &many].concat(), "it claims 4294967295 parts, for which its bytes have no room"),
-        ([&PLAIN.header(7)[..], &many].concat(), "it claims 4294967295 parts, for which its bytes have no room"),
+        ([&PLAIN.header(3)[..], &many].concat(), "it claims 4294967295 parts, more than its bytes can hold"),
+        ([&PLAIN.header(7)[..], &many].concat(), "it claims 4294967295 parts, more than its bytes can hold"),
         (PLAIN.header(16), "geometry type 16 is not read, only points, lines and polygons are"),
         (PLAIN.header(4003), "geometry type 4003 is not known"),
         (nested, "its geometries are nested deeper than 16"),
