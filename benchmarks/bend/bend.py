@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.compare import OURS, Case, compare, describe
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.compare import OURS, Case, compare, print_limits
+from benchmarks.harness.report import start, table
 
 COUNT = 20_000
 RADII: dict[str, Any] = {"center": (0.0, 1.7, 0.0), "r1": 30.0, "r2": 50.0}
@@ -29,7 +29,7 @@ def directions(count: int) -> Array:
     return np.stack([r * np.cos(turn), y, r * np.sin(turn)], axis=1)
 
 
-def bisected(rays: Array, points: int) -> Array:
+def bisect(rays: Array, points: int) -> Array:
     """Points (N, K, 3) at equal steps along each ray between the radii, each a root found by bisection."""
     center, user = np.array(RADII["center"]), np.array(USER)
     v = center - user
@@ -64,36 +64,31 @@ def error(lines: Array, rays: Array) -> float:
 
 def peer(rays: Array, count: int) -> Array:
     """Polylines of `count` bisected points, with the user in front, as `bend_rays` returns them."""
-    points = bisected(rays, count)
+    points = bisect(rays, count)
     return np.concatenate([np.broadcast_to(np.array(USER), (len(points), 1, 3)), points], axis=1)
 
 
 def margins() -> str:
-    """Table of fold margins at several distances from O, and the time of one."""
-    rows = []
-    for away in (0.0, 5.0, 10.0, 15.0, 19.0):
-        margin = nf.fold_margin((away, 1.7, 0.0), **RADII)
-        rows.append([f"{away:g}", f"{margin:.3f}"])
-    return table("Metres left before the picture folds, r1 = 30 m, r2 = 50 m", ["|U−O|, m", "margin, m"], rows)
+    """Table of fold margins at several distances from O."""
+    rows = [(away, nf.fold_margin((away, 1.7, 0.0), **RADII)) for away in (0.0, 5.0, 10.0, 15.0, 19.0)]
+    return table("Metres left before the picture folds, r1 = 30 m, r2 = 50 m", "|U−O|, m {:g} | margin, m {:.3f}", rows)
 
 
 def main() -> None:
+    start(__doc__)
+    print_limits()
     rays = directions(COUNT)
     # Nearly vertical rays bend kilometres away, where the peer's equal steps are too coarse.
     rays = rays[np.abs(rays[:, 1]) < 0.9]
-    of = functools.partial(error, rays=rays)
-    cases = []
+    of, cases = functools.partial(error, rays=rays), []
     for tolerance in (1e-2, 1e-3, 1e-4, 1e-5):
         job = functools.partial(nf.bend_rays, rays, user=USER, tolerance=tolerance, **RADII)
         points = np.isfinite(job()[..., 0]).sum(axis=1).mean()
-        cases.append(Case(f"{OURS}, tolerance {tolerance:g}, {points:.1f} points a ray", job, of, peer=False))
-    for count in (8, 32):
-        cases.append(Case(f"NumPy, {count} points a ray", functools.partial(peer, rays, count), of))
-    print(machine())
-    print(describe())
+        cases.append(Case(f"{OURS}, tolerance {tolerance:g}, {points:.1f} points a ray", job, of))
+    cases += [Case(f"NumPy, {count} points a ray", functools.partial(peer, rays, count), of) for count in (8, 32)]
     print(compare(f"{len(rays):,} bent rays, r1 = 30 m, r2 = 50 m, |U−O| = 7.8 m", cases, unit="rad"))
     print(margins())
-    print(compare("One fold margin", [Case(OURS, lambda: nf.fold_margin(USER, **RADII), peer=False)]))
+    print(compare("One fold margin", [Case(OURS, lambda: nf.fold_margin(USER, **RADII))]))
 
 
 if __name__ == "__main__":

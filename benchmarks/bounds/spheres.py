@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from functools import partial
 
 import numpy as np
 import trimesh
@@ -10,8 +11,8 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.bounds._peers import sphere_peers
-from benchmarks.harness.compare import OURS, Case, Work, compare, describe
-from benchmarks.harness.timing import machine
+from benchmarks.harness.compare import OURS, Case, Work, compare, print_limits
+from benchmarks.harness.report import start
 
 Array = NDArray[np.float64]
 
@@ -27,19 +28,17 @@ def surface(count: int) -> Array:
 
 def spheres(title: str, points: Array, *peers: str, repeat: int = 5) -> str:
     """Table of methods and peers; an error is the relative excess of the radius over the least one."""
-    least = nf.bounding_sphere(points)[1]
+    least, single = nf.bounding_sphere(points)[1], points.astype(np.float32)
 
     def error(sphere: tuple[Array, float]) -> float:
         return abs(sphere[1] / least - 1)
 
-    cases = [Case(f"{OURS}, exact", lambda: nf.bounding_sphere(points), error, peer=False)]
-    single = points.astype(np.float32)
-    cases += [Case(f"{OURS}, exact, float32", lambda: nf.bounding_sphere(single), error, peer=False)]
+    cases = [Case(f"{OURS}, exact", partial(nf.bounding_sphere, points), error)]
+    cases += [Case(f"{OURS}, exact, float32", partial(nf.bounding_sphere, single), error)]
     for method in ("average", "minmax", "ritter"):
-        job = lambda method=method: nf.bounding_sphere(points, method=method)  # noqa: E731
-        cases += [Case(f"{OURS}, {method}", job, error, peer=False)]
+        cases += [Case(f"{OURS}, {method}", partial(nf.bounding_sphere, points, method=method), error)]
     if "trimesh" in peers:
-        cases += [Case("trimesh", lambda: trimesh.nsphere.minimum_nsphere(points), error)]
+        cases += [Case("trimesh", partial(trimesh.nsphere.minimum_nsphere, points), error)]
     cases += [Case("reading (NumPy's max)", points.max)]
     with sphere_peers(points, *(name for name in peers if name != "trimesh")) as others:
         cases += [dataclasses.replace(case, error=error) for case in others]
@@ -52,33 +51,24 @@ def groups() -> str:
     offsets = np.arange(0, len(points) + 1, 100)
 
     def one_by_one() -> None:
-        for start in offsets[:-1]:
-            nf.bounding_sphere(points[start : start + 100])
+        for first in offsets[:-1]:
+            nf.bounding_sphere(points[first : first + 100])
 
-    cases = [
-        Case(f"{OURS}, bounding_spheres", lambda: nf.bounding_spheres(points, offsets), peer=False),
-        Case(f"{OURS}, one by one", one_by_one, peer=False),
-    ]
+    cases = [Case(f"{OURS}, bounding_spheres", lambda: nf.bounding_spheres(points, offsets))]
+    cases += [Case(f"{OURS}, one by one", one_by_one)]
     return compare("Bounding spheres of 10,000 groups of 100 points", cases, repeat=3)
 
 
 def main() -> None:
-    print(machine())
-    print(describe())
-    print(
-        spheres(
-            "Bounding sphere of 10⁴ points of a surface", surface(10_000), "trimesh", "cyminiball", "miniball crate"
-        ),
-        flush=True,
-    )
-    print(
-        spheres("Bounding sphere of 10⁶ points of a surface", surface(1_000_000), "cyminiball", "miniball crate"),
-        flush=True,
-    )
-    print(spheres("Bounding sphere of 10⁷ points of a surface", surface(10_000_000), repeat=3), flush=True)
+    start(__doc__)
+    print_limits()
+    of, peers = "Bounding sphere of", ("cyminiball", "miniball crate")
+    print(spheres(f"{of} 10⁴ points of a surface", surface(10_000), "trimesh", *peers), flush=True)
+    print(spheres(f"{of} 10⁶ points of a surface", surface(1_000_000), *peers), flush=True)
+    print(spheres(f"{of} 10⁷ points of a surface", surface(10_000_000), repeat=3), flush=True)
     ball = np.random.default_rng(1).normal(size=(1_000_000, 3))
     ball /= np.linalg.norm(ball, axis=1, keepdims=True)
-    print(spheres("Bounding sphere of 10⁶ cospherical points", ball, "cyminiball", "miniball crate"), flush=True)
+    print(spheres(f"{of} 10⁶ cospherical points", ball, *peers), flush=True)
     print(groups())
 
 

@@ -8,15 +8,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.compare import OURS, Case, Work, compare, describe
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.compare import OURS, Case, Work, compare, print_limits
+from benchmarks.harness.report import start, table
 
 Array = NDArray[np.float32]
 FOV = nf.hmd.QUEST_2.left.fov
 NEAR = 0.1
 
 
-def straightforward(depth: NDArray[Any]) -> NDArray[Any]:
+def divide(depth: NDArray[Any]) -> NDArray[Any]:
     """Straightforward formula in the type of the buffer."""
     height, width = depth.shape
     x = np.linspace(FOV.left, FOV.right, 2 * width + 1, dtype=depth.dtype)[1::2]
@@ -24,7 +24,7 @@ def straightforward(depth: NDArray[Any]) -> NDArray[Any]:
     return np.asarray(depth.dtype.type(NEAR) / depth * np.sqrt(1 + x * x + y * y))
 
 
-def unprojected(depth: Array) -> Array:
+def unproject(depth: Array) -> Array:
     """General code: every pixel through the inverse of the projection matrix."""
     height, width = depth.shape
     rows = np.zeros((4, 4), np.float32)
@@ -48,22 +48,20 @@ def exact(depth: Array) -> NDArray[np.longdouble]:
 
 
 def ranges(side: int) -> str:
-    z = np.random.default_rng(0).uniform(0.5, 200, (side, side))
-    depth = (NEAR / z).astype(np.float32)
+    depth = (NEAR / np.random.default_rng(0).uniform(0.5, 200, (side, side))).astype(np.float32)
     true = exact(depth)
 
     def error(result: Array) -> float:
         return float(np.abs(result / true - 1).max())
 
+    def in_float64() -> Array:
+        return divide(depth.astype(np.float64)).astype(np.float32)
+
     cases = [
-        Case(OURS, lambda: nf.range_from_depth(depth, FOV, near=NEAR), error, peer=False),
-        Case("NumPy, float32, one expression", lambda: straightforward(depth), error),
-        Case("NumPy, float32, inverse matrix", lambda: unprojected(depth), error),
-        Case(
-            "NumPy, float64, one expression",
-            lambda: straightforward(depth.astype(np.float64)).astype(np.float32),
-            error,
-        ),
+        Case(OURS, lambda: nf.range_from_depth(depth, FOV, near=NEAR), error),
+        Case("NumPy, float32, one expression", lambda: divide(depth), error),
+        Case("NumPy, float32, inverse matrix", lambda: unproject(depth), error),
+        Case("NumPy, float64, one expression", in_float64, error),
         Case("copying the buffer", depth.copy),
     ]
     return compare(f"Range from a float32 depth buffer of {side}²", cases, work=Work(bytes=2 * depth.nbytes), repeat=5)
@@ -72,21 +70,18 @@ def ranges(side: int) -> str:
 def costs() -> str:
     """Table of bounds of the error in metres of perfectly rounded depth, near plane at 0.1 m and no far plane."""
     distances = [0.1, 1.0, 10.0, 100.0, 1e3, 1e4]
-    rows = []
-    for title, reverse, kind in (
-        ("float32, reversed", True, "float32"),
-        ("float32, standard", False, "float32"),
-        ("24 bits", True, "uint24"),
-        ("16 bits", True, "uint16"),
-    ):
-        errors = [nf.range_error(z, near=NEAR, reverse=reverse, depth_format=kind) for z in distances]
-        rows.append([title, *(f"{float(error):.1e}" for error in errors)])
-    return table("Metres that a range is off by at most", ["depth", *(f"{z:g} m" for z in distances)], rows)
+    formats = {"float32, reversed": (True, "float32"), "float32, standard": (False, "float32")}
+    formats |= {"24 bits": (True, "uint24"), "16 bits": (True, "uint16")}
+    rows = [
+        [title, *(nf.range_error(z, near=NEAR, reverse=reverse, depth_format=kind) for z in distances)]
+        for title, (reverse, kind) in formats.items()
+    ]
+    return table("Metres that a range is off by at most", ["depth", *(f"{z:g} m {{:.1e}}" for z in distances)], rows)
 
 
 def main() -> None:
-    print(machine())
-    print(describe())
+    start(__doc__)
+    print_limits()
     for side in (1024, 2048, 4096):
         print(ranges(side), flush=True)
     print(costs())

@@ -12,12 +12,14 @@ from numpy.typing import NDArray
 from scipy.ndimage import map_coordinates
 
 import nearfar as nf
-from benchmarks.harness.compare import OURS, Case, Work, compare, comparisons, describe, draw
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.compare import OURS, Case, Work, compare, comparisons, draw, greatest_error, print_limits
+from benchmarks.harness.report import start, table
 
 Array = NDArray[Any]
 SIZE = 512
 DIRECTIONS = 1_000_000
+FILTERS = ("linear", "cubic")
+FILTERS = ("linear", "cubic")
 
 
 def smooth(d: Array) -> Array:
@@ -79,21 +81,15 @@ def cv2_remap(faces: Array, d: Array, interpolation: int) -> Array:
 Lookup = Callable[[Array, Array], Array]
 
 
-def ours(name: str) -> Lookup:
-    return lambda faces, d: nf.cube_lookup(faces, d, filter=name)
-
-
-LOOKUPS: list[tuple[str, Lookup, bool]] = [
-    (f"{OURS} linear", ours("linear"), False),
-    (f"{OURS} nearest", ours("nearest"), False),
-    (f"{OURS} cubic", ours("cubic"), False),
-    ("NumPy nearest", numpy_nearest, True),
-    ("NumPy linear", numpy_linear, True),
-    ("scipy order 1", lambda faces, d: scipy_spline(faces, d, 1), True),
-    ("scipy order 3", lambda faces, d: scipy_spline(faces, d, 3), True),
-    ("cv2.remap linear", lambda faces, d: cv2_remap(faces, d, cv2.INTER_LINEAR), True),
-    ("cv2.remap cubic", lambda faces, d: cv2_remap(faces, d, cv2.INTER_CUBIC), True),
-]
+LOOKUPS: dict[str, Lookup] = {
+    **{f"{OURS} {name}": partial(nf.cube_lookup, filter=name) for name in ("linear", "nearest", "cubic")},
+    "NumPy nearest": numpy_nearest,
+    "NumPy linear": numpy_linear,
+    "scipy order 1": partial(scipy_spline, order=1),
+    "scipy order 3": partial(scipy_spline, order=3),
+    "cv2.remap linear": partial(cv2_remap, interpolation=cv2.INTER_LINEAR),
+    "cv2.remap cubic": partial(cv2_remap, interpolation=cv2.INTER_CUBIC),
+}
 
 
 def lookups(title: str, d: Array, *, channels: int = 1) -> str:
@@ -107,8 +103,8 @@ def lookups(title: str, d: Array, *, channels: int = 1) -> str:
     def error(result: Array) -> float:
         return float(np.sqrt(np.mean((result - truth) ** 2)))
 
-    chosen = [entry for entry in LOOKUPS if channels == 1 or "scipy" not in entry[0]]
-    cases = [Case(name, lambda job=job: job(faces, d), error, peer=peer) for name, job, peer in chosen]  # type: ignore[misc]
+    chosen = {name: job for name, job in LOOKUPS.items() if channels == 1 or "scipy" not in name}
+    cases = [Case(name, partial(job, faces, d), error) for name, job in chosen.items()]
     return compare(title, cases, work=Work(bytes=d.nbytes + truth.size * 4), unit="rms")
 
 
@@ -124,15 +120,11 @@ def seams() -> str:
         corner = ordered[:, 0] > 1 - 1 / size
         edge = (ordered[:, 1] > 1 - 1 / size) & ~corner
         truth = smooth(d)
-        for name, job, _ in LOOKUPS:
+        for name, job in LOOKUPS.items():
             error = job(faces, d) - truth
-            inside, at_edge, at_corner = (
-                float(np.sqrt(np.mean(error[part] ** 2))) for part in (~(edge | corner), edge, corner)
-            )
-            ratio = max(at_edge, at_corner) / inside
-            numbers = [f"{inside:.1e}", f"{at_edge:.1e}", f"{at_corner:.1e}", f"{ratio:.2f}"]
-            rows.append([f"{size}²", name, *numbers])
-    header = ["faces", "lookup", "inside", "edges", "corners", "worst seam / inside"]
+            inside, *seam = (float(np.sqrt(np.mean(error[part] ** 2))) for part in (~(edge | corner), edge, corner))
+            rows.append([f"{size}²", name, inside, *seam, max(seam) / inside])
+    header = "faces | lookup | inside {:.1e} | edges {:.1e} | corners {:.1e} | worst seam / inside {:.2f}"
     return table("Errors (rms) of lookups by where they are", header, rows)
 
 
@@ -153,7 +145,7 @@ def mips() -> str:
         return abs(float(levels[-1].mean()) - mean)
 
     cases = [
-        Case(f"{OURS} cube_mips", lambda: nf.cube_mips(faces), error, peer=False),
+        Case(f"{OURS} cube_mips", lambda: nf.cube_mips(faces), error),
         Case("NumPy, 2 × 2", lambda: numpy_mips(faces), error),
         Case("cv2.resize", lambda: cv2_mips(faces), error),
     ]
@@ -173,11 +165,8 @@ def cv2_mips(faces: Array) -> list[Array]:
 def cones() -> str:
     """Table of cone look-ups (greatest texel within an angle); there is no peer, so only times are listed."""
     faces = smooth(nf.envmap_directions(SIZE)).astype(np.float32)
-    d = np.random.default_rng(0).normal(size=(10_000, 3))
-    cases = []
-    for texels in (2, 8, 32, 128):
-        job = partial(nf.cube_lookup, faces, d, filter="max", radius=texels / SIZE)
-        cases.append(Case(f"{OURS}, {texels} texels wide", job, peer=False))
+    lookup = partial(nf.cube_lookup, faces, np.random.default_rng(0).normal(size=(10_000, 3)), filter="max")
+    cases = [Case(f"{OURS}, {texels} texels wide", partial(lookup, radius=texels / SIZE)) for texels in (2, 8, 32, 128)]
     return compare("Greatest within cones about 10⁴ directions", cases)
 
 
@@ -214,33 +203,20 @@ def conversions() -> str:
     shape = (1024, 2048)
     around = smooth(nf.envmap_directions(shape, layout="equirectangular")).astype(np.float32)
 
-    def error(truth: Array) -> Callable[[Array], float]:
-        return lambda result: float(np.abs(result - truth).max())
+    def cases(values: Array, truth: Array, peer: Callable[[], Array], **how: Any) -> list[Case]:
+        error = greatest_error(truth)
+        ours = [Case(f"{OURS} {n}", partial(nf.convert_envmap, values, **how, filter=n), error) for n in FILTERS]
+        return [*ours, Case("NumPy and cv2.remap", peer, error)]
 
-    def convert(values: Array, source: str, target: str, size: Any, name: str) -> Callable[[], Array]:
-        return lambda: nf.convert_envmap(values, source=source, target=target, size=size, filter=name)
-
-    there = [
-        *(
-            Case(f"{OURS} {name}", convert(cube, "cube", "equirectangular", shape, name), error(around), peer=False)
-            for name in ("linear", "cubic")
-        ),
-        Case("NumPy and cv2.remap", lambda: peer_convert(cube, 2048), error(around)),
-    ]
-    back = [
-        *(
-            Case(f"{OURS} {name}", convert(around, "equirectangular", "cube", SIZE, name), error(cube), peer=False)
-            for name in ("linear", "cubic")
-        ),
-        Case("NumPy and cv2.remap", lambda: peer_back(around, SIZE), error(cube)),
-    ]
+    there = cases(cube, around, lambda: peer_convert(cube, 2048), source="cube", target="equirectangular", size=shape)
+    back = cases(around, cube, lambda: peer_back(around, SIZE), source="equirectangular", target="cube", size=SIZE)
     first = compare("Cube of 6 × 512² to equirectangular of 2048 × 1024", there, unit="greatest")
     return f"{first}\n{compare('Equirectangular of 2048 × 1024 to cube of 6 × 512²', back, unit='greatest')}"
 
 
 def main() -> None:
-    print(machine())
-    print(describe())
+    start(__doc__)
+    print_limits()
     random = np.random.default_rng(0).normal(size=(DIRECTIONS, 3)).astype(np.float32)
     print(lookups("10⁶ random directions in faces of 512², float32", random), flush=True)
     print(lookups("10⁶ random directions in faces of 512², float64", random.astype(np.float64)), flush=True)

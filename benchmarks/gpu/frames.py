@@ -6,11 +6,8 @@ one, the last table gives the time of a headset's frames on it.
 
 from __future__ import annotations
 
-import importlib.util
-import os
-import time
-import warnings
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -18,9 +15,10 @@ from typing import Any
 import numpy as np
 
 import nearfar as nf
-from benchmarks.harness import tokyo
-from benchmarks.harness.compare import FOLDER, Case, compare, comparisons, describe
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness import opengl, tokyo
+from benchmarks.harness.compare import OURS, Case, compare, comparisons, print_limits
+from benchmarks.harness.report import save_figure, start, subplots, table
+from benchmarks.harness.timing import best, timed
 from benchmarks.harness.views import center_for
 from benchmarks.render.truth import view
 
@@ -29,6 +27,8 @@ EYE = (1832, 1920)
 """Width and height of a headset's eye, pixels."""
 CHANNELS = ("color", "range", "object_id")
 NEAR, FAR = 30.0, 50.0
+AHEAD = (0.0, 2.0, -40.0)
+"""Where pictures look, relative to the centre, metres."""
 
 
 def adapters() -> list[str]:
@@ -47,29 +47,15 @@ def on(adapter: str, job: Callable[[], Any]) -> Callable[[], Any]:
 
 def drawn_by_pyrender(scene: nf.Scene, camera: nf.Camera) -> list[Case]:
     """Time pyrender with lighting in one colour, and with depth alone, without the upload."""
-    if not importlib.util.find_spec("pyrender"):
+    peer = opengl.pyrender()
+    if peer is None:
         return []
-    os.environ.setdefault("PYOPENGL_PLATFORM", "egl")
-    vars(np).setdefault("infty", np.inf)  # pyrender 0.1.45 was written for NumPy 1
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        import pyrender as peer
-
     corners = scene.triangles()
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-20)
-    whole: Any = peer.Scene(ambient_light=(0.3, 0.3, 0.3))
-    flat = corners.reshape(-1, 3)
-    whole.add(peer.Mesh([peer.Primitive(positions=flat, normals=np.repeat(normals, 3, axis=0))]))
-    rays = camera.rays()[1]
-    pose = np.eye(4)
-    right, down = rays[0, -1] - rays[0, 0], rays[-1, 0] - rays[0, 0]
-    pose[:3, 0], pose[:3, 1] = right / np.linalg.norm(right), -down / np.linalg.norm(down)
-    pose[:3, 2] = np.cross(pose[:3, 0], pose[:3, 1])
-    pose[:3, 3] = np.array(camera.position) - scene.origin
-    assert isinstance(camera.fov, nf.Fov)
-    whole.add(peer.PerspectiveCamera(2 * np.arctan(camera.fov.up), 1.0, 1e4, SIZE[0] / SIZE[1]), pose=pose)
-    whole.add(peer.DirectionalLight(intensity=3.0), pose=pose)
+    mesh = peer.Mesh([peer.Primitive(positions=corners.reshape(-1, 3), normals=np.repeat(normals, 3, axis=0))])
+    whole = opengl.scene_of(mesh, camera, origin=scene.origin, ambient_light=(0.3, 0.3, 0.3))
+    whole.add(peer.DirectionalLight(intensity=3.0), pose=opengl.pose_of(camera, scene.origin))
     renderer = peer.OffscreenRenderer(*SIZE)
     both_sides = peer.RenderFlags.SKIP_CULL_FACES
     ways = {"lit": both_sides, "flat": both_sides | peer.RenderFlags.FLAT}
@@ -77,7 +63,7 @@ def drawn_by_pyrender(scene: nf.Scene, camera: nf.Camera) -> list[Case]:
     return [Case(f"pyrender, {name}", partial(renderer.render, whole, flags)) for name, flags in ways.items()]
 
 
-def frames(scene: nf.Scene, camera: nf.Camera) -> str:
+def frames(scene: nf.Scene, camera: nf.Camera, plots: Path | None) -> str:
     """Table of frames with colour, range and ids, including read-back; errors of range compared with the tracer's."""
     exact = nf.render(scene, camera, channels=("range", "face_id"), backend="cpu")
 
@@ -87,112 +73,80 @@ def frames(scene: nf.Scene, camera: nf.Camera) -> str:
         expected, got = exact.require("range")[same], frame.require("range")[same]
         return float(np.percentile(np.abs(got - expected) / expected, 99.9))
 
-    job = partial(nf.render, scene, camera, channels=CHANNELS, backend="gpu")
-    cases = [Case(f"nearfar, {name}", on(name, job), error, peer=False) for name in adapters()]
-    traced = partial(nf.render, scene, camera, channels=CHANNELS, backend="cpu")
-    cases.append(Case("nearfar, traced", traced, peer=False))
+    job = partial(nf.render, scene, camera, channels=CHANNELS)
+    cases = [Case(f"{OURS}, {name}", on(name, partial(job, backend="gpu")), error) for name in adapters()]
+    cases.append(Case(f"{OURS}, traced", partial(job, backend="cpu")))
     title = f"Frames of {scene.triangle_count:,} triangles at {SIZE[0]} x {SIZE[1]}, colour, range and ids"
     text = compare(title, [*cases, *drawn_by_pyrender(scene, camera)], repeat=3, unit="99.9 % of ranges")
-    draw(scene, camera, title)
+    if plots is not None:
+        draw(scene, camera, title, plots)
     return text
 
 
-def draw(scene: nf.Scene, camera: nf.Camera, title: str) -> None:
+def draw(scene: nf.Scene, camera: nf.Camera, title: str, folder: Path) -> None:
     """Save a picture: a frame, the pixels whose faces differ from the tracer's, and the times."""
-    folder = os.environ.get(FOLDER)
-    if not folder:
-        return
-    import matplotlib as mpl
-
-    mpl.use("Agg")
-    from matplotlib import pyplot as plt
-
-    traced, drawn = (
-        nf.render(scene, camera, channels=("color", "face_id"), backend=backend) for backend in ("cpu", "gpu")
-    )
+    traced, drawn = (nf.render(scene, camera, channels=("color", "face_id"), backend=name) for name in ("cpu", "gpu"))
     differ = traced.require("face_id") != drawn.require("face_id")
-    figure, (left, middle, right) = plt.subplots(1, 3, figsize=(13, 4.2), layout="constrained")
+    figure, (left, middle, right) = subplots(1, 3, figsize=(13, 4.2))
     left.imshow(drawn.to_image())
     left.set_title(f"{scene.triangle_count:,} triangles, drawn")
     middle.imshow(drawn.to_image() // 3 + 160, alpha=0.5)
     rows, columns = np.nonzero(differ)
     middle.scatter(columns, rows, s=2, color="red")
     middle.set_title(f"{differ.sum()} of {differ.size:,} pixels show another face than the tracer's")
-    results = [result for result in comparisons[title].results if result.name != "pyrender, lit"]
-    right.barh([result.name for result in results], [1e3 * result.timing.wall for result in results])
-    lit = [result.timing.wall for result in comparisons[title].results if result.name == "pyrender, lit"]
-    right.set_xlabel("ms a frame" + "".join(f" (pyrender, lit: {1e3 * wall:.0f})" for wall in lit))
+    times = {result.name: result.timing.ms for result in comparisons[title].results}
+    lit = times.pop("pyrender, lit", None)
+    right.barh([*times], [*times.values()])
+    right.set_xlabel("ms a frame" + (f" (pyrender, lit: {lit:.0f})" if lit else ""))
     right.invert_yaxis()
     for axes in (left, middle):
         axes.axis("off")
-    figure.savefig(Path(folder) / "gpu.png", dpi=80)
-    plt.close(figure)
-
-
-def seconds(job: Callable[[], Any], rounds: int = 3) -> float:
-    """Least time of some rounds in seconds, after one that uploads data."""
-    job()
-    timings = []
-    for _ in range(rounds):
-        started = time.perf_counter()
-        job()
-        timings.append(time.perf_counter() - started)
-    return min(timings)
+    save_figure(figure, folder / "gpu.png", dpi=80)
 
 
 def whole_city() -> nf.Scene:
     """Tokyo, or the procedural city if there is no data."""
-    arrays = tokyo.with_buildings()
-    return nf.datasets.city() if arrays is None else nf.Scene.from_arrays(arrays[0], arrays[1], face_object=arrays[2])
+    return tokyo.scene_of_buildings() or nf.datasets.city()
 
 
 def near_and_far(scene: nf.Scene) -> str:
     """Table of times and triangles of a reduced and a full frame of a scene."""
     center = center_for(scene, FAR)
-    camera = nf.Camera.look_at(
-        np.add(center, (2.0, 0.2, 1.0)), np.add(center, (0.0, 2.0, -40.0)), fov=nf.Fov.symmetric(90), size=SIZE
-    )
+    fov = nf.Fov.symmetric(90)
+    camera = nf.Camera.look_at(np.add(center, (2.0, 0.2, 1.0)), np.add(center, AHEAD), fov=fov, size=SIZE)
     rows = []
     for name in adapters():
         nf.gpu.select(name)
-        started = time.perf_counter()
-        nf.render(scene, camera, backend="gpu")
-        first = time.perf_counter() - started
+        job = partial(nf.render, scene, camera, backend="gpu")
+        _, first = timed(job)
         before = nf.gpu.stats()["triangles"]
-        full = seconds(partial(nf.render, scene, camera, backend="gpu"))
+        full = best(job, repeat=3)
         drawn = (nf.gpu.stats()["triangles"] - before) // 4
         reduced = nf.reduce(scene, center=center, r1=NEAR, r2=FAR, channels=CHANNELS, backend="gpu")
-        light = seconds(partial(reduced.render, camera, backend="gpu"))
+        light = best(partial(reduced.render, camera, backend="gpu"), repeat=3)
         triangles = max(reduced.render(camera, backend="gpu").stats["frame_triangles"], 1)
-        rows.append(
-            [
-                *(name, *(f"{1e3 * value:.0f}" for value in (first, full, light)), f"{full / light:.1f}"),
-                *(f"{drawn:,}", f"{triangles:,}", f"{drawn / triangles:.0f}"),
-            ]
-        )
-    header = ["adapter", "first ms", "full ms", "reduced ms", "ratio", "triangles in view", "reduced", "ratio"]
-    return table(f"Reduced frames (r2 = {FAR:g} m) of {scene.triangle_count:,} triangles", header, rows)
+        times = [first.ms, full.ms, light.ms, full.wall / light.wall]
+        rows.append([name, *times, drawn, triangles, drawn / triangles])
+    header = "adapter | first ms {:.0f} | full ms {:.0f} | reduced ms {:.0f} | ratio {:.1f} | triangles in view {:,}"
+    title = f"Reduced frames (r2 = {FAR:g} m) of {scene.triangle_count:,} triangles"
+    return table(title, header + " | reduced {:,} | ratio {:.0f}", rows)
 
 
 def path(scene: nf.Scene, camera: nf.Camera, count: int = 20) -> str:
     """Table of frames one by one and as a path (the next starts before one is read), with allocations and uploads."""
     x, y, z = camera.position
-    cameras = [
-        nf.Camera((x + 0.05 * i, y, z), camera.orientation, fov=camera.fov, size=camera.size) for i in range(count)
-    ]
+    cameras = [replace(camera, position=(x + 0.05 * i, y, z)) for i in range(count)]
     rows = []
     for name in adapters():
         nf.gpu.select(name)
-        alone = seconds(partial(one_by_one, scene, cameras), 2) / count
+        alone = best(partial(one_by_one, scene, cameras), repeat=2)
         walk(scene, cameras)
         before = nf.gpu.stats()
-        ahead = seconds(partial(walk, scene, cameras), 2) / count
-        after = nf.gpu.stats()
-        allocations = after["allocations"] - before["allocations"]
-        sent = (after["uploaded_bytes"] - before["uploaded_bytes"]) / (3 * count)
-        rows.append([name, f"{1e3 * alone:.0f}", f"{1e3 * ahead:.0f}", str(allocations), f"{sent:.0f}"])
-    header = ["adapter", "ms a frame", "ms in a path", f"buffers made in {3 * count} frames", "bytes sent a frame"]
-    return table(f"Paths of {scene.triangle_count:,} triangles", header, rows)
+        ahead = best(partial(walk, scene, cameras), repeat=2)
+        made, sent = (nf.gpu.stats()[key] - before[key] for key in ("allocations", "uploaded_bytes"))
+        rows.append([name, alone.ms / count, ahead.ms / count, made, sent / (3 * count)])
+    header = f"adapter | ms a frame {{:.0f}} | ms in a path {{:.0f}} | buffers made in {3 * count} frames"
+    return table(f"Paths of {scene.triangle_count:,} triangles", header + " | bytes sent a frame {:.0f}", rows)
 
 
 def one_by_one(scene: nf.Scene, cameras: list[nf.Camera]) -> None:
@@ -212,36 +166,29 @@ def headset(scene: nf.Scene) -> str:
         return "No GPU: a headset's frames are not timed on the processor.\n"
     nf.gpu.select(hardware[0].backend)
     center = center_for(scene, FAR)
-    target = np.add(center, (0.0, 2.0, -40.0))
-    eyes = [
-        nf.Camera.look_at(np.add(center, (x, 0.0, 0.0)), target, fov=nf.Fov.symmetric(95), size=EYE)
-        for x in (-0.032, 0.032)
-    ]
-    started = time.perf_counter()
-    nf.render(scene, eyes[0], channels=("color",), backend="gpu")
-    first = time.perf_counter() - started
-    reduced = nf.reduce(scene, center=center, r1=NEAR, r2=FAR, face_size=2048, backend="gpu")
+    target, fov = np.add(center, AHEAD), nf.Fov.symmetric(95)
+    eyes = [nf.Camera.look_at(np.add(center, (x, 0, 0)), target, fov=fov, size=EYE) for x in (-0.032, 0.032)]
+    _, first = timed(nf.render, scene, eyes[0], channels=("color",), backend="gpu")
+    bake = partial(nf.reduce, scene, center=center, r1=NEAR, r2=FAR, face_size=2048, backend="gpu")
     rows = []
-    for name, source in (("full", scene), ("reduced", reduced)):
-        both = seconds(partial(walk, source, 10 * eyes)) / 10
+    for name, source in (("full", scene), ("reduced", bake())):
+        both = best(partial(walk, source, 10 * eyes), repeat=3).wall / 10
         frame = nf.gpu.render(source, eyes[0], channels=("color",))
-        read = 2 * seconds(frame.read)
-        rows.append([name, f"{1e3 * both:.1f}", f"{1 / both:.0f}", f"{1e3 * (both - read):.1f}", f"{1e3 * read:.1f}"])
-    bake = seconds(lambda: nf.reduce(scene, center=center, r1=NEAR, r2=FAR, face_size=2048, backend="gpu"))
-    text = table(
-        f"2 x {EYE[0]} x {EYE[1]} of {scene.triangle_count:,} triangles on {hardware[0].name}",
-        ["", "ms", "frames a second", "of it drawing", "of it reading"],
-        rows,
-    )
-    return f"{text}\nfirst frame with its upload {first:.2f} s, map of 6 x 2048 x 2048 with 4 samples {bake:.2f} s\n"
+        read = 2 * best(frame.read, repeat=3).wall
+        rows.append([name, 1e3 * both, 1 / both, 1e3 * (both - read), 1e3 * read])
+    title = f"2 x {EYE[0]} x {EYE[1]} of {scene.triangle_count:,} triangles on {hardware[0].name}"
+    header = " | ms {:.1f} | frames a second {:.0f} | of it drawing {:.1f} | of it reading {:.1f}"
+    baked = best(bake, repeat=3).wall
+    note = f"first frame with its upload {first.wall:.2f} s, map of 6 x 2048 x 2048 with 4 samples {baked:.2f} s"
+    return f"{table(title, header, rows)}\n{note}\n"
 
 
 def main() -> None:
-    print(machine())
-    print(describe())
+    options = start(__doc__, "--plots")
+    print_limits()
     scene = nf.datasets.city(blocks=10, detail=1)
     camera = view(scene, SIZE)
-    print(frames(scene, camera))
+    print(frames(scene, camera, options.plots))
     print(path(scene, camera))
     city = whole_city()
     print(near_and_far(city))

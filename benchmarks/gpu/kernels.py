@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import functools
-from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.compare import OURS, Case, compare, describe
-from benchmarks.harness.timing import machine
+from benchmarks.harness.compare import OURS, Case, compare, greatest_error, print_limits
+from benchmarks.harness.report import start
 from nearfar import _core, gpu
 
 SIZE = (1920, 1080)
@@ -45,28 +44,27 @@ def frames(label: str) -> None:
     one, other = (gpu.render(scene, view, channels=("color", "position")) for view in views)
     read = one.read(), other.read()
     mean, similarities = nf.ssim(*read, full=True)
+
+    off = greatest_error(mean)
+
+    def map_off(result: Any) -> float:
+        return greatest(result[1], similarities)
+
     cases = [
-        Case(f"{OURS}, on the device", lambda: gpu.ssim(one, other), lambda result: abs(result - mean), peer=False),
-        Case(
-            f"{OURS}, on the device, with map",
-            lambda: gpu.ssim(one, other, full=True),
-            lambda result: greatest(result[1], similarities),
-            peer=False,
-        ),
-        Case("read back, then CPU", lambda: nf.ssim(one.read(), other.read()), lambda result: abs(result - mean)),
-        Case("CPU alone", lambda: nf.ssim(*read), lambda result: abs(result - mean)),
+        Case(f"{OURS}, on the device", lambda: gpu.ssim(one, other), off),
+        Case(f"{OURS}, on the device, with map", lambda: gpu.ssim(one, other, full=True), map_off),
+        Case("read back, then CPU", lambda: nf.ssim(one.read(), other.read()), off),
+        Case("CPU alone", lambda: nf.ssim(*read), off),
         Case("reading both back alone", lambda: (one.read(), other.read())),
     ]
     print(compare(f"SSIM of two frames of {SIZE[0]} × {SIZE[1]} pixels, {label}", cases))
-    torn = nf.discontinuity(read[0], views[1])
-    of = functools.partial(greatest, expected=torn)
-    tear: list[tuple[str, Callable[[], Any], bool]] = [
-        (f"{OURS}, on the device", lambda: gpu.discontinuity(one, views[1]), False),
-        ("read back, then CPU", lambda: nf.discontinuity(one.read(), views[1]), True),
-        ("CPU alone", lambda: nf.discontinuity(read[0], views[1]), True),
+    of = partial(greatest, expected=nf.discontinuity(read[0], views[1]))
+    cases = [
+        Case(f"{OURS}, on the device", lambda: gpu.discontinuity(one, views[1]), of),
+        Case("read back, then CPU", lambda: nf.discontinuity(one.read(), views[1]), of),
+        Case("CPU alone", lambda: nf.discontinuity(read[0], views[1]), of),
     ]
-    title = f"Discontinuity of a frame of {SIZE[0]} × {SIZE[1]} pixels, ε = 17, {label}"
-    print(compare(title, [Case(name, job, of, peer=peer) for name, job, peer in tear]))
+    print(compare(f"Discontinuity of a frame of {SIZE[0]} × {SIZE[1]} pixels, ε = 17, {label}", cases))
 
 
 def arrays(label: str) -> None:
@@ -74,40 +72,22 @@ def arrays(label: str) -> None:
     random = np.random.default_rng(0)
     points = (random.random((10_000_000, 3), np.float32) - np.float32(0.5)) * np.float32(150)
     for kind in ("blend", "cylinder"):
-        exact = nf.morph(points[FEW].astype(np.float64), **PLACE, kind=kind)
-        cases = [
-            Case(
-                f"{OURS}, device",
-                functools.partial(gpu.morph, points, **PLACE, kind=kind),
-                functools.partial(of_first, expected=exact),
-                peer=False,
-            ),
-            Case(
-                "CPU",
-                functools.partial(nf.morph, points, **PLACE, kind=kind),
-                functools.partial(of_first, expected=exact),
-            ),
-        ]
+        of = partial(of_first, expected=nf.morph(points[FEW].astype(np.float64), **PLACE, kind=kind))
+        cases = [Case(f"{OURS}, device", partial(gpu.morph, points, **PLACE, kind=kind), of)]
+        cases += [Case("CPU", partial(nf.morph, points, **PLACE, kind=kind), of)]
         print(compare(f"Morph ({kind}) of 10⁷ float32 points, sent and read back, {label}", cases, repeat=3, unit="m"))
     faces = random.random((6, 1024, 1024), np.float32)
     for chosen in ("nearest", "max"):
-        expected = nf.cube_lookup(faces, points[FEW], filter=chosen)
-        cases = [
-            Case(
-                f"{OURS}, device",
-                functools.partial(gpu.cube_lookup, faces, points, filter=chosen),
-                functools.partial(share, expected=expected),
-                peer=False,
-            ),
-            Case("CPU", functools.partial(nf.cube_lookup, faces, points, filter=chosen)),
-        ]
+        of = partial(share, expected=nf.cube_lookup(faces, points[FEW], filter=chosen))
+        cases = [Case(f"{OURS}, device", partial(gpu.cube_lookup, faces, points, filter=chosen), of)]
+        cases += [Case("CPU", partial(nf.cube_lookup, faces, points, filter=chosen))]
         title = f"Lookup ({chosen}) of 10⁷ directions in faces of 1024 texels, sent and read back, {label}"
         print(compare(title, cases, repeat=3, unit="share that differ"))
 
 
 def main() -> None:
-    print(machine())
-    print(describe())
+    start(__doc__)
+    print_limits()
     for backend in sorted({row[1] for row in _core.gpu_adapters() if not row[4]}, reverse=True):
         device = _core.GpuDevice(backend)
         gpu.select(backend)

@@ -6,7 +6,6 @@ import functools
 import os
 import re
 import threading
-import time
 import unicodedata
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
@@ -15,12 +14,11 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks.harness.timing import Timing, table
-
-FOLDER = "NEARFAR_BENCH_OUT"
-"""Environment variable that names the folder for plots; without it none are made. `scripts/bench.py` sets it."""
+from benchmarks.harness.report import FOLDER, save_figure, subplots, table
+from benchmarks.harness.timing import Timing, best, least, timed
 
 OURS = "nearfar"
+"""Beginning of the names of nearfar's cases."""
 
 
 @dataclass(frozen=True)
@@ -36,14 +34,16 @@ class Work:
 
 @dataclass(frozen=True)
 class Case:
-    """One implementation of a job."""
+    """One implementation of a job, with the function that computes the error of its result."""
 
     name: str
     job: Callable[[], Any]
     error: Callable[[Any], float] | None = None
-    """Function that computes the error of its result."""
-    peer: bool = True
-    """False for nearfar's implementation."""
+
+
+def greatest_error(truth: Any, part: Any = ...) -> Callable[[Any], float]:
+    """Return the function that computes the greatest difference of a result from the truth, in a part of both."""
+    return lambda result: float(np.abs(np.subtract(result, truth))[part].max())
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,6 @@ class Result:
     name: str
     timing: Timing
     error: float | None
-    peer: bool
 
 
 @dataclass(frozen=True)
@@ -74,11 +73,10 @@ class Limits:
 @functools.cache
 def limits() -> Limits:
     """Measure the machine's limits once."""
-    rates = {}
+    rates, side = {}, 1536
     for double in (False, True):
-        side = 1536
         one = np.ones((side, side), np.float64 if double else np.float32)
-        rates[double] = side**3 / min(_seconds(functools.partial(np.matmul, one, one)) for _ in range(5))
+        rates[double] = side**3 / best(functools.partial(np.matmul, one, one), warm=False).wall
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     parts = [np.zeros(1 << 24, np.float32) for _ in range(cores)]
 
@@ -89,13 +87,17 @@ def limits() -> Limits:
         for thread in threads:
             thread.join()
 
-    return Limits(rates, sum(part.nbytes for part in parts) / min(_seconds(read) for _ in range(5)))
+    return Limits(rates, sum(part.nbytes for part in parts) / best(read, warm=False).wall)
 
 
-def _seconds(job: Callable[[], object]) -> float:
-    started = time.perf_counter()
-    job()
-    return time.perf_counter() - started
+def print_limits() -> None:
+    """Print the machine's limits in one line."""
+    here = limits()
+    print(
+        f"limits of this machine, measured: {here.multiply_adds[False] / 1e9:.0f} · 10⁹ multiply-adds a second in "
+        f"float32, {here.multiply_adds[True] / 1e9:.0f} · 10⁹ in float64, {here.read / 1e9:.0f} GB/s read\n",
+        flush=True,
+    )
 
 
 def compare(title: str, cases: Sequence[Case], *, work: Work | None = None, repeat: int = 7, unit: str = "") -> str:
@@ -114,47 +116,39 @@ def compare(title: str, cases: Sequence[Case], *, work: Work | None = None, repe
     unit
         Unit of errors.
     """
-    outcomes, timings = [], []
-    for case in cases:
-        started = time.perf_counter()
-        outcomes.append(case.job())
-        timings.append(Timing(time.perf_counter() - started, np.inf))
+    outcomes, first_times = zip(*(timed(case.job) for case in cases), strict=True)
     errors = [case.error(outcome) if case.error else None for case, outcome in zip(cases, outcomes, strict=True)]
+    # The first run may include the compilation or the start of threads.
+    timings = [Timing(timing.wall, np.inf) for timing in first_times]
     for turn in range(repeat):
         for n, case in enumerate(cases):
             # Cases that take seconds would dominate the run.
-            if turn and timings[n].wall > 1.0 and turn > 1:
+            if turn > 1 and timings[n].wall > 1.0:
                 continue
             if timings[n].wall < 0.5:
                 # The job that ran before has woken other threads and filled the caches.
                 case.job()
             # Fast cases run more often, because a shared machine is quiet only for moments.
             for _ in range(1 if timings[n].wall > 0.05 else 5):
-                cpu = time.process_time()
-                wall = _seconds(case.job)
-                cpu = time.process_time() - cpu
-                timings[n] = Timing(min(timings[n].wall, wall), min(timings[n].cpu, cpu))
-    results = [
-        Result(case.name, timing, error, case.peer) for case, timing, error in zip(cases, timings, errors, strict=True)
-    ]
-    least = limits().seconds(work) if work else None
+                timings[n] = least(timings[n], timed(case.job)[1])
+    results = [Result(case.name, timing, error) for case, timing, error in zip(cases, timings, errors, strict=True)]
+    limit = limits().seconds(work) if work else None
     first = results[0].timing.wall
     rows = [
         [
             result.name,
             _milliseconds(result.timing.wall),
             _milliseconds(result.timing.cpu),
-            f"{result.timing.wall / first:.2f}",
-            *([f"{result.timing.wall / least:.1f}"] if least else []),
-            "-" if result.error is None else f"{result.error:.1e}",
+            result.timing.wall / first,
+            *([result.timing.wall / limit] if limit else []),
+            "-" if result.error is None else result.error,
         ]
         for result in results
     ]
-    header = ["", "wall ms", "CPU ms", f"× {results[0].name}", *(["× limit"] if least else [])]
-    text = table(title, [*header, f"error{', ' + unit if unit else ''}"], rows)
-    shown = Comparison(title, results, least, unit)
-    picture = draw([shown], title)
-    comparisons[title] = shown
+    ratios = ["wall ms", "CPU ms", f"× {results[0].name} {{:.2f}}", *(["× limit {:.1f}"] if limit else [])]
+    text = table(title, ["", *ratios, f"error{', ' + unit if unit else ''} {{:.1e}}"], rows)
+    comparisons[title] = Comparison(title, results, limit, unit)
+    picture = draw([comparisons[title]], title)
     return text if picture is None else f"{text}\n![{title}]({picture})\n"
 
 
@@ -173,34 +167,18 @@ comparisons: dict[str, Comparison] = {}
 """Results by title, so that several can be drawn together."""
 
 
-def describe() -> str:
-    """Describe the machine's limits in one line."""
-    here = limits()
-    return (
-        f"limits of this machine, measured: {here.multiply_adds[False] / 1e9:.0f} · 10⁹ multiply-adds a second in "
-        f"float32, {here.multiply_adds[True] / 1e9:.0f} · 10⁹ in float64, {here.read / 1e9:.0f} GB/s read\n"
-    )
-
-
 def draw(comparisons: Sequence[Comparison], title: str) -> str | None:
     """Save a plot of time against error and return its name; None if no folder is set or no case has an error."""
     folder = os.environ.get(FOLDER)
     if not folder or not all(any(result.error for result in shown.results) for shown in comparisons):
         return None
-    import matplotlib as mpl
-
-    mpl.use("Agg")
-    from matplotlib import pyplot as plt
-
-    size = (6.5 * len(comparisons), 4.2)
-    figure, grid = plt.subplots(1, len(comparisons), figsize=size, squeeze=False, layout="constrained")
+    figure, grid = subplots(1, len(comparisons), figsize=(6.5 * len(comparisons), 4.2), squeeze=False)
     for axes, shown in zip(grid[0], comparisons, strict=True):
         _panel(axes, shown)
     # Superscripts become digits, so that names of 10⁴ and 10⁶ differ.
     plain = unicodedata.normalize("NFKC", title)
     name = re.sub(r"[^a-z0-9]+", "-", plain.lower()).strip("-") + ".png"
-    figure.savefig(Path(folder) / name, dpi=100)
-    plt.close(figure)
+    save_figure(figure, Path(folder) / name)
     return name
 
 
@@ -212,7 +190,7 @@ def _panel(axes: Any, shown: Comparison) -> None:
     points = [(result.timing.wall * 1e3, max(error, floor)) for result, error in measured]
     placed: list[tuple[float, float]] = []
     for (x, y), (result, error) in zip(points, measured, strict=True):
-        axes.scatter(x, y, s=60, color="#888888" if result.peer else "#c8102e", zorder=3)
+        axes.scatter(x, y, s=60, color="#c8102e" if result.name.startswith(OURS) else "#888888", zorder=3)
         label = result.name if error else f"{result.name} (0)"
         # Labels of close points are stacked.
         at = (np.log10(x), np.log10(y))

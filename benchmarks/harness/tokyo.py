@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+import nearfar as nf
 from nearfar._base import cache, data
 
 
@@ -23,6 +24,12 @@ def with_buildings() -> tuple[NDArray[np.float32], NDArray[np.uint32], NDArray[n
     """Load the same arrays and the building of each face."""
     stored = _stored()
     return None if stored is None else (stored["vertices"], stored["faces"], stored["building"])
+
+
+def scene_of_buildings() -> nf.Scene | None:
+    """Make a scene with an object for each building; None without the tool."""
+    arrays = with_buildings()
+    return None if arrays is None else nf.Scene.from_arrays(arrays[0], arrays[1], face_object=arrays[2])
 
 
 def _stored() -> Any:

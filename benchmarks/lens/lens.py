@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import functools
-import os
 from pathlib import Path
+from typing import Any
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.compare import FOLDER, OURS, Case, Work, compare, describe
-from benchmarks.harness.pictures import draw_lens
-from benchmarks.harness.timing import machine
+from benchmarks.harness.compare import OURS, Case, Work, compare, greatest_error, print_limits
+from benchmarks.harness.report import save_figure, start, subplots
 
 Array = NDArray[np.float64]
 
@@ -32,9 +31,6 @@ def inverse(title: str, end: float) -> str:
     k1, k2 = RIFT_S.k
     coefficients = np.array([k1, k2, 0.0, 0.0])
 
-    def error(result: Array) -> float:
-        return float(np.abs(result - radii).max())
-
     def opencv() -> Array:
         result = cv2.undistortPoints(points, np.eye(3), coefficients)
         return np.asarray(result, np.float64)[:, 0, 0]
@@ -50,11 +46,12 @@ def inverse(title: str, end: float) -> str:
 
     nodes = np.linspace(0, end, 4096)
     images = RIFT_S.distort(nodes)
+    error, ours = greatest_error(radii), functools.partial(RIFT_S.undistort, shown)
     cases = [
-        Case(f"{OURS}, newton", lambda: RIFT_S.undistort(shown), error, peer=False),
-        Case(f"{OURS}, lut", lambda: RIFT_S.undistort(shown, method="lut"), error, peer=False),
-        Case(f"{OURS}, fixed_point, 5 steps", lambda: RIFT_S.undistort(shown, method="fixed_point"), error, peer=False),
-        Case(f"{OURS}, newton, points", lambda: RIFT_S.undistort_points(points[:, 0])[:, 0], error, peer=False),
+        Case(f"{OURS}, newton", ours, error),
+        Case(f"{OURS}, lut", functools.partial(ours, method="lut"), error),
+        Case(f"{OURS}, fixed_point, 5 steps", functools.partial(ours, method="fixed_point"), error),
+        Case(f"{OURS}, newton, points", lambda: RIFT_S.undistort_points(points[:, 0])[:, 0], error),
         Case("OpenCV, undistortPoints", opencv, error),
         Case("NumPy, 4 steps of Newton", newton, error),
         Case("NumPy, interp over 4,096", lambda: np.interp(shown, images, nodes), error),
@@ -92,7 +89,7 @@ def warps() -> str:
     cases = []
     for name, code in (("linear", cv2.INTER_LINEAR), ("cubic", cv2.INTER_CUBIC)):
         ours = functools.partial(RIFT_S.warp, image, True, fov=fov, filter=name)
-        cases += [Case(f"{OURS}, {name}", ours, error, peer=False)]
+        cases += [Case(f"{OURS}, {name}", ours, error)]
         cases += [Case(f"OpenCV, {name}, maps at hand", functools.partial(opencv, code, ready), error)]
         cases += [Case(f"OpenCV, {name}, maps by NumPy", functools.partial(opencv, code, None), error)]
     return compare("A picture of 1832 × 1920 warped", cases, repeat=3, unit="levels, rms")
@@ -122,27 +119,79 @@ def sizes() -> str:
 
     ours = functools.partial(nf.corrected_solid_angle, centers, radii, camera=view, lens=RIFT_S)
     cases = [
-        Case(f"{OURS}, as published", ours, error, peer=False),
+        Case(f"{OURS}, as published", ours, error),
         Case("NumPy, as published (with our inverse)", numpy),
-        Case(f"{OURS}, exact area", functools.partial(ours, exact=True), peer=False),
-        Case(f"{OURS}, no lens", lambda: nf.solid_angle(centers, radii, eye=(0, 0, 0)), peer=False),
+        Case(f"{OURS}, exact area", functools.partial(ours, exact=True)),
+        Case(f"{OURS}, no lens", lambda: nf.solid_angle(centers, radii, eye=(0, 0, 0))),
     ]
     return compare("Solid angles of 10⁵ spheres through a lens", cases)
 
 
+def draw_lens(lens: nf.RadialLens, frame: nf.Frame, path: Path) -> None:
+    """Draw errors of inverses, sizes seen through the lens, and a picture corrected with its mesh."""
+    figure, axes = subplots(1, 3, figsize=(15, 4.6), width_ratios=(1.2, 1, 1))
+    _draw_inverses(lens, axes[0])
+    _draw_sizes(lens, axes[1])
+    picture, fov = frame.to_image(), frame.camera.fov
+    assert isinstance(fov, nf.Fov)
+    height, width = picture.shape[:2]
+    mesh = lens.warp_mesh(frame, tolerance_px=0.5)
+    axes[2].imshow(lens.warp(picture, True, fov=fov), extent=(-1, 1, -1, 1), aspect=height / width)
+    axes[2].triplot(*mesh.positions.T, mesh.faces, color="white", linewidth=0.35, alpha=0.7)
+    cells = len(mesh.faces) // 2
+    axes[2].set(xticks=[], yticks=[], title=f"warped for it; a mesh of {cells} cells: {mesh.error_px:.2f} px")
+    save_figure(figure, path, dpi=90)
+
+
+def _draw_inverses(lens: nf.RadialLens, axis: Any) -> None:
+    """Draw the residual between a radius and the image of its root."""
+    r = np.linspace(0.01, 1.6, 800)
+    shown = lens.distort(r)
+    for label, method, steps, color in (
+        ("published iteration, 5 steps (OpenCV's default)", "fixed_point", 5, "#999999"),
+        ("published iteration, 50 steps", "fixed_point", 50, "#555555"),
+        ("look-up table", "lut", 0, "#e08a1e"),
+        ("Newton (0)", "newton", 0, "#c8102e"),
+    ):
+        residual = np.abs(lens.distort(lens.undistort(shown, method=method, iterations=steps)) - shown)
+        axis.semilogy(r, np.maximum(residual, 1e-17), label=label, color=color)
+    axis.axvline(1.0, linestyle=":", color="black")
+    axis.set(xlabel="r (the screen's edge is 1)", ylabel="residual |f(r̂) − f(r)|", title="inverses of a strong lens")
+    axis.set_ylim(5e-18, 1e6)
+    axis.legend(fontsize=8, loc="upper left")
+    axis.grid(alpha=0.3)
+
+
+def _draw_sizes(lens: nf.RadialLens, axis: Any) -> None:
+    """Draw sizes of small spheres seen through the lens."""
+    camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(87), size=(1000, 1000))
+    angles = np.radians(np.linspace(0, 50, 200))
+    centers = np.column_stack([np.sin(angles), np.zeros_like(angles), -np.cos(angles)]) * 10
+    plain = nf.solid_angle(centers, 0.05, eye=camera.position)
+    for exact, label, color in (
+        (False, "as published: along the radius only", "#555555"),
+        (True, "its area", "#c8102e"),
+    ):
+        corrected = nf.corrected_solid_angle(centers, 0.05, camera=camera, lens=lens, exact=exact)
+        axis.plot(np.degrees(angles), corrected / plain, label=label, color=color)
+    axis.set(xlabel="degrees from the axis", ylabel="solid angle seen / solid angle", title="sizes through the lens")
+    axis.legend(fontsize=8)
+    axis.grid(alpha=0.3)
+
+
 def main() -> None:
-    print(machine())
-    print(describe())
+    options = start(__doc__, "--plots")
+    print_limits()
     print(inverse("Lens inverse, 10⁶ radii up to the screen's edge", 1.0), flush=True)
     print(inverse("Lens inverse, 10⁶ radii up to twice the edge", 2.0), flush=True)
     print(warps(), flush=True)
     print(sizes())
-    if folder := os.environ.get(FOLDER):
+    if options.plots is not None:
         eye, _ = nf.datasets.street_view()
         view = nf.Camera.look_at(
             eye, (eye[0], eye[1] + 4, eye[2] - 40), fov=nf.Fov.symmetric(90, 1832 / 1920), size=(458, 480)
         )
-        draw_lens(RIFT_S, nf.render(nf.datasets.city(), view, samples=4), Path(folder) / "lens.png")
+        draw_lens(RIFT_S, nf.render(nf.datasets.city(), view, samples=4), options.plots / "lens.png")
 
 
 if __name__ == "__main__":

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
+from benchmarks.harness import scenes
 from benchmarks.lod._material import FINER, NEUTRAL, Material, Shape, look, shade
 from nearfar._base import data
 
@@ -29,11 +30,8 @@ MIXED = (Material(1.0, 0.5, 8.0, 0.5, True), Material(0.5, 0.5, 4.0, 1.0, True),
 
 def patterns(frequencies: Sequence[float], *, mapped: bool) -> tuple[Material, ...]:
     """Dull materials with patterns of all contrasts."""
-    return tuple(
-        Material(frequency=frequency, contrast=contrast, mapped=mapped)
-        for frequency in frequencies
-        for contrast in CONTRAST
-    )
+    pairs = itertools.product(frequencies, CONTRAST)
+    return tuple(Material(frequency=one, contrast=contrast, mapped=mapped) for one, contrast in pairs)
 
 
 HEADSET = nf.hmd.RIFT_S
@@ -133,12 +131,12 @@ def _rings(rows: int, columns: int) -> NDArray[np.int64]:
 PROCEDURAL: dict[str, Callable[[], Shape]] = {"rock": rock, "knot": knot, "fluted": fluted}
 
 SCANNED = {
-    "bunny": "objects/bun_zipper.ply",
+    "bunny": scenes.FILES["bunny"],
     "dragon": "objects/dragon/dragon_vrip_res3.ply.gz",
-    "armadillo": "objects/armadillo.obj",
+    "armadillo": scenes.FILES["armadillo"],
     "spot": "objects/spot/spot.zip",
-    "duck": "objects/gltf/Duck.glb",
-    "helmet": "objects/gltf/FlightHelmet/FlightHelmet.gltf",
+    "duck": scenes.FILES["Duck"],
+    "helmet": scenes.FILES["FlightHelmet"],
 }
 
 

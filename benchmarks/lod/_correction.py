@@ -62,13 +62,7 @@ class Samples:
 
     def where(self, mask: NDArray[np.bool_]) -> Samples:
         """Select samples by a mask."""
-        return replace(
-            self,
-            object=self.object[mask],
-            material=self.material[mask],
-            neutral=self.neutral[mask],
-            far=self.far[mask],
-        )
+        return replace(self, **{name: getattr(self, name)[mask] for name in ("object", "material", "neutral", "far")})
 
 
 def collect(scores: Mapping[str, Array], materials: Sequence[Material]) -> Samples:

@@ -17,7 +17,7 @@ _MIX = np.array([0x9E3779B1, 0x85EBCA77, 0xC2B2AE3D], np.uint32)
 """Odd multipliers, so that no bit of a coordinate is lost."""
 
 
-def densified(scene: nf.Scene, least: int = MIN) -> nf.Scene:
+def densify(scene: nf.Scene, least: int = MIN) -> nf.Scene:
     """Split every triangle into four at the displaced midpoints of its edges, until there are enough; flat normals."""
     base = Base(scene)
     base.with_normals("flat")

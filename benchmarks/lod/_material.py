@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar._camera.rotation import rotation
 
 Array = NDArray[np.float32]
 Image = NDArray[np.uint8]
@@ -213,10 +214,7 @@ def _pattern(at: Array, frequency: float) -> Array:
 
 
 def _axes(camera: nf.Camera) -> Array:
-    x, y, z, w = camera.orientation
-    right = (1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y))
-    up = (2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x))
-    return np.array([right, up, np.cross(right, up)], np.float32)
+    return rotation(camera.orientation).T.astype(np.float32)
 
 
 def _dot(one: Array, other: Array) -> Array:

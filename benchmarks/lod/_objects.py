@@ -15,20 +15,20 @@ from numpy.typing import NDArray
 from PIL import Image
 
 import nearfar as nf
-from benchmarks.lod import _printed_turns
-from benchmarks.lod._dense import densified
-from benchmarks.lod._printed_turns import PrintedTurn
+from benchmarks.harness import scenes
+from benchmarks.lod._dense import densify
+from benchmarks.lod._printed_turns import RIFT_S as PRINTED_RIFT_S, VIVE_PRO as PRINTED_VIVE_PRO, PrintedTurn
 from nearfar._base import data
 from nearfar.lod._select.kernel_inputs import on_panel
 
 RATIOS = (1, 0.5, 0.25, 0.12, 0.06, 0.03, 0.015, 0.007, 0.003, 0.0015, 0.0007, 0.0003)
 
 FILES = {
-    "bunny": "objects/bun_zipper.ply",
+    "bunny": scenes.FILES["bunny"],
     "dragon": "objects/dragon/dragon_vrip_res2.ply.gz",
-    "armadillo": "objects/armadillo.obj",
-    "duck": "objects/gltf/Duck.glb",
-    "FlightHelmet": "objects/gltf/FlightHelmet/FlightHelmet.gltf",
+    "armadillo": scenes.FILES["armadillo"],
+    "duck": scenes.FILES["Duck"],
+    "FlightHelmet": scenes.FILES["FlightHelmet"],
 }
 
 
@@ -72,12 +72,7 @@ def _panel(hmd: nf.Hmd) -> tuple[int, int]:
 
 
 RIFT_S = Headset(
-    "Rift S",
-    (87, 90),
-    nf.RadialLens((0.22, 0.24)),
-    nf.hmd.RIFT_S.render_size,
-    _panel(nf.hmd.RIFT_S),
-    _printed_turns.RIFT_S,
+    "Rift S", (87, 90), nf.RadialLens((0.22, 0.24)), nf.hmd.RIFT_S.render_size, _panel(nf.hmd.RIFT_S), PRINTED_RIFT_S
 )
 VIVE_PRO = Headset(
     "Vive Pro",
@@ -85,7 +80,7 @@ VIVE_PRO = Headset(
     nf.RadialLens((0.2063, 0.0576)),
     nf.hmd.VIVE_PRO.render_size,
     _panel(nf.hmd.VIVE_PRO),
-    _printed_turns.VIVE_PRO,
+    PRINTED_VIVE_PRO,
 )
 
 
@@ -109,9 +104,9 @@ VIEWS = 36
 
 @functools.cache
 def simplified(name: str, *, dense: bool) -> nf.lod.Levels:
-    """Simplify an object, which may be `densified` before."""
+    """Simplify an object, which may be `densify` before."""
     scene, method = sources()[name](), "meshopt" if name in BY_MESHOPT else "fast"
-    return nf.lod.simplify(densified(scene) if dense else scene, RATIOS, method=method, normals="smooth", name=name)
+    return nf.lod.simplify(densify(scene) if dense else scene, RATIOS, method=method, normals="smooth", name=name)
 
 
 def measured(

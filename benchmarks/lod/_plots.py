@@ -5,11 +5,11 @@ from __future__ import annotations
 import itertools
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from benchmarks.harness.report import save_figure, subplots
 from benchmarks.lod import _appearance, _correction
 from benchmarks.lod._appearance import Plan
 from benchmarks.lod._correction import Samples
@@ -33,24 +33,13 @@ LABELS = {"frequency": "frequency, cycles across the object"}
 COLORS = ("#c8102e", "#1f5fa8", "#2e8b57", "#b8860b", "#6a3d9a", "#555555", "#e377c2", "#17becf", "#8c564b")
 
 
-def pyplot() -> Any:
-    """Return matplotlib.pyplot without a screen."""
-    import matplotlib as mpl
-
-    mpl.use("Agg")
-    from matplotlib import pyplot as plt
-
-    return plt
-
-
 def draw_materials(shapes: Mapping[str, Shape], plan: Plan, path: Path) -> None:
     """Draw each object in some materials, and its coarsest level beside it, at the middle size."""
-    plt = pyplot()
     others = [material for material in plan.materials if material != NEUTRAL]
     materials = [NEUTRAL, *others[3 :: max(1, len(others) // 6)]]
     camera = list(_appearance.cameras(plan.sizes[len(plan.sizes) // 2], plan.steps))[plan.steps + 1]
     rows, size = 2 * len(shapes), (1.5 * len(materials), 1.55 * 2 * len(shapes))
-    figure, axes = plt.subplots(rows, len(materials), figsize=size, squeeze=False, layout="constrained")
+    figure, axes = subplots(rows, len(materials), figsize=size, squeeze=False)
     for number, (name, shape) in enumerate(shapes.items()):
         base, *_, coarsest = _appearance.simplified(shape, plan.ratios)
         for row, level in ((2 * number, base), (2 * number + 1, coarsest)):
@@ -60,15 +49,13 @@ def draw_materials(shapes: Mapping[str, Shape], plan: Plan, path: Path) -> None:
             axes[row, 0].set_ylabel(f"{name}\n{len(level.faces):,}", fontsize=7)
     for axis, material in zip(axes[0], materials, strict=True):
         axis.set_title(material.label.replace(", ", "\n"), fontsize=6)
-    figure.savefig(path, dpi=90)
-    plt.close(figure)
+    save_figure(figure, path, dpi=90)
 
 
 def draw_scores(scores: Mapping[str, Array], plan: Plan, path: Path) -> None:
     """Draw mean SSIM of all objects by each property, a line for each level and size."""
-    plt = pyplot()
     mean = np.mean(list(scores.values()), axis=0)
-    figure, axes = plt.subplots(2, 3, figsize=(13, 8.5), sharey=True, layout="constrained")
+    figure, axes = subplots(2, 3, figsize=(13, 8.5), sharey=True)
     for axis, (name, fixed, chosen) in zip(axes.flat, SWEEPS, strict=True):
         numbers = [n for n, material in enumerate(plan.materials) if chosen(material)]
         numbers.sort(key=lambda n: getattr(plan.materials[n], name))
@@ -84,15 +71,17 @@ def draw_scores(scores: Mapping[str, Array], plan: Plan, path: Path) -> None:
             axis.set_xticks(at, [f"{value:g}" for value in at])
     figure.supylabel("SSIM, 25th percentile of views, mean of objects")
     figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=3, fontsize=8)
-    figure.savefig(path, dpi=100)
-    plt.close(figure)
+    save_figure(figure, path)
 
 
 def draw_factors(samples: Samples, path: Path) -> None:
     """Draw each object's mean factor by material with the fitted one, and factors predicted for objects left out."""
-    plt = pyplot()
-    layout = [["means", "finish"], ["means", "pattern"]]
-    figure, axes = plt.subplot_mosaic(layout, figsize=(14, 8.5), width_ratios=(1.6, 1), layout="constrained")
+    from matplotlib.ticker import NullLocator
+
+    figure, grid = subplots(2, 2, figsize=(14, 8.5), width_ratios=(1.6, 1))
+    axes = {"means": grid[0, 0], "finish": grid[0, 1], "pattern": grid[1, 1]}
+    grid[1, 0].remove()
+    axes["means"].set_subplotspec(grid[0, 0].get_gridspec()[:, 0])
     materials = [n for n, material in enumerate(samples.materials) if material != NEUTRAL]
     coefficients = _correction.fit(samples)
     fitted = [_correction.factor(coefficients, samples.materials[n]) for n in materials]
@@ -122,16 +111,13 @@ def draw_factors(samples: Samples, path: Path) -> None:
             xscale="log", yscale="log", xlabel="predicted without the object", ylabel="measured", title=panel
         )
     ticks = [tick for tick in (0.1, 0.2, 0.5, 1, 2, 5, 10) if low / 1.5 < tick < high * 1.5]
-    for each in (
-        axes["means"].xaxis,
-        *(side for p in ("finish", "pattern") for side in (axes[p].xaxis, axes[p].yaxis)),
-    ):
+    sides = [side for panel in ("finish", "pattern") for side in (axes[panel].xaxis, axes[panel].yaxis)]
+    for each in (axes["means"].xaxis, *sides):
         each.set_ticks(ticks, [f"{tick:g}" for tick in ticks])
-        each.set_minor_locator(plt.NullLocator())
+        each.set_minor_locator(NullLocator())
     for panel in axes.values():
         panel.grid(visible=True, alpha=0.3)
-    figure.savefig(path, dpi=100)
-    plt.close(figure)
+    save_figure(figure, path)
 
 
 def _pattern(material: Material, *, mapped: bool) -> bool:

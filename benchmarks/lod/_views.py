@@ -131,11 +131,8 @@ def scores(truth: View, test: View, count: int) -> NDArray[np.float64]:
     """Masked SSIM of each object (N,): over all pixels that show it in either view; NaN for few."""
     _, local = nf.ssim(truth.luma, test.luma, data_range=255, full=True)
     sums, pixels = np.zeros(count), np.zeros(count)
-    either = [
-        (truth.objects, truth.objects >= 0),
-        (test.objects, (test.objects >= 0) & (test.objects != truth.objects)),
-    ]
-    for objects, chosen in either:
+    added = (test.objects >= 0) & (test.objects != truth.objects)
+    for objects, chosen in ((truth.objects, truth.objects >= 0), (test.objects, added)):
         sums += np.bincount(objects[chosen], local[chosen], minlength=count)
         pixels += np.bincount(objects[chosen], minlength=count)
     means: NDArray[np.float64] = np.divide(sums, pixels, out=np.full(count, np.nan), where=pixels >= MIN_PIXELS)

@@ -1,23 +1,18 @@
 """Effect of metal, gloss and patterns on the SSIM of a level, and whether a factor by material can correct for it.
 
-`python -m benchmarks.lod.appearance` takes minutes, with `--quick` well below one. Objects are those of the data
-folder and three procedural ones. With `--quick`, or without the data folder, only the latter are used: they show
-the tables, but are too few for conclusions. Plots go to the folder NEARFAR_BENCH_OUT.
+Objects are those of the data folder and three procedural ones. With `--quick`, or without the data folder, only the
+latter are used: they show the tables, but are too few for conclusions.
 """
 
 from __future__ import annotations
 
-import os
-import sys
-import time
 from collections.abc import Mapping
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from benchmarks.harness.compare import FOLDER
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import start, table
+from benchmarks.harness.timing import timed
 from benchmarks.lod import _appearance, _correction, _plots
 from benchmarks.lod._appearance import Plan
 from benchmarks.lod._correction import Samples, Validity
@@ -42,23 +37,22 @@ def run(plan: Plan, shapes: Mapping[str, Shape]) -> dict[str, Array]:
 
 def table_of_factors(samples: Samples) -> str:
     """Table of each material: the factor's mean over objects, and the spread of single samples about it."""
-    rows = []
+    rows: list[list[object]] = []
     for number, material in enumerate(samples.materials):
         logs = samples.logarithm[samples.material == number]
         if material != NEUTRAL:
             low, middle, high = np.exp(np.percentile(logs, [10, 50, 90]))
-            rows.append([material.label, f"{np.exp(logs.mean()):.2f}", f"{middle:.2f}", f"{low:.2f} to {high:.2f}"])
-    header = ["1 − SSIM, times that of the dull one", "mean", "median", "8 in 10"]
+            rows.append([material.label, np.exp(logs.mean()), middle, (low, high)])
+    header = "1 − SSIM, times that of the dull one | mean {:.2f} | median {:.2f} | 8 in 10 {:.2f} to {:.2f}"
     return table(f"{len(samples.far):,} samples of {len(samples.objects)} objects", header, rows)
 
 
 def table_of_coefficients(samples: Samples) -> str:
     """Table of coefficients with intervals."""
-    rows = [
-        [name, f"{value:+.3f}", f"{low:+.3f} to {high:+.3f}"]
-        for name, value, low, high in zip(_correction.NAMES, *_correction.intervals(samples), strict=True)
-    ]
-    return table("Logarithm of the factor", ["", "coefficient", "95 %, objects left out in turn"], rows)
+    found = zip(_correction.NAMES, *_correction.intervals(samples), strict=True)
+    rows = [[name, value, (low, high)] for name, value, low, high in found]
+    header = " | coefficient {:+.3f} | 95 %, objects left out in turn {:+.3f} to {:+.3f}"
+    return table("Logarithm of the factor", header, rows)
 
 
 def validities(samples: Samples) -> dict[tuple[str, str], Validity]:
@@ -74,11 +68,9 @@ def validities(samples: Samples) -> dict[tuple[str, str], Validity]:
 
 def table_of_validity(samples: Samples) -> str:
     """Table of each model on objects left out of its fit, by kind of material."""
-    rows = [
-        [f"{kind}: {name}", f"{result.log:.3f}", f"{result.ssim:.4f}", f"{result.explained:.2f}"]
-        for (kind, name), result in validities(samples).items()
-    ]
-    header = ["", "RMS error of log factor", "RMS error of SSIM", "explained"]
+    found = validities(samples).items()
+    rows = [[f"{kind}: {name}", one.log, one.ssim, one.explained] for (kind, name), one in found]
+    header = " | RMS error of log factor {:.3f} | RMS error of SSIM {:.4f} | explained {:.2f}"
     return table("Objects left out of the fit, one by one", header, rows)
 
 
@@ -96,21 +88,17 @@ def verdict(samples: Samples) -> str:
 
 
 def main() -> None:
-    quick = "--quick" in sys.argv[1:]
-    plan = _appearance.QUICK if quick else Plan()
-    print(machine() + "\n")
-    started = time.perf_counter()
-    shapes = objects(quick=quick)
-    scores = run(plan, shapes)
+    options = start(__doc__, "--quick", "--plots")
+    plan, shapes = _appearance.QUICK if options.quick else Plan(), objects(quick=options.quick)
+    scores, time = timed(run, plan, shapes)
     samples = _correction.collect(scores, plan.materials)
-    print(f"{len(shapes)} objects, {len(plan.materials)} materials: {time.perf_counter() - started:.0f} s\n")
+    print(f"{len(shapes)} objects, {len(plan.materials)} materials: {time.wall:.0f} s\n")
     for made in (table_of_factors, table_of_coefficients, table_of_validity, verdict):
         print(made(samples))
-    folder = os.environ.get(FOLDER)
-    if folder:
-        _plots.draw_materials(shapes, plan, Path(folder) / "lod-appearance-materials.png")
-        _plots.draw_scores(scores, plan, Path(folder) / "lod-appearance-scores.png")
-        _plots.draw_factors(samples, Path(folder) / "lod-appearance-factors.png")
+    if options.plots is not None:
+        _plots.draw_materials(shapes, plan, options.plots / "lod-appearance-materials.png")
+        _plots.draw_scores(scores, plan, options.plots / "lod-appearance-scores.png")
+        _plots.draw_factors(samples, options.plots / "lod-appearance-factors.png")
         for name in ("materials", "scores", "factors"):
             print(f"![{name}](lod-appearance-{name}.png)\n")
 

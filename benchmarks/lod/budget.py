@@ -1,14 +1,11 @@
 """Mean SSIM behind the lens under a budget of triangles, compared with rules of screen-space error.
 
-python -m benchmarks.lod.budget [--quick] [--flat]
-
 All rules choose among the same levels; our curves begin at a quarter of the screen. The budget of a view is the number
 of triangles that the rule draws there.
 """
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
@@ -16,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import start, table
 from benchmarks.lod._objects import RIFT_S, Headset, measured
 from benchmarks.lod._views import Case, Levels
 
@@ -148,19 +145,15 @@ def report(headset: Headset, *, quick: bool) -> str:
         )
         own, equal = ours(views, budgets), at_equal_mean(views, budgets, rule.mean)
         fewer = 100 * (1 - equal.triangles / rule.triangles)
-        means = [f"{value:.3f}" for value in (rule.mean, greedy.mean, own.mean, own.foreseen)]
-        rows.append([f"{pixels:g}", f"{rule.triangles:,}", *means, f"{equal.triangles:,}", f"{fewer:.0f}"])
-    titles = ["pixels", "triangles", "SSIM, rule", "greedy", "budget", "foreseen", "triangles at equal SSIM", "fewer %"]
-    return table(f"Rift S: mean SSIM of {len(own.scores):,} objects, with as many triangles", titles, rows)
+        means = rule.mean, greedy.mean, own.mean, own.foreseen
+        rows.append([pixels, rule.triangles, *means, equal.triangles, fewer])
+    header = "pixels {:g} | triangles {:,} | SSIM, rule {:.3f} | greedy {:.3f} | budget {:.3f} | foreseen {:.3f}"
+    header += " | triangles at equal SSIM {:,} | fewer % {:.0f}"
+    return table(f"Rift S: mean SSIM of {len(own.scores):,} objects, with as many triangles", header, rows)
 
 
 def main() -> None:
-    """Print the table."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="the smallest scene")
-    parser.add_argument("--flat", action="store_true", help="without the lens, whose warp resamples pictures")
-    options = parser.parse_args()
-    print(machine())
+    options = start(__doc__, "--quick", flat=(bool, "without the lens, whose warp resamples pictures"))
     headset = replace(RIFT_S, lens=nf.RadialLens((0.0,)), panel_size=RIFT_S.size) if options.flat else RIFT_S
     print(report(headset, quick=options.quick), flush=True)
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import functools
 import warnings
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -13,7 +12,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.harness.compare import OURS, Case, compare
-from benchmarks.harness.timing import machine
+from benchmarks.harness.report import start
 
 Array = NDArray[np.float64]
 COUNT = 1_000
@@ -62,30 +61,25 @@ def table(samples: int, noise: float) -> str:
             return fitted
         return np.asarray(((fitted(x) - y) ** 2).sum(axis=1))
 
-    scipy_cases: list[tuple[str, Callable[[], Array]]] = [
-        ("SciPy curve_fit", functools.partial(by_scipy, x, y)),
-        ("SciPy curve_fit, bounded", functools.partial(by_scipy, x, y, bounds=BOUNDS)),
-    ]
+    by = functools.partial(by_scipy, x, y)
+    scipy_cases = {"SciPy curve_fit": by, "SciPy curve_fit, bounded": functools.partial(by, bounds=BOUNDS)}
     # Our fit reports some curves as flat where SciPy fits noise: those are left out.
     counted = ours(x).ok
-    least = np.min([residuals(ours(x)), *(job() for _, job in scipy_cases)], axis=0)
+    least = np.min([residuals(ours(x)), *(job() for job in scipy_cases.values())], axis=0)
 
     def error(fitted: nf.lod.Curve4PL | Array) -> float:
         # Residuals of clean data are only rounding.
         above = residuals(fitted) > least * (1 + 1e-9) + 1e-13 * y.var(axis=1)
         return float(above[counted].mean())
 
-    cases = [
-        Case(f"{OURS}, shared x", lambda: ours(x), error, peer=False),
-        Case(f"{OURS}, own x", lambda: ours(repeated), error, peer=False),
-        *(Case(name, job, error) for name, job in scipy_cases),
-    ]
+    cases = [Case(f"{OURS}, shared x", lambda: ours(x), error), Case(f"{OURS}, own x", lambda: ours(repeated), error)]
+    cases += [Case(name, job, error) for name, job in scipy_cases.items()]
     title = f"{COUNT:,} logistic curves of {samples} samples, {noise:.0%} noise"
     return compare(title, cases, repeat=4, unit="share not least")
 
 
 def main() -> None:
-    print(machine())
+    start(__doc__)
     for samples, noise in ((30, 0.0), (30, 0.05), (30, 0.2), (20, 0.1), (40, 0.1)):
         print(table(samples, noise), flush=True)
 

@@ -1,6 +1,6 @@
 """Time of measuring one object's levels, compared with a script that uses pyrender and scikit-image.
 
-`python -m benchmarks.lod.measure [--views N] [--distances N …] [FILE]`. `measure` does the whole job: 144 views, 16
+`measure` does the whole job: 144 views, 16
 distances, 10 levels. The script renders whole frames of base and level for each score, for some views and distances,
 and its time is scaled to all of them, because that would take hours. Curves are compared on all views at those
 distances: there the script renders boxes, and the first part shows that their scores equal those of whole frames.
@@ -10,14 +10,12 @@ triangles.
 
 from __future__ import annotations
 
-import argparse
-import os
-import time
-import warnings
-from collections.abc import Iterator
+import itertools
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
+from unittest import mock
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,15 +23,16 @@ from skimage.color import rgb2gray
 from skimage.metrics import structural_similarity
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness import opengl
+from benchmarks.harness.report import start, table
+from benchmarks.harness.timing import Timing, timed
+from nearfar.lod._measure import statistic
 from nearfar.lod._measure.views import Screen, Stand, turns
-
-os.environ.setdefault("PYOPENGL_PLATFORM", "egl")
-vars(np).setdefault("infty", np.inf)  # pyrender 0.1.45 was written for NumPy 1
 
 Array = NDArray[np.float64]
 RATIOS = (0.7, 0.5, 0.35, 0.25, 0.15, 0.1, 0.05, 0.03, 0.01, 0.005)
 VIEWS, DISTANCES = 144, 16
+PARTS = ("frames", "whole", "box")
 MAX_CURVE_DIFFERENCE = 1e-3
 """Maximum difference in SSIM between curves of both."""
 
@@ -73,35 +72,10 @@ def face_colors(scene: nf.Scene) -> Array:
 @contextmanager
 def one_sample() -> Iterator[Any]:
     """Yield pyrender with one sample a pixel instead of four."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        import pyrender
-        from pyrender import renderer as internals
-
-        storage = internals.glRenderbufferStorageMultisample
-        internals.glRenderbufferStorageMultisample = lambda kind, _, *rest: storage(kind, 0, *rest)
-        try:
-            yield pyrender
-        finally:
-            internals.glRenderbufferStorageMultisample = storage
-
-
-class Clock:
-    """Measures wall and CPU seconds of parts of the script."""
-
-    def __init__(self) -> None:
-        self.spent: dict[str, Array] = {}
-        self._last = np.zeros(2)
-
-    def start(self) -> None:
-        """Start the clock."""
-        self._last = np.array([time.perf_counter(), time.process_time()])
-
-    def stop(self, part: str) -> None:
-        """Add the time since the last stop or start to a part."""
-        now = np.array([time.perf_counter(), time.process_time()])
-        self.spent[part] = self.spent.get(part, np.zeros(2)) + now - self._last
-        self._last = now
+    peer, name = opengl.pyrender(), "glRenderbufferStorageMultisample"
+    storage = getattr(peer.renderer, name)
+    with mock.patch.object(peer.renderer, name, lambda kind, _, *rest: storage(kind, 0, *rest)):
+        yield peer
 
 
 @dataclass
@@ -129,14 +103,10 @@ class Script:
             def get_projection_matrix(self, width: int | None = None, height: int | None = None) -> Array:
                 left, right, down, up = self.fov.left, self.fov.right, self.fov.down, self.fov.up
                 near, far = 0.1 * levels.radius, 100 * levels.radius
-                return np.array(
-                    [
-                        [2 / (right - left), 0, (right + left) / (right - left), 0],
-                        [0, 2 / (up - down), (up + down) / (up - down), 0],
-                        [0, 0, -(far + near) / (far - near), -2 * far * near / (far - near)],
-                        [0, 0, -1, 0],
-                    ]
-                )
+                x = [2 / (right - left), 0, (right + left) / (right - left), 0]
+                y = [0, 2 / (up - down), (up + down) / (up - down), 0]
+                z = [0, 0, -(far + near) / (far - near), -2 * far * near / (far - near)]
+                return np.array([x, y, z, [0, 0, -1, 0]])
 
         self.view = View()
         self.scenes, self.nodes = [], []
@@ -161,17 +131,9 @@ class Script:
     def frame(self, level: int, camera: nf.Camera, sky: NDArray[np.uint8], finer: int = 1) -> Frame:
         """Draw a level before the sky, supersampled by an odd factor; the middle samples count."""
         assert isinstance(camera.fov, nf.Fov)
-        x, y, z, w = camera.orientation
-        pose = np.eye(4)
-        pose[:3, :3] = [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-        ]
-        pose[:3, 3] = camera.position
         self.view.fov = camera.fov
         self.renderer.viewport_width, self.renderer.viewport_height = camera.width * finer, camera.height * finer
-        self.scenes[level].set_pose(self.nodes[level], pose)
+        self.scenes[level].set_pose(self.nodes[level], opengl.pose_of(camera))
         color, depth = (x[finer // 2 :: finer, finer // 2 :: finer] for x in self._render(level))
         shown = depth > 0
         return Frame(255.0 * rgb2gray(np.where(shown[..., None], color, sky)), shown)
@@ -196,22 +158,27 @@ def boxed(base: Frame, test: Frame) -> tuple[Frame, Frame]:
     return Frame(base.luma[box], base.shown[box]), Frame(test.luma[box], test.shown[box])
 
 
-def by_whole_frames(script: Script, count: int, views: list[Any], numbers: list[int]) -> tuple[Array, Clock]:
+Seconds = dict[str, Array]
+"""Wall and CPU seconds of parts of the script."""
+
+
+def by_whole_frames(script: Script, count: int, views: list[Any], numbers: list[int]) -> tuple[Array, Seconds]:
     """Scores (2, K, D, V) of the whole frame and of the object's box in it, one pair of frames after the other."""
-    scores, clock = np.ones((2, count, len(numbers), len(views))), Clock()
-    for d, number in enumerate(numbers):
-        for v, turn in enumerate(views):
-            camera = script.whole(number, turn)
-            sky = script.sky(camera)
-            for level in range(1, count):
-                clock.start()
-                base, test = script.frame(0, camera, sky), script.frame(level, camera, sky)
-                clock.stop("frames")
-                scores[0, level, d, v] = similarity(base, test)
-                clock.stop("whole")
-                scores[1, level, d, v] = similarity(*boxed(base, test))
-                clock.stop("box")
-    return scores, clock
+    scores, spent = np.ones((2, count, len(numbers), len(views))), {part: np.zeros(2) for part in PARTS}
+
+    def run(part: str, job: Callable[..., Any], *arguments: Any) -> Any:
+        result, time = timed(job, *arguments)
+        spent[part] += time.wall, time.cpu
+        return result
+
+    for (d, number), (v, turn) in itertools.product(enumerate(numbers), enumerate(views)):
+        camera = script.whole(number, turn)
+        sky = script.sky(camera)
+        for level in range(1, count):
+            base, test = (run("frames", script.frame, each, camera, sky) for each in (0, level))
+            scores[0, level, d, v] = run("whole", similarity, base, test)
+            scores[1, level, d, v] = run("box", lambda base, test: similarity(*boxed(base, test)), base, test)
+    return scores, spent
 
 
 def by_boxes(script: Script, count: int, views: list[Any], numbers: list[int]) -> Array:
@@ -233,20 +200,13 @@ def by_boxes(script: Script, count: int, views: list[Any], numbers: list[int]) -
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--views", type=int, default=3)
-    parser.add_argument("--distances", type=int, nargs="+", default=[1, 2, 4, 8, 16])
-    parser.add_argument("file", nargs="?")
-    asked = parser.parse_args()
+    distances = {"type": int, "nargs": "+", "default": [1, 2, 4, 8, 16]}
+    asked = start(__doc__, views=3, distances=distances, file={"nargs": "?"})
     levels = nf.lod.simplify(nf.Scene.load(asked.file) if asked.file else sphere(159), RATIOS)
-    print(machine())
     print(levels, flush=True)
-
-    clock = Clock()
-    clock.start()
     options: dict[str, Any] = {"hmd": nf.hmd.RIFT_S, "samples": 1, "backend": "cpu", "cache": False}
-    ours = nf.lod.measure(levels, **options, views=VIEWS, distances=DISTANCES, step=None, saturated=None)
-    clock.stop("ours")
+    options |= {"views": VIEWS, "distances": DISTANCES, "step": None, "saturated": None}
+    ours, time = timed(nf.lod.measure, levels, **options)
     assert ours.samples is not None
     assert ours.samples.views is not None
 
@@ -258,49 +218,39 @@ def main() -> None:
         script = Script(levels, stand, pyrender)
         some, seconds = by_whole_frames(script, len(levels), [different[shown[v]] for v in chosen], asked.distances)
         every = by_boxes(script, len(levels), different, asked.distances)[..., shown]
-    print(times(clock, seconds, some[0].size - some[0, 0].size, (len(levels) - 1) * VIEWS * DISTANCES, levels))
+    print(times(time, seconds, some[0].size - some[0, 0].size, (len(levels) - 1) * VIEWS * DISTANCES, levels))
 
     at = np.array(asked.distances) - 1
     measured, sigma = ours.samples.views[:, at], ours.samples.sigma[at]
-    scores = [percentiles(one) for one in (measured, every)]
+    scores = [statistic.of_views(one, 25.0) for one in (measured, every)]
     places = np.geomspace(sigma[-1], sigma[0], 100)
     curves = [nf.lod.fit_4pl(sigma, score[1:])(places) for score in scores]
-    header = ["what", *(f"distance {n}" for n in asked.distances), "all"]
-    rows = [
-        apart("whole frames and their boxes, single views", np.abs(some[0] - some[1]).max(axis=(0, 2))),
-        apart("whole frames and ours, single views", np.abs(some[0] - measured[..., chosen]).max(axis=(0, 2))),
-        apart(f"percentiles of {VIEWS} views", np.abs(scores[0] - scores[1]).max(axis=0)),
-    ]
+    apart = {
+        "whole frames and their boxes, single views": np.abs(some[0] - some[1]).max(axis=(0, 2)),
+        "whole frames and ours, single views": np.abs(some[0] - measured[..., chosen]).max(axis=(0, 2)),
+        f"percentiles of {VIEWS} views": np.abs(scores[0] - scores[1]).max(axis=0),
+    }
+    header = ["what", *(f"distance {n} {{:.1e}}" for n in asked.distances), "all {:.1e}"]
+    rows = [[name, *differences, differences.max()] for name, differences in apart.items()]
     print(table("How far scores are apart", header, rows))
     worst = float(np.abs(curves[0] - curves[1]).max())
     is_close = worst <= MAX_CURVE_DIFFERENCE
     print(f"curves of {VIEWS} views are apart by {worst:.1e}, at most {MAX_CURVE_DIFFERENCE}: {is_close}")
 
 
-def times(clock: Clock, script: Clock, scored: int, job: int, levels: nf.lod.Levels) -> str:
+def times(time: Timing, parts: Seconds, scored: int, job: int, levels: nf.lod.Levels) -> str:
     """Table of nearfar's time, and the script's scaled to the whole job."""
-    ours, parts = clock.spent["ours"], script.spent
+    ours = np.array([time.wall, time.cpu])
     ways = {
         "nearfar": (ours, job),
         "pyrender, scikit-image": (parts["frames"] + parts["whole"], scored),
         "the same, SSIM of the object's box": (parts["frames"] + parts["box"], scored),
         "pyrender's frames alone": (parts["frames"], scored),
     }
-    rows = [
-        [name, *(f"{x:.1f}" for x in spent), f"{count:,} of {job:,}", *(f"{x:.0f}" for x in spent / count * job / ours)]
-        for name, (spent, count) in ways.items()
-    ]
-    header = ["way", "wall s", "CPU s", "scores", "× ours, whole job, wall", "× CPU"]
+    rows = [[name, *spent, (count, job), *(spent / count * job / ours)] for name, (spent, count) in ways.items()]
+    header = "way | wall s {:.1f} | CPU s {:.1f} | scores {:,} of {:,} | × ours, whole job, wall {:.0f} | × CPU {:.0f}"
     title = f"{levels[0].triangle_count:,} triangles, {len(levels) - 1} levels, {VIEWS} views, {DISTANCES} distances"
     return table(title, header, rows)
-
-
-def percentiles(scores: NDArray[Any]) -> Array:
-    return np.asarray(np.percentile(scores, 25.0, axis=2, method="averaged_inverted_cdf"), np.float64)
-
-
-def apart(name: str, differences: Array) -> list[str]:
-    return [name, *(f"{x:.1e}" for x in (*differences, differences.max()))]
 
 
 if __name__ == "__main__":

@@ -1,11 +1,7 @@
-"""Whether chosen levels look as good as requested, behind the lens, wherever an object is seen.
-
-python -m benchmarks.lod.quality [--quick]
-"""
+"""Whether chosen levels look as good as requested, behind the lens, wherever an object is seen."""
 
 from __future__ import annotations
 
-import argparse
 import bisect
 import functools
 import itertools
@@ -16,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import start, table
 from benchmarks.lod._objects import RIFT_S, VIEWS, VIVE_PRO, Headset, measured
 from benchmarks.lod._views import Case
 from nearfar._camera.rotation import rotation
@@ -100,20 +96,6 @@ def promises(cases: Sequence[Case], models: Sequence[nf.lod.LodModel], mode: str
     return Promises(np.concatenate(kept), np.concatenate(degrees), np.concatenate(objects), drawn)
 
 
-def row(label: str, found: Promises, percentile: int) -> list[str]:
-    """Cells of a table."""
-    shares = found.by_band
-    spread = f"{max(shares) - min(shares):.1f} ± {found.error:.1f}"
-    return [
-        label,
-        f"{percentile}",
-        f"{found.percent_good:.1f}",
-        *(f"{x:.1f}" for x in shares),
-        spread,
-        f"{found.triangles:,}",
-    ]
-
-
 def report(headset: Headset, *, quick: bool) -> str:
     """Table of each mode with curves of the published percentile, and of the greatest one that keeps enough."""
     models = measured(headset, views=VIEWS if quick else ALL_VIEWS)
@@ -122,29 +104,24 @@ def report(headset: Headset, *, quick: bool) -> str:
     rows = []
     for mode in MODES:
         trial = functools.cache(lambda each, mode=mode: promises(cases, [one.refit(each) for one in models], mode))
-        rows.append(row(mode, trial(PUBLISHED), PUBLISHED))
         fails = bisect.bisect_left(range(PUBLISHED), True, key=lambda each: trial(each).percent_good < KEPT)
-        enough = max(fails - 1, 0)
-        rows.append(row(f"{mode}, {KEPT:g} % kept" if fails else f"{mode}, least", trial(enough), enough))
+        enough = f"{mode}, {KEPT:g} % kept" if fails else f"{mode}, least"
+        for label, percentile in ((mode, PUBLISHED), (enough, max(fails - 1, 0))):
+            found, shares = trial(percentile), trial(percentile).by_band
+            spread = max(shares) - min(shares), found.error
+            rows.append([label, percentile, found.percent_good, *shares, spread, found.triangles])
     first = trial(PUBLISHED)
-    bands = [f"{start:g} to {end:g}°" for start, end in itertools.pairwise(BANDS)]
+    bands = [f"{start:g} to {end:g}° {{:.1f}}" for start, end in itertools.pairwise(BANDS)]
     everywhere = len(np.unique(first.objects[first.in_bands[0]]))
     title = (
         f"{headset.name}: per cent of {len(first.is_kept):,} appearances that are at least as good as their threshold"
     )
-    return table(
-        f"{title} behind the lens, by angle for {everywhere:,} objects",
-        ["mode", "percentile", "all", *bands, "spread", "triangles"],
-        rows,
-    )
+    header = ["mode", "percentile", "all {:.1f}", *bands, "spread {:.1f} ± {:.1f}", "triangles {:,}"]
+    return table(f"{title} behind the lens, by angle for {everywhere:,} objects", header, rows)
 
 
 def main() -> None:
-    """Print the tables."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="the smallest scene and one headset")
-    options = parser.parse_args()
-    print(machine())
+    options = start(__doc__, "--quick")
     for headset in (RIFT_S,) if options.quick else (RIFT_S, VIVE_PRO):
         print(report(headset, quick=options.quick), flush=True)
 

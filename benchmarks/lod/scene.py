@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.harness.compare import OURS, Case, compare
-from benchmarks.harness.timing import machine
+from benchmarks.harness.report import start
 
 OBJECTS, RADIUS = 1_000, 20.0
 """Number of objects, and the radius of the ball that contains them, metres."""
@@ -55,7 +55,7 @@ def places(random: np.random.Generator) -> NDArray[np.float64]:
 
 
 def main() -> None:
-    print(machine())
+    start(__doc__)
     random = np.random.default_rng(0)
     models = [model(seed) for seed in range(8)]
     scene = nf.lod.place(models, random.integers(0, len(models), OBJECTS), places(random))
@@ -66,19 +66,18 @@ def main() -> None:
     choose = functools.partial(
         nf.lod.select, objects.models, objects.model_index, objects.centers, objects.radii, camera=camera, mode="depth"
     )
+    picture = functools.partial(nf.render, scene, camera, backend="cpu")
     levels = choose().level
     drawn = scene.at_levels(levels)
     drawn._core.build()
     print(f"{drawn.triangle_count:,} of {scene.triangle_count:,} triangles, {int((levels >= 0).sum())} objects in view")
     cases = [
-        Case(f"{OURS}: choose levels", choose, peer=False),
-        Case(f"{OURS}: scene of them", lambda: scene.at_levels(levels), peer=False),
-        Case(f"{OURS}: and its tree", lambda: scene.at_levels(levels)._core.build(), peer=False),
-        Case(
-            f"{OURS}: picture of levels", lambda: nf.render(scene, camera, lod=choose_again, backend="cpu"), peer=False
-        ),
-        Case("picture of level 0", lambda: nf.render(scene, camera, backend="cpu")),
-        Case("scene built anew", lambda: rebuilt(scene, levels)),
+        Case(f"{OURS}: choose levels", choose),
+        Case(f"{OURS}: scene of them", lambda: scene.at_levels(levels)),
+        Case(f"{OURS}: and its tree", lambda: scene.at_levels(levels)._core.build()),
+        Case(f"{OURS}: picture of levels", functools.partial(picture, lod=choose_again)),
+        Case("picture of level 0", picture),
+        Case("scene built anew", lambda: rebuild(scene, levels)),
     ]
     print(compare(f"A frame of {OBJECTS:,} objects", cases, repeat=4))
 
@@ -86,7 +85,7 @@ def main() -> None:
 choose_again = functools.partial(nf.lod.select, mode="depth")
 
 
-def rebuilt(scene: nf.Scene, levels: NDArray[np.int32]) -> nf.Scene:
+def rebuild(scene: nf.Scene, levels: NDArray[np.int32]) -> nf.Scene:
     """Build a frame without shared levels: the chosen triangles as one new scene with its own search tree."""
     corners = scene.at_levels(levels).triangles().reshape(-1, 3)
     whole = nf.Scene.from_arrays(corners, np.arange(len(corners), dtype=np.uint32).reshape(-1, 3))

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import functools
 import os
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.compare import OURS, Case, Work, compare, describe
-from benchmarks.harness.timing import machine
+from benchmarks.harness.compare import OURS, Case, Work, compare, print_limits
+from benchmarks.harness.report import start
 
 Array = NDArray[np.float64]
 
@@ -36,11 +37,8 @@ def models(least: float) -> list[nf.lod.LodModel]:
         curves = nf.lod.Curve4PL(a, b, c, d, 0 * a, np.full(7, "fitted"), np.full(7, ""))
         triangles = np.geomspace(1e5, 1e2, 8).astype(np.int64)
         sigma = (least, nf.lod.reference_solid_angle(CAMERA))
-        made.append(
-            nf.lod.LodModel(
-                triangles=triangles, curves=curves, center=np.zeros(3), radius=1.0, sigma=sigma, errors=np.zeros(8)
-            )
-        )
+        sphere: dict[str, Any] = {"center": np.zeros(3), "radius": 1.0, "errors": np.zeros(8)}
+        made.append(nf.lod.LodModel(triangles=triangles, curves=curves, sigma=sigma, **sphere))
     return made
 
 
@@ -130,7 +128,7 @@ def budget_table(title: str, centers: Array, radii: Array, least: float) -> str:
     select = functools.partial(nf.lod.select, made, index, centers, radii, camera=CAMERA, lens=RIFT_S, cull=False)
     sizes = nf.corrected_solid_angle(centers, radii, camera=CAMERA, lens=RIFT_S)
     coarsest = int(np.array([one.triangles[-1] for one in made])[index].sum())
-    cases = [Case(f"{OURS}, threshold", select, peer=False)]
+    cases = [Case(f"{OURS}, threshold", select)]
     notes = []
     for factor in (2, 20):
         ours = functools.partial(select, budget=factor * coarsest)
@@ -139,8 +137,8 @@ def budget_table(title: str, centers: Array, radii: Array, least: float) -> str:
             raise RuntimeError("expected a budget that is spent")
         theirs = functools.partial(budget_by_numpy, made, index, sizes, factor * coarsest)
         again = functools.partial(ours, previous=before.level, price=spent.price, hysteresis=0.1)
-        cases.append(Case(f"{OURS}, {factor} x the coarsest levels", ours, peer=False))
-        cases.append(Case(f"{OURS}, {factor} x, the frame after", again, peer=False))
+        cases.append(Case(f"{OURS}, {factor} x the coarsest levels", ours))
+        cases.append(Case(f"{OURS}, {factor} x, the frame after", again))
         cases.append(Case(f"NumPy, sorted steps, {factor} x", theirs))
         notes.append(f"{factor} x: {spent}, NumPy's mean score {theirs()[1]:.6f}")
     text = compare(f"Budgets for 10⁶ objects, {title}", cases, work=Work(bytes=BYTES * COUNT), repeat=3)
@@ -158,12 +156,12 @@ def table(title: str, centers: Array, radii: Array, least: float) -> str:
         return float(np.mean(levels != expected))
 
     cases = [
-        Case(f"{OURS}, lut", select, error, peer=False),
-        Case(f"{OURS}, newton", functools.partial(select, inverse="newton"), error, peer=False),
-        Case(f"{OURS}, depth", functools.partial(select, mode="depth"), peer=False),
-        Case(f"{OURS}, panel", functools.partial(select, mode="panel"), peer=False),
-        Case(f"{OURS}, fovea", functools.partial(select, mode="fovea"), peer=False),
-        Case(f"{OURS}, two eyes", functools.partial(select, camera=[CAMERA, CAMERA]), error, peer=False),
+        Case(f"{OURS}, lut", select, error),
+        Case(f"{OURS}, newton", functools.partial(select, inverse="newton"), error),
+        Case(f"{OURS}, depth", functools.partial(select, mode="depth")),
+        Case(f"{OURS}, panel", functools.partial(select, mode="panel")),
+        Case(f"{OURS}, fovea", functools.partial(select, mode="fovea")),
+        Case(f"{OURS}, two eyes", functools.partial(select, camera=[CAMERA, CAMERA]), error),
         Case("NumPy, interp over 4,096", lambda: by_numpy(made, index, centers, radii, 4096), error),
         Case("NumPy, 5 fixed-point steps", lambda: by_numpy(made, index, centers, radii, 0), error),
         Case("reading (NumPy's max)", lambda: (centers.max(), radii.max(), index.max())),
@@ -185,8 +183,8 @@ def table(title: str, centers: Array, radii: Array, least: float) -> str:
 
 
 def main() -> None:
-    print(machine())
-    print(describe())
+    start(__doc__)
+    print_limits()
     print(f"{os.environ.get('NEARFAR_NUM_THREADS', 'all')} threads; a millisecond is a nanosecond an object")
     for title, scene in scenes().items():
         print(table(title, *scene), flush=True)

@@ -1,13 +1,8 @@
-"""Levels by both simplifiers: time, its parts, and the levels' distance from the base; nearest points against peers.
-
-python -m benchmarks.lod.simplify [FILE …]
-"""
+"""Levels by both simplifiers: time, its parts, and the levels' distance from the base; nearest points against peers."""
 
 from __future__ import annotations
 
 import importlib.util
-import sys
-import time
 from pathlib import Path
 from typing import Any
 from unittest.mock import patch
@@ -20,8 +15,9 @@ from PIL import Image
 from scipy.spatial import cKDTree
 
 import nearfar as nf
-from benchmarks.harness.compare import OURS, Case, compare, describe
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.compare import OURS, Case, compare, greatest_error, print_limits
+from benchmarks.harness.report import start, table
+from benchmarks.harness.timing import Timing, timed
 from nearfar import _core
 from nearfar.lod._simplify import carry, deviation
 from nearfar.lod._simplify.quadrics import QuadricSimplifier
@@ -44,28 +40,23 @@ def knobbly(subdivisions: int) -> trimesh.Trimesh:
 def levels(name: str, mesh: nf.Scene | trimesh.Trimesh) -> str:
     """Table of errors of all levels, and of fast-simplification used directly on the same surface."""
     base = Base(mesh)
-    rows = []
+    rows: list[list[object]] = []
     for method in ("fast", "meshopt"):
-        started = time.perf_counter()
-        made = nf.lod.simplify(mesh, RATIOS, method=method)
-        seconds = time.perf_counter() - started
+        made, time = timed(nf.lod.simplify, mesh, RATIOS, method=method)
         for level in made[1:]:
-            share = f"{level.triangle_count / made[0].triangle_count:.3f}"
-            error = [f"{value / made.radius:.2e}" for value in (level.error, level.mean_error)]
-            rows.append([f"{OURS}, {method}, {seconds:.2f} s", f"{level.ratio:g}", share, *error])
+            errors = level.error / made.radius, level.mean_error / made.radius
+            share = level.triangle_count / made[0].triangle_count
+            rows.append([f"{OURS}, {method}, {time.wall:.2f} s", level.ratio, share, *errors])
     points, faces = base.surface.positions.astype(np.float64), base.places[base.surface.faces].astype(np.int32)
-    started = time.perf_counter()
-    plain = [fast_simplification.simplify(points, faces, target_count=int(r * len(faces))) for r in RATIOS]
-    seconds = time.perf_counter() - started
+    simplify = fast_simplification.simplify
+    plain, time = timed(lambda: [simplify(points, faces, target_count=int(r * len(faces))) for r in RATIOS])
     _, radius = nf.bounding_sphere(points)
     for ratio, (places, left) in zip(RATIOS, plain, strict=True):
         surface = Surface(places.astype(np.float32), left.astype(np.uint32), np.zeros(len(left), np.int32))
         distances = deviation.deviation((base.scene, base.surface), (base.scene_of(surface), surface))
-        error = [f"{value / radius:.2e}" for value in distances]
-        rows.append(
-            [f"fast-simplification as it is, {seconds:.2f} s", f"{ratio:g}", f"{len(left) / len(faces):.3f}", *error]
-        )
-    header = ["", "ratio", "reached", "greatest / radius", "mean / radius"]
+        errors = distances[0] / radius, distances[1] / radius
+        rows.append([f"fast-simplification as it is, {time.wall:.2f} s", ratio, len(left) / len(faces), *errors])
+    header = " | ratio {:g} | reached {:.3f} | greatest / radius {:.2e} | mean / radius {:.2e}"
     return table(f"levels of {name}, {len(faces):,} triangles", header, rows)
 
 
@@ -73,33 +64,26 @@ def shares(name: str, mesh: nf.Scene | trimesh.Trimesh) -> str:
     """Table of the time of one level by its parts."""
     base = Base(mesh)
     target = len(base.surface.faces) // 10
-    ticks = [time.perf_counter()]
-    simplifier = QuadricSimplifier(base.surface, base.places)
-    ticks.append(time.perf_counter())
-    surface = simplifier.level(target)
-    ticks.append(time.perf_counter())
-    carried: list[float] = []
+    simplifier, preparing = timed(QuadricSimplifier, base.surface, base.places)
+    surface, whole = timed(simplifier.level, target)
+    carried: list[Timing] = []
     original = carry.Carrier.carried
 
-    def timed(self: carry.Carrier, *arguments: Any) -> Surface:
-        started = time.perf_counter()
-        result = original(self, *arguments)
-        carried.append(time.perf_counter() - started)
+    def watched(self: carry.Carrier, *arguments: Any) -> Surface:
+        result, time = timed(original, self, *arguments)
+        carried.append(time)
         return result
 
-    with patch.object(carry.Carrier, "carried", timed):
+    with patch.object(carry.Carrier, "carried", watched):
         simplifier.level(target)
-    again = time.perf_counter()
-    scene = base.scene_of(surface)
-    deviation.deviation((base.scene, base.surface), (scene, surface))
-    measured = time.perf_counter() - again
-    rows = [
-        ["preparing, once for all levels", f"{(ticks[1] - ticks[0]) * 1e3:.0f}"],
-        ["collapsing", f"{(ticks[2] - ticks[1] - carried[0]) * 1e3:.0f}"],
-        ["carrying attributes", f"{carried[0] * 1e3:.0f}"],
-        ["distances, with both trees", f"{measured * 1e3:.0f}"],
-    ]
-    return table(f"one level of {name} at 0.1 by 'fast'", ["", "ms"], rows)
+    _, measured = timed(lambda: deviation.deviation((base.scene, base.surface), (base.scene_of(surface), surface)))
+    rows = {
+        "preparing, once for all levels": preparing.ms,
+        "collapsing": whole.ms - carried[0].ms,
+        "carrying attributes": carried[0].ms,
+        "distances, with both trees": measured.ms,
+    }
+    return table(f"one level of {name} at 0.1 by 'fast'", " | ms {:.0f}", rows.items())
 
 
 def nearest(subdivisions: int, count: int) -> str:
@@ -110,13 +94,9 @@ def nearest(subdivisions: int, count: int) -> str:
     random = np.random.default_rng(0)
     points = trimesh.sample.sample_surface(mesh, count, seed=0)[0] + random.normal(size=(count, 3)) * 0.02
     exact, _, _ = _core.nearest_points(scene._core, points)
-
-    def error(distance: Array) -> float:
-        return float(np.abs(distance - exact).max())
-
-    tree = cKDTree(mesh.vertices)
+    error, tree = greatest_error(exact), cKDTree(mesh.vertices)
     cases = [
-        Case(f"{OURS}, nearest_points", lambda: nf.nearest_points(scene, points).distance, error, peer=False),
+        Case(f"{OURS}, nearest_points", lambda: nf.nearest_points(scene, points).distance, error),
         Case("SciPy, nearest vertex, all cores", lambda: tree.query(points, workers=-1)[0], error),
     ]
     if importlib.util.find_spec("rtree"):
@@ -126,11 +106,11 @@ def nearest(subdivisions: int, count: int) -> str:
 
 
 def main() -> None:
-    print(machine())
-    print(describe())
+    options = start(__doc__, files={"nargs": "*", "help": "further meshes"})
+    print_limits()
     print(nearest(6, 100_000))
     meshes: dict[str, nf.Scene | trimesh.Trimesh] = {"a knobbly sphere": knobbly(6)}
-    meshes |= {Path(path).name: nf.Scene.load(path) for path in sys.argv[1:]}
+    meshes |= {Path(path).name: nf.Scene.load(path) for path in options.files}
     for name, mesh in meshes.items():
         print(levels(name, mesh))
         print(shares(name, mesh))

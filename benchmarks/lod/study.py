@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import astuple
+
 import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.timing import table
+from benchmarks.harness.report import table
 from benchmarks.lod._printed import PRINTED, SOURCE, computed, spans
 from benchmarks.lod.user_study import (
     FILE,
@@ -48,27 +50,22 @@ def table_beside_thesis(study: Study) -> str:
     for printed in PRINTED:
         key = printed.statistic, printed.of
         low, high = ranges[key]
-        span = f"{low:.5f} to {high:.5f}" if low < high else ""
         shown = f"{ours[key]:.5f}" if printed.decimals else f"{ours[key]:.0f}"
-        label = f"{printed.statistic} of {printed.of}"
-        rows.append([printed.table, label, printed.text, shown, printed.beside(ours[key]), span])
-    header = ["table", "", "printed", "ours", "difference", "with further decimals of d"]
+        first = [printed.table, f"{printed.statistic} of {printed.of}", printed.text, shown, printed.beside(ours[key])]
+        rows.append([*first, (low, high) if low < high else None])
+    header = "table |  | printed | ours | difference | with further decimals of d {:.5f} to {:.5f}"
     return table(f"Beside the printed values ({SOURCE})", header, rows)
 
 
 def table_of_moments(study: Study) -> str:
     """Table 5.5, and the same by object."""
-    header = ["", "n", "mean", "deviation", "skewness", "kurtosis", "G₁", "G₂"]
     rows = []
     for column in COLUMNS:
         parts = {"both": study} | {hmd: study.select(hmd=hmd) for hmd in study.hmds}
         parts |= {f"{name}, {hmd}": study.select(hmd=hmd, object=name) for name in study.objects for hmd in study.hmds}
-        for label, part in parts.items():
-            part_moments = moments(getattr(part, column))
-            numbers = (part_moments.mean, part_moments.deviation, part_moments.skewness, part_moments.kurtosis)
-            adjusted = (part_moments.adjusted_skewness, part_moments.adjusted_kurtosis)
-            shown = [f"{number:.4f}" for number in numbers] + [f"{number:.4f}" for number in adjusted]
-            rows.append([f"{column}, {label}", str(part_moments.n), *shown])
+        rows += [[f"{column}, {label}", *astuple(moments(getattr(part, column)))] for label, part in parts.items()]
+    names = ("mean", "deviation", "skewness", "kurtosis", "G₁", "G₂")
+    header = ["", "n", *(f"{name} {{:.4f}}" for name in names)]
     return table("Moments of d and k (Table 5.5); kurtosis is excess, 0 for the normal", header, rows)
 
 
@@ -109,39 +106,38 @@ def table_of_headsets(study: Study) -> str:
 
 def table_of_correlations(study: Study) -> str:
     """Table 5.8."""
-    rows = []
     pairs = {f"d and k, {hmd}": (study.select(hmd=hmd).d, study.select(hmd=hmd).k) for hmd in study.hmds}
     pairs["d and k, both headsets"] = (study.d, study.k)
     pairs["d and k, means of participants"] = (by_participant(study, "d"), by_participant(study, "k"))
     for column in COLUMNS:
         pairs[f"{column}, {' and '.join(study.hmds)}"] = paired(study, column, "hmd", *study.hmds)
+    rows = []
     for label, (one, other) in pairs.items():
         both = correlation(one, other)
-        numbers = [f"{both.tau:.4f}", _p(both.tau_p), f"{both.rho:.4f}", _p(both.rho_p)]
-        rows.append([label, str(len(one)), *numbers])
-    return table("Correlations, Kendall's τ-b and Spearman's ρ (5.8)", ["", "n", "τ", "p", "ρ", "p"], rows)
+        rows.append([label, len(one), both.tau, _p(both.tau_p), both.rho, _p(both.rho_p)])
+    header = " | n | τ {:.4f} | p | ρ {:.4f} | p"
+    return table("Correlations, Kendall's τ-b and Spearman's ρ (5.8)", header, rows)
 
 
 def table_of_texture(study: Study) -> str:
     """Table of levels of the same object with and without its texture."""
-    factors = texture(study)
-    rows = [[f"{name}, level {level}", f"{factor:.2f}"] for (name, level), factor in factors.items()]
-    return table("1 − SSIM with a texture, times that without", ["", "factor"], rows)
+    rows = [(f"{name}, level {level}", factor) for (name, level), factor in texture(study).items()]
+    return table("1 − SSIM with a texture, times that without", " | factor {:.2f}", rows)
 
 
 def table_of_readings(study: Study) -> str:
     """Table of means of d and k for other choices, and the thresholds that follow from each reading of y = kx + d."""
     headset = nf.hmd.RIFT_S
     sigma = nf.lod.reference_solid_angle(headset)
-    rows = [
-        [label, str(n), *(f"{value:.4f}" for value in (d, k, d - k * sigma, d + k * sigma, d - k))]
-        for label, (d, k, n) in readings(study).items()
+    rows: list[list[object]] = [
+        [label, n, d, k, d - k * sigma, d + k * sigma, d - k] for label, (d, k, n) in readings(study).items()
     ]
     first = study.first(TABULATED)
     for label, objects in (("95 % over participants", False), ("95 % over participants and objects", True)):
         spans = [bootstrap(first, column, objects=objects) for column in COLUMNS]
-        rows.append([label, str(len(first)), *(f"{low:.4f} to {high:.4f}" for low, high in spans), "", "", ""])
-    header = ["", "rows", "d", "k", "anchored, far away", "literal, at 1/16", "normalized, far away"]
+        rows.append([label, len(first), *(f"{low:.4f} to {high:.4f}" for low, high in spans), None, None, None])
+    numbers = ("d", "k", "anchored, far away", "literal, at 1/16", "normalized, far away")
+    header = ["", "rows", *(f"{name} {{:.4f}}" for name in numbers)]
     return table(f"d and k by choices that could have been made; thresholds for {headset.name}", header, rows)
 
 

@@ -1,6 +1,6 @@
 """The thesis' window of 10 × 10 pixels against Wang's of 11 × 11, used by `measure`: differences of scores.
 
-`python -m benchmarks.lod.window [--views N]`. The same pictures of four objects' levels, from even directions at six
+The same pictures of four objects' levels, from even directions at six
 of the 16 distances of `measure`, are scored with three windows. The thesis states the size of its window, but not its
 weights: the likely reading is Wang's Gaussian, σ 1.5, cut to 10 × 10; a uniform one is the other extreme. An even
 window extends one pixel further up and left.
@@ -8,7 +8,6 @@ window extends one pixel further up and left.
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Sequence
 from typing import Any
 
@@ -16,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import start, table
 from benchmarks.lod._objects import BY_MESHOPT, sources
 from nearfar.lod._measure import statistic
 from nearfar.lod._measure.views import Screen, Stand, turns
@@ -62,38 +61,27 @@ def scores(levels: nf.lod.Levels, screen: Screen, distances: Sequence[int], view
     return found
 
 
-def rows(name: str, found: Array) -> list[list[str]]:
+def rows(name: str, found: Array) -> list[list[Any]]:
     """Make a row for each other window: changes of single scores and of the 25th percentiles of the views."""
-    listed = []
+    listed: list[list[Any]] = []
     for window, other in list(zip(WINDOWS, found, strict=True))[1:]:
         changes = [other - found[0], statistic.of_views(other, 25.0) - statistic.of_views(found[0], 25.0)]
-        numbers = [f"{number:.4f}" for change in changes for number in (change.mean(), np.abs(change).max())]
-        listed.append([name, window, *numbers])
+        listed.append([name, window, *(number for one in changes for number in (one.mean(), np.abs(one).max()))])
     return listed
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--views", type=int, default=VIEWS)
-    views = parser.parse_args().views
+    views = start(__doc__, views=VIEWS).views
     every, screen = sources(), Screen.from_arguments(nf.hmd.RIFT_S, None, None)
     listed, parts = [], []
     for name in (name for name in OBJECTS if name in every):
         method = "meshopt" if name in BY_MESHOPT else "fast"
         levels = nf.lod.simplify(every[name](), RATIOS, method=method, normals="smooth", name=name)
-        found = scores(levels, screen, DISTANCES, views, SAMPLES)
-        parts.append(found)
-        listed += rows(name, found)
+        parts.append(scores(levels, screen, DISTANCES, views, SAMPLES))
+        listed += rows(name, parts[-1])
     listed += rows("all", np.concatenate(parts, axis=1))
-    header = [
-        "object",
-        "window",
-        "mean change of a view's score",
-        "greatest",
-        "of the 25th percentile: mean",
-        "greatest",
-    ]
-    print(machine())
+    header = "object | window | mean change of a view's score {:.4f} | greatest {:.4f}"
+    header += " | of the 25th percentile: mean {:.4f} | greatest {:.4f}"
     print(table(f"Scores beside those of the Gaussian window of 11 × 11, {views} views", header, listed))
 
 

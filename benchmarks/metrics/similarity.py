@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import cv2
@@ -11,8 +12,8 @@ from numpy.typing import NDArray
 from skimage.metrics import peak_signal_noise_ratio, structural_similarity
 
 import nearfar as nf
-from benchmarks.harness.compare import OURS, Case, Work, compare, comparisons, describe, draw
-from benchmarks.harness.timing import machine
+from benchmarks.harness.compare import OURS, Case, Work, compare, comparisons, draw, greatest_error, print_limits
+from benchmarks.harness.report import start
 
 Image = NDArray[Any]
 Blur = Callable[[Image], Image]
@@ -63,38 +64,33 @@ def similarity(label: str, a: Image, b: Image, extent: float, *, window: str = "
     def opencv() -> float:
         return five_blurs(a, b, extent, gaussian if window == "gaussian" else box, size // 2)[0]
 
-    exact = scikit(a.astype(np.float64), b.astype(np.float64))
-
-    def error(result: float) -> float:
-        return abs(result - exact)
-
+    error = greatest_error(scikit(a.astype(np.float64), b.astype(np.float64)))
     # Five moments, along rows and columns: the separable form that every implementation here uses.
     work = Work(multiply_adds=5 * 2 * size * a.size, bytes=2 * a.nbytes, double=a.dtype == np.float64)
     cases = [
-        Case(OURS, lambda: nf.ssim(a, b, data_range=extent, **ours), error, peer=False),  # type: ignore[arg-type]
+        Case(OURS, lambda: nf.ssim(a, b, data_range=extent, **ours), error),  # type: ignore[arg-type]
         Case("OpenCV, five blurs", opencv, error),
         Case("scikit-image", lambda: scikit(a, b), error),
     ]
     return compare(f"SSIM, {window}, {label}", cases, work=work, repeat=repeat)
 
 
+def scikit_map(a: Image, b: Image) -> Image:
+    """Map of structural similarity by scikit-image."""
+    options: dict[str, Any] = {"gaussian_weights": True, "use_sample_covariance": False, "full": True}
+    return np.asarray(structural_similarity(a, b, data_range=1, **options)[1])
+
+
 def maps_at_a_level() -> str:
     """Table of maps of float32 pictures at 10⁴ times their contrast; the truth is float64 about means."""
     a, b = (picture + np.float32(1e4) for picture in pictures(1080, 1920)[:2])
-    exact = nf.ssim(a.astype(np.float64), b.astype(np.float64), data_range=1, full=True).map
-
-    def scikit(a: Image, b: Image) -> Image:
-        options: dict[str, Any] = {"gaussian_weights": True, "use_sample_covariance": False, "full": True}
-        return np.asarray(structural_similarity(a, b, data_range=1, **options)[1])
-
-    def error(result: Image) -> float:
-        return float(np.abs(result - exact)[5:-5, 5:-5].max())
-
+    doubles = a.astype(np.float64), b.astype(np.float64)
+    error = greatest_error(nf.ssim(*doubles, data_range=1, full=True).map, np.s_[5:-5, 5:-5])
     cases = [
-        Case(OURS, lambda: nf.ssim(a, b, data_range=1, full=True).map, error, peer=False),
+        Case(OURS, lambda: nf.ssim(a, b, data_range=1, full=True).map, error),
         Case("OpenCV, five blurs", lambda: five_blurs(a, b, 1.0, gaussian, 5)[1], error),
-        Case("scikit-image", lambda: scikit(a, b), error),
-        Case("scikit-image, float64", lambda: scikit(a.astype(np.float64), b.astype(np.float64)), error),
+        Case("scikit-image", partial(scikit_map, a, b), error),
+        Case("scikit-image, float64", lambda: scikit_map(a.astype(np.float64), b.astype(np.float64)), error),
     ]
     return compare(LEVEL, cases, repeat=4)
 
@@ -110,24 +106,16 @@ def pairs() -> str:
     def scikit() -> Image:
         result = np.empty((144, 10))
         for i, j in np.ndindex(144, 10):
-            options: dict[str, Any] = {"gaussian_weights": True, "use_sample_covariance": False, "full": True}
-            result[i, j] = structural_similarity(views[i, 0], levels[i, j], data_range=1, **options)[1][
-                disc[i, 0]
-            ].mean()
+            result[i, j] = scikit_map(views[i, 0], levels[i, j])[disc[i, 0]].mean()
         return result
 
     exact = nf.ssim_pairs(views.astype(np.float64), levels.astype(np.float64), data_range=1, masks=disc)
-
-    def error(result: Image) -> float:
-        return float(np.abs(result - exact).max())
-
-    def masked_windows() -> Image:
-        return nf.ssim_pairs(views, levels, data_range=1, masks=disc, masking="windows")
-
+    error = greatest_error(exact)
+    ours = partial(nf.ssim_pairs, views, levels, data_range=1, masks=disc)
     cases = [
-        Case(OURS, lambda: nf.ssim_pairs(views, levels, data_range=1, masks=disc), error, peer=False),
+        Case(OURS, ours, error),
         Case("scikit-image, one by one", scikit, error),
-        Case(f"{OURS}, windows that see only the mask", masked_windows, None, peer=False),
+        Case(f"{OURS}, windows that see only the mask", partial(ours, masking="windows")),
     ]
     return compare("SSIM of 1,440 pairs of 96² in a silhouette", cases, repeat=4)
 
@@ -140,11 +128,9 @@ def errors(dtype: Any) -> str:
     def numpy() -> float:
         return float(10 * np.log10(extent**2 / np.mean((a.astype(np.float64) - b.astype(np.float64)) ** 2)))
 
-    def error(result: float) -> float:
-        return abs(result - exact)
-
+    error = greatest_error(exact)
     cases = [
-        Case(OURS, lambda: nf.psnr(a, b, data_range=extent), error, peer=False),
+        Case(OURS, lambda: nf.psnr(a, b, data_range=extent), error),
         Case("OpenCV", lambda: cv2.PSNR(a, b, R=extent), error),
         Case("NumPy, float64", numpy, error),
         Case("scikit-image", lambda: float(peak_signal_noise_ratio(a, b, data_range=extent)), error),
@@ -156,17 +142,14 @@ def scales_and_sequences() -> str:
     a, b, _ = pictures(1080, 1920)
     mask = np.zeros(a.shape, bool)
     mask[300:700, 500:1200] = True
+    ssim = partial(nf.ssim, a, b, data_range=1)
     cases = [
-        Case("ssim", lambda: nf.ssim(a, b, data_range=1), peer=False),
-        Case("ssim, global window", lambda: nf.ssim(a, b, data_range=1, window="global"), peer=False),
-        Case("ssim, mask of 14 %", lambda: nf.ssim(a, b, data_range=1, mask=mask), peer=False),
-        Case(
-            "the same, windows see only the mask",
-            lambda: nf.ssim(a, b, data_range=1, mask=mask, masking="windows"),
-            peer=False,
-        ),
-        Case("ssim, wang-downsampled", lambda: nf.ssim(a, b, data_range=1, convention="wang-downsampled"), peer=False),
-        Case("ms_ssim", lambda: nf.ms_ssim(a, b, data_range=1), peer=False),
+        Case("ssim", ssim),
+        Case("ssim, global window", partial(ssim, window="global")),
+        Case("ssim, mask of 14 %", partial(ssim, mask=mask)),
+        Case("the same, windows see only the mask", partial(ssim, mask=mask, masking="windows")),
+        Case("ssim, wang-downsampled", partial(ssim, convention="wang-downsampled")),
+        Case("ms_ssim", partial(nf.ms_ssim, a, b, data_range=1)),
     ]
     return compare("Other similarities, 1080p, float32", cases)
 
@@ -187,35 +170,23 @@ def frames() -> str:
         shares = [min(result.get(number, 0), pixels) / pixels for number, pixels in expected.items()]
         return float(np.mean([share > 0 for share in shares])), float(np.mean(shares))
 
-    exact = unique()
-
-    def error(result: tuple[float, float]) -> float:
-        return float(np.abs(np.subtract(result, exact)).max())
-
+    error = greatest_error(unique())
     # Each pair of neighbours within 17 pixels is processed once, hence half; about 25 multiply-adds per pair.
     pairs = 1920 * 1080 * np.pi * 17**2 / 2
-    breaks = compare(
-        "Discontinuity, 1080p, ε = 17 px",
-        [Case(OURS, lambda: nf.discontinuity(torn), peer=False)],
-        work=Work(multiply_adds=25 * pairs),
-        repeat=3,
-    )
-    completion = compare(
-        "Object completion, 1080p",
-        [
-            Case(OURS, lambda: nf.object_completion(ids[0], ids[1]), error, peer=False),
-            Case("NumPy's unique", unique, error),
-            Case("reading the numbers (NumPy's max)", lambda: [i.max() for i in ids]),
-        ],
-        work=Work(bytes=sum(i.nbytes for i in ids)),
-        repeat=20,
-    )
-    return f"{breaks}\n{completion}"
+    work, cases = Work(multiply_adds=25 * pairs), [Case(OURS, lambda: nf.discontinuity(torn))]
+    breaks = compare("Discontinuity, 1080p, ε = 17 px", cases, work=work, repeat=3)
+    cases = [
+        Case(OURS, lambda: nf.object_completion(ids[0], ids[1]), error),
+        Case("NumPy's unique", unique, error),
+        Case("reading the numbers (NumPy's max)", lambda: [i.max() for i in ids]),
+    ]
+    work = Work(bytes=sum(i.nbytes for i in ids))
+    return f"{breaks}\n{compare('Object completion, 1080p', cases, work=work, repeat=20)}"
 
 
 def main() -> None:
-    print(machine())
-    print(describe())
+    start(__doc__)
+    print_limits()
     for dtype in (np.float32, np.float64, np.uint8):
         print(similarity(f"1080p, {np.dtype(dtype)}", *pictures(1080, 1920, dtype)), flush=True)
     print(similarity("4K, float32", *pictures(2160, 3840), repeat=4), flush=True)
@@ -224,8 +195,8 @@ def main() -> None:
         similarity("1080p, RGB, uint8", np.stack([a, b, a], -1), np.stack([b, a, a], -1), extent, repeat=4), flush=True
     )
     print(similarity("1080p, float32", *pictures(1080, 1920), window="uniform"), flush=True)
-    for job in (maps_at_a_level, pairs, scales_and_sequences, lambda: errors(np.uint8), lambda: errors(np.float32)):
-        print(job(), flush=True)
+    for text in (maps_at_a_level(), pairs(), scales_and_sequences(), errors(np.uint8), errors(np.float32)):
+        print(text, flush=True)
     print(frames())
     chosen = ["SSIM, gaussian, 1080p, float32", LEVEL]
     draw([comparisons[title] for title in chosen], "ssim error and time")

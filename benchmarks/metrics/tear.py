@@ -1,17 +1,13 @@
-"""Readings of `tear` on pictures with a known tear: widths, directions, shear, curvature, overlap.
-
-python -m benchmarks.metrics.tear [--quick] [--plots out/bench]
-"""
+"""Readings of `tear` on pictures with a known tear: widths, directions, shear, curvature, overlap."""
 
 from __future__ import annotations
 
-import argparse
 from pathlib import Path
 
 import numpy as np
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import save_figure, start, subplots, table
 from benchmarks.harness.torn import at_the_line, torn
 
 TEARS = (1.0, 3.0, 10.0, 40.0)
@@ -28,43 +24,29 @@ CASES: tuple[tuple[str, str, float, float], ...] = (
 """Name, motion of the halves, shear and curvature."""
 
 
-def measured(kind: str, shear: float, curvature: float, tear: float, direction: float) -> float:
+def measure(kind: str, shear: float, curvature: float, tear: float, direction: float) -> float:
     """Mean tear measured along the line."""
     frame = torn(tear, direction, kind=kind, shear=shear, curvature=curvature)
     return float(at_the_line(nf.tear(frame), tear, direction, kind=kind).mean())
 
 
 def main() -> None:
-    """Print the table and draw the chart."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="one direction")
-    parser.add_argument("--plots", type=Path, help="folder for the chart")
-    arguments = parser.parse_args()
+    arguments = start(__doc__, "--quick", "--plots")
     directions = dict(list(DIRECTIONS.items())[:1]) if arguments.quick else DIRECTIONS
-    print(machine(), end="\n\n")
     found = {
-        name: np.array([[measured(kind, shear, bent, tear, way) for tear in TEARS] for way in directions.values()])
+        name: np.array([[measure(kind, shear, bent, tear, way) for tear in TEARS] for way in directions.values()])
         for name, kind, shear, bent in CASES
     }
-    rows = [
-        [name, *(f"{low:.3g} to {high:.3g}" for low, high in zip(values.min(axis=0), values.max(axis=0), strict=True))]
-        for name, values in found.items()
-    ]
-    header = ["picture", *(f"tear of {tear:g} px" for tear in TEARS)]
+    rows = [[name, *zip(values.min(axis=0), values.max(axis=0), strict=True)] for name, values in found.items()]
+    header = ["picture", *(f"tear of {tear:g} px {{:.3g}} to {{:.3g}}" for tear in TEARS)]
     print(table(f"What tear reads along the line, {', '.join(directions)}", header, rows))
     if arguments.plots is not None:
-        arguments.plots.mkdir(parents=True, exist_ok=True)
         draw(found, arguments.plots / "tear.png")
 
 
 def draw(found: dict[str, np.ndarray[tuple[int, ...], np.dtype[np.float64]]], path: Path) -> None:
     """Draw the ratio of read to true tear, with the band of ± 10 %."""
-    import matplotlib as mpl
-
-    mpl.use("agg")
-    from matplotlib import pyplot as plt
-
-    figure, axes = plt.subplots(figsize=(7.4, 3.6), layout="constrained")
+    figure, axes = subplots(figsize=(7.4, 3.6))
     axes.axhspan(0.9, 1.1, color="0.92", label="± 10 %")
     for n, (name, values) in enumerate(found.items()):
         at = np.arange(len(TEARS)) + 0.1 * (n - len(found) / 2)
@@ -75,8 +57,7 @@ def draw(found: dict[str, np.ndarray[tuple[int, ...], np.dtype[np.float64]]], pa
     axes.set_xticks(range(len(TEARS)), [f"{tear:g}" for tear in TEARS])
     axes.legend(fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
     axes.grid(alpha=0.3, axis="y")
-    figure.savefig(path, dpi=100)
-    plt.close(figure)
+    save_figure(figure, path)
 
 
 if __name__ == "__main__":

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.compare import OURS, Case, Work, compare, describe
-from benchmarks.harness.timing import machine
+from benchmarks.harness.compare import OURS, Case, Work, compare, print_limits
+from benchmarks.harness.report import start
 
 COUNT = 10_000_000
 USER, CENTER, R1, R2 = (3.0, 1.0, 2.0), (0.0, 1.7, 0.0), 30.0, 50.0
@@ -76,11 +76,11 @@ def main() -> None:
     output, theirs = np.empty_like(points), np.empty_like(points)
     of = functools.partial(error, points=points)
     cases = [
-        Case(OURS, lambda: ours(points), of, peer=False),
-        Case(f"{OURS}, out=", lambda: ours(points, out=output), of, peer=False),
-        Case(f"{OURS}, all inside r1", lambda: ours(points, 200, 300), peer=False),
-        Case(f"{OURS}, all beyond r2", lambda: ours(points, 0.1, 0.2), peer=False),
-        Case(f"{OURS}, cylinder", lambda: ours(points, kind="cylinder"), peer=False),
+        Case(OURS, lambda: ours(points), of),
+        Case(f"{OURS}, out=", lambda: ours(points, out=output), of),
+        Case(f"{OURS}, all inside r1", lambda: ours(points, 200, 300)),
+        Case(f"{OURS}, all beyond r2", lambda: ours(points, 0.1, 0.2)),
+        Case(f"{OURS}, cylinder", lambda: ours(points, kind="cylinder")),
         Case("NumPy", lambda: numpy_morph(points), of),
         Case("np.copy (one thread)", points.copy),
     ]
@@ -88,12 +88,12 @@ def main() -> None:
         numba = numba_morph()
         cases += [Case("numba, parallel, fast-math", lambda: numba(points), of)]
         cases += [Case("numba, into an array at hand", lambda: numba(points, theirs), of)]
-    print(machine())
-    print(describe())
+    start(__doc__)
+    print_limits()
     title = "Morph of 10⁷ float32 points scattered over 150 m, r1 = 30 m, r2 = 50 m"
     print(compare(title, cases, work=Work(bytes=2 * points.nbytes), unit="m"))
     double = points[: COUNT // 4].astype(np.float64)
-    job = [Case(f"{OURS}, float64", lambda: ours(double), peer=False)]
+    job = [Case(f"{OURS}, float64", lambda: ours(double))]
     print(compare("Morph of 2.5 · 10⁶ float64 points", job, work=Work(bytes=2 * double.nbytes)))
 
 

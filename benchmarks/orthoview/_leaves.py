@@ -9,16 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.orthoview.views import TOKYO
+from benchmarks.harness import scenes
 from nearfar import _core
-from nearfar._base import data
 from nearfar.orthoview._directions import directions_of
 from nearfar.orthoview._grid import Grid
 from nearfar.orthoview._layout import Layout
 
 SIZE = 256
 DIRECTIONS = directions_of(9)
-HELMET = "objects/gltf/FlightHelmet/FlightHelmet.gltf"
 
 
 @dataclass(frozen=True)
@@ -38,20 +36,32 @@ class Leaf:
         return np.array([self.corner, np.add(self.corner, self.side)])
 
 
+def axes_of(direction: tuple[int, int, int], side: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Unit vectors to the right, upwards and to the viewer (3, 3) of a view of a cell, and the extents along them."""
+    axes, extents = (np.array(values) for values in _core.orthoview_axes(direction))
+    return axes, extents * side
+
+
+def metres_of(
+    views: _core.OrthoViews, number: int, layout: Layout, side: float, empty: float = np.inf
+) -> NDArray[np.float64]:
+    """Metres (H, W) behind the front of a cell of one view's pixels."""
+    codes = views.depths()[number, ..., 0].astype(float)
+    _, extents = axes_of(layout.directions[number], side)
+    return np.where(codes > 0, (codes - 0.5) * extents[2] / layout.steps, empty)
+
+
 def layout_of(depth_bits: int = 12, normal_bits: int = 16, size: int = SIZE) -> Layout:
     return Layout(Grid((0.0, 0.0, 0.0), 1.0, (1, 1, 1)), DIRECTIONS, size, depth_bits, normal_bits, 3)
 
 
 def leaves() -> Iterator[Leaf]:
     """Yield leaves of the test data, if they exist, and of procedural scenes."""
-    if (path := data.find(TOKYO)) is not None:
-        city = nf.Scene.load(path)
-        for side in (250.0, 500.0):
-            yield in_the_middle(f"Tokyo, {side:g} m", city, side)
+    for _, city in scenes.present("Tokyo core"):
+        yield from (in_the_middle(f"Tokyo, {side:g} m", city, side) for side in (250.0, 500.0))
     yield in_the_middle("city, 80 m", nf.datasets.city(blocks=6), 80.0)
     forest = nf.datasets.forest()
-    for side in (20.0, 80.0):
-        yield in_the_middle(f"forest, {side:g} m", forest, side)
+    yield from (in_the_middle(f"forest, {side:g} m", forest, side) for side in (20.0, 80.0))
 
 
 def in_the_middle(name: str, scene: nf.Scene, side: float) -> Leaf:
@@ -63,8 +73,8 @@ def in_the_middle(name: str, scene: nf.Scene, side: float) -> Leaf:
 
 def helmet() -> Leaf | None:
     """Return a whole model with photographed textures; None without the test data."""
-    if (path := data.find(HELMET)) is None:
+    scene, side = scenes.load("FlightHelmet"), 0.75
+    if scene is None:
         return None
-    scene, side = nf.Scene.load(path), 0.75
     x, y, z = (scene.bounds.mean(axis=0) - side / 2).tolist()
     return Leaf(f"helmet, {side:g} m", scene, (x, y, z), side)

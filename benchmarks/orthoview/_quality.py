@@ -95,7 +95,7 @@ class Quality:
     """Number of leaves drawn as geometry."""
 
 
-def compared(truth: Truth, tree: nf.orthoview.OrthoTree, setting: Setting) -> Quality:
+def compare(truth: Truth, tree: nf.orthoview.OrthoTree, setting: Setting) -> Quality:
     """Draw a tree, and compare the picture with the truth."""
     viewer = tree._viewer
     viewer.views._kept.trim((), 0)

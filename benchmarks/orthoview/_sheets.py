@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
+from benchmarks.harness.report import save_figure, subplots
 from benchmarks.orthoview._quality import Quality, Truth
 
 SMALL = (292, 219)
@@ -97,7 +98,6 @@ def write(picture: Image.Image, text: str, middle: tuple[int, int]) -> None:
 
 def save(picture: Image.Image, path: Path) -> None:
     """Save a picture; PNG with a palette, which suffices for pictures of few hues."""
-    path.parent.mkdir(parents=True, exist_ok=True)
     if path.suffix == ".jpg":
         picture.save(path, quality=88, optimize=True)
         return
@@ -106,13 +106,7 @@ def save(picture: Image.Image, path: Path) -> None:
 
 def plot_errors(lines: Mapping[str, Sequence[Quality]], errors: Sequence[float], path: Path) -> None:
     """Plot SSIM against bytes, with a point for each error."""
-    import matplotlib as mpl
-
-    mpl.use("agg")
-    from matplotlib import pyplot as plt
-
-    path.parent.mkdir(parents=True, exist_ok=True)
-    figure, axis = plt.subplots(figsize=(7, 4.2), layout="constrained")
+    figure, axis = subplots(figsize=(7, 4.2))
     for name, found in lines.items():
         read = [quality.read / 1e6 for quality in found]
         axis.plot(read, [quality.ssim for quality in found], "o-", label=name)
@@ -123,5 +117,4 @@ def plot_errors(lines: Mapping[str, Sequence[Quality]], errors: Sequence[float],
     axis.minorticks_off()
     axis.grid(alpha=0.3)
     axis.legend()
-    figure.savefig(path, dpi=90)
-    plt.close(figure)
+    save_figure(figure, path, dpi=90)

@@ -9,7 +9,7 @@ import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.orthoview._leaves import Leaf
+from benchmarks.orthoview._leaves import Leaf, axes_of, metres_of
 from nearfar import _core
 from nearfar.orthoview import _codec
 from nearfar.orthoview._layout import Layout
@@ -52,14 +52,12 @@ class Pixels:
 
 def pixels(leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int) -> Pixels:
     """Non-empty pixels of one view of a leaf."""
-    axes, extents = (np.array(values) for values in _core.orthoview_axes(layout.directions[number]))
-    width, height, deep = extents * leaf.side
-    codes = views.depths()[number, ..., 0]
-    seen = codes > 0
+    axes, (width, height, deep) = axes_of(layout.directions[number], leaf.side)
+    metres = metres_of(views, number, layout, leaf.side)
+    seen = np.isfinite(metres)
     place = (np.arange(layout.size) + 0.5) / layout.size - 0.5
     across, down = (values[seen] for values in np.meshgrid(place, place))
-    behind = (codes[seen] - 0.5) * deep / layout.steps
-    local = np.stack([across * width, -down * height, deep / 2 - behind], axis=1)
+    local = np.stack([across * width, -down * height, deep / 2 - metres[seen]], axis=1)
     sides = np.array([width, height]) / layout.size
     normal = views.vectors()[number][seen].astype(np.float64)
     return Pixels(leaf.box.mean(axis=0) + local @ axes, normal, views.colors()[number][seen], axes, sides, seen)

@@ -1,7 +1,5 @@
 """Pictures of a tree on graphics adapters: frame times, splats per second, bytes of views, against the processor's.
 
-    python -m benchmarks.orthoview.adapters TREE
-
 An eye looks at the middle of the tree. The error of the cut is reduced until its views have the requested number of
 splats, 25 million as in the paper. Both kinds of atomic integers are measured if an adapter supports those of 64 bits.
 Without a GPU the adapters are software on the processor (lavapipe, llvmpipe).
@@ -9,9 +7,8 @@ Without a GPU the adapters are software on the processor (lavapipe, llvmpipe).
 
 from __future__ import annotations
 
-import argparse
-import time
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -19,7 +16,8 @@ from typing import Any
 import numpy as np
 
 import nearfar as nf
-from benchmarks.harness.timing import best, machine, table
+from benchmarks.harness.report import start, table
+from benchmarks.harness.timing import best, timed
 from benchmarks.orthoview._sheets import save_panels
 from benchmarks.orthoview.splats import eye
 from nearfar import _core
@@ -34,35 +32,29 @@ MIN = 0.05
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("tree", type=Path, help="store that nf.orthoview.build wrote")
-    parser.add_argument("--millions", type=float, default=25.0, help="splats of the views")
-    parser.add_argument("--repeat", type=int, default=3)
-    parser.add_argument("--sizes", nargs="*", choices=SIZES, default=list(SIZES), help="sizes of the pictures")
-    parser.add_argument("--picture", type=Path, help="file of both pictures and their differences")
-    given = parser.parse_args()
-    print(machine(), "\n")
+    given = start(
+        __doc__,
+        "tree",
+        millions=(25.0, "splats of the views"),
+        repeat=3,
+        sizes={"nargs": "*", "choices": SIZES, "default": list(SIZES), "help": "sizes of the pictures"},
+        picture=(Path, "file of both pictures and their differences"),
+    )
     tree = nf.orthoview.open(given.tree)
     camera = eye(tree, 0.1)
-    cut, splats = gathered(tree, camera, given.millions * 1e6)
+    cut, splats = gather(tree, camera, given.millions * 1e6)
     count = sum(view.count for view in splats)
     print(f"{tree}: {len(cut)} cells, {len(splats)} views, {count / 1e6:.1f} million splats\n")
     print(sizes(splats))
     if given.picture is not None:
         save_pictures(given.picture, tree)
     for name in given.sizes:
-        cameras = [
-            nf.Camera(camera.position, camera.orientation, fov=fov_of_size(shape), size=shape) for shape in SIZES[name]
-        ]
+        cameras = [replace(camera, fov=nf.Fov.symmetric(60, w / h), size=(w, h)) for w, h in SIZES[name]]
         for grid in (1, 4):
             print(frames(f"{name}, {grid} × {grid} samples", splats, cameras, grid, given.repeat))
 
 
-def fov_of_size(shape: tuple[int, int]) -> nf.Fov:
-    return nf.Fov.symmetric(60, shape[0] / shape[1])
-
-
-def gathered(
+def gather(
     tree: nf.orthoview.OrthoTree, camera: nf.Camera, wanted: float
 ) -> tuple[nf.orthoview.OrthoCut, list[_core.OrthoSplats]]:
     """Find a cut whose views have the wanted number of splats, or the finest one."""
@@ -78,16 +70,13 @@ def gathered(
 def sizes(splats: Sequence[_core.OrthoSplats]) -> str:
     """Bytes of views on the processor and on adapters, and of the formats that graphics cards decode."""
     count, views = sum(view.count for view in splats), len(splats)
-    on_adapters = sum(view.compressed_bytes for view in splats)
-    rows: list[tuple[str, float]] = [
-        ("on the processor", sum(view.bytes for view in splats)),
-        ("on adapters, without loss", on_adapters),
-        ("BC1 colour, BC5 normal, R16 depth of shown pixels alone, with loss", 3.5 * count),
-    ]
-    header = ["views", "MB", "kB a view", "bytes a splat"]
-    return table(
-        "Memory", header, [[name, f"{n / 1e6:.1f}", f"{n / views / 1e3:.1f}", f"{n / count:.2f}"] for name, n in rows]
-    )
+    rows: dict[str, float] = {
+        "on the processor": sum(view.bytes for view in splats),
+        "on adapters, without loss": sum(view.compressed_bytes for view in splats),
+        "BC1 colour, BC5 normal, R16 depth of shown pixels alone, with loss": 3.5 * count,
+    }
+    header = "views | MB {:.1f} | kB a view {:.1f} | bytes a splat {:.2f}"
+    return table("Memory", header, [(name, n / 1e6, n / views / 1e3, n / count) for name, n in rows.items()])
 
 
 def frames(
@@ -102,40 +91,28 @@ def frames(
             for camera, own in zip(cameras, settings, strict=True)
         ]
 
-    right, rows = draw(), []
+    right, timing = draw(), best(draw, repeat=repeat)
     seen = sum(picture["stats"]["splats_seen"] for picture in right)
-    timing = best(draw, repeat=repeat)
-    rows.append(["processor", "", f"{timing.wall * 1e3:.1f}", f"{seen / timing.wall / 1e6:.1f}", "1", ""])
-    for adapter in nf.gpu.adapters():
-        if not adapter.usable:
-            continue
+    rows: list[list[object]] = [["processor", None, timing.ms, seen / timing.wall / 1e6, "1", None]]
+    for adapter in (adapter for adapter in nf.gpu.adapters() if adapter.usable):
         device = backends.open_device(adapter.backend)
         for allowed in (True, False):
             before = device.allow_long_atomics(allowed)
             if allowed and not device.uses_long_atomics:
                 continue
-            start = time.perf_counter()
-            pictures = draw(device)
-            first = time.perf_counter() - start
-            wall = best(partial(draw, device), repeat=repeat).wall
+            pictures, first = timed(draw, device)
+            time = best(partial(draw, device), repeat=repeat)
             device.allow_long_atomics(before)
             drawn = sum(picture["stats"]["splats_seen"] for picture in pictures)
             same = [
                 np.isclose(a["color"], b["color"], atol=DIFFERENCE).all(-1).mean()
                 for a, b in zip(pictures, right, strict=True)
             ]
-            rows.append(
-                [
-                    f"{device.label}, {64 if allowed else 32} bits",
-                    f"{first * 1e3:.0f}",
-                    f"{wall * 1e3:.1f}",
-                    f"{drawn / wall / 1e6:.1f}",
-                    f"{timing.wall / wall:.2f}",
-                    f"{100 * (1 - float(np.mean(same))):.3f} %",
-                ]
-            )
-    header = ["way", "first ms", "ms", "million seen a second", "× the processor", "pixels that differ"]
-    return table(title, header, rows)
+            rates = drawn / time.wall / 1e6, timing.wall / time.wall
+            name = f"{device.label}, {64 if allowed else 32} bits"
+            rows.append([name, first.ms, time.ms, *rates, 100 * (1 - float(np.mean(same)))])
+    header = "way | first ms {:.0f} | ms {:.1f} | million seen a second {:.1f} | × the processor {:.2f}"
+    return table(title, header + " | pixels that differ {:.3f} %", rows)
 
 
 def save_pictures(path: Path, tree: nf.orthoview.OrthoTree) -> None:
@@ -145,14 +122,8 @@ def save_pictures(path: Path, tree: nf.orthoview.OrthoTree) -> None:
     one, other = (tree.render(camera, **settings, backend=name).require("color") for name in ("cpu", "gpu"))
     differs = np.abs(one - other).max(axis=-1, keepdims=True) > DIFFERENCE
     print(f"{100 * differs.mean():.3f} % of the pixels differ by more than {DIFFERENCE}\n")
-    panels = [
-        ("by the processor", one),
-        ("by an adapter", other),
-        ("pixels that differ", np.repeat(differs, 3, axis=-1)),
-    ]
-    codes = [
-        (title, _core.encode_srgb(np.float32(picture).ravel()).reshape(picture.shape)) for title, picture in panels
-    ]
+    panels = {"by the processor": one, "by an adapter": other, "pixels that differ": np.repeat(differs, 3, axis=-1)}
+    codes = [(name, _core.encode_srgb(np.float32(one).ravel()).reshape(one.shape)) for name, one in panels.items()]
     save_panels(codes, len(codes), path)
 
 

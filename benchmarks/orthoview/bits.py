@@ -6,9 +6,6 @@ beside the view's direction its splats show only what that view saw, regardless 
 
 from __future__ import annotations
 
-import argparse
-import os
-from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -16,10 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.compare import FOLDER
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import save_figure, start, subplots, table
 from benchmarks.orthoview import _splats
-from benchmarks.orthoview._leaves import DIRECTIONS, SIZE, Leaf, layout_of, leaves
+from benchmarks.orthoview._leaves import DIRECTIONS, SIZE, Leaf, layout_of, leaves, metres_of
 from nearfar import _core
 from nearfar.orthoview import _codec
 
@@ -68,23 +64,38 @@ class Loss:
     truth: float
     """SSIM with the leaf itself."""
 
+    @property
+    def pictures(self) -> tuple[float, ...]:
+        """Share of changed pixels, and similarity of the pictures."""
+        return self.changed, self.psnr, self.ssim, self.truth
+
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--size", type=int, default=SIZE, help="width and height of views, pixels")
-    parser.add_argument("--leaf", default="", help="part of the names of the leaves that are drawn")
-    given = parser.parse_args()
-    print(machine(), "\n")
+    given = start(
+        __doc__,
+        "--plots",
+        size=(SIZE, "width and height of views, pixels"),
+        leaf=("", "part of the names of the leaves that are drawn"),
+    )
     losses = {leaf.name: losses_of(leaf, given.size) for leaf in leaves() if given.leaf in leaf.name}
-    shown = ["surfels or balls changed", "PSNR, dB", "SSIM", "SSIM with the leaf"]
-    header = ["leaf", "bits", "depths, kB a view", "RMS, mm", "greatest, mm", "RMS, pixels", "greatest, pixels", *shown]
-    rows = [row for name, by_format in losses.items() for row in rows_of_depths(name, by_format)]
-    print(table(f"Depths, normals of 24 bits, views of {given.size}² pixels", header, rows))
-    header = ["leaf", "bits of depths, normals", "normals, kB a view", "mean, °", "greatest, °", *shown]
-    rows = [row for name, by_format in losses.items() for row in rows_of_normals(name, by_format)]
-    print(table("Normals", [*header, "all channels, kB a view"], rows))
-    if folder := os.environ.get(FOLDER):
-        plot(losses, Path(folder) / PLOT)
+    shown = " | surfels or balls changed {:.2%} | PSNR, dB {:.1f} | SSIM {:.4f} | SSIM with the leaf {:.4f}"
+    header = "leaf | bits | depths, kB a view {:.1f} | RMS, mm {:.3g} | greatest, mm {:.3g} | RMS, pixels {:.3g}"
+    rows = [
+        [name, bits[0], loss.kilobytes["depth"], loss.rms[0], loss.most[0], loss.rms[1], loss.most[1], *loss.pictures]
+        for name, by_format in losses.items()
+        for bits, loss in ((bits, by_format[bits]) for bits in DEPTHS)
+    ]
+    title = f"Depths, normals of 24 bits, views of {given.size}² pixels"
+    print(table(title, f"{header} | greatest, pixels {{:.3g}}{shown}", rows))
+    rows = [
+        [name, bits, loss.kilobytes["normal"], *loss.angles, *loss.pictures, sum(loss.kilobytes.values())]
+        for name, by_format in losses.items()
+        for bits, loss in ((bits, by_format[bits]) for bits in NORMALS)
+    ]
+    header = "leaf | bits of depths, normals {}, {} | normals, kB a view {:.1f} | mean, ° {:.2g} | greatest, ° {:.2g}"
+    print(table("Normals", f"{header}{shown} | all channels, kB a view {{:.1f}}", rows))
+    if given.plots is not None:
+        plot(losses, given.plots / PLOT)
         print(f"![Bits of depths]({PLOT})\n")
 
 
@@ -101,11 +112,10 @@ def stored(leaf: Leaf, bits: Format, size: int) -> Stored:
     lengths: dict[str, list[int]] = {}
     for (_, channel), chunk in _codec.encoded(views, layout).items():
         lengths.setdefault(channel, []).append(len(chunk))
-    codes = views.depths()[..., 0]
-    deep = np.array([_core.orthoview_axes(direction)[1][2] for direction in DIRECTIONS]) * leaf.side
+    metres = [metres_of(views, number, layout, leaf.side, np.nan) for number in range(len(DIRECTIONS))]
     return Stored(
         {channel: float(np.mean(of_channel)) / 1e3 for channel, of_channel in lengths.items()},
-        np.where(codes > 0, (codes - 0.5) * (deep / layout.steps)[:, None, None], np.nan),
+        np.array(metres),
         views.vectors(),
         _core.orthoview_surfels(views.connected(_codec.CONNECTED))[..., 0],
         [_splats.picture(leaf, views, layout, number) for number in SHOWN],
@@ -140,32 +150,8 @@ def differences(right: list[NDArray[np.uint8]], shown: list[NDArray[np.uint8]]) 
     return (float(20 * np.log10(255 / np.sqrt(square))) if square else np.inf), float(ssim)
 
 
-def rows_of_depths(name: str, losses: dict[Format, Loss]) -> Iterable[list[str]]:
-    for bits in DEPTHS:
-        loss = losses[bits]
-        errors = [f"{value:.3g}" for value in (loss.rms[0], loss.most[0], loss.rms[1], loss.most[1])]
-        yield [name, str(bits[0]), f"{loss.kilobytes['depth']:.1f}", *errors, *of_pictures(loss)]
-
-
-def rows_of_normals(name: str, losses: dict[Format, Loss]) -> Iterable[list[str]]:
-    for bits in NORMALS:
-        loss = losses[bits]
-        angles = [f"{angle:.2g}" for angle in loss.angles]
-        whole = f"{sum(loss.kilobytes.values()):.1f}"
-        yield [name, f"{bits[0]}, {bits[1]}", f"{loss.kilobytes['normal']:.1f}", *angles, *of_pictures(loss), whole]
-
-
-def of_pictures(loss: Loss) -> list[str]:
-    return [f"{loss.changed:.2%}", f"{loss.psnr:.1f}", f"{loss.ssim:.4f}", f"{loss.truth:.4f}"]
-
-
 def plot(losses: dict[str, dict[Format, Loss]], path: Path) -> None:
-    import matplotlib as mpl
-
-    mpl.use("Agg")
-    from matplotlib import pyplot as plt
-
-    figure, (sizes, pictures) = plt.subplots(1, 2, figsize=(10, 3.8), layout="constrained")
+    figure, (sizes, pictures) = subplots(1, 2, figsize=(10, 3.8))
     numbers = [bits[0] for bits in DEPTHS]
     for name, by_format in losses.items():
         sizes.plot(numbers, [by_format[bits].kilobytes["depth"] for bits in DEPTHS], marker=".", label=name)
@@ -173,8 +159,7 @@ def plot(losses: dict[str, dict[Format, Loss]], path: Path) -> None:
     sizes.set(xlabel="bits of a depth", ylabel="kB of a view's depths", ylim=(0, None))
     pictures.set(xlabel="bits of a depth", ylabel="1 − SSIM, from 16 bits", yscale="log")
     sizes.legend(fontsize="small")
-    figure.savefig(path, dpi=100)
-    plt.close(figure)
+    save_figure(figure, path)
 
 
 if __name__ == "__main__":

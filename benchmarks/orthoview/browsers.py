@@ -1,7 +1,5 @@
 """The page of trees, 3d-tiles-renderer and Spark in one Chromium: pictures after equal bytes, and a flight.
 
-    python -m benchmarks.orthoview.browsers [STORE] --out FOLDER
-
 STORE is a tree with geometry; without one a city is built. 3d-tiles-renderer reads the leaves' geometry, Spark the
 cells of the cuts as SPZ files. All receive their bytes through one gate, which closes after a number of them. Pages
 need a browser and `npm ci --prefix tests/readers`.
@@ -11,8 +9,6 @@ from __future__ import annotations
 
 import argparse
 import math
-import tempfile
-import time
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -22,7 +18,8 @@ from numpy.typing import NDArray
 from PIL import Image
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import folder_or_temporary, start, table
+from benchmarks.harness.timing import timed
 from benchmarks.orthoview._clients import CLIENTS, Way, open_client, prepare
 from benchmarks.orthoview._gate import Gate, served
 from tests.support.browser import started
@@ -47,29 +44,25 @@ Truth = tuple[Array, NDArray[np.bool_], Array]
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("store", nargs="?", help="a tree with geometry")
-    parser.add_argument("--error", type=float, default=3.0, help="error_px of the page's cuts")
-    parser.add_argument("--splat-error", type=float, default=12.0, help="error_px of Spark's cuts")
-    parser.add_argument("--height", type=float, default=120.0, help="metres above the bottom of the tree")
-    parser.add_argument("--speed", type=float, help="metres a second; a twentieth of the world in all by default")
-    parser.add_argument("--seconds", type=float, default=30.0)
-    parser.add_argument("--mbps", type=float, default=20.0, help="link of the flight")
-    parser.add_argument("--viewers", nargs="+", default=list(CLIENTS), choices=list(CLIENTS))
-    parser.add_argument("--only", choices=("standing", "flying"), help="one of the two tables")
-    parser.add_argument("--work", type=Path, help="folder that keeps what is made: SPZ files, truths, pictures")
-    parser.add_argument("--out", type=Path, help="folder for the picture")
-    given = parser.parse_args()
-    print(f"{machine()}\n")
-    with tempfile.TemporaryDirectory() as temporary:
-        folder = given.work or Path(temporary)
-        folder.mkdir(parents=True, exist_ok=True)
+    given = start(
+        __doc__,
+        "--out",
+        store={"nargs": "?", "help": "a tree with geometry"},
+        error=(3.0, "error_px of the page's cuts"),
+        splat_error=(12.0, "error_px of Spark's cuts"),
+        height=(120.0, "metres above the bottom of the tree"),
+        speed=(float, "metres a second; a twentieth of the world in all by default"),
+        seconds=30.0,
+        mbps=(20.0, "link of the flight"),
+        viewers={"nargs": "+", "default": list(CLIENTS), "choices": list(CLIENTS)},
+        only={"default": None, "choices": ("standing", "flying"), "help": "one of the two tables"},
+        work=(Path, "folder that keeps what is made: SPZ files, truths, pictures"),
+    )
+    with folder_or_temporary(given.work) as folder:
         tree = nf.orthoview.open(given.store) if given.store else city(folder)
         speed = given.speed or float(np.ptp(tree.bounds[:, 0])) / 20 / given.seconds
         way = Way(tree, given.height, speed, given.seconds, given.error, given.splat_error)
-        folders = prepare(way, folder)
-        gate = Gate()
-        counted = frozenset({"store", "splats"})
+        folders, gate, counted = prepare(way, folder), Gate(), frozenset({"store", "splats"})
         with served(folders, gate, counted) as url, started(flags=["--js-flags=--max-old-space-size=4096"]) as chromium:
             if given.only != "flying":
                 standing(chromium, url, way, gate, given, folder)
@@ -102,17 +95,17 @@ def standing(chromium: Any, url: str, way: Way, gate: Gate, given: argparse.Name
                 facts = client.settled(place, PATIENCE)
                 told = [f"{(gate.sent - begin) / 1e6:.2f}", f"{gate.requests - asked}", f"{facts['missing']}"]
                 row = [f"{place * way.step:g}", f"{megabytes:g}", name, *told]
-                rows.append(row + compared(name, client.picture(), truths[place], folder / file_of(name, row)))
+                rows.append(row + compare(name, client.picture(), truths[place], folder / file_of(name, row)))
                 print(rows[-1], facts, flush=True)
     rows.sort(key=lambda row: (float(row[0]), float(row[1])))
-    header = ["place, s", "MB allowed", "viewer", "MB", "requests", "missing", "PSNR, dB", "SSIM", "holes, %"]
+    header = "place, s | MB allowed | viewer | MB | requests | missing | PSNR, dB | SSIM | holes, %"
     print(table("Pictures after equal bytes", header, rows))
     if given.out is not None:
         shown = [(places[0], step) for step in SHEET] + [stops[-2]]
         sheet(truths, shown, folder, given.out / "orthoview_browsers.png")
 
 
-def compared(name: str, shown: NDArray[np.uint8], truth: Truth, file: Path) -> list[str]:
+def compare(name: str, shown: NDArray[np.uint8], truth: Truth, file: Path) -> list[str]:
     """Similarity of a viewer's picture to the truth, and its holes; the picture is saved."""
     right, solid, sky = truth
     picture = shown[..., :3] / 255.0
@@ -139,20 +132,19 @@ def flying(chromium: Any, url: str, way: Way, gate: Gate, given: argparse.Namesp
         gate.mbps, gate.rtt_ms = given.mbps, RTT
         gate.allow(math.inf)
         with open_client(chromium, url, name, way, gate) as client:
-            begin = time.monotonic()
-            facts = client.settled(0, PATIENCE)
-            waited, before = time.monotonic() - begin, gate.sent
+            facts, waited = timed(client.settled, 0, PATIENCE)
+            before = gate.sent
             moments, took, missing = client.fly(PACE).T
         share = np.diff(np.append(moments, way.seconds)) / way.seconds
-        first = [f"{(before - start) / 1e6:.1f}", f"{waited:.0f}", f"{facts['missing']}"]
-        later = [f"{(gate.sent - before) / 1e6:.1f}", f"{gate.requests - asked}", f"{len(took)}"]
-        stalled = [f"{100 * (missing > 0).mean():.0f}", f"{100 * share[missing > 0].sum():.0f}"]
-        times = [f"{np.median(took):.0f}", f"{np.percentile(took, 95):.0f}"]
-        rows.append([name, *first, *later, *stalled, *times])
+        first = (before - start) / 1e6, waited.wall, facts["missing"]
+        later = (gate.sent - before) / 1e6, gate.requests - asked, len(took)
+        stalled = 100 * (missing > 0).mean(), 100 * share[missing > 0].sum()
+        rows.append([name, *first, *later, *stalled, np.median(took), np.percentile(took, 95)])
         print(rows[-1], flush=True)
     title = f"{way.seconds:g} s at {PACE * way.speed:g} m/s, {given.mbps:g} Mbit/s, {RTT:g} ms"
-    header = ["viewer", "first picture, MB", "s", "missing", "flight, MB", "requests in all", "frames"]
-    print(table(title, [*header, "stalled, % of frames", "% of time", "median frame, ms", "95 %"], rows))
+    header = "viewer | first picture, MB {:.1f} | s {:.0f} | missing | flight, MB {:.1f} | requests in all | frames"
+    header += " | stalled, % of frames {:.0f} | % of time {:.0f} | median frame, ms {:.0f} | 95 % {:.0f}"
+    print(table(title, header, rows))
 
 
 def truth_of(way: Way, place: int, folder: Path) -> Truth:

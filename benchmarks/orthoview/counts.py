@@ -1,17 +1,14 @@
 """Splats along a walk, and the effect of a continuous cut, a budget and a gaze on them.
 
-    python -m benchmarks.orthoview.counts TREE walk growth still bands gaze budget swaps --out FOLDER
-
 The walk's counts are those of figure 10 of the paper: splats of the cut all around the viewer, splats that reach into
 the picture, and splats that are not occluded. Leaves are drawn from views at any distance.
 """
 
 from __future__ import annotations
 
-import argparse
 import itertools
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
@@ -22,8 +19,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.timing import best, machine, table
-from benchmarks.orthoview import _counts_plots as plots, _swaps
+from benchmarks.harness.report import save_figure, start, subplots, table
+from benchmarks.harness.timing import best
+from benchmarks.orthoview import _swaps
 from benchmarks.orthoview.splats import DIRECTIONS, FOV, HEIGHTS, SIZE, eye, full
 from nearfar import _core
 from nearfar._camera.shot import Shot
@@ -45,13 +43,10 @@ Tree = nf.orthoview.OrthoTree
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("tree", type=Path, help="store that nf.orthoview.build wrote")
-    parser.add_argument("tables", nargs="*", help=f"of {', '.join(TABLES)}; by default all")
-    parser.add_argument("--out", type=Path, help="folder for plots")
-    given = parser.parse_args()
+    tables = {"nargs": "*", "help": f"of {', '.join(TABLES)}; by default all"}
+    given = start(__doc__, "tree", "--out", tables=tables)
     tree = nf.orthoview.open(given.tree, cache_bytes=3 << 30)
-    print(f"{machine()}, {_core.thread_count()} threads\n\n{tree}\n")
+    print(f"{_core.thread_count()} threads\n\n{tree}\n")
     for name in given.tables or TABLES:
         print(TABLES[name](tree, given.out), flush=True)
 
@@ -79,12 +74,13 @@ def walk(tree: Tree, out: Path | None) -> str:
         counts.append([stats[name] for name in ("splats", "splats_in_picture", "splats_seen")])
     found = np.array(counts)
     if out is not None:
-        plots.save_counts(found, cells_within(tree), flat_worlds(), out / "orthoview_counts.png")
+        save_counts(found, cells_within(tree), flat_worlds(), out / "orthoview_counts.png")
     rows = [
-        [name, *(f"{value / 1e3:,.0f}" for value in (column.min(), np.median(column), column.max()))]
-        for name, column in zip(("in memory", "in the picture", "seen"), found.T, strict=True)
+        [name, column.min(), np.median(column), column.max()]
+        for name, column in zip(("in memory", "in the picture", "seen"), found.T / 1e3, strict=True)
     ]
-    return table(f"Thousand splats of {FRAMES} frames", ["splats", "least", "median", "most"], rows)
+    header = "splats | least {:,.0f} | median {:,.0f} | most {:,.0f}"
+    return table(f"Thousand splats of {FRAMES} frames", header, rows)
 
 
 def cells_within(tree: Tree) -> tuple[NDArray[Any], NDArray[Any]]:
@@ -107,9 +103,8 @@ def flat_worlds() -> tuple[list[int], list[int]]:
 
 def growth(tree: Tree, out: Path | None) -> str:
     """Table of cells of cuts of flat worlds."""
-    del tree, out
-    rows = [[f"{side}²", str(cells)] for side, cells in zip(*flat_worlds(), strict=True)]
-    return table("Cells of a cut around a viewer in a flat world", ["leaves", "cells"], rows)
+    rows = zip(*flat_worlds(), strict=True)
+    return table("Cells of a cut around a viewer in a flat world", "leaves {}² | cells", rows)
 
 
 def still(tree: Tree, out: Path | None) -> str:
@@ -127,12 +122,11 @@ def still(tree: Tree, out: Path | None) -> str:
         changes = np.sqrt(square)
         if band in (None, _cut.BAND):
             lines[f"{height:g} widths high, {'cells at once' if band is None else 'continuous'}"] = changes
-        numbers = [f"{value:.2f}" for value in (changes.max(), np.median(changes), changes.mean())]
-        rows.append([f"{height:g}", f"{band or '–'}", *numbers])
+        rows.append([height, band or "–", changes.max(), np.median(changes), changes.mean()])
     if out is not None:
-        plots.save_changes(errors[1:], lines, out / "orthoview_still.png")
+        save_changes(errors[1:], lines, out / "orthoview_still.png")
     title = f"RMS change of codes from picture to picture, {STEPS} steps of the error from 1 to 2"
-    return table(title, ["height, widths", "band", "greatest", "median", "mean"], rows)
+    return table(title, "height, widths {:g} | band | greatest {:.2f} | median {:.2f} | mean {:.2f}", rows)
 
 
 @contextmanager
@@ -148,23 +142,20 @@ def blending(band: float | None) -> Iterator[dict[str, Any]]:
 
 def bands(tree: Tree, out: Path | None) -> str:
     """Table of splats and times of cuts with several bands, and without any."""
-    del out
     rows = []
     for height, band in itertools.product(HEIGHTS, (None, *BANDS)):
         camera = eye(tree, height)
         with blending(band) as settings:
             stats = tree.render(camera, channels=("color",), **settings).stats
             timing = best(partial(tree.render, camera, channels=("color",), **settings), repeat=5)
-        numbers = [f"{stats[name] / 1e3:,.0f}" for name in ("splats", "splats_in_picture", "splats_seen")]
-        views = [str(stats["cells"]), str(stats["views"])]
-        rows.append([f"{height:g}", f"{band or '–'}", *views, *numbers, f"{timing.cpu * 1e3:.0f}"])
-    header = ["height, widths", "band", "cells", "views", "thousand splats", "in the picture", "seen", "CPU ms"]
-    return table("Continuous cuts", header, rows)
+        numbers = (stats[name] / 1e3 for name in ("splats", "splats_in_picture", "splats_seen"))
+        rows.append([height, band or "–", stats["cells"], stats["views"], *numbers, timing.cpu_ms])
+    header = "height, widths {:g} | band | cells | views | thousand splats {:,.0f} | in the picture {:,.0f}"
+    return table("Continuous cuts", header + " | seen {:,.0f} | CPU ms {:.0f}", rows)
 
 
 def gaze(tree: Tree, out: Path | None) -> str:
     """Table of splats saved by a gaze at the middle, and PSNR within 5° of it and beyond."""
-    del out
     rows = []
     for height, (fov, size), error in itertools.product(HEIGHTS, ((FOV, SIZE), HEADSET), (1.0, 0.5)):
         camera = replace(eye(tree, height), fov=fov, size=size)
@@ -172,15 +163,12 @@ def gaze(tree: Tree, out: Path | None) -> str:
         evenly, foveated = draw(), draw(gaze=(size[0] / 2, size[1] / 2))
         square = (evenly.to_image().astype(float) - foveated.to_image().astype(float)) ** 2
         is_near = degrees_from_middle(camera) < NEAR
-        counts = [evenly.stats["splats"], foveated.stats["splats"]]
-        numbers = [
-            f"{error:g}",
-            *(f"{count / 1e3:,.0f}" for count in counts),
-            f"{100 * (1 - counts[1] / counts[0]):.0f}",
-        ]
-        rows.append([f"{height:g}", f"{size[0]} × {size[1]}", *numbers, psnr(square[is_near]), psnr(square[~is_near])])
-    names = ["thousand splats", "with a gaze", "saved, %", f"PSNR within {NEAR:g}°, dB", "beyond, dB"]
-    return table("A gaze at the middle", ["height, widths", "picture", "error_px", *names], rows)
+        one, other = evenly.stats["splats"], foveated.stats["splats"]
+        numbers = [error, one / 1e3, other / 1e3, 100 * (1 - other / one)]
+        rows.append([height, size, *numbers, psnr(square[is_near]), psnr(square[~is_near])])
+    header = "height, widths {:g} | picture {} × {} | error_px {:g} | thousand splats {:,.0f} | with a gaze {:,.0f}"
+    header += f" | saved, % {{:.0f}} | PSNR within {NEAR:g}°, dB | beyond, dB"
+    return table("A gaze at the middle", header, rows)
 
 
 def degrees_from_middle(camera: nf.Camera) -> NDArray[np.float64]:
@@ -199,7 +187,6 @@ def psnr(square: NDArray[np.float64]) -> str:
 
 def budget(tree: Tree, out: Path | None) -> str:
     """Table of errors that keep a budget along a part of the walk."""
-    del out
     rows = []
     cameras = list(itertools.islice(path(tree, FRAMES), 0, None, 10))
     for continuous, most in itertools.product((False, True), BUDGETS):
@@ -207,34 +194,63 @@ def budget(tree: Tree, out: Path | None) -> str:
         found = [tree._viewer._fitter.fit(camera, settings) for camera in cameras]
         errors, splats = np.array([one.error_px for one in found]), np.array([one.count for one in found])
         timing = best(partial(tree._viewer._fitter.fit, cameras[0], settings), repeat=3)
-        numbers = [f"{splats.max():,}", f"{splats.mean():,.0f}", f"{errors.min():.2f} to {errors.max():.2f}"]
-        rows.append(["yes" if continuous else "no", f"{most:,}", *numbers, f"{timing.cpu * 1e3:.0f}"])
-    header = ["continuous", "budget", "most splats", "mean", "error_px", "CPU ms to choose"]
-    return table(f"A budget, {len(cameras)} frames of the walk", header, rows)
+        numbers = splats.max(), splats.mean(), (errors.min(), errors.max())
+        rows.append(["yes" if continuous else "no", most, *numbers, timing.cpu_ms])
+    header = "continuous | budget {:,} | most splats {:,} | mean {:,.0f} | error_px {:.2f} to {:.2f}"
+    return table(f"A budget, {len(cameras)} frames of the walk", header + " | CPU ms to choose {:.0f}", rows)
 
 
 def swaps(tree: Tree, out: Path | None) -> str:
     """Table of distances between splats and the parent's splats that replace them."""
-    del out
     rows = []
     for height in HEIGHTS:
         moved = _swaps.swap_distances(tree, eye(tree, height))
-        rows.append(
-            [f"{height:g}", f"{len(moved):,}", *(f"{np.quantile(moved, q):.2f}" for q in (0.5, 0.9, 0.99, 0.999, 1))]
-        )
-    header = ["height, widths", "splats", "median", "90 %", "99 %", "99.9 %", "most"]
+        rows.append([height, len(moved), *np.quantile(moved, (0.5, 0.9, 0.99, 0.999, 1))])
+    shares = (f"{name} {{:.2f}}" for name in ("median", "90 %", "99 %", "99.9 %", "most"))
+    header = ["height, widths {:g}", "splats {:,}", *shares]
     return table("Pixels that splats move where levels change, error_px=1", header, rows)
 
 
-TABLES = {
-    "walk": walk,
-    "growth": growth,
-    "still": still,
-    "bands": bands,
-    "gaze": gaze,
-    "budget": budget,
-    "swaps": swaps,
-}
+NAMES = ("in memory: the cut all around", "in the picture", "seen: not hidden")
+
+
+def save_counts(
+    counts: NDArray[Any],
+    within: tuple[NDArray[Any], NDArray[Any]],
+    flat: tuple[Sequence[int], Sequence[int]],
+    path: Path,
+) -> None:
+    """Plot the three counts of each frame, and cells against distance and against the world's size."""
+    figure, (left, right) = subplots(1, 2, figsize=(10, 3.8), width_ratios=(3, 2))
+    for name, column in zip(NAMES, counts.T, strict=True):
+        left.plot(column, label=name)
+    left.set(yscale="log", ylim=(counts.min() / 2, counts.max() * 8), xlabel="frame of the walk", ylabel="splats")
+    left.legend(loc="upper right")
+    distance, cells = within
+    right.step(distance[distance > 0] / 1e3, cells[distance > 0], where="post", label="Tokyo: within this distance, km")
+    right.plot(*flat, "o-", label="flat worlds of this width, leaves")
+    right.set(xscale="log", xlabel="distance or width", ylabel="cells of the cut")
+    right.legend(loc="upper left")
+    finish(figure, (left, right), path)
+
+
+def save_changes(errors: NDArray[Any], lines: Mapping[str, NDArray[Any]], path: Path) -> None:
+    """Plot changes from picture to picture against the error."""
+    figure, axis = subplots(figsize=(7, 3.4))
+    for name, changes in lines.items():
+        axis.plot(errors, changes, "o-", markersize=3, label=name)
+    axis.set(xlabel="error_px of a camera that does not move", ylabel="RMS change, codes of 255")
+    figure.legend(loc="outside upper center", ncols=2)
+    finish(figure, (axis,), path)
+
+
+def finish(figure: Any, axes: Sequence[Any], path: Path) -> None:
+    for axis in axes:
+        axis.grid(alpha=0.3)
+    save_figure(figure, path, dpi=90)
+
+
+TABLES = {each.__name__: each for each in (walk, growth, still, bands, gaze, budget, swaps)}
 
 
 if __name__ == "__main__":

@@ -1,12 +1,7 @@
-"""Shares of worlds hidden from viewers by each set of directions, the chosen set, and the time of the choice.
-
-The plot goes to the folder NEARFAR_BENCH_OUT, if it is set.
-"""
+"""Shares of worlds hidden from viewers by each set of directions, the chosen set, and the time of the choice."""
 
 from __future__ import annotations
 
-import os
-import time
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,15 +10,12 @@ from typing import Any
 import numpy as np
 
 import nearfar as nf
-from benchmarks.harness.compare import FOLDER
-from benchmarks.harness.timing import machine, table
-from nearfar._base import data
+from benchmarks.harness import scenes
+from benchmarks.harness.report import save_figure, start, subplots, table
+from benchmarks.harness.timing import timed
 from nearfar.orthoview._directions import COUNTS
 from nearfar.orthoview._disocclusion import BOUND, Choice, choose_directions
 from nearfar.orthoview._grid import Grid
-
-MANHATTAN = "city/manhattan_deckgl/manhattan_core.glb"
-TOKYO = "city/tokyo23/tokyo_core_lod1.glb"
 
 GRID = 28.5
 """Angle in degrees about y that aligns Manhattan's avenues with an axis."""
@@ -49,17 +41,17 @@ class World:
 
 
 def main() -> None:
-    print(machine(), "\n")
-    rows: list[list[str]] = []
-    choices = {world.label: measured(world, rows) for world in worlds()}
-    header = ["world, leaf", *map(str, COUNTS), "chosen", "leaves", "seconds", "CPU seconds"]
+    plots = start(__doc__, "--plots").plots
+    header = ["world, leaf", *(f"{count} {{:.1f}}" for count in COUNTS), "chosen", "leaves", "seconds {:.1f}"]
+    header += ["CPU seconds {:.1f}"]
+    rows: list[list[object]] = []
+    choices = {world.label: measure(world, rows) for world in worlds()}
     print(table("Share of what viewers see that no view shows, %, by the number of directions", header, rows))
-    turned_rows: list[list[str]] = []
-    by_angle = [measured(world, turned_rows) for world in of_angles()]
-    print(table("The same by the angle between Manhattan's streets and the axes", header, turned_rows))
-    folder = os.environ.get(FOLDER)
-    if folder:
-        draw(choices, by_angle, Path(folder) / "orthoview-directions.png")
+    rows = []
+    by_angle = [measure(world, rows) for world in turned_worlds()]
+    print(table("The same by the angle between Manhattan's streets and the axes", header, rows))
+    if plots is not None:
+        draw(choices, by_angle, plots / "orthoview-directions.png")
         print("![disocclusion by the number of directions](orthoview-directions.png)\n")
 
 
@@ -68,13 +60,10 @@ def worlds() -> Iterator[World]:
     city = nf.datasets.city(blocks=12, detail=1)
     yield World("city, streets along the axes", city, 40.0)
     yield World("city, streets along the axes", city, 80.0)
-    yield World("city, turned by 45°", rotated_about_y(city, 45.0), 80.0)
-    for name, file, cells in (("Manhattan", MANHATTAN, (125.0, 500.0)), ("Tokyo", TOKYO, (125.0, 250.0, 500.0))):
-        path = data.find(file)
-        if path is not None:
-            scene = nf.Scene.load(path)
-            for cell in cells:
-                yield World(name, scene, cell)
+    yield World("city, turned by 45°", rotate_about_y(city, 45.0), 80.0)
+    for name, cells in {"Manhattan core": (125.0, 500.0), "Tokyo core": (125.0, 250.0, 500.0)}.items():
+        for _, scene in scenes.present(name):
+            yield from (World(name.removesuffix(" core"), scene, cell) for cell in cells)
     forest = nf.datasets.forest()
     yield World("forest", forest, 20.0)
     yield World("forest", forest, 80.0)
@@ -83,45 +72,38 @@ def worlds() -> Iterator[World]:
     yield World("asteroids, viewers below too", asteroids, 1000.0, below=True)
 
 
-def of_angles() -> Iterator[World]:
+def turned_worlds() -> Iterator[World]:
     """Yield Manhattan at angles to the axes."""
-    path = data.find(MANHATTAN)
-    if path is not None:
-        scene = nf.Scene.load(path)
+    for _, scene in scenes.present("Manhattan core"):
         for angle in ANGLES:
-            yield World(f"Manhattan, {angle:g}°", rotated_about_y(scene, GRID + angle), 250.0)
+            yield World(f"Manhattan, {angle:g}°", rotate_about_y(scene, GRID + angle), 250.0)
 
 
-def rotated_about_y(scene: nf.Scene, degrees: float) -> nf.Scene:
+def rotate_about_y(scene: nf.Scene, degrees: float) -> nf.Scene:
     """Rotate the triangles of a scene about the y axis."""
     corners, (sine, cosine) = scene.triangles().reshape(-1, 3), np.sin(np.radians([degrees, degrees + 90]))
     matrix = np.array([[cosine, 0, -sine], [0, 1, 0], [sine, 0, cosine]], np.float32)
     return nf.Scene.from_arrays(corners @ matrix, np.arange(len(corners), dtype=np.uint32).reshape(-1, 3))
 
 
-def measured(world: World, rows: list[list[str]]) -> Choice:
+def measure(world: World, rows: list[list[object]]) -> Choice:
     """Choose directions for a world, and add a row to the table."""
     grid = Grid.from_bounds(world.source.bounds, world.cell)
     world.source.query(grid.box(0, (0, 0, 0)))  # makes the search tree of a scene in memory
-    wall, cpu = time.perf_counter(), time.process_time()
-    choice = choose_directions(world.source, grid, below=world.below)
-    seconds = [f"{time.perf_counter() - wall:.1f}", f"{time.process_time() - cpu:.1f}"]
-    shares = [f"{100 * choice.shares[count]:.1f}" for count in COUNTS]
-    rows.append([world.label, *shares, str(choice.count), str(choice.cells), *seconds])
+    choice, time = timed(choose_directions, world.source, grid, below=world.below)
+    shares = (100 * choice.shares[count] for count in COUNTS)
+    rows.append([world.label, *shares, choice.count, choice.cells, time.wall, time.cpu])
     return choice
 
 
 def draw(choices: Mapping[str, Choice], by_angle: Sequence[Choice], path: Path) -> None:
     """Draw the shares of all worlds by set, with a ring around the chosen ones, and those of Manhattan by angle."""
-    import matplotlib as mpl
+    from matplotlib import colormaps
 
-    mpl.use("agg")
-    from matplotlib import pyplot as plt
-
-    figure, axes = plt.subplots(1, 2, figsize=(12, 4.8), sharey=True, layout="constrained", width_ratios=(2, 1))
+    figure, axes = subplots(1, 2, figsize=(12, 4.8), sharey=True, width_ratios=(2, 1))
     sets = range(len(COUNTS))
     for number, (name, choice) in enumerate(choices.items()):
-        color = plt.cm.tab20(number)
+        color = colormaps["tab20"](number)
         line(axes[0], sets, [choice.shares[count] for count in COUNTS], name, color)
         taken = COUNTS.index(choice.count), 100 * choice.shares[choice.count]
         axes[0].plot(*taken, "o", ms=10, mfc="none", color=color)
@@ -129,14 +111,13 @@ def draw(choices: Mapping[str, Choice], by_angle: Sequence[Choice], path: Path) 
     axes[0].set(xlabel="directions; ○ chosen", ylabel="hidden, %", ylim=0)
     for number, count in enumerate(COUNTS):
         shares = [choice.shares[count] for choice in by_angle]
-        line(axes[1], ANGLES[: len(shares)], shares, f"{count} directions", plt.cm.viridis(number / len(COUNTS)))
+        line(axes[1], ANGLES[: len(shares)], shares, f"{count} directions", colormaps["viridis"](number / len(COUNTS)))
     axes[1].set(xticks=ANGLES, xlabel="degrees between Manhattan's streets and the axes")
     for axis in axes:
         axis.axhline(100 * BOUND, color="black", ls=":", lw=1)
         axis.grid(alpha=0.3)
         axis.legend(fontsize=7)
-    figure.savefig(path, dpi=100)
-    plt.close(figure)
+    save_figure(figure, path)
 
 
 def line(axis: Any, places: Any, shares: list[float], label: str, color: Any) -> None:

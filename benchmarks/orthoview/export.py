@@ -10,8 +10,6 @@ from __future__ import annotations
 
 import argparse
 import tempfile
-import time
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -19,7 +17,8 @@ from numpy.typing import NDArray
 from PIL import Image
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import folder_or_temporary, start, table
+from benchmarks.harness.timing import timed
 from nearfar.orthoview import _gaussians, _spz
 from nearfar.orthoview._splat_cells import Cells
 from nearfar.orthoview._splat_export import sun_of
@@ -34,41 +33,31 @@ Array = NDArray[np.float64]
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("name", choices=TABLES)
-    parser.add_argument("store", help="a tree")
-    parser.add_argument("--level", type=int, default=2, help="of the cells")
-    parser.add_argument("--error", type=float, default=2.0, help="error_px of the pictures")
-    parser.add_argument("--out", type=Path, help="folder for pictures")
-    given = parser.parse_args()
-    print(f"{machine()}\n")
+    given = start(
+        __doc__,
+        "--out",
+        name={"choices": TABLES},
+        store={"help": "a tree"},
+        level=(2, "of the cells"),
+        error=(2.0, "error_px of the pictures"),
+    )
     TABLES[given.name](nf.orthoview.open(given.store), given)
 
 
 def sizes(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
     """Table of splats before and after thinning, bytes, and CPU seconds."""
     rows = []
-    with tempfile.TemporaryDirectory() as folder:
+    with folder_or_temporary() as folder:
         for name, compression in (("one.spz", None), ("one.glb", None), ("packed.glb", "spz")):
-            start = time.process_time()
-            counts = tree.export_splats(Path(folder, name), level=given.level, compression=compression)
-            seconds = time.process_time() - start
-            pixels, splats = counts["pixels"], counts["splats"]
-            rows.append(
-                [
-                    name,
-                    f"{counts['cells']}",
-                    f"{pixels / counts['cells']:,.0f}",
-                    f"{splats / counts['cells']:,.0f}",
-                    f"{pixels / splats:.2f}",
-                    f"{counts['bytes'] / splats:.1f}",
-                    f"{1e6 * seconds / splats:.1f}",
-                ]
-            )
+            counts, time = timed(tree.export_splats, folder / name, level=given.level, compression=compression)
+            cells, pixels, splats = counts["cells"], counts["pixels"], counts["splats"]
+            sizes = pixels / cells, splats / cells, pixels / splats, counts["bytes"] / splats
+            rows.append([name, cells, *sizes, 1e6 * time.cpu / splats])
     held, views = tree.held, tree.held["chunks"] / 3
     print(f"the store: {held['bytes']:,} bytes, {held['bytes'] / views:,.0f} a view\n")
-    header = ["file", "cells", "pixels a cell", "splats a cell", "ratio", "bytes a splat", "CPU s a million splats"]
-    print(table(f"{Path(tree.path).name}, level {given.level}", header, rows))
+    header = "file | cells | pixels a cell {:,.0f} | splats a cell {:,.0f} | ratio {:.2f} | bytes a splat {:.1f}"
+    title = f"{Path(tree.path).name}, level {given.level}"
+    print(table(title, header + " | CPU s a million splats {:.1f}", rows))
 
 
 def sigma(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
@@ -99,9 +88,10 @@ def sigma(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
         whole, grey = cover > 0.999, np.full((*cover.shape, 3), 0.5)
         shown = np.where(whole[..., None], picture[..., :3] + (1 - alpha[..., None]) * 0.5, grey)
         right = np.where(whole[..., None], ours.to_image() / 255.0, grey)
-        shares = [f"{100 * (alpha[whole] < 0.9).mean():.1f}", f"{100 * alpha[cover == 0].mean():.2f}"]
-        rows.append([f"{width:g}", *alike(right, shown), *shares])
-    header = ["σ, pixels", "PSNR, dB", "SSIM", "surface with alpha < 0.9, %", "mean alpha beside, %"]
+        shares = 100 * (alpha[whole] < 0.9).mean(), 100 * alpha[cover == 0].mean()
+        rows.append([width, *quality(right, shown), *shares])
+    header = "σ, pixels {:g} | PSNR, dB {:.1f} | SSIM {:.3f} | surface with alpha < 0.9, % {:.1f}"
+    header += " | mean alpha beside, % {:.2f}"
     print(table(f"{Path(tree.path).name}, cell {key}", header, rows))
 
 
@@ -112,11 +102,8 @@ def pictures(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
     for name, look in looks(tree).items():
         camera = look.camera
         cut = tree.cut(camera, error_px=given.error, geometry=False)
-        keys = [
-            (level, tuple(place))
-            for level, place, seen in zip(cut.level.tolist(), cut.place.tolist(), cut.in_picture, strict=True)
-            if seen
-        ]
+        rows_of_cut = zip(cut.level.tolist(), cut.place.tolist(), cut.in_picture, strict=True)
+        keys = [(level, tuple(place)) for level, place, seen in rows_of_cut if seen]
         ours = tree.render(camera, views=VIEWS, samples=16, geometry=False, error_px=given.error, channels=("color",))
         truth = nf.render(scene, camera, samples=16, channels=("color", "coverage"))
         drawn, count = by_spark(tree, look, keys)
@@ -125,21 +112,21 @@ def pictures(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
         right = truth.to_image() / 255.0
         solid = np.asarray(truth.coverage) > 0.999
         own, holes = ours.to_image() / 255.0, (drawn[..., 3] < 0.5) & solid
-        splats, share = f"{count / 1e6:.2f}", f"{100 * holes.sum() / solid.sum():.2f}"
-        rows.append([name, "tree.render beside rays", f"{len(keys)}", "", *alike(right, own), ""])
-        rows.append([name, "Spark beside rays", f"{len(keys)}", splats, *alike(right, theirs), share])
-        rows.append([name, "Spark beside tree.render", f"{len(keys)}", splats, *alike(own, theirs), ""])
+        splats, share = count / 1e6, 100 * holes.sum() / solid.sum()
+        rows.append([name, "tree.render beside rays", len(keys), None, *quality(right, own), None])
+        rows.append([name, "Spark beside rays", len(keys), splats, *quality(right, theirs), share])
+        rows.append([name, "Spark beside tree.render", len(keys), splats, *quality(own, theirs), None])
         sheet.append(np.concatenate([own, theirs], axis=1))
-    header = ["camera", "program", "cells", "million splats", "PSNR, dB", "SSIM", "holes, %"]
+    header = "camera | program | cells | million splats {:.2f} | PSNR, dB {:.1f} | SSIM {:.3f} | holes, % {:.2f}"
     print(table(f"{Path(tree.path).name}, error_px = {given.error:g}, {VIEWS} views, no geometry", header, rows))
     if given.out is not None:
         codes = np.rint(255 * np.concatenate(sheet).clip(0, 1)).astype(np.uint8)
         Image.fromarray(codes).quantize(128).save(given.out / "orthoview_splats.png", optimize=True)
 
 
-def alike(right: Array, shown: Array) -> list[str]:
+def quality(right: Array, shown: Array) -> list[float]:
     """PSNR and SSIM of pictures in 0..1."""
-    return [f"{nf.psnr(right, shown, data_range=1.0):.1f}", f"{nf.ssim(right, shown, data_range=1.0):.3f}"]
+    return [nf.psnr(right, shown, data_range=1.0), float(nf.ssim(right, shown, data_range=1.0))]
 
 
 def by_spark(tree: nf.orthoview.OrthoTree, look: Look, keys: list[tuple[int, tuple[int, ...]]]) -> tuple[Array, int]:
@@ -170,11 +157,7 @@ def looks(tree: nf.orthoview.OrthoTree) -> dict[str, Look]:
     }
 
 
-TABLES: dict[str, Callable[[nf.orthoview.OrthoTree, argparse.Namespace], None]] = {
-    "sizes": sizes,
-    "sigma": sigma,
-    "pictures": pictures,
-}
+TABLES = {each.__name__: each for each in (sizes, sigma, pictures)}
 
 if __name__ == "__main__":
     main()

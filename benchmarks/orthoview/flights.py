@@ -10,15 +10,14 @@ error: only leaves have content, and each is refined down to them.
 
 from __future__ import annotations
 
-import argparse
+import itertools
 from collections.abc import Callable
-from itertools import chain
 from pathlib import Path
 
 import numpy as np
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import save_figure, start, subplots, table
 from nearfar.orthoview._client import Client
 from nearfar.orthoview._cut import Cutter, Settings
 from nearfar.orthoview._meter import Received
@@ -42,13 +41,8 @@ LOOKS = 8
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("what", choices=WHAT)
-    parser.add_argument("tree", help="store of the whole of Tokyo")
-    parser.add_argument("--out", type=Path, help="folder for the plots")
-    given = parser.parse_args()
-    print(machine(), "\n")
-    WHAT[given.what](given)
+    given = start(__doc__, "--out", what={"choices": WHAT}, tree={"help": "store of the whole of Tokyo"})
+    print(WHAT[given.what](nf.orthoview.open(given.tree), given.out))
 
 
 def flight(speed: float, height: float, seconds: float = SECONDS) -> list[nf.Camera]:
@@ -82,7 +76,7 @@ class Tiles:
     def _look(self, camera: nf.Camera) -> Plan:
         cut = self._cutter.whole(camera, Settings(error_px=FINEST))
         wanted = {(0, place): [(0, place, GEOMETRY)] for place in cut.leaf_places(in_picture=True)}
-        return Plan(wanted, list(chain(*wanted.values())), FINEST)
+        return Plan(wanted, list(itertools.chain(*wanted.values())), FINEST)
 
 
 def tiles(tree: nf.orthoview.OrthoTree, cameras: list[nf.Camera], link: nf.stream.Link) -> nf.orthoview.FlightLog:
@@ -90,53 +84,49 @@ def tiles(tree: nf.orthoview.OrthoTree, cameras: list[nf.Camera], link: nf.strea
     return flown(Client(Tiles(opened.viewer.cutter), opened.sizes, link, 1 << 40, 0), cameras, RATE)
 
 
-def stalls(given: argparse.Namespace) -> None:
-    tree, rows = nf.orthoview.open(given.tree), []
-    for way, (speed, height) in WAYS.items():
-        cameras = flight(speed, height)
-        for mbps in LINKS:
-            link = nf.stream.Link(mbps=mbps, rtt_ms=RTT)
-            bare = nf.orthoview.simulate(tree, cameras, link=link, prefetch=False, adapt=False)
-            ahead = nf.orthoview.simulate(tree, cameras, link=link, adapt=False)
-            for name, log in (("on demand", bare), ("prefetch", ahead), ("3D Tiles", tiles(tree, cameras, link))):
-                rows.append([f"{way}, {speed:g} m/s", f"{mbps:g}", name, *_row(log, bare)])
-                print(rows[-1], flush=True)
-    print(
-        table("Stalls", ["way", "Mb/s", "client", "first, s", "stalled, %", "after first, %", "MB", "bytes, ×"], rows)
-    )
+def stalls(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
+    del out
+    rows = []
+    for (way, (speed, height)), mbps in itertools.product(WAYS.items(), LINKS):
+        cameras, link = flight(speed, height), nf.stream.Link(mbps=mbps, rtt_ms=RTT)
+        bare = nf.orthoview.simulate(tree, cameras, link=link, prefetch=False, adapt=False)
+        ahead = nf.orthoview.simulate(tree, cameras, link=link, adapt=False)
+        for name, log in (("on demand", bare), ("prefetch", ahead), ("3D Tiles", tiles(tree, cameras, link))):
+            first = int(np.argmin(log.stalled)) if not log.stalled.all() else len(log.time)
+            later = 100 * log.stalled[first:].mean() if first < len(log.time) else np.nan
+            shares = first / RATE, 100 * log.stalled.mean(), later
+            rows.append([f"{way}, {speed:g} m/s", mbps, name, *shares, log.asked / 1e6, log.asked / bare.asked])
+            print(rows[-1], flush=True)
+    header = "way | Mb/s {:g} | client | first, s {:.1f} | stalled, % {:.1f} | after first, % {:.1f} | MB {:.1f}"
+    return table("Stalls", header + " | bytes, × {:.2f}", rows)
 
 
-def _row(log: nf.orthoview.FlightLog, bare: nf.orthoview.FlightLog) -> list[str]:
-    first = int(np.argmin(log.stalled)) if not log.stalled.all() else len(log.time)
-    later = 100 * log.stalled[first:].mean() if first < len(log.time) else np.nan
-    share = f"{100 * log.stalled.mean():.1f}"
-    return [f"{first / RATE:.1f}", share, f"{later:.1f}", f"{log.asked / 1e6:.1f}", f"{log.asked / bare.asked:.2f}"]
-
-
-def speed(given: argparse.Namespace) -> None:
+def speed(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
     """Increase the speed at one height, over a link that is too slow for the last speeds."""
-    tree, rows, link = nf.orthoview.open(given.tree), [], nf.stream.Link(mbps=20.0, rtt_ms=RTT)
+    del out
+    rows, link = [], nf.stream.Link(mbps=20.0, rtt_ms=RTT)
     for metres in (50.0, 100.0, 200.0, 400.0):
         cameras = flight(metres, 120.0, 30)
         for name, adapt in (("wanted error", False), ("adapts", True)):
             log = nf.orthoview.simulate(tree, cameras, link=link, adapt=adapt)
             later = log.time >= 10.0
             error = log.error_px[later]
-            numbers = [f"{100 * log.stalled[later].mean():.1f}", f"{error.mean():.2f}", f"{error.max():.2f}"]
-            rows.append([f"{metres:g}", name, *numbers, f"{log.asked / 1e6:.1f}"])
-    print(table("Ever faster", ["m/s", "picture", "stalled after 10 s, %", "mean error, px", "greatest", "MB"], rows))
+            stalled = 100 * log.stalled[later].mean()
+            rows.append([metres, name, stalled, error.mean(), error.max(), log.asked / 1e6])
+    header = "m/s {:g} | picture | stalled after 10 s, % {:.1f} | mean error, px {:.2f} | greatest {:.2f} | MB {:.1f}"
+    return table("Ever faster", header, rows)
 
 
-def growth(given: argparse.Namespace) -> None:
+def growth(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
     """Table of bytes that come into the picture per metre, by the world's extent.
 
     A world that ends at a square's sides has the cells within it: cuts of the whole one without cells outside.
     """
-    tree, rows = nf.orthoview.open(given.tree), []
+    rows: list[list[float]] = []
     whole = float((tree.bounds[1] - tree.bounds[0]).max())
     asked = {name: _parts_per_metre(tree, WAYS[name][1]) for name in ("walk", "helicopter")}
     for side in (1000.0, 2000.0, 4000.0, 8000.0, 16000.0, whole):
-        row = [f"{side / 1e3:g}"]
+        rows.append([side / 1e3])
         for metres in asked.values():
             within = [{part: size for part, (size, away) in parts.items() if away <= side / 2} for parts in metres]
             seen = dict(within[0])
@@ -144,12 +134,12 @@ def growth(given: argparse.Namespace) -> None:
             for parts in within[1:]:
                 seen |= parts
             later = (sum(seen.values()) - first) / (len(metres) - 1)
-            row += [f"{np.mean([len(parts) for parts in within]):.0f}", f"{first / 1e6:.2f}", f"{later / 1e3:.2f}"]
-        rows.append(row)
-    each = ["parts", "first picture, MB", "kB a metre"]
-    print(table("A walk of 400 m", ["side, km", *each, *(f"{name}, 120 m" for name in each)], rows))
-    if given.out is not None:
-        _plot(rows, given.out)
+            rows[-1] += [float(np.mean([len(parts) for parts in within])), first / 1e6, later / 1e3]
+    if out is not None:
+        _plot(rows, out)
+    each = {"parts": "{:.0f}", "first picture, MB": "{:.2f}", "kB a metre": "{:.2f}"}
+    columns = (f"{name}{place} {form}" for place in ("", ", 120 m") for name, form in each.items())
+    return table("A walk of 400 m", ["side, km {:g}", *columns], rows)
 
 
 def _parts_per_metre(tree: nf.orthoview.OrthoTree, height: float) -> list[dict[Part, tuple[int, float]]]:
@@ -172,18 +162,16 @@ def _parts_per_metre(tree: nf.orthoview.OrthoTree, height: float) -> list[dict[P
     return found
 
 
-def _plot(rows: list[list[str]], out: Path) -> None:
-    import matplotlib.pyplot as plt
-
-    sides = [float(row[0]) for row in rows]
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.4), layout="constrained")
+def _plot(rows: list[list[float]], out: Path) -> None:
+    sides = [row[0] for row in rows]
+    figure, (left, right) = subplots(1, 2, figsize=(9, 3.4))
     for axes, column, label in ((left, 1, "views and leaves of a picture"), (right, 3, "kB for each metre")):
         for offset, name in ((0, "walker"), (3, "120 m above")):
-            axes.plot(sides, [float(row[column + offset]) for row in rows], marker="o", label=name)
+            axes.plot(sides, [row[column + offset] for row in rows], marker="o", label=name)
         axes.set(xscale="log", xlabel="side of the world, km", ylabel=label)
         axes.set_ylim(bottom=0)
     left.legend(fontsize="small")
-    figure.savefig(out / "orthoview_growth.png", dpi=110)
+    save_figure(figure, out / "orthoview_growth.png", dpi=110)
 
 
 WHAT = {"stalls": stalls, "speed": speed, "growth": growth}

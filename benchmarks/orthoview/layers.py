@@ -9,21 +9,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.timing import best, machine, table
+from benchmarks.harness import scenes
+from benchmarks.harness.report import start, table
+from benchmarks.harness.timing import best
+from benchmarks.orthoview._leaves import DIRECTIONS, SIZE, axes_of, layout_of
+from benchmarks.orthoview._quality import shown_by
 from nearfar import _core
-from nearfar._base import data
 from nearfar.orthoview import _codec
 from nearfar.orthoview._directions import directions_of
-from nearfar.orthoview._grid import OCTANTS, Grid
-from nearfar.orthoview._layout import CHANNELS, Layout
+from nearfar.orthoview._grid import OCTANTS
+from nearfar.orthoview._layout import CHANNELS
 
-SIZE = 256
-DIRECTIONS = directions_of(9)
-LAYOUT = Layout(Grid((0.0, 0.0, 0.0), 1.0, (1, 1, 1)), DIRECTIONS, SIZE, 12, 16, 3)
+LAYOUT = layout_of()
 MORE = directions_of(13)
 """Directions with which a second layer is compared; the first ones are the same."""
-AXES = [_core.orthoview_axes(direction) for direction in MORE]
-TOKYO = "city/tokyo23/tokyo_core_lod1.glb"
+AXES = [axes_of(direction, 1.0) for direction in MORE]
 BOUNDS = (0.0, 0.002, 0.005, 0.01, 0.02, 0.05)
 VIEWERS = 8
 DRAWN = 3
@@ -74,31 +74,20 @@ class Gain:
 
 
 def main() -> None:
-    print(machine(), "\n")
+    start(__doc__)
     rows, gains = [], []
     for cell in cells():
-        times = f"{time_ratio(cell):.1f}"
-        found = gain(cell)
+        ratio, found = time_ratio(cell), measure_gain(cell)
         gains.append(found)
-        first, second = found.first_bytes.sum(), found.second_bytes.sum()
-        kilobytes = [f"{number / len(DIRECTIONS) / 1e3:.1f}" for number in (first, second)]
-        shares = [
-            f"{share * 100:.2f}" for share in (found.hidden, found.left, found.hidden_with_more, found.unseen.mean())
-        ]
-        rows.append([cell.name, times, *kilobytes, *shares])
-    header = [
-        "cell",
-        "times as long",
-        "kB a view",
-        "kB a second layer",
-        "hidden, %",
-        "left, %",
-        "13 directions, %",
-        "unseen, %",
-    ]
+        kilobytes = (each.sum() / len(DIRECTIONS) / 1e3 for each in (found.first_bytes, found.second_bytes))
+        shares = found.hidden, found.left, found.hidden_with_more, found.unseen.mean()
+        rows.append([cell.name, ratio, *kilobytes, *(100 * share for share in shares)])
+    header = "cell | times as long {:.1f} | kB a view {:.1f} | kB a second layer {:.1f} | hidden, % {:.2f}"
+    header += " | left, % {:.2f} | 13 directions, % {:.2f} | unseen, % {:.2f}"
     print(table(f"Nine views of {SIZE}² pixels", header, rows))
-    header = ["kept where unseen exceeds", "directions, %", "bytes, % of first layers'", "of what is filled, %"]
-    print(table("Second layers that are kept", header, [of_bound(bound, gains) for bound in BOUNDS]))
+    header = "kept where unseen exceeds {:g} | directions, % {:.0f} | bytes, % of first layers' {:.0f}"
+    header += " | of what is filled, % {:.0f}"
+    print(table("Second layers that are kept", header, [bound_row(bound, gains) for bound in BOUNDS]))
 
 
 def cells() -> Iterator[Cell]:
@@ -111,9 +100,7 @@ def cells() -> Iterator[Cell]:
     yield Cell("forest, 20 m", forest, np.array([0.0, -10.0, 0.0]), 20.0)
     yield Cell("forest, 40 m of leaves of 20 m", forest, np.array([0.0, -10.0, 0.0]), 40.0, 1)
     yield Cell("forest, 80 m", forest, np.array([-40.0, -14.0, -40.0]), 80.0)
-    path = data.find(TOKYO)
-    if path is not None:
-        tokyo = nf.Scene.load(path)
+    for _, tokyo in scenes.present("Tokyo core"):
         (x, _, z), y = tokyo.bounds.mean(axis=0), np.floor(tokyo.bounds[0, 1])
         for east, south in ((-250, -250), (250, -250)):
             yield Cell(f"Tokyo, 500 m at {east}, {south}", tokyo, np.array([x + east, y, z + south]), 500.0)
@@ -124,7 +111,7 @@ def cells() -> Iterator[Cell]:
 def render_cell(cell: Cell, *, behind: bool, count: int = len(DIRECTIONS)) -> _core.OrthoViews:
     if cell.levels:
         children = [(octant, render_cell(child, behind=behind, count=count)) for octant, child in cell.children()]
-        return composed(children, behind=behind, count=count)
+        return compose(children, behind=behind, count=count)
     return leaf(cell.part()._core, cell, behind=behind, count=count)
 
 
@@ -133,7 +120,7 @@ def leaf(scene: _core.Scene, cell: Cell, *, behind: bool, count: int = len(DIREC
     return _core.OrthoViews.of_cell(scene, place, MORE[:count], LAYOUT.format, behind=behind)
 
 
-def composed(children: Children, *, behind: bool, count: int = len(DIRECTIONS)) -> _core.OrthoViews:
+def compose(children: Children, *, behind: bool, count: int = len(DIRECTIONS)) -> _core.OrthoViews:
     parent = _core.OrthoParent(MORE[:count], LAYOUT.format, behind=behind)
     for octant, views in children:
         parent.add(octant, views)
@@ -150,7 +137,7 @@ def time_ratio(cell: Cell) -> float:
 def fresh_parent(cell: Cell, *, behind: bool) -> Callable[[], object]:
     """Compose a cell of its children, which are drawn."""
     children = [(octant, render_cell(child, behind=behind)) for octant, child in cell.children()]
-    return lambda: composed(children, behind=behind)
+    return lambda: compose(children, behind=behind)
 
 
 def fresh_leaf(cell: Cell, *, behind: bool) -> Callable[[], object]:
@@ -160,7 +147,7 @@ def fresh_leaf(cell: Cell, *, behind: bool) -> Callable[[], object]:
     return lambda: leaf(scenes.pop(), cell, behind=behind)
 
 
-def gain(cell: Cell) -> Gain:
+def measure_gain(cell: Cell) -> Gain:
     views = render_cell(cell, behind=True)
     second = views.second_layer()
     firsts = render_cell(cell, behind=False, count=len(MORE)).depths()[..., 0]
@@ -172,16 +159,16 @@ def gain(cell: Cell) -> Gain:
         toward[1] = abs(toward[1])
         toward /= np.linalg.norm(toward)
         points = visible_points(part, cell, toward)
-        lost = lost_of(points, firsts, nearest(toward, len(DIRECTIONS)), cell)
+        lost = lost_points(points, firsts, nearest(toward, len(DIRECTIONS)), cell)
         found = {n: shows(seconds[n], n, lost, cell) for n in nearest(toward, len(DIRECTIONS))}
         for n, shown in found.items():
             filled[n] += shown.sum()
         total, hidden, left = total + len(points), hidden + len(lost), left + (~np.any([*found.values()], axis=0)).sum()
-        with_more += len(lost_of(points, firsts, nearest(toward, len(MORE)), cell))
+        with_more += len(lost_points(points, firsts, nearest(toward, len(MORE)), cell))
     return Gain(
         np.array(views.unseen()),
-        bytes_of(views),
-        bytes_of(second),
+        chunk_bytes(views),
+        chunk_bytes(second),
         hidden / total,
         left / total,
         with_more / total,
@@ -196,13 +183,13 @@ def nearest(toward: Floats, count: int) -> list[int]:
     return numbers
 
 
-def lost_of(points: Floats, firsts: NDArray[np.uint16], drawn_ones: list[int], cell: Cell) -> Floats:
+def lost_points(points: Floats, firsts: NDArray[np.uint16], drawn_ones: list[int], cell: Cell) -> Floats:
     """Return the points that none of the given views shows."""
     lost: Floats = points[~np.any([shows(firsts[n], n, points, cell) for n in drawn_ones], axis=0)]
     return lost
 
 
-def bytes_of(views: _core.OrthoViews | None) -> Floats:
+def chunk_bytes(views: _core.OrthoViews | None) -> Floats:
     """Return the bytes of each direction's chunks."""
     chunks = {} if views is None else _codec.encoded(views, LAYOUT)
     sizes = [sum(len(chunks.get((n, channel), b"")) for channel in CHANNELS) for n in range(len(DIRECTIONS))]
@@ -233,26 +220,18 @@ def visible_points(scene: nf.Scene, cell: Cell, toward: Floats) -> Floats:
 
 def shows(codes: NDArray[np.uint16], direction: int, points: Floats, cell: Cell) -> Bools:
     """Whether one of the 3 × 3 pixels around a point's place has a depth as near as one surface may reach."""
-    (right, up, toward), extents = AXES[direction]
-    width, height, depth = np.array(extents) * cell.side
-    offset = points - cell.corner - cell.side / 2
-    column = np.clip(((offset @ right / width + 0.5) * SIZE).astype(int), 0, SIZE - 1)
-    row = np.clip(((0.5 - offset @ up / height) * SIZE).astype(int), 0, SIZE - 1)
-    metres = np.where(codes > 0, (codes - 0.5) * depth / LAYOUT.steps, np.inf)
-    padded = np.pad(metres, 1, constant_values=np.inf)
-    reach, away = 2 * max(width, height) / SIZE, depth / 2 - offset @ toward
-    nine = [np.abs(padded[row + n // 3, column + n % 3] - away) <= reach for n in range(9)]
-    shown: Bools = np.any(nine, axis=0)
-    return shown
+    axes, extents = AXES[direction]
+    extents = extents * cell.side
+    metres = np.where(codes > 0, (codes - 0.5) * extents[2] / LAYOUT.steps, np.inf)
+    return shown_by(points, axes, extents, cell.corner + cell.side / 2, metres)
 
 
-def of_bound(bound: float, gains: list[Gain]) -> list[str]:
+def bound_row(bound: float, gains: list[Gain]) -> list[float]:
     kept = np.array([found.unseen > bound for found in gains])
-    first, second, filled = (
-        np.array([getattr(found, name) for found in gains]) for name in ("first_bytes", "second_bytes", "filled")
-    )
-    numbers = (kept.mean(), second[kept].sum() / first.sum(), filled[kept].sum() / filled.sum())
-    return [f"{bound:g}", *(f"{number * 100:.0f}" for number in numbers)]
+    names = ("first_bytes", "second_bytes", "filled")
+    first, second, filled = (np.array([getattr(found, name) for found in gains]) for name in names)
+    numbers = kept.mean(), second[kept].sum() / first.sum(), filled[kept].sum() / filled.sum()
+    return [bound, *(100 * number for number in numbers)]
 
 
 if __name__ == "__main__":

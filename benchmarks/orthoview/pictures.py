@@ -9,9 +9,8 @@ core, which is in one file.
 
 from __future__ import annotations
 
-import argparse
+import itertools
 import sys
-import tempfile
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -20,9 +19,9 @@ from typing import Any
 import numpy as np
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.orthoview import _sheets
-from benchmarks.orthoview._quality import Quality, Setting, Truth, compared, mean
+from benchmarks.orthoview._quality import Quality, Setting, Truth, compare, mean
 from benchmarks.orthoview._worlds import ALL, PICTURE, SIZE, World, forest, landscape, open_tree, tokyo
 from nearfar.orthoview._directions import directions_of, widest
 
@@ -33,31 +32,29 @@ DIRECTIONS = 9
 """Number of directions in tables that do not vary it."""
 PARTS = {"Tokyo": 500.0, "forest": 40.0, "landscape": 250.0}
 """Worlds, and sides of the parts with second layers, which take longer to build."""
-HEADER = [
-    "PSNR, dB",
-    "SSIM",
-    "holes, %",
-    "within surfaces, %",
-    "too far, %",
-    "beyond edges, %",
-    "too near, %",
-    "false, %",
-]
+QUALITY = (
+    "PSNR, dB {:.1f} | SSIM {:.3f} | holes, % {:.2f} | within surfaces, % {:.2f} | too far, % {:.2f}"
+    " | beyond edges, % {:.2f} | too near, % {:.2f} | false, % {:.2f}"
+)
+"""Columns of `cells`."""
+AMOUNTS = "MB read {:.2f} | of geometry {:.2f} | thousand splats {:.0f}"
+"""Columns of `amounts`."""
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("tables", nargs="*", help=f"of {', '.join(TABLES)}; by default all")
-    parser.add_argument("--worlds", nargs="*", default=["Tokyo", "forest"], help=f"of {', '.join(PARTS)}")
-    parser.add_argument("--tiles", help="folder of tiles of the whole of Tokyo, which nf.write_tiles wrote")
-    parser.add_argument("--trees", type=Path, help="folder for the trees; by default one that is removed")
-    parser.add_argument("--out", type=Path, help="folder for plots and pictures")
-    given = parser.parse_args()
+    given = start(
+        __doc__,
+        "--tiles",
+        "--trees",
+        "--out",
+        tables={"nargs": "*", "help": f"of {', '.join(TABLES)}; by default all"},
+        worlds=(["Tokyo", "forest"], f"of {', '.join(PARTS)}"),
+    )
     worlds = [world for world in (tokyo(given.tiles), forest(), landscape()) if world.name in given.worlds]
-    print(f"{machine()}; pictures of {PICTURE[0]} × {PICTURE[1]} pixels, views of {SIZE}²\n")
-    with tempfile.TemporaryDirectory() as folder:
+    print(f"pictures of {PICTURE[0]} × {PICTURE[1]} pixels, views of {SIZE}²\n")
+    with folder_or_temporary(given.trees) as folder:
         for name in given.tables or TABLES:
-            TABLES[name](worlds, given.trees or Path(folder), given.out)
+            TABLES[name](worlds, folder, given.out)
 
 
 def places(world: World) -> Iterator[tuple[str, list[nf.Camera]]]:
@@ -79,11 +76,10 @@ def by_sets(worlds: list[World], trees: Path, out: Path | None) -> None:
         found = {count: open_tree(path, count) for count in SETS}
         for place, cameras in places(world):
             shown = truths(world, cameras, found[ALL])
-            for count, views in ((count, views) for count in SETS for views in VIEWS):
-                quality = mean([compared(truth, found[count], Setting(views)) for truth in shown])
-                rows.append([place, str(count), str(views), *cells(quality), f"{quality.leaves:.0f}"])
-                print(rows[-1], file=sys.stderr, flush=True)
-    print(table("Directions and views", ["place", "directions", "views", *HEADER, "leaves"], rows))
+            for count, views in itertools.product(SETS, VIEWS):
+                quality = mean([compare(truth, found[count], Setting(views)) for truth in shown])
+                rows.append(print_row([place, count, views, *cells(quality), quality.leaves]))
+    print(table("Directions and views", f"place | directions | views | {QUALITY} | leaves {{:.0f}}", rows))
 
 
 def by_cuts(worlds: list[World], trees: Path, out: Path | None) -> None:
@@ -92,32 +88,28 @@ def by_cuts(worlds: list[World], trees: Path, out: Path | None) -> None:
     rows = []
     for world in worlds:
         path = world.build(trees)
-        for place, cameras in places(world):
-            for count in SETS:
-                tree = open_tree(path, count)
-                setting = Setting(error_px=widest(tree.directions) / widest(directions_of(DIRECTIONS)), geometry=False)
-                quality = mean([compared(truth, tree, setting) for truth in truths(world, cameras, tree)])
-                rows.append([place, str(count), *amounts(quality), *cells(quality)])
-                print(rows[-1], file=sys.stderr, flush=True)
-    header = ["place", "directions", "MB read", "of geometry", "thousand splats", *HEADER]
-    print(table("Directions with equal cuts, 3 views, no geometry", header, rows))
+        for (place, cameras), count in itertools.product(places(world), SETS):
+            tree = open_tree(path, count)
+            setting = Setting(error_px=widest(tree.directions) / widest(directions_of(DIRECTIONS)), geometry=False)
+            quality = mean([compare(truth, tree, setting) for truth in truths(world, cameras, tree)])
+            rows.append(print_row([place, count, *amounts(quality), *cells(quality)]))
+    title = "Directions with equal cuts, 3 views, no geometry"
+    print(table(title, f"place | directions | {AMOUNTS} | {QUALITY}", rows))
 
 
 def by_errors(worlds: list[World], trees: Path, out: Path | None) -> None:
     """Table of allowed errors."""
-    rows: list[list[str]] = []
+    rows = []
     lines: dict[str, list[Quality]] = {}
     for world in worlds:
         tree = open_tree(world.build(trees), DIRECTIONS)
         for place, cameras in places(world):
             shown = truths(world, cameras, tree)
             for error in ERRORS:
-                quality = mean([compared(truth, tree, Setting(error_px=error)) for truth in shown])
+                quality = mean([compare(truth, tree, Setting(error_px=error)) for truth in shown])
                 lines.setdefault(place, []).append(quality)
-                rows.append([place, f"{error:g}", *amounts(quality), *cells(quality)])
-                print(rows[-1], file=sys.stderr, flush=True)
-    header = ["place", "error_px", "MB read", "of geometry", "thousand splats", *HEADER]
-    print(table(f"Error, 3 of {DIRECTIONS} views", header, rows))
+                rows.append(print_row([place, error, *amounts(quality), *cells(quality)]))
+    print(table(f"Error, 3 of {DIRECTIONS} views", f"place | error_px {{:g}} | {AMOUNTS} | {QUALITY}", rows))
     if out is not None:
         _sheets.plot_errors(lines, ERRORS, out / "orthoview_errors.png")
 
@@ -128,14 +120,11 @@ def by_geometry(worlds: list[World], trees: Path, out: Path | None) -> None:
     rows = []
     for world in worlds:
         tree = open_tree(world.build(trees), DIRECTIONS)
-        for place, cameras in places(world):
-            for geometry in (True, False):
-                setting = Setting(geometry=geometry)
-                quality = mean([compared(truth, tree, setting) for truth in truths(world, cameras, tree)])
-                rows.append([place, "on" if geometry else "off", *amounts(quality), *cells(quality)])
-                print(rows[-1], file=sys.stderr, flush=True)
-    header = ["place", "geometry", "MB read", "of geometry", "thousand splats", *HEADER]
-    print(table(f"Geometry, 3 of {DIRECTIONS} views", header, rows))
+        for (place, cameras), geometry in itertools.product(places(world), (True, False)):
+            setting = Setting(geometry=geometry)
+            quality = mean([compare(truth, tree, setting) for truth in truths(world, cameras, tree)])
+            rows.append(print_row([place, "on" if geometry else "off", *amounts(quality), *cells(quality)]))
+    print(table(f"Geometry, 3 of {DIRECTIONS} views", f"place | geometry | {AMOUNTS} | {QUALITY}", rows))
 
 
 def by_layers(worlds: list[World], trees: Path, out: Path | None) -> None:
@@ -145,15 +134,19 @@ def by_layers(worlds: list[World], trees: Path, out: Path | None) -> None:
     for world in worlds:
         part = world.part(PARTS[world.name])
         path = part.build(trees, DIRECTIONS, layers=2)
-        for place, cameras in places(part):
-            for layers, views in ((layers, views) for views in VIEWS for layers in (1, 2)):
-                tree = open_tree(path, DIRECTIONS, layers)
-                setting = Setting(views, geometry=False)
-                quality = mean([compared(truth, tree, setting) for truth in truths(part, cameras, tree)])
-                rows.append([place, str(views), str(layers), *amounts(quality), *cells(quality)])
-                print(rows[-1], file=sys.stderr, flush=True)
-    header = ["place", "views", "layers", "MB read", "of geometry", "thousand splats", *HEADER]
+        for (place, cameras), views, layers in itertools.product(places(part), VIEWS, (1, 2)):
+            tree = open_tree(path, DIRECTIONS, layers)
+            setting = Setting(views, geometry=False)
+            quality = mean([compare(truth, tree, setting) for truth in truths(part, cameras, tree)])
+            rows.append(print_row([place, views, layers, *amounts(quality), *cells(quality)]))
+    header = f"place | views | layers | {AMOUNTS} | {QUALITY}"
     print(table(f"Layers, {DIRECTIONS} directions, no geometry", header, rows))
+
+
+def print_row(row: list[object]) -> list[object]:
+    """Print a row, because the whole table takes long."""
+    print(row, file=sys.stderr, flush=True)
+    return row
 
 
 def sheet(worlds: list[World], trees: Path, out: Path | None) -> None:
@@ -185,22 +178,15 @@ def wide(worlds: list[World], trees: Path, out: Path | None) -> None:
     _sheets.save_halves(truth.color.to_image(), Setting().render(tree, camera).to_image(), out / "orthoview_tokyo.png")
 
 
-def amounts(quality: Quality) -> list[str]:
-    """Format the bytes read, and the number of splats drawn."""
-    return [f"{quality.read / 1e6:.2f}", f"{quality.geometry / 1e6:.2f}", f"{quality.splats / 1e3:.0f}"]
+def amounts(quality: Quality) -> list[float]:
+    """Bytes read, and the number of splats drawn."""
+    return [quality.read / 1e6, quality.geometry / 1e6, quality.splats / 1e3]
 
 
-def cells(quality: Quality) -> list[str]:
-    """Format the cells of a table below `HEADER`."""
-    shares = (
-        quality.holes,
-        quality.inner_holes,
-        quality.through,
-        quality.inner_through,
-        quality.before,
-        quality.false,
-    )
-    return [f"{quality.psnr:.1f}", f"{quality.ssim:.3f}", *(f"{100 * share:.2f}" for share in shares)]
+def cells(quality: Quality) -> list[float]:
+    """Similarity, and shares of wrong pixels in per cent."""
+    names = ("holes", "inner_holes", "through", "inner_through", "before", "false")
+    return [quality.psnr, quality.ssim, *(100 * getattr(quality, name) for name in names)]
 
 
 TABLES = {

@@ -8,19 +8,18 @@ the table contains all available ones. The tree has 26 directions; see `benchmar
 
 from __future__ import annotations
 
-import argparse
-import tempfile
-from collections.abc import Callable, Iterator
-from dataclasses import replace
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 
 import nearfar as nf
-from benchmarks.harness.timing import best, machine, table
+from benchmarks.harness.report import folder_or_temporary, save_figure, start, subplots, table
+from benchmarks.harness.timing import best
 from benchmarks.orthoview._blends import Blend, render_blended
-from benchmarks.orthoview._flight import METHODS, PARTS, RATE, SAMPLES, camera_at, flown, plot, truth_at
 from benchmarks.orthoview._worlds import World, tokyo
 
 PLACES = (2.0, 12.0, 22.0)
@@ -32,37 +31,136 @@ BLENDED = 8
 """Number of pictures of splats that blend."""
 Tree = nf.orthoview.OrthoTree
 
+RATE = 72
+"""Pictures per second."""
+SECONDS = 30.0
+SIZE = (320, 240)
+FOV = nf.Fov.symmetric(60, 4 / 3)
+SAMPLES = 4
+"""Samples per pixel of orthoviews; the truth has 16."""
+PARTS, FRAMES = 10, 30
+"""Number of drawn parts of the flight, and of pictures of each."""
+FIRST = 8
+"""Number of ignored pictures at a part's start: nothing was faded before."""
+METHODS = ("truth", "orthoviews", "steady", "steady truth")
+
+
+def camera_at(world: World, time: float, size: tuple[int, int] = SIZE) -> nf.Camera:
+    """Camera on a third of a circle of 420 m, 18 m or more from the houses, at 29 m/s and heights of 65 to 155 m."""
+    angle = np.pi - np.radians(4) * time
+    height = 110 + 45 * np.cos(2 * np.pi * time / SECONDS)
+    middle = world.box[0] + (world.side / 2, 1.0, world.side / 2)
+    eye = middle + np.array([420 * np.cos(angle), height, 420 * np.sin(angle)])
+    ahead = angle - np.radians(130)
+    way = np.array([np.cos(ahead), -0.3, np.sin(ahead)])
+    return nf.Camera.look_at(eye, eye + way, fov=FOV, size=size)
+
+
+def truth_at(world: World, tree: nf.orthoview.OrthoTree, time: float, size: tuple[int, int] = SIZE) -> nf.Frame:
+    """Render the truth with its motion since the previous picture."""
+    now, before = (camera_at(world, at, size) for at in (time, time - 1 / RATE))
+    channels = ("color", "range", "motion")
+    clip = nf.Clip(box=tree.bounds)
+    return nf.render(world.scene, now, before=before, samples=16, channels=channels, clip=clip)
+
+
+@dataclass
+class Findings:
+    """Findings about a method's pictures."""
+
+    alike: list[float]
+    """Motion-compensated SSIM of each picture with the previous one."""
+    psnr: list[float]
+    ssim: list[float]
+
+
+def part(world: World, tree: nf.orthoview.OrthoTree, number: int, folder: Path) -> dict[str, Findings]:
+    """Measure a part of the flight, unless the folder contains it."""
+    path = folder / f"popping-{number}.json"
+    if not path.is_file():
+        found = {name: Findings([], [], []) for name in METHODS}
+        steady, filtered = nf.orthoview.Steady(), nf.orthoview.Steady()
+        last: dict[str, nf.Frame] = {}
+        for n in range(FRAMES):
+            time = number * SECONDS / PARTS + n / RATE
+            truth = truth_at(world, tree, time)
+            views = tree.render(camera_at(world, time), samples=SAMPLES)
+            shown = {
+                "truth": truth,
+                "orthoviews": views,
+                "steady": steady.next(views, time),
+                # Without motion, as for the tree's pictures.
+                "steady truth": filtered.next(replace(truth, motion=None), time),
+            }
+            # All are compared where the truth shows the same surfaces.
+            now = {name: replace(frame, range=truth.range, motion=truth.motion) for name, frame in shown.items()}
+            if n >= FIRST:
+                for name, findings in found.items():
+                    findings.alike.append(float(nf.motion_ssim(last[name], now[name])))
+                    if name != "truth":
+                        findings.psnr.append(nf.psnr(truth, now[name]))
+                        findings.ssim.append(float(nf.ssim(truth, now[name])))
+            last = now
+        folder.mkdir(parents=True, exist_ok=True)
+        path.write_text(json.dumps({name: vars(findings) for name, findings in found.items()}))
+    return {name: Findings(**findings) for name, findings in json.loads(path.read_text()).items()}
+
+
+def flown(world: World, tree: nf.orthoview.OrthoTree, folder: Path, most: int) -> Iterator[dict[str, Findings]]:
+    """Yield the parts of the flight, of which at most `most` are measured now."""
+    missing = [n for n in range(PARTS) if not (folder / f"popping-{n}.json").is_file()]
+    later = set(missing[most:])
+    return (part(world, tree, n, folder) for n in range(PARTS) if n not in later)
+
+
+def plot(parts: list[dict[str, Findings]], path: Path) -> None:
+    """Plot SSIM of consecutive pictures over time."""
+    figure, axis = subplots(figsize=(8, 3.8))
+    colors = {"truth": "black", "orthoviews": "tab:red", "steady": "tab:blue"}
+    for name, color in colors.items():
+        for n, found in enumerate(parts):
+            # Parts are drawn wider than they are: 0.3 s would be a line.
+            times = (n + 0.9 * np.arange(len(found[name].alike)) / len(found[name].alike)) * SECONDS / PARTS
+            label = {"steady": "orthoviews, steady"}.get(name, name) if n == 0 else None
+            axis.plot(times, found[name].alike, color=color, linewidth=1.2, label=label)
+    axis.set(
+        xlabel=f"time, s; each part has {FRAMES - FIRST} pictures ({(FRAMES - FIRST) / RATE:.1f} s, drawn wider)",
+        ylabel="motion-compensated SSIM",
+    )
+    axis.grid(alpha=0.3)
+    axis.legend(loc="lower left")
+    save_figure(figure, path, dpi=90)
+
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("tables", nargs="*", help=f"of {', '.join(TABLES)}; by default all")
-    parser.add_argument("--tiles", help="folder of tiles of the whole of Tokyo, which nf.write_tiles wrote")
-    parser.add_argument("--trees", type=Path, help="folder for the tree; by default one that is removed")
-    parser.add_argument("--out", type=Path, help="folder for findings and the plot; by default one that is removed")
-    parser.add_argument("--parts", type=int, default=PARTS)
-    given = parser.parse_args()
+    given = start(
+        __doc__,
+        "--tiles",
+        "--trees",
+        tables={"nargs": "*", "help": f"of {', '.join(TABLES)}; by default all"},
+        out=(Path, "folder for findings and the plot; by default a temporary one"),
+        parts=PARTS,
+    )
     world = tokyo(given.tiles)
-    print(machine(), "\n")
-    with tempfile.TemporaryDirectory() as folder:
-        tree = nf.orthoview.open(world.build(given.trees or Path(folder)))
+    with folder_or_temporary() as folder:
+        tree = nf.orthoview.open(world.build(given.trees or folder))
         for name in given.tables or TABLES:
-            TABLES[name](world, tree, given.out or Path(folder), given.parts)
+            TABLES[name](world, tree, given.out or folder, given.parts)
 
 
 def flight(world: World, tree: Tree, out: Path, parts: int) -> None:
     """Table of the similarity of consecutive pictures, and their errors."""
     found = list(flown(world, tree, out, parts))
+    truth = np.concatenate([part["truth"].alike for part in found])
     rows = []
     for name in METHODS:
         alike, psnr, ssim = (
             np.concatenate([getattr(part[name], what) for part in found]) for what in ("alike", "psnr", "ssim")
         )
-        truth = np.concatenate([part["truth"].alike for part in found])
         numbers = [alike.mean(), np.percentile(alike, 1), alike.min(), (alike - truth).min()]
-        errors = [f"{psnr.mean():.2f}", f"{ssim.mean():.4f}"] if len(psnr) else ["", ""]
-        rows.append([name, *(f"{number:.4f}" for number in numbers), *errors])
-    header = ["pictures", "mean", "1st percentile", "least", "least above the truth's", "PSNR", "SSIM"]
-    print(table(f"Flight, {len(found)} parts", header, rows))
+        rows.append([name, *numbers, *([psnr.mean(), ssim.mean()] if len(psnr) else [None, None])])
+    header = "pictures | mean {:.4f} | 1st percentile {:.4f} | least {:.4f} | least above the truth's {:.4f}"
+    print(table(f"Flight, {len(found)} parts", header + " | PSNR {:.2f} | SSIM {:.4f}", rows))
     plot(found, out / "orthoview_steady.png")
 
 
@@ -78,7 +176,7 @@ def swaps(world: World, tree: Tree, out: Path, parts: int) -> None:
             rows.append([f"{time:g} s", name, *fades(start, other)])
         one, two = (tree.render(side, samples=SAMPLES) for side in bisector(tree, world, time))
         rows.append([f"{time:g} s", "other directions", *fades(one, two)])
-    print(table("Swapped cuts", ["place", "change", "without", "72 pictures a second", "30"], rows))
+    print(table("Swapped cuts", "place | change | without | 72 pictures a second | 30", rows))
 
 
 def fades(one: nf.Frame, other: nf.Frame) -> Iterator[str]:
@@ -109,22 +207,17 @@ def bisector(tree: Tree, world: World, start: float) -> tuple[nf.Camera, nf.Came
 def speed(world: World, tree: Tree, out: Path, parts: int) -> None:
     """Table of the time of a picture of 640 × 480 pixels."""
     del out, parts
-    moments = [12 + n / RATE for n in range(2)]
-    frames = [tree.render(camera_at(world, time, (640, 480))) for time in moments]
+    frames = [tree.render(camera_at(world, 12 + n / RATE, (640, 480))) for n in range(2)]
     steady, count = nf.orthoview.Steady(), iter(range(1000))
 
     def blend() -> nf.Frame:
         n = next(count)
         return steady.next(frames[n % 2], n / RATE)
 
-    rows = []
-    for name, job in (
-        ("Steady.next", blend),
-        ("motion_blur, 8 poses", lambda: nf.orthoview.motion_blur(frames[1], frames[0].camera)),
-    ):
-        timing = best(job, repeat=11)
-        rows.append([name, f"{timing.wall * 1e3:.1f}", f"{timing.cpu * 1e3:.1f}"])
-    print(table("640 × 480 pixels", ["", "ms", "CPU ms"], rows))
+    blur = best(lambda: nf.orthoview.motion_blur(frames[1], frames[0].camera), repeat=11)
+    times = {"Steady.next": best(blend, repeat=11), "motion_blur, 8 poses": blur}
+    rows = [(name, time.ms, time.cpu_ms) for name, time in times.items()]
+    print(table("640 × 480 pixels", " | ms {:.1f} | CPU ms {:.1f}", rows))
 
 
 def blends(world: World, tree: Tree, out: Path, parts: int) -> None:
@@ -138,12 +231,12 @@ def blends(world: World, tree: Tree, out: Path, parts: int) -> None:
     }
     nowhere = nf.Clip(box=tree.bounds + 10 * np.ptp(tree.bounds, axis=0))
     rows = []
-    for start in PLACES:
+    for moment in PLACES:
         alike: dict[str, list[float]] = {name: [] for name in ("truth", *blends)}
         errors: dict[str, list[tuple[float, float]]] = {name: [] for name in blends}
         last: dict[str, nf.Frame] = {}
         for n in range(BLENDED):
-            truth = truth_at(world, tree, start + n / RATE, SMALL)
+            truth = truth_at(world, tree, moment + n / RATE, SMALL)
             sky = nf.render(world.scene, truth.camera, clip=nowhere, channels=("color",))
             now = {"truth": truth}
             for name, blend in blends.items():
@@ -153,18 +246,13 @@ def blends(world: World, tree: Tree, out: Path, parts: int) -> None:
                 alike[name].append(float(nf.motion_ssim(frame, now[name])))
             last = now
         for name, values in alike.items():
-            row = [f"{start:g} s", name, f"{np.mean(values):.4f}", f"{min(values):.4f}"]
-            psnr, ssim = np.mean(errors[name], axis=0) if name in errors else (None, None)
-            rows.append([*row, *(["", ""] if psnr is None else [f"{psnr:.2f}", f"{ssim:.4f}"])])
-    print(table("Splats that blend", ["place", "splats", "mean", "least", "PSNR", "SSIM"], rows))
+            quality = np.mean(errors[name], axis=0) if name in errors else (None, None)
+            rows.append([moment, name, np.mean(values), min(values), *quality])
+    header = "place {:g} s | splats | mean {:.4f} | least {:.4f} | PSNR {:.2f} | SSIM {:.4f}"
+    print(table("Splats that blend", header, rows))
 
 
-TABLES: dict[str, Callable[[World, Tree, Path, int], None]] = {
-    "flight": flight,
-    "swaps": swaps,
-    "speed": speed,
-    "blends": blends,
-}
+TABLES = {each.__name__: each for each in (flight, swaps, speed, blends)}
 
 if __name__ == "__main__":
     main()

@@ -8,18 +8,17 @@ only: a pixel each, without planes, balls or normals.
 
 from __future__ import annotations
 
-import argparse
-import importlib.util
-import os
 from collections.abc import Callable
-from pathlib import Path
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.timing import Timing, best, machine, table
+from benchmarks.harness import opengl
+from benchmarks.harness.report import start, table
+from benchmarks.harness.timing import Timing, best
 from nearfar import _core
 from nearfar._camera.shot import Shot
 
@@ -30,13 +29,9 @@ HEIGHTS = (0.05, 0.25)
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("tree", type=Path, help="store that nf.orthoview.build wrote")
-    parser.add_argument("--repeat", type=int, default=7)
-    given = parser.parse_args()
-    print(machine() + f", {_core.thread_count()} threads", "\n")
+    given = start(__doc__, "tree", repeat=7)
     tree = nf.orthoview.open(given.tree)
-    print(tree, "\n")
+    print(f"{_core.thread_count()} threads\n\n{tree}\n")
     for height in HEIGHTS:
         print(pictures(tree, eye(tree, height), given.repeat, f"Eye at {height:g} widths"))
     print(cuts(given.repeat))
@@ -55,26 +50,25 @@ def pictures(tree: nf.orthoview.OrthoTree, camera: nf.Camera, repeat: int, title
     cut = tree.cut(camera, geometry=False)
     splats = tree._viewer.views.get(cut.keys())
     total = sum(view.count for view in splats)
-    rows = []
+    settings: dict[str, Any] = {"origin": (0.0, 0.0, 0.0)}
+    draw = partial(_core.splat_orthoviews, splats, camera._core, Shot(cameras=(camera,), channels=("color",)).settings)
+    found: dict[str, tuple[Timing, int, int]] = {}
     for name, grid in (("splats", 1), ("splats, 4 × 4 samples", 4)):
-        settings = Shot(cameras=(camera,), channels=("color",)).settings
-
-        def draw(grid: int = grid, settings: dict[str, Any] = settings) -> dict[str, Any]:
-            return _core.splat_orthoviews(splats, camera._core, settings, origin=(0.0, 0.0, 0.0), grid=grid)
-
-        counts = draw()["stats"]
-        rows.append(row(name, best(draw, repeat=repeat), counts["splats_seen"], counts["splats_projected"]))
+        settings["grid"] = grid
+        counts = draw(**settings)["stats"]
+        timing = best(partial(draw, **settings), repeat=repeat)
+        found[name] = timing, counts["splats_seen"], counts["splats_projected"]
     points, colors = points_of(tree, cut.keys())
-    rows.append(row("points, NumPy's minimum.at", best(numpy_points(points, camera), repeat=3), total, total))
+    found["points, NumPy's minimum.at"] = best(numpy_points(points, camera), repeat=3), total, total
     if (drawn := pyrender_points(points, colors, camera)) is not None:
-        rows.append(row("points, pyrender", best(drawn, repeat=3), total, total))
+        found["points, pyrender"] = best(drawn, repeat=3), total, total
+    rows = [
+        [name, time.ms, time.cpu_ms, seen / time.wall / 1e6, projected / time.wall / 1e6]
+        for name, (time, seen, projected) in found.items()
+    ]
     what = f"{title}: {len(cut)} cells, {len(splats)} views, {total / 1e6:.2f} million splats"
-    return table(what, ["way", "ms", "CPU ms", "million seen a second", "million projected a second"], rows)
-
-
-def row(name: str, timing: Timing, seen: int, projected: int) -> list[str]:
-    rates = [f"{count / timing.wall / 1e6:.1f}" for count in (seen, projected)]
-    return [name, f"{timing.wall * 1e3:.1f}", f"{timing.cpu * 1e3:.1f}", *rates]
+    header = "way | ms {:.1f} | CPU ms {:.1f} | million seen a second {:.1f} | million projected a second {:.1f}"
+    return table(what, header, rows)
 
 
 def points_of(tree: nf.orthoview.OrthoTree, keys: list[Any]) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
@@ -110,46 +104,29 @@ def pyrender_points(
     points: NDArray[np.float64], colors: NDArray[np.uint8], camera: nf.Camera
 ) -> Callable[[], Any] | None:
     """Draw the same points by OpenGL, in software without a graphics card; None without pyrender."""
-    os.environ.setdefault("PYOPENGL_PLATFORM", "egl")
-    if importlib.util.find_spec("pyrender") is None:
+    peer = opengl.pyrender()
+    if peer is None:
         return None
-    import pyrender
-
-    scene = pyrender.Scene()
-    scene.add(pyrender.Mesh.from_points(points - points.mean(axis=0), colors=colors))
-    pose = np.eye(4)
-    x, y, z, w = camera.orientation
-    pose[:3, :3] = np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-        ]
-    )
-    pose[:3, 3] = np.array(camera.position) - points.mean(axis=0)
-    far = float(np.ptp(points, axis=0).max()) * 4
-    scene.add(pyrender.PerspectiveCamera(2 * np.arctan(FOV.up), znear=far / 1e4, zfar=far), pose=pose)
-    renderer = pyrender.OffscreenRenderer(*camera.size)
-    return lambda: renderer.render(scene, flags=pyrender.RenderFlags.FLAT)
+    middle, far = points.mean(axis=0), float(np.ptp(points, axis=0).max()) * 4
+    mesh = peer.Mesh.from_points(points - middle, colors=colors)
+    scene = opengl.scene_of(mesh, camera, origin=middle, near=far / 1e4, far=far)
+    renderer = peer.OffscreenRenderer(*camera.size)
+    return lambda: renderer.render(scene, flags=peer.RenderFlags.FLAT)
 
 
 def cuts(repeat: int) -> str:
     """Table of cuts of flat worlds of 10⁴ to 10⁶ leaves, none of which is empty."""
     rows = []
     for side in (128, 256, 512, 1024):
-        cells = full(side)
         camera = nf.Camera((side / 2, 1.5, side / 2), fov=FOV, size=SIZE)
-
-        def cut(cells: _core.OrthoCells = cells, camera: nf.Camera = camera) -> Any:
-            rule = _core.OrthoRule(camera._core, pitch=0.0024, error=1.0)
-            return cells.cut(camera._core, rule, directions=DIRECTIONS, views=3, geometry=True, around=True)
-
+        rule = _core.OrthoRule(camera._core, pitch=0.0024, error=1.0)
+        settings: dict[str, Any] = {"directions": DIRECTIONS, "views": 3, "geometry": True, "around": True}
+        cut = partial(full(side).cut, camera._core, rule, **settings)
         arrays, reach, unknown = cut()
         assert not unknown
-        timing = best(cut, repeat=repeat)
-        numbers = [f"{side * side:,}", f"{len(arrays['level'])}", f"{len(arrays['leaf_level'])}", f"{reach:.2f}"]
-        rows.append([*numbers, f"{timing.wall * 1e3:.3f}"])
-    return table("Cuts all around", ["leaves", "cells", "leaves as geometry", "reach, leaves", "ms"], rows)
+        rows.append([side * side, len(arrays["level"]), len(arrays["leaf_level"]), reach, best(cut, repeat=repeat).ms])
+    header = "leaves {:,} | cells | leaves as geometry | reach, leaves {:.2f} | ms {:.3f}"
+    return table("Cuts all around", header, rows)
 
 
 DIRECTIONS = [(0, 0, 1), (1, 0, 0), (0, 0, -1), (-1, 0, 0), (0, 1, 0), (0, 1, 1), (1, 1, 0), (0, 1, -1), (-1, 1, 0)]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,15 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.compare import FOLDER
-from benchmarks.harness.timing import machine, table
-from benchmarks.orthoview.views import DIRECTIONS, LAYOUT, SIZE, TOKYO
+from benchmarks.harness import scenes
+from benchmarks.harness.report import save_figure, start, subplots, table
+from benchmarks.orthoview._leaves import DIRECTIONS, SIZE, layout_of
 from nearfar import _core
-from nearfar._base import data, glb
+from nearfar._base import glb
 from nearfar.orthoview import _codec
 from nearfar.orthoview._geometry import cell_glb, step_of
 from nearfar.orthoview._grid import Grid
 
+LAYOUT = layout_of()
 PLACE = (1, 1, 1)
 """Place of the leaf, among neighbours on all sides."""
 
@@ -50,32 +50,32 @@ class Leaf:
         return self.name.partition(",")[0]
 
     @property
-    def row(self) -> list[str]:
+    def row(self) -> list[object]:
         """Row of the table."""
-        per_km2 = self.triangles / (self.side / 1000) ** 2
-        numbers = [f"{self.triangles:,}", f"{per_km2:,.0f}", f"{self.triangles / SIZE**2:.3g}"]
-        sizes = [f"{bytes_ / 1000:,.1f}" for bytes_ in (self.geometry, self.shared, self.merged, self.views)]
-        return [self.name, *numbers, *sizes, f"{self.merged / self.triangles:.1f}", f"{self.geometry / self.views:.3g}"]
+        numbers = self.triangles, self.triangles / (self.side / 1000) ** 2, self.triangles / SIZE**2
+        sizes = (count / 1000 for count in (self.geometry, self.shared, self.merged, self.views))
+        return [self.name, *numbers, *sizes, self.merged / self.triangles, self.geometry / self.views]
 
 
 def main() -> None:
-    print(machine(), "\n")
-    found = [leaf for leaf in map(measured, worlds()) if leaf is not None]
-    header = ["leaf", "triangles", "a km²", "a pixel", "geometry, kB", "of it shared meshes", "merged, kB", "views, kB"]
-    title = f"Geometry and nine views of {SIZE}² pixels"
-    print(table(title, [*header, "merged, bytes a triangle", "geometry / views"], [leaf.row for leaf in found]))
+    plots = start(__doc__, "--plots").plots
+    found = [leaf for leaf in map(measure, worlds()) if leaf is not None]
+    header = (
+        "leaf | triangles {:,} | a km² {:,.0f} | a pixel {:.3g} | geometry, kB {:,.1f} | of it shared meshes {:,.1f}"
+    )
+    header += " | merged, kB {:,.1f} | views, kB {:,.1f} | merged, bytes a triangle {:.1f} | geometry / views {:.3g}"
+    print(table(f"Geometry and nine views of {SIZE}² pixels", header, [leaf.row for leaf in found]))
     worlds_of = dict.fromkeys(leaf.world for leaf in found)
-    rows = [crossing_of(world, [leaf for leaf in found if leaf.world == world]) for world in worlds_of]
-    header = ["world", "triangles a leaf", "a pixel", *(f"a km², {side:g} m" for side in SIDES)]
-    print(table("Where merged geometry takes as much as views", header, rows))
-    draw(found)
+    rows = [crossing_row(world, [leaf for leaf in found if leaf.world == world]) for world in worlds_of]
+    columns = ["world", "triangles a leaf", "a pixel {:.2g}", *(f"a km², {side:g} m {{:,.0f}}" for side in SIDES)]
+    print(table("Where merged geometry takes as much as views", columns, rows))
+    if plots is not None:
+        draw(found, plots / "orthoview_storage.png")
 
 
 def worlds() -> Iterator[tuple[str, Any, float]]:
     """Yield worlds and sides of leaves in the middle of them."""
-    path = data.find(TOKYO)
-    if path is not None:
-        city = nf.Scene.load(path)
+    for _, city in scenes.present("Tokyo core"):
         yield from (("Tokyo", city, side) for side in (125.0, 250.0, 500.0, 1000.0, 2000.0))
     town = nf.datasets.city(blocks=4)
     yield from (("city", town, side) for side in (10.0, 20.0, 40.0, 80.0))
@@ -86,7 +86,7 @@ def worlds() -> Iterator[tuple[str, Any, float]]:
     yield from (("asteroids", nf.datasets.asteroids(polygons=count), 1500.0) for count in (1_000, 10_000, 97_000))
 
 
-def measured(case: tuple[str, Any, float]) -> Leaf | None:
+def measure(case: tuple[str, Any, float]) -> Leaf | None:
     """Measure the bytes of the leaf in the middle of a world; None if it is empty."""
     name, world, side = case
     grid = Grid(corner_of(name, world, side), side, (3, 3, 3))
@@ -101,7 +101,7 @@ def measured(case: tuple[str, Any, float]) -> Leaf | None:
     merged = cell_glb(whole, grid, PLACE)
     assert merged is not None
     triangles = glb.header(geometry)[0]["asset"]["extras"]["triangles"]
-    sizes = len(geometry), shared(part, step_of(grid)), len(merged), chunks
+    sizes = len(geometry), shared_bytes(part, step_of(grid)), len(merged), chunks
     return Leaf(f"{name}, {side:g} m", side, triangles, *sizes)
 
 
@@ -117,14 +117,14 @@ def corner_of(name: str, world: Any, side: float) -> tuple[float, float, float]:
     return x, float(np.floor(world.query(column).bounds[0, 1])) - side, z
 
 
-def shared(part: nf.Scene, step: float) -> int:
+def shared_bytes(part: nf.Scene, step: float) -> int:
     """Bytes of meshes with several placements in the GLB of a leaf."""
     images: list[str | None] = [None] * part._core.texture_count
     export = _core.Export(part._core, np.zeros(1, np.uint16), 1, names=[], images=images, step=step, compressed=True)
     return sum(len(content) for content, _, _ in export.shared())
 
 
-def crossing_of(world: str, leaves: list[Leaf]) -> list[str]:
+def crossing_row(world: str, leaves: list[Leaf]) -> list[object]:
     """Row of a world: where the ratio is 1, by linear interpolation or extrapolation of its leaves' logarithms."""
     ordered = sorted(leaves, key=lambda leaf: leaf.triangles)
     dense = np.log([leaf.triangles for leaf in ordered])
@@ -133,21 +133,13 @@ def crossing_of(world: str, leaves: list[Leaf]) -> list[str]:
     at = int(changes[0]) if len(changes) else len(ordered) - 2
     slope = (ratios[at + 1] - ratios[at]) / (dense[at + 1] - dense[at])
     crossing = float(np.exp(dense[at] - ratios[at] / slope))
-    numbers = [f"{crossing:,.0f}" + ("" if len(changes) else " (beyond)"), f"{crossing / SIZE**2:.2g}"]
-    return [world, *numbers, *(f"{crossing / (side / 1000) ** 2:,.0f}" for side in SIDES)]
+    numbers = f"{crossing:,.0f}" + ("" if len(changes) else " (beyond)"), crossing / SIZE**2
+    return [world, *numbers, *(crossing / (side / 1000) ** 2 for side in SIDES)]
 
 
-def draw(found: list[Leaf]) -> None:
+def draw(found: list[Leaf], path: Path) -> None:
     """Save the plot of bytes by triangles per pixel, both logarithmic."""
-    folder = os.environ.get(FOLDER)
-    if not folder:
-        return
-    import matplotlib as mpl
-
-    mpl.use("agg")
-    from matplotlib import pyplot
-
-    figure, axes = pyplot.subplots(figsize=(7.5, 4.8), layout="constrained")
+    figure, axes = subplots(figsize=(7.5, 4.8))
     for number, world in enumerate(dict.fromkeys(leaf.world for leaf in found)):
         leaves = [leaf for leaf in found if leaf.world == world]
         dense: NDArray[np.float64] = np.array([leaf.triangles for leaf in leaves]) / SIZE**2
@@ -156,8 +148,7 @@ def draw(found: list[Leaf]) -> None:
             axes.plot(dense, values, color=f"C{number}", marker=marker, linestyle=style, label=f"{world}, {name}")
     axes.set(xscale="log", yscale="log", xlabel=f"triangles a pixel of a view ({SIZE}²)", ylabel="kB a leaf")
     axes.legend(fontsize="x-small", ncols=2)
-    figure.savefig(Path(folder) / "orthoview_storage.png", dpi=100)
-    pyplot.close(figure)
+    save_figure(figure, path)
 
 
 if __name__ == "__main__":

@@ -7,7 +7,6 @@ its children, so that a resumed build reads the same colours; the last table com
 from __future__ import annotations
 
 import itertools
-import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
@@ -16,7 +15,8 @@ from numcodecs.zstd import Zstd
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import start, table
+from benchmarks.harness.timing import timed
 from benchmarks.orthoview._leaves import DIRECTIONS, SIZE, Leaf, helmet, layout_of, leaves
 from nearfar import _core
 from nearfar.orthoview import _codec, _webp
@@ -39,27 +39,16 @@ class Way:
 
 
 def main() -> None:
-    print(machine(), "\n")
+    start(__doc__)
     textured = helmet()
     every = [*leaves(), *([textured] if textured else [])]
-    header = [
-        "leaf",
-        "colours",
-        "kB a view",
-        "of zstd 3",
-        "all channels, kB",
-        "encode, ms",
-        "decode, ms",
-        "PSNR, dB",
-        "SSIM",
-    ]
-    rows = [row for leaf in every for row in of_leaf(leaf)]
-    print(
-        table(f"Colours of a view of {SIZE}² pixels; PSNR and SSIM of the pixels in which something is", header, rows)
-    )
+    header = "leaf | colours | kB a view {:.1f} | of zstd 3 {:.2f} | all channels, kB {:.1f} | encode, ms {:.1f}"
+    rows = [row for leaf in every for row in leaf_rows(leaf)]
+    title = f"Colours of a view of {SIZE}² pixels; PSNR and SSIM of the pixels in which something is"
+    print(table(title, header + " | decode, ms {:.1f} | PSNR, dB {:.1f} | SSIM {:.3f}", rows))
     deep = [leaf for leaf in every if leaf.name in ("forest, 80 m", "helmet, 0.75 m")]
-    rows = [row for leaf in deep for row in of_levels(leaf, QUALITIES[-1])]
-    header = ["world", "level", "from exact children, dB", "from children as they are stored, dB"]
+    rows = [row for leaf in deep for row in level_rows(leaf, QUALITIES[-1])]
+    header = "world | level | from exact children, dB {:.1f} | from children as they are stored, dB {:.1f}"
     print(table(f"Quality {QUALITIES[-1]} over levels: PSNR with a tree without losses", header, rows))
 
 
@@ -88,7 +77,7 @@ def ways() -> list[Way]:
     ]
 
 
-def of_leaf(leaf: Leaf) -> Iterable[list[str]]:
+def leaf_rows(leaf: Leaf) -> Iterable[list[object]]:
     layout = layout_of()
     views = leaf.views(layout)
     chunks = _codec.encoded(views, layout)
@@ -97,30 +86,21 @@ def of_leaf(leaf: Leaf) -> Iterable[list[str]]:
     pictures, seen = views.colors()[shown], views.depths()[shown, ..., 0] > 0
     first = 0.0
     for way in ways():
-        started = time.perf_counter()
-        files = [way.encode(picture, mask) for picture, mask in zip(pictures, seen, strict=True)]
-        written = time.perf_counter()
-        decoded = np.array([way.decode(data) for data in files])
-        read = time.perf_counter()
+        files, writing = timed(lambda encode: [*map(encode, pictures, seen)], way.encode)
+        decoded, reading = timed(lambda decode, files: np.array([*map(decode, files)]), way.decode, files)
         size = sum(map(len, files)) / len(shown)
         first = first or size
-        yield [
-            leaf.name,
-            way.name,
-            f"{size / 1e3:.1f}",
-            f"{size / first:.2f}",
-            f"{(size + others) / 1e3:.1f}",
-            *(f"{1e3 * seconds / len(shown):.1f}" for seconds in (written - started, read - written)),
-            *of_pictures(pictures, decoded, seen),
-        ]
+        sizes = size / 1e3, size / first, (size + others) / 1e3
+        times = (time.ms / len(shown) for time in (writing, reading))
+        yield [leaf.name, way.name, *sizes, *times, *picture_quality(pictures, decoded, seen)]
 
 
-def of_pictures(right: Picture, decoded: Picture, seen: Seen) -> list[str]:
+def picture_quality(right: Picture, decoded: Picture, seen: Seen) -> list[object]:
     if (right == decoded)[seen].all():
         return ["exact", "1"]
     pairs = zip(right, decoded, seen, strict=True)
     ssim = [nf.ssim(one, other, data_range=255, mask=mask, masking="windows") for one, other, mask in pairs]
-    return [f"{psnr(right, decoded, seen):.1f}", f"{np.mean(ssim):.3f}"]
+    return [psnr(right, decoded, seen), np.mean(ssim)]
 
 
 def psnr(right: Picture, decoded: Picture, seen: Seen) -> float:
@@ -131,17 +111,16 @@ def psnr(right: Picture, decoded: Picture, seen: Seen) -> float:
 Views = dict[Place, _core.OrthoViews]
 
 
-def of_levels(world: Leaf, quality: int) -> Iterable[list[str]]:
+def level_rows(world: Leaf, quality: int) -> Iterable[list[object]]:
     """Errors of a tree whose root is the world's cell."""
     exact = small_leaves(world)
-    stored = {place: settled(views, quality) for place, views in exact.items()}
+    stored = {place: decode_stored(views, quality) for place, views in exact.items()}
     for level in range(LEVELS):
         if level:
-            exact = parents(exact)
-            stored = {place: settled(views, quality) for place, views in parents(stored).items()}
-        alone = {place: settled(views, quality) for place, views in exact.items()}
-        found = (f"{between(exact, other):.1f}" for other in (alone, stored))
-        yield [world.name, str(level), *found]
+            exact = compose_parents(exact)
+            stored = {place: decode_stored(views, quality) for place, views in compose_parents(stored).items()}
+        alone = {place: decode_stored(views, quality) for place, views in exact.items()}
+        yield [world.name, level, cell_psnr(exact, alone), cell_psnr(exact, stored)]
 
 
 def small_leaves(world: Leaf) -> Views:
@@ -160,7 +139,7 @@ def small_leaves(world: Leaf) -> Views:
     return found
 
 
-def parents(children: Views) -> Views:
+def compose_parents(children: Views) -> Views:
     made: dict[Place, _core.OrthoParent] = {}
     for octant in OCTANTS:
         for (x, y, z), views in children.items():
@@ -170,7 +149,7 @@ def parents(children: Views) -> Views:
     return {place: parent.finish() for place, parent in made.items()}
 
 
-def settled(views: _core.OrthoViews, quality: int) -> _core.OrthoViews:
+def decode_stored(views: _core.OrthoViews, quality: int) -> _core.OrthoViews:
     """Decode the views as readers do."""
     colors, depths = views.colors(), views.depths()
     for picture, seen in zip(colors, depths[..., 0] > 0, strict=True):
@@ -178,7 +157,7 @@ def settled(views: _core.OrthoViews, quality: int) -> _core.OrthoViews:
     return _core.OrthoViews.from_arrays(DIRECTIONS, layout_of().format, colors, depths, views.normals())
 
 
-def between(exact: Views, other: Views) -> float:
+def cell_psnr(exact: Views, other: Views) -> float:
     """PSNR of the non-empty pixels of all cells."""
     right, found = (np.concatenate([views[place].colors() for place in exact]) for views in (exact, other))
     seen = np.concatenate([exact[place].depths()[..., 0] > 0 for place in exact])

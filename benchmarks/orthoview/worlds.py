@@ -11,11 +11,7 @@ from __future__ import annotations
 
 import argparse
 import json
-import resource
-import subprocess
 import sys
-import tempfile
-import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -23,7 +19,10 @@ from typing import Any
 import numpy as np
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness import scenes
+from benchmarks.harness.process import run_module
+from benchmarks.harness.report import folder_or_temporary, save_figure, start, subplots, table
+from benchmarks.harness.timing import resident, timed
 from nearfar._base import data
 
 Row = dict[str, Any]
@@ -32,19 +31,22 @@ SIZE, DIRECTIONS = 256, 9
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("worlds", nargs="*", help=f"of {', '.join(SERIES)}; by default forest")
-    parser.add_argument("--tiles", help="folder of tiles of the whole of Tokyo, which nf.write_tiles wrote")
-    parser.add_argument("--cell", type=float, help="side of leaves, metres")
-    parser.add_argument("--out", type=Path, help="folder for the plots")
-    parser.add_argument("--one", help=argparse.SUPPRESS)
-    given = parser.parse_args()
+    given = start(
+        __doc__,
+        "--tiles",
+        "--out",
+        worlds={"nargs": "*", "help": f"of {', '.join(SERIES)}; by default forest"},
+        cell=(float, "side of leaves, metres"),
+        one=str,
+    )
     if given.one:
-        print(json.dumps(built(json.loads(given.one))))
+        print(json.dumps(build(json.loads(given.one))))
         return
-    print(machine(), "\n")
     for name in given.worlds or ["forest"]:
-        rows = [in_process(job) for job in SERIES[name](given)]
+        rows = []
+        for job in SERIES[name](given):
+            rows.append(run_module("benchmarks.orthoview.worlds", "--one", json.dumps(job)))
+            print(rows[-1], file=sys.stderr, flush=True)
         print(report(name, rows))
         if given.out is not None:
             plot(name, rows, given.out)
@@ -79,43 +81,22 @@ def forest(given: argparse.Namespace) -> Iterator[Row]:
 SERIES = {"tokyo": tokyo, "asteroids": asteroids, "world": world, "forest": forest}
 
 
-def in_process(job: Row) -> Row:
-    """Build in a separate process."""
-    command = [sys.executable, "-m", "benchmarks.orthoview.worlds", "--one", json.dumps(job)]
-    process = subprocess.run(command, capture_output=True, text=True, check=False)
-    if process.returncode:
-        raise RuntimeError(process.stderr[-2000:])
-    row: Row = json.loads(process.stdout)
-    print(row, file=sys.stderr, flush=True)
-    return row
-
-
-def built(job: Row) -> Row:
+def build(job: Row) -> Row:
     """Build a tree and measure it."""
     source, aabb = open_world(job)
-    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    with tempfile.TemporaryDirectory(dir=job.get("folder")) as folder:
-        wall, cpu = time.perf_counter(), time.process_time()
-        tree = nf.orthoview.build(
-            source,
-            Path(folder) / "tree.zarr",
-            cell=job["cell"],
-            aabb=aabb,
-            size=SIZE,
-            directions=DIRECTIONS,
-            geometry=False,
-        )
-        row: Row = {"seconds": time.perf_counter() - wall, "cpu": time.process_time() - cpu}
-    return row | {
+    before = resident("VmHWM")
+    with folder_or_temporary() as folder:
+        settings: dict[str, Any] = {"cell": job["cell"], "aabb": aabb, "size": SIZE, "directions": DIRECTIONS}
+        tree, spent = timed(nf.orthoview.build, source, folder / "tree.zarr", **settings, geometry=False)
+    held = {name: tree.held[name] for name in ("leaves", "cells", "bytes", "chunks")}
+    return held | {
+        "seconds": spent.wall,
+        "cpu": spent.cpu,
         "side": job.get("side", job.get("share")),
         "triangles": source.query(aabb).triangle_count,
-        "leaves": tree.held["leaves"],
-        "cells": tree.held["cells"],
         "levels": tree.levels,
-        "bytes": tree.held["bytes"],
-        "chunks": tree.held["chunks"],
-        "memory": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024,
-        "before": before * 1024,
+        "memory": resident("VmHWM"),
+        "before": before,
         "done": tree.done,
     }
 
@@ -145,32 +126,22 @@ def open_world(job: Row) -> tuple[nf.SceneSource, np.ndarray]:
 
 
 def tokyo_core() -> nf.Scene:
-    path = data.find("city/tokyo23/tokyo_core_lod1.glb")
-    if path is None:
-        raise FileNotFoundError("city/tokyo23/tokyo_core_lod1.glb")
-    return nf.Scene.load(path)
+    return nf.Scene.load(data.require(scenes.FILES["Tokyo core"]))
 
 
 def report(name: str, rows: list[Row]) -> str:
     """Table of the parts, and the slopes of time and bytes."""
-    header = ["part", "triangles", "leaves", "levels", "s", "CPU s", "MB", "kB a view", "ms a cell", "memory, MB"]
-    lines = [
-        [
-            f"{row['side']:g}",
-            f"{row['triangles']:,}",
-            f"{row['leaves']:,}",
-            f"{row['levels']}",
-            f"{row['seconds']:.1f}",
-            f"{row['cpu']:.1f}",
-            f"{row['bytes'] / 1e6:.1f}",
-            f"{3e-3 * row['bytes'] / max(row['chunks'], 1):.1f}",
-            f"{1e3 * row['seconds'] / max(row['cells'], 1):.0f}",
-            f"{row['memory'] / 1e6:.0f}",
-        ]
-        for row in rows
-    ]
+    header = (
+        "part {:g} | triangles {:,} | leaves {:,} | levels | s {:.1f} | CPU s {:.1f} | MB {:.1f} | kB a view {:.1f}"
+    )
+    lines = []
+    for row in rows:
+        counts = (row[key] for key in ("side", "triangles", "leaves", "levels", "seconds", "cpu"))
+        sizes = row["bytes"] / 1e6, 3e-3 * row["bytes"] / max(row["chunks"], 1)
+        lines.append([*counts, *sizes, 1e3 * row["seconds"] / max(row["cells"], 1), row["memory"] / 1e6])
     slopes = ", ".join(f"{key} {slope(rows, key):.2f}" for key in ("seconds", "cpu", "bytes"))
-    return table(name, header, lines) + f"\nSlopes against triangles: {slopes}\n"
+    text = table(name, header + " | ms a cell {:.0f} | memory, MB {:.0f}", lines)
+    return f"{text}\nSlopes against triangles: {slopes}\n"
 
 
 def slope(rows: list[Row], key: str) -> float:
@@ -181,14 +152,10 @@ def slope(rows: list[Row], key: str) -> float:
 
 def plot(name: str, rows: list[Row], folder: Path) -> None:
     """Plot time, bytes and memory against triangles, both axes logarithmic."""
-    import matplotlib.pyplot as plt
-
-    folder.mkdir(parents=True, exist_ok=True)
-    figure, axes = plt.subplots(1, 3, figsize=(13, 3.8), layout="constrained")
+    figure, axes = subplots(1, 3, figsize=(13, 3.8))
     count = np.array([row["triangles"] for row in rows], float)
-    for axis, key, factor, label in zip(
-        axes[:2], ("seconds", "bytes"), (1.0, 1e-6), ("seconds, two cores", "megabytes"), strict=True
-    ):
+    shown = {"seconds": (1.0, "seconds, two cores"), "bytes": (1e-6, "megabytes")}
+    for axis, (key, (factor, label)) in zip(axes[:2], shown.items(), strict=True):
         values = factor * np.array([row[key] for row in rows])
         axis.loglog(count, values, "o-", label=f"slope {slope(rows, key):.2f}")
         axis.loglog(count, values[-1] * count / count[-1], "--", color="#999999", label="proportional")
@@ -197,8 +164,7 @@ def plot(name: str, rows: list[Row], folder: Path) -> None:
     axes[2].plot([row["levels"] for row in rows], [row["memory"] / 1e6 for row in rows], "o-")
     axes[2].set(xlabel="levels of the tree", ylabel="greatest memory, MB")
     axes[2].set_ylim(0, None)
-    figure.savefig(folder / f"orthoview_{name}.png", dpi=110)
-    plt.close(figure)
+    save_figure(figure, folder / f"orthoview_{name}.png", dpi=110)
 
 
 if __name__ == "__main__":

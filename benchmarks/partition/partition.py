@@ -6,9 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.timing import best, machine, table
+from benchmarks.harness import scenes
+from benchmarks.harness.report import start, table
+from benchmarks.harness.timing import Timing, best
 from benchmarks.harness.tokyo import whole
-from nearfar._base import data
 
 R1, R2 = 30.0, 50.0
 RADII = (20.0, 30.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0)
@@ -41,67 +42,51 @@ def times(name: str, vertices: NDArray[np.float32], faces: NDArray[np.uint32]) -
     curve_time = best(lambda: nf.load_curve(scene, center=center), repeat=2)
     curve = nf.load_curve(scene, center=center)
     budgets = np.random.default_rng(0).integers(curve.count(0.0), curve.triangle_count, 1000)
-    answers = best(lambda: curve.radius(budgets), repeat=20)
     part = slice(0, 1_000_000)
     peer = best(lambda: numpy_zones(vertices, faces[part]), repeat=1)
     scale = len(faces) / len(faces[part])
-    jobs = [
-        ("np.copy of vertices and faces", copy.wall, copy.cpu),
-        ("triangle_radii", radii.wall, radii.cpu),
-        ("partition at 30 / 50 m", partition.wall, partition.cpu),
-        ("triangle_radii + partition (target: at most 3)", radii.wall + partition.wall, radii.cpu + partition.cpu),
-        ("partition at 500 / 2,000 m", wide.wall, wide.cpu),
-        ("load_curve", curve_time.wall, curve_time.cpu),
-        ("LoadCurve.radius, 1,000 budgets", answers.wall, answers.cpu),
-        ("NumPy, zones only (from 10⁶ triangles)", peer.wall * scale, peer.cpu * scale),
-    ]
-    rows = [[job, f"{wall * 1e3:.2f}", f"{cpu * 1e3:.2f}", f"{wall / copy.wall:.2f}"] for job, wall, cpu in jobs]
-    return table(f"{name}: {len(faces):,} triangles", ["", "wall ms", "CPU ms", "wall / copy"], rows)
+    both = Timing(radii.wall + partition.wall, radii.cpu + partition.cpu)
+    jobs = {
+        "np.copy of vertices and faces": copy,
+        "triangle_radii": radii,
+        "partition at 30 / 50 m": partition,
+        "triangle_radii + partition (target: at most 3)": both,
+        "partition at 500 / 2,000 m": wide,
+        "load_curve": curve_time,
+        "LoadCurve.radius, 1,000 budgets": best(lambda: curve.radius(budgets), repeat=20),
+        "NumPy, zones only (from 10⁶ triangles)": Timing(peer.wall * scale, peer.cpu * scale),
+    }
+    rows = [(job, time.ms, time.cpu_ms, time.wall / copy.wall) for job, time in jobs.items()]
+    header = " | wall ms {:.2f} | CPU ms {:.2f} | wall / copy {:.2f}"
+    return table(f"{name}: {len(faces):,} triangles", header, rows)
 
 
-def triangles_left(scenes: list[tuple[str, nf.Scene]]) -> str:
+def triangles_left(found: list[tuple[str, nf.Scene]]) -> str:
     """Table of triangles that stay geometry around a place in each scene, and of the work needed."""
-    header = ["r2, m", "Manhattan as published", *(f"{name}, {scene.triangle_count:,}" for name, scene in scenes)]
-    centers = [np.zeros(3) if "Tokyo" in name else np.mean(scene.bounds, axis=0) for name, scene in scenes]
-    counts = [
-        np.atleast_1d(nf.load_curve(scene, center=center).count(RADII))
-        for (_, scene), center in zip(scenes, centers, strict=True)
-    ]
-    rows = [[f"{r2:g}", PUBLISHED.get(r2, ""), *(f"{count[i]:,}" for count in counts)] for i, r2 in enumerate(RADII)]
-    for label, key in (
-        ("near", "near"),
-        ("intermediate", "intermediate"),
-        ("in both parts", "straddling"),
-        ("measured", "measured"),
-    ):
-        row = [f"{label}, r1 = 30, r2 = 50", ""]
-        for (_, scene), center in zip(scenes, centers, strict=True):
-            row.append(f"{nf.partition(scene, center=center, r1=R1, r2=R2).summary()[key]:,}")
-        rows.append(row)
+    names = (f"{name}, {scene.triangle_count:,} {{:,}}" for name, scene in found)
+    centers = [np.zeros(3) if "Tokyo" in name else np.mean(scene.bounds, axis=0) for name, scene in found]
+    placed = [(scene, center) for (_, scene), center in zip(found, centers, strict=True)]
+    counts = [np.atleast_1d(nf.load_curve(scene, center=center).count(RADII)) for scene, center in placed]
+    rows = [[f"{r2:g}", PUBLISHED.get(r2), *(count[i] for count in counts)] for i, r2 in enumerate(RADII)]
+    parts = [nf.partition(scene, center=center, r1=R1, r2=R2).summary() for scene, center in placed]
+    labels = {"near": "near", "intermediate": "intermediate", "straddling": "in both parts", "measured": "measured"}
+    rows += [[f"{labels[key]}, r1 = 30, r2 = 50", None, *(part[key] for part in parts)] for key in labels]
+    header = ["r2, m", "Manhattan as published", *names]
     return table("Triangles left against r2, about Tokyo Station and the middle of the other scenes", header, rows)
 
 
 def main() -> None:
-    print(machine())
-    scenes = []
-    for name, path in (
-        ("garage", "interior/garage/garage.gltf"),
-        ("FlightHelmet", "objects/gltf/FlightHelmet/FlightHelmet.gltf"),
-        ("Manhattan core", "city/manhattan_deckgl/manhattan_core.glb"),
-        ("Tokyo core", "city/tokyo23/tokyo_core_lod1.glb"),
-    ):
-        file = data.find(path)
-        if file is not None:
-            scenes.append((name, nf.Scene.load(file)))
+    start(__doc__)
+    found = list(scenes.present("garage", "FlightHelmet", "Manhattan core", "Tokyo core"))
     city = whole()
     if city is not None:
         print(times("Whole Tokyo", *city))
-        scenes.append(("whole Tokyo", nf.Scene.from_arrays(*city)))
-    elif scenes:
-        corners = scenes[-1][1].triangles().reshape(-1, 3)
-        print(times(scenes[-1][0], corners, np.arange(len(corners), dtype=np.uint32).reshape(-1, 3)))
-    if scenes:
-        print(triangles_left(scenes))
+        found.append(("whole Tokyo", nf.Scene.from_arrays(*city)))
+    elif found:
+        corners = found[-1][1].triangles().reshape(-1, 3)
+        print(times(found[-1][0], corners, np.arange(len(corners), dtype=np.uint32).reshape(-1, 3)))
+    if found:
+        print(triangles_left(found))
 
 
 if __name__ == "__main__":

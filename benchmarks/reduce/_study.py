@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
 import nearfar as nf
+from benchmarks.harness.report import save_figure, subplots
 from nearfar.datasets import count_task, sphere_task, tape_task
 
 Array = NDArray[np.float64]
@@ -106,12 +107,7 @@ def draw_disparity(
     distances: Array, drawn: Mapping[str, tuple[Array, Array, Array]], radii: tuple[float, float], path: Path
 ) -> None:
     """Draw the disparity of the truth, of the continuous method by calculation, and in pictures."""
-    import matplotlib as mpl
-
-    mpl.use("agg")
-    from matplotlib import pyplot as plt
-
-    figure, grid = plt.subplots(1, len(drawn), figsize=(10, 3.8), sharey=True, squeeze=False, layout="constrained")
+    figure, grid = subplots(1, len(drawn), figsize=(10, 3.8), sharey=True, squeeze=False)
     for axes, (title, (calculated, seen, truth)) in zip(grid[0], drawn.items(), strict=True):
         axes.plot(distances, truth, color="0.5", label="truth")
         axes.plot(distances, calculated, color="#c8102e", label="continuous, calculated")
@@ -124,5 +120,4 @@ def draw_disparity(
         axes.grid(visible=True, alpha=0.3)
     grid[0][0].set(ylabel="disparity, arc minutes")
     grid[0][0].legend()
-    figure.savefig(path, dpi=100)
-    plt.close(figure)
+    save_figure(figure, path)

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
+from benchmarks.harness.report import save_figure, subplots
 
 Array = NDArray[np.float64]
 
@@ -119,12 +120,8 @@ def draw(
     name: str, path: Array, regions: nf.Regions, changes: Sequence[Change], frames: Sequence[nf.Frame], file: Path
 ) -> None:
     """Draw a strip of frames, the centres along the way from above, and measured by predicted jumps."""
-    import matplotlib as mpl
-
-    mpl.use("agg")
-    from matplotlib import pyplot as plt
-
-    figure = plt.figure(figsize=(13.0, 7.6), layout="constrained")
+    figure, empty = subplots(figsize=(13.0, 7.6))
+    empty.remove()
     above, below = figure.subfigures(2, 1, height_ratios=(1.0, 1.1))
     strip = above.subplots(2, 6)
     for axes, frame in zip(strip.flat, frames, strict=False):
@@ -142,8 +139,7 @@ def draw(
     axes.set(xlabel="predicted jump f·|ΔO⊥|/ρ, px", ylabel="measured jump, px", title="far points at the changes")
     axes.grid(alpha=0.3)
     figure.suptitle(name)
-    figure.savefig(file, dpi=70, pil_kwargs={"quality": 82} if file.suffix == ".jpg" else None)
-    plt.close(figure)
+    save_figure(figure, file, dpi=70, pil_kwargs={"quality": 82} if file.suffix == ".jpg" else None)
 
 
 def _draw_map(axes: Any, path: Array, regions: nf.Regions) -> None:

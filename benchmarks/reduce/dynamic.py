@@ -1,11 +1,7 @@
-"""A car that drives from near to far: its position in each method's picture, its jumps, and its occlusion.
-
-python -m benchmarks.reduce.dynamic [--quick] [--plot out/bench/car_path.png]
-"""
+"""A car that drives from near to far: its position in each method's picture, its jumps, and its occlusion."""
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
@@ -14,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import save_figure, start, subplots, table
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -111,11 +107,12 @@ def jumps(scene: nf.Scene, view: nf.Camera, rate: float) -> tuple[str, dict[str,
         paths[method] = projected(view, poses, method)
         masks = lone_car(scene, view, poses, method)
         jump, pixels = changes(paths[method]), changes(centroids(masks))
-        at = away[1 + int(jump.argmax())]
-        row = [method, f"{steps(paths[method]).max():.1f}", f"{jump.max():.2f}", f"{at:.1f}", f"{np.median(jump):.2f}"]
-        rows.append([*row, f"{pixels.max():.2f}", str(sum(map(torn, masks)))])
-    header = ["method", "greatest step, px", "greatest jump, px", "at, m from O", "median jump, px"]
-    header += ["greatest jump of the middle of its pixels, px", "pictures with the car in two pieces"]
+        numbers = steps(paths[method]).max(), jump.max(), away[1 + int(jump.argmax())], np.median(jump), pixels.max()
+        rows.append([method, *numbers, sum(map(torn, masks))])
+    header = (
+        "method | greatest step, px {:.1f} | greatest jump, px {:.2f} | at, m from O {:.1f} | median jump, px {:.2f}"
+    )
+    header += " | greatest jump of the middle of its pixels, px {:.2f} | pictures with the car in two pieces"
     title = (
         f"The middle of a car at {SPEED * 3.6:.0f} km/h, {rate:.0f} pictures a second, {len(poses)} pictures of "
         f"{view.width} × {view.height}, user {np.linalg.norm(USER - CENTER):.1f} m from O"
@@ -138,22 +135,18 @@ def hiding(reduced: nf.ReducedScene, view: nf.Camera, turn: str, stride: int) ->
         mine = numbers[(away >= low) & (away < high)]
         if len(mine):
             total = mine.sum(axis=0)
-            per_cent = [f"{n:,} ({100.0 * n / max(total[0], 1):.2f} %)" for n in total[1:]]
-            rows.append([f"{max(low, away.min()):.0f}–{high:.0f}", str(len(mine)), f"{total[0]:,}", *per_cent])
-    header = ["m from O", "pictures", "car's pixels (exact)", "vertex ≠ exact"]
-    header += ["exact ≠ exact without a map", "vertex ≠ exact without a map"]
+            shares = ((n, 100.0 * n / max(total[0], 1)) for n in total[1:])
+            rows.append([(max(low, away.min()), high), len(mine), total[0], *shares])
+    pairs = ("vertex ≠ exact", "exact ≠ exact without a map", "vertex ≠ exact without a map")
+    names = (f"{pair} {{:,}} ({{:.2f}} %)" for pair in pairs)
+    header = ["m from O {:.0f}–{:.0f}", "pictures", "car's pixels (exact) {:,}", *names]
     assert reduced.env is not None
     return table(f"Pixels of the car {TURNS[turn]}, map of 6 × {reduced.env.face_size}²", header, rows)
 
 
 def draw(paths: dict[str, Array], away: Array, rate: float, path: Path) -> None:
     """Draw the car's path in the image, and its speed in pixels per picture by distance."""
-    import matplotlib as mpl
-
-    mpl.use("agg")
-    from matplotlib import pyplot as plt
-
-    figure, (left, right) = plt.subplots(1, 2, figsize=(12, 4), layout="constrained")
+    figure, (left, right) = subplots(1, 2, figsize=(12, 4))
     for (name, places), style in zip(paths.items(), (":", "-", "--"), strict=True):
         # The line is interrupted at jumps, because the car is nowhere in between.
         shown = np.insert(places, np.flatnonzero(steps(places) > 5.0 * np.median(steps(places))) + 1, np.nan, axis=0)
@@ -170,17 +163,15 @@ def draw(paths: dict[str, Array], away: Array, rate: float, path: Path) -> None:
     left.invert_yaxis()
     for radius, text in ((R1, "$r_1$"), (R2, "$r_2$")):
         right.axvline(radius, color="0.7", linewidth=0.8)
-        right.annotate(
-            text, (radius, 0.94), xytext=(3, 0), xycoords=("data", "axes fraction"), textcoords="offset points"
-        )
+        how: dict[str, Any] = {"xycoords": ("data", "axes fraction"), "textcoords": "offset points"}
+        right.annotate(text, (radius, 0.94), xytext=(3, 0), **how)
     right.set(
         yscale="log", xlabel="m from the centre", ylabel="px", title=f"Pixels a picture, {rate:.0f} pictures a second"
     )
     for axes in (left, right):
         axes.grid(True, which="both", alpha=0.3)
         axes.legend()
-    path.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(path, dpi=100)
+    save_figure(figure, path)
 
 
 def city(blocks: int, detail: int) -> nf.Scene:
@@ -191,13 +182,9 @@ def city(blocks: int, detail: int) -> nf.Scene:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="a small city and small pictures")
-    parser.add_argument("--plot", type=Path, default=Path("out/bench/car_path.png"), help="where to draw the car's way")
-    arguments = parser.parse_args()
+    arguments = start(__doc__, "--quick", plot=(Path("out/bench/car_path.png"), "where to draw the car's way"))
     scene = city(4, 1) if arguments.quick else city(12, 2)
     rate, view = (RATE / 3.0 if arguments.quick else RATE), camera(960)
-    print(machine(), end="\n\n")
     text, paths = jumps(scene, view, rate)
     print(text)
     draw(paths, distances(drive("left", rate)), rate, arguments.plot)

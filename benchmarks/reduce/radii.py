@@ -1,17 +1,14 @@
-"""The published radii against those chosen by the ground: PSNR, SSIM and tear for ten users.
-
-python -m benchmarks.reduce.radii [--quick]
-"""
+"""The published radii against those chosen by the ground: PSNR, SSIM and tear for ten users."""
 
 from __future__ import annotations
 
-import argparse
 from dataclasses import replace
 
 import numpy as np
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness import scenes
+from benchmarks.harness.report import start, table
 from benchmarks.harness.views import views
 
 USERS = 10
@@ -44,26 +41,18 @@ def compare(scene: nf.Scene, size: tuple[int, int], users: int) -> str:
     for number, view in enumerate(views(published, size, users), start=1):
         truth = nf.render(scene, view, channels=("color",))
         values.append([measures(reduced, view, truth) for reduced in (published, chosen)])
-        rows.append([f"{number}", *_pairs(np.array(values[-1]))])
-    rows.append(["mean", *_pairs(np.mean(values, axis=0))])
-    header = ["user", "PSNR, dB", "SSIM", "tear, px", "of which kink, px"]
+        rows.append([number, *zip(*values[-1], strict=True)])
+    rows.append(["mean", *zip(*np.mean(values, axis=0), strict=True)])
+    names = ("PSNR, dB", "SSIM", "tear, px", "of which kink, px")
+    header = ["user", *(f"{name} {{:.3g}} → {{:.3g}}" for name in names)]
     drawn = " and ".join(f"{one.stats['drawn']:,}" for one in (published, chosen))
     title = f"Continuous pictures with r₁ = {R1:g} m → {chosen.r1:.3g} m, r₂ = {R2:g} m; {drawn} triangles are drawn"
     return table(title, header, rows)
 
 
-def _pairs(values: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) -> list[str]:
-    return [f"{a:.3g} → {b:.3g}" for a, b in values.T]
-
-
 def main() -> None:
-    """Print the table of the procedural city."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="a small city, small pictures, two users")
-    quick = parser.parse_args().quick
-    print(machine(), end="\n\n")
-    scene = nf.datasets.city(blocks=3, detail=0) if quick else nf.datasets.city()
-    print(compare(scene, (240, 136) if quick else (960, 540), 2 if quick else USERS))
+    quick = start(__doc__, "--quick").quick
+    print(compare(scenes.city(quick), (240, 136) if quick else (960, 540), 2 if quick else USERS))
 
 
 if __name__ == "__main__":

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import argparse
 import itertools
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -13,18 +12,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.timing import Timing, best, machine, table
+from benchmarks.harness import scenes
+from benchmarks.harness.report import start, table
+from benchmarks.harness.timing import best
 from benchmarks.harness.tokyo import whole
-from nearfar._base import data
 
 R1, R2 = 30.0, 50.0
 
 
 def city() -> tuple[str, nf.Scene, NDArray[np.float64]]:
     """Return the name of a city, the city, and a place in one of its streets."""
-    path = data.find("city/tokyo23/tokyo_core_lod1.glb")
-    if path is not None:
-        return "tokyo_core_lod1", nf.Scene.load(path), np.array([275.0, 1.7, -60.7])
+    for name, scene in scenes.present("Tokyo core"):
+        return name, scene, np.array([275.0, 1.7, -60.7])
     scene = nf.datasets.city(blocks=12, seed=0, detail=2)
     low, high = scene.bounds
     return "procedural city", scene, np.array([(low[0] + high[0]) / 2, 1.7, (low[2] + high[2]) / 2])
@@ -34,15 +33,12 @@ def bakes(name: str, scene: nf.Scene, center: NDArray[np.float64], sizes: list[i
     """Table of the time of a bake by face size, one colour sample per texel, with trees already built."""
     rows = []
     for size in sizes:
-        settings: dict[str, Any] = {"r1": R1, "r2": R2, "face_size": size, "samples": 1}
-        timing = best(partial(nf.reduce, scene, center=center, **settings), repeat=1)
-        stats = nf.reduce(scene, center=center, **settings).stats
-        rays = stats["rays"] / 1e6
-        rows.append(
-            [f"6 × {size}²", f"{timing.wall:.2f}", f"{rays / timing.cpu:.2f}", f"{stats['map_bytes'] / 1e6:.0f}"]
-        )
+        job = partial(nf.reduce, scene, center=center, r1=R1, r2=R2, face_size=size, samples=1)
+        timing, stats = best(job, repeat=1), job().stats
+        rows.append([f"6 × {size}²", timing.wall, stats["rays"] / 1e6 / timing.cpu, stats["map_bytes"] / 1e6])
     title = f"Bake of {name}, {scene.triangle_count:,} triangles, r₂ = {R2:g} m"
-    return table(title, ["faces", "seconds", "million rays a CPU-second", "MB"], rows)
+    header = "faces | seconds {:.2f} | million rays a CPU-second {:.2f} | MB {:.0f}"
+    return table(title, header, rows)
 
 
 def frames(name: str, scene: nf.Scene, center: NDArray[np.float64], size: tuple[int, int]) -> str:
@@ -51,7 +47,7 @@ def frames(name: str, scene: nf.Scene, center: NDArray[np.float64], size: tuple[
     user = center + np.array([-7.5, 0, -5])
     camera = nf.Camera.look_at(user, user + np.array([1, 0.1, 0.3]), fov=fov, size=size)
     truth = best(lambda: nf.render(scene, camera, channels=("color",)), repeat=3)
-    rows = [["truth", f"{scene.triangle_count:,}", f"{truth.wall * 1e3:.0f}", "1.0", ""]]
+    rows: list[list[object]] = [["truth", scene.triangle_count, truth.ms, 1.0, None]]
     exact = nf.render(scene, camera, channels=("color",)).require("color")
     jobs: list[tuple[str, str, dict[str, Any]]] = [
         ("conventional", "none", {}),
@@ -66,15 +62,13 @@ def frames(name: str, scene: nf.Scene, center: NDArray[np.float64], size: tuple[
         reduced = nf.reduce(scene, center=center, r1=R1, r2=R2, face_size=512, samples=1, morph=morph)
         # Each frame is for a user who has just moved, so that data cached for a static user does not count.
         job = partial(_render_moving_user, reduced, camera, itertools.count(), channels=("color",), **how)
-        timing: Timing = best(job, repeat=3)
-        frame = job()
+        timing, frame = best(job, repeat=3), job()
         error = np.sqrt(np.mean((frame.require("color") - exact) ** 2))
         traced = frame.stats["frame_triangles"] or reduced.stats["drawn"]
-        rows.append(
-            [method, f"{traced:,}", f"{timing.wall * 1e3:.0f}", f"{timing.wall / truth.wall:.1f}", f"{error:.3f}"]
-        )
+        rows.append([method, traced, timing.ms, timing.wall / truth.wall, error])
     title = f"Frames of {name}, {size[0]} × {size[1]}, 9 m from the centre"
-    return table(title, ["method", "triangles traced", "ms", "× truth", "rms to truth (linear)"], rows)
+    header = "method | triangles traced {:,} | ms {:.0f} | × truth {:.1f} | rms to truth (linear) {:.3f}"
+    return table(title, header, rows)
 
 
 def _render_moving_user(reduced: nf.ReducedScene, camera: nf.Camera, steps: Iterator[int], **settings: Any) -> nf.Frame:
@@ -105,16 +99,14 @@ def poses(size: tuple[int, int]) -> str:
 
         timing = best(render_moving_car, repeat=3)
         posing = best(lambda: scene.at({car: pose}), repeat=3)
-        rows.append([method, f"{posing.wall * 1e3:.2f}", f"{timing.wall * 1e3:.0f}", f"{still.wall * 1e3:.0f}"])
+        rows.append([method, posing.ms, timing.ms, still.ms])
     title = f"One of the city's cars moves, {size[0]} × {size[1]}"
-    return table(title, ["method", "posing, ms", "frame after it, ms", "frame without, ms"], rows)
+    header = "method | posing, ms {:.2f} | frame after it, ms {:.0f} | frame without, ms {:.0f}"
+    return table(title, header, rows)
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="small sizes, without the whole of Tokyo")
-    quick = parser.parse_args().quick
-    print(machine(), end="\n\n")
+    quick = start(__doc__, "--quick").quick
     name, scene, center = city()
     scene._core.build()
     print(bakes(name, scene, center, [128, 256] if quick else [256, 512, 1024]))

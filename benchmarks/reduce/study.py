@@ -1,11 +1,7 @@
-"""The published user study: its tasks as pictures, the disparity of both eyes by distance, and its statistics.
-
-python -m benchmarks.reduce.study [--quick] [--plots out/bench]
-"""
+"""The published user study: its tasks as pictures, the disparity of both eyes by distance, and its statistics."""
 
 from __future__ import annotations
 
-import argparse
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +10,7 @@ from numpy.typing import NDArray
 from scipy import stats
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import start, table
 from benchmarks.reduce._study import draw_disparity, draw_tasks
 
 IPD = 0.064
@@ -96,12 +92,11 @@ def disparity(quick: bool, plots: Path | None) -> str:
     for text, step in (("at O", (0.0, 0.0, 0.0)), ("8 m aside", (8.0, 0.0, 0.0))):
         drawn[text] = disparities(distances, CENTER + np.array(step), 200 if quick else 1200)
     for n, distance in enumerate(distances):
-        values = [f"{drawn[text][part][n]:.2f}" for text in drawn for part in (2, 0, 1)]
-        rows.append([f"{distance:g}", *values])
+        rows.append([distance, *(drawn[text][part][n] for text in drawn for part in (2, 0, 1))])
     if plots is not None:
         draw_disparity(distances, drawn, (R1, R2), plots / "disparity.png")
     names = ("truth", "continuous, calculated", "continuous, in pictures")
-    header = ["m from O", *(f"{text}: {name}" for text in drawn for name in names)]
+    header = ["m from O {:g}", *(f"{text}: {name} {{:.2f}}" for text in drawn for name in names)]
     return table(f"Disparity in arc minutes, eyes {IPD * 1000:.0f} mm apart, r₁ = {R1:g}, r₂ = {R2:g} m", header, rows)
 
 
@@ -119,23 +114,13 @@ def statistics() -> str:
         ("4: right box", "EC 83.3 %, TC 93.9 %", 7, 0, "7, 0.008"),
     ):
         chi = (b - c) ** 2 / (b + c)
-        exact = stats.binomtest(c, b + c).pvalue
-        rows.append(
-            [question, answers, f"{b}, {c}", printed, f"{chi:.2f}", f"{stats.chi2.sf(chi, 1):.2g}", f"{exact:.2g}"]
-        )
-    header = ["question", "answers", "pairs b, c", "printed χ², p", "χ²", "its p", "exact p"]
+        rows.append([question, answers, (b, c), printed, chi, stats.chi2.sf(chi, 1), stats.binomtest(c, b + c).pvalue])
+    header = "question | answers | pairs b, c {}, {} | printed χ², p | χ² {:.2f} | its p {:.2g} | exact p {:.2g}"
     return table("The study's printed answers, and McNemar's test of them", header, rows)
 
 
 def main() -> None:
-    """Print the tables and draw the pictures."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="few distances, small pictures")
-    parser.add_argument("--plots", type=Path, help="folder for pictures and plots")
-    arguments = parser.parse_args()
-    if arguments.plots is not None:
-        arguments.plots.mkdir(parents=True, exist_ok=True)
-    print(machine(), end="\n\n")
+    arguments = start(__doc__, "--quick", "--plots")
     print(statistics())
     print(disparity(arguments.quick, arguments.plots))
     if arguments.plots is not None:

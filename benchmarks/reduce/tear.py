@@ -2,13 +2,10 @@
 
 For cities with occlusion, rows separate the sources of tears: surfaces across r₂, surfaces visible to the user, each
 object by itself, and the ground.
-
-python -m benchmarks.reduce.tear [--quick]
 """
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Iterator
 from typing import Any
 
@@ -16,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness import scenes
+from benchmarks.harness.report import start, table
 from benchmarks.harness.views import Point, center_for
-from nearfar._base import data
 
 Positions = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -39,15 +36,9 @@ MAX_TRIES = 60
 
 def cases(quick: bool) -> Iterator[tuple[str, nf.Scene, Point]]:
     """Yield the name, the scene and a centre of each available city."""
-    for name, file in (
-        ("centre of Tokyo", "city/tokyo23/tokyo_core_lod1.glb"),
-        ("Manhattan", "city/manhattan_deckgl/manhattan_core.glb"),
-    ):
-        if not quick and (path := data.find(file)) is not None:
-            scene = nf.Scene.load(path)
-            yield name, scene, center_for(scene, 50.0)
-    city = nf.datasets.city(blocks=3, detail=0) if quick else nf.datasets.city()
-    yield "procedural city", city, nf.datasets.street_view()[0]
+    for name, scene in scenes.present(*([] if quick else ["Tokyo core", "Manhattan core"])):
+        yield name, scene, center_for(scene, 50.0)
+    yield "procedural city", scenes.city(quick), nf.datasets.street_view()[0]
 
 
 def views(center: Point, seed: int) -> Iterator[nf.Camera]:
@@ -140,7 +131,8 @@ def tears(name: str, scene: nf.Scene, center: Point, count: int, seed: int) -> s
             if taken == count:
                 break
         rows += [_row(r1, part, taken, added) for part, added in sums.items()]
-    header = ["r₁, r₂, m", "where", "views", "conventional, px", "continuous, px", "of which kink", "ratio"]
+    header = "r₁, r₂, m {:.3g}, 50 | where | views | conventional, px {:.3g} | continuous, px {:.3g}"
+    header += " | of which kink {:.2g} | ratio {:.3g}"
     return table(f"Tear along r₂, {name}, {DENSITY:g} pixels a degree", header, rows)
 
 
@@ -158,22 +150,15 @@ def _weighted(one: nf.BoundaryTear) -> Positions:
     return _count(one) * np.array([1.0, one.tear or 0.0, one.kink or 0.0])
 
 
-def _row(r1: float, part: str, views: int, sums: Sums) -> list[str]:
-    start = [f"{r1:.3g}, 50", part, f"{views}"]
+def _row(r1: float, part: str, views: int, sums: Sums) -> list[object]:
     if not (sums[:, 0] > 0.0).all():
-        return [*start, *["–"] * 4]
+        return [r1, part, views, *["–"] * 4]
     (conventional, _), (continuous, kink) = sums[:, 1:] / sums[:, :1]
-    return [*start, f"{conventional:.3g}", f"{continuous:.3g}", f"{kink:.2g}", f"{conventional / continuous:.3g}"]
+    return [r1, part, views, conventional, continuous, kink, conventional / continuous]
 
 
 def main() -> None:
-    """Print a table for each city."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="a small city only")
-    parser.add_argument("--views", type=int, default=6)
-    parser.add_argument("--seed", type=int, default=7)
-    arguments = parser.parse_args()
-    print(machine())
+    arguments = start(__doc__, "--quick", views=6, seed=7)
     for name, scene, center in cases(arguments.quick):
         print(tears(name, scene, center, 2 if arguments.quick else arguments.views, arguments.seed))
 

@@ -1,11 +1,7 @@
-"""Walks of 200 m through cities: maps, bytes, milliseconds to the next region, jumps at changes, folds, waits.
-
-python -m benchmarks.reduce.walk [--quick] [--plots FOLDER]
-"""
+"""Walks of 200 m through cities: maps, bytes, milliseconds to the next region, jumps at changes, folds, waits."""
 
 from __future__ import annotations
 
-import argparse
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -15,10 +11,11 @@ from typing import Any
 import numpy as np
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness import scenes
+from benchmarks.harness.report import start, table
+from benchmarks.harness.timing import timed
 from benchmarks.harness.views import center_for
 from benchmarks.reduce._walk import FOCAL, FOV, Array, Change, at_distance, draw, free_way, measure
-from nearfar._base import data
 
 LENGTH, SPEED, RATE = 200.0, 1.4, 10.0
 """Length in metres of a walk, speed in metres per second, pictures per second."""
@@ -50,25 +47,20 @@ class Walked:
 
 def cases(quick: bool) -> Iterator[Case]:
     """Yield the city, along an avenue and around a corner, and the centre of Tokyo, along free ground."""
-    city = nf.datasets.city(blocks=3, detail=0) if quick else nf.datasets.city()
     corner = [(0.0, 1.7, 20.0), (0.0, 1.7, -66.0), (114.0, 1.7, -66.0)]
-    yield Case("procedural city", city, np.array(corner[:2] if quick else corner))
-    if not quick and (file := data.find("city/tokyo23/tokyo_core_lod1.glb")) is not None:
-        scene = nf.Scene.load(file)
+    yield Case("procedural city", scenes.city(quick), np.array(corner[:2] if quick else corner))
+    for _, scene in scenes.present(*([] if quick else ["Tokyo core"])):
         yield Case("centre of Tokyo", scene, free_way(scene, center_for(scene, R2), LENGTH))
 
 
-def ahead(case: Case, regions: nf.Regions) -> tuple[float, list[float]]:
+def ahead(regions: nf.Regions) -> tuple[float, list[float]]:
     """Milliseconds of the first reduction, which builds the trees, and of each further one in the background, alone."""
-    started = time.perf_counter()
-    reduced = regions.reduced(0)
-    first = time.perf_counter() - started
+    reduced, first = timed(regions.reduced, 0)
     times = []
     for center in regions.centers[1:]:
-        started = time.perf_counter()
-        reduced = reduced.recentered(center).result()
-        times.append(1e3 * (time.perf_counter() - started))
-    return 1e3 * first, times
+        reduced, spent = timed(lambda before, center: before.recentered(center).result(), reduced, center)
+        times.append(spent.ms)
+    return first.ms, times
 
 
 def walk(case: Case, regions: nf.Regions, size: tuple[int, int]) -> Walked:
@@ -115,17 +107,16 @@ def jumps(case: Case, walked: Walked, regions: nf.Regions) -> list[Change]:
 def report(case: Case, quick: bool, plots: Path | None) -> str:
     """Tables of one walk."""
     size = 128 if quick else 1024
-    started = time.perf_counter()
-    regions = nf.regions(case.scene, case.path, reach=REACH, hysteresis=HYSTERESIS, r2=R2, face_size=size)
-    planning = 1e3 * (time.perf_counter() - started)
-    first, times = ahead(case, regions)
+    settings: dict[str, Any] = {"reach": REACH, "hysteresis": HYSTERESIS, "r2": R2, "face_size": size}
+    regions, planning = timed(nf.regions, case.scene, case.path, **settings)
+    first, times = ahead(regions)
     walked = walk(case, regions, (96, 54) if quick else (320, 180))
     bytes_made = regions.bytes[regions.bytes > 0] / 1e6
     rows = [
         ["way, m", f"{np.linalg.norm(np.diff(case.path, axis=0), axis=1).sum():.0f}"],
         ["centres, and metres between neighbours", f"{len(regions)}, {regions.spacing:.2f}"],
         ["r1, r2, m", f"{regions.radii.r1:.1f}, {regions.radii.r2:.0f}"],
-        ["planned in, ms", f"{planning:.0f}"],
+        ["planned in, ms", f"{planning.ms:.0f}"],
         ["first region, with the scene's trees, ms", f"{first:.0f}"],
         ["next region, mean and greatest, ms", f"{np.mean(times):.0f}, {np.max(times):.0f}"],
         ["maps made on the walk", f"{len(bytes_made)}"],
@@ -136,50 +127,27 @@ def report(case: Case, quick: bool, plots: Path | None) -> str:
         ["pictures, folded", f"{walked.frames}, {walked.folded}"],
     ]
     title = f"{case.name}: {SPEED} m/s, {RATE:.0f} pictures a second, maps of 6 × {size}² texels"
-    text = table(title, ["", ""], rows)
+    text = table(title, " | ", rows)
     changes = jumps(case, walked, regions)
     lines = [_row(number, change) for number, change in enumerate(changes, 1) if len(change.ranges)]
-    header = [
-        "change",
-        "|ΔO|, m",
-        "points",
-        "ρ, m, median",
-        "jump, px, median",
-        "predicted",
-        "greatest",
-        "predicted",
-        "ratio",
-    ]
-    text += "\n" + table(f"Jumps of far points at each change, f = {FOCAL:.0f} px", [*header, "to ρ − ΔO·d"], lines)
+    header = "change | |ΔO|, m {:.2f} | points | ρ, m, median {:.0f} | jump, px, median {:.1f} | predicted {:.1f}"
+    header += " | greatest {:.0f} | predicted {:.0f} | ratio {:.2f} | to ρ − ΔO·d {:.2f}"
+    text += "\n" + table(f"Jumps of far points at each change, f = {FOCAL:.0f} px", header, lines)
     if plots is not None:
         draw(case.name, case.path, regions, changes, walked.strip, plots / f"walk_{case.name.split()[-1]}.jpg")
     return text
 
 
-def _row(number: int, change: Change) -> list[str]:
+def _row(number: int, change: Change) -> list[object]:
     most, clear = int(np.argmax(change.measured)), change.predicted > 5.0
-    ratios = [change.measured[clear] / by[clear] for by in (change.predicted, change.exact)]
-    return [
-        str(number),
-        f"{change.step:.2f}",
-        f"{len(change.ranges)}",
-        f"{np.median(change.ranges):.0f}",
-        f"{np.median(change.measured):.1f}",
-        f"{np.median(change.predicted):.1f}",
-        f"{change.measured[most]:.0f}",
-        f"{change.predicted[most]:.0f}",
-        *(f"{np.median(ratio):.2f}" if clear.any() else "–" for ratio in ratios),
-    ]
+    ratios = (np.median(change.measured[clear] / by[clear]) for by in (change.predicted, change.exact) if clear.any())
+    middles = (np.median(values) for values in (change.ranges, change.measured, change.predicted))
+    greatest = change.measured[most], change.predicted[most]
+    return [number, change.step, len(change.ranges), *middles, *greatest, *(ratios if clear.any() else ["–", "–"])]
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="a small city, a short way and small pictures")
-    parser.add_argument("--plots", type=Path, help="folder for pictures and plots")
-    arguments = parser.parse_args()
-    if arguments.plots is not None:
-        arguments.plots.mkdir(parents=True, exist_ok=True)
-    print(machine(), end="\n\n")
+    arguments = start(__doc__, "--quick", "--plots")
     for case in cases(arguments.quick):
         print(report(case, arguments.quick, arguments.plots), flush=True)
 

@@ -1,15 +1,11 @@
 """Times of 1080p frames of ground truth by channels and samples, compared with embreex (tracing only) and pyrender.
 
-`python -m benchmarks.render.truth [file …]`; without files the core of Tokyo, or the procedural city without data. CPU
-seconds are those of all threads; error is against 256 samples, root mean square in linear light.
+CPU seconds are those of all threads; error is against 256 samples, root mean square in linear light.
 """
 
 from __future__ import annotations
 
 import importlib.util
-import os
-import sys
-import warnings
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -17,18 +13,17 @@ from typing import Any
 import numpy as np
 
 import nearfar as nf
-from benchmarks.harness.timing import Timing, best, machine, table
-from nearfar._base import data
+from benchmarks.harness import opengl, scenes
+from benchmarks.harness.report import start, table
+from benchmarks.harness.timing import Timing, best
 
 SIZE = (1920, 1080)
-CORE = "city/tokyo23/tokyo_core_lod1.glb"
 REPEAT = 3
 
 
-def scenes(files: list[str]) -> dict[str, nf.Scene]:
-    paths = [Path(file) for file in files] or [path for path in [data.find(CORE)] if path]
-    loaded = {path.stem: nf.Scene.load(path) for path in paths}
-    return loaded or {"city": nf.datasets.city()}
+def load_scenes(files: list[str]) -> dict[str, nf.Scene]:
+    named = {Path(file).stem: nf.Scene.load(file) for file in files} or dict(scenes.present("Tokyo core"))
+    return named or {"city": nf.datasets.city()}
 
 
 def view(scene: nf.Scene, size: tuple[int, int]) -> nf.Camera:
@@ -41,28 +36,27 @@ def view(scene: nf.Scene, size: tuple[int, int]) -> nf.Camera:
     return nf.Camera.look_at(eye, target, fov=nf.Fov.symmetric(60, size[0] / size[1]), size=size)
 
 
-def row(name: str, timing: Timing, reference: Timing | None, error: str = "") -> list[str]:
-    ratio = f"{timing.cpu / reference.cpu:.2f}" if reference else ""
-    return [name, f"{1e3 * timing.wall:.0f}", f"{1e3 * timing.cpu:.0f}", ratio, error]
+def row(name: str, timing: Timing, reference: Timing | None, error: float | None = None) -> list[object]:
+    return [name, timing.ms, timing.cpu_ms, reference and timing.cpu / reference.cpu, error]
 
 
-def ours(scene: nf.Scene, camera: nf.Camera, reference: Timing | None) -> list[list[str]]:
-    rows = []
-    for channels in (("range",), ("object_id",), ("position", "normal"), ("color",), ("color", "range", "object_id")):
-        timing = best(partial(nf.render, scene, camera, channels=channels), repeat=REPEAT)
-        rows.append(row(", ".join(channels), timing, reference))
-    return rows
+def ours(scene: nf.Scene, camera: nf.Camera, reference: Timing | None) -> list[list[object]]:
+    channels = (("range",), ("object_id",), ("position", "normal"), ("color",), ("color", "range", "object_id"))
+    times = {
+        ", ".join(each): best(partial(nf.render, scene, camera, channels=each), repeat=REPEAT) for each in channels
+    }
+    return [row(name, timing, reference) for name, timing in times.items()]
 
 
-def by_samples(scene: nf.Scene) -> list[list[str]]:
+def by_samples(scene: nf.Scene) -> list[list[object]]:
     """Table by samples, at a quarter of the picture's width and height, so that the exact one takes seconds."""
-    camera = view(scene, (SIZE[0] // 4, SIZE[1] // 4))
-    exact = nf.render(scene, camera, samples=256, channels=["color"]).require("color")
+    draw = partial(nf.render, scene, view(scene, (SIZE[0] // 4, SIZE[1] // 4)), channels=["color"])
+    exact = draw(samples=256).require("color")
     rows = []
     for samples in (1, 4, 16, 64):
-        job = partial(nf.render, scene, camera, samples=samples, channels=["color"])
+        job = partial(draw, samples=samples)
         error = float(np.sqrt(np.mean((job().require("color") - exact) ** 2)))
-        rows.append(row(f"color, {samples} samples", best(job, repeat=REPEAT), None, f"{error:.4f}"))
+        rows.append(row(f"color, {samples} samples", best(job, repeat=REPEAT), None, error))
     return rows
 
 
@@ -85,37 +79,23 @@ def embree(scene: nf.Scene, camera: nf.Camera) -> Timing | None:
 
 def pyrender(scene: nf.Scene, camera: nf.Camera) -> Timing | None:
     """Time depth only by OpenGL, in software if there is no GPU, without the upload."""
-    if not importlib.util.find_spec("pyrender"):
+    peer = opengl.pyrender()
+    if peer is None:
         return None
-    os.environ.setdefault("PYOPENGL_PLATFORM", "egl")
-    vars(np).setdefault("infty", np.inf)  # pyrender 0.1.45 was written for NumPy 1
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        import pyrender as peer
-
-        corners = scene.triangles().reshape(-1, 3)
-        whole: Any = peer.Scene()
-        whole.add(peer.Mesh([peer.Primitive(positions=corners)]))
-        rays = camera.rays()[1]
-        pose = np.eye(4)
-        right, down = rays[0, -1] - rays[0, 0], rays[-1, 0] - rays[0, 0]
-        pose[:3, 0], pose[:3, 1] = right / np.linalg.norm(right), -down / np.linalg.norm(down)
-        pose[:3, 2] = np.cross(pose[:3, 0], pose[:3, 1])
-        pose[:3, 3] = np.array(camera.position) - scene.origin
-        assert isinstance(camera.fov, nf.Fov)
-        whole.add(peer.PerspectiveCamera(2 * np.arctan(camera.fov.up), 1.0, 1e4, SIZE[0] / SIZE[1]), pose=pose)
-        renderer = peer.OffscreenRenderer(*SIZE)
-        flags = peer.RenderFlags.DEPTH_ONLY | peer.RenderFlags.SKIP_CULL_FACES
-        try:
-            return best(lambda: renderer.render(whole, flags), repeat=REPEAT)
-        finally:
-            renderer.delete()
+    mesh = peer.Mesh([peer.Primitive(positions=scene.triangles().reshape(-1, 3))])
+    whole = opengl.scene_of(mesh, camera, origin=scene.origin)
+    renderer = peer.OffscreenRenderer(*SIZE)
+    flags = peer.RenderFlags.DEPTH_ONLY | peer.RenderFlags.SKIP_CULL_FACES
+    try:
+        return best(lambda: renderer.render(whole, flags), repeat=REPEAT)
+    finally:
+        renderer.delete()
 
 
 def main() -> None:
-    header = ["job", "wall ms", "CPU ms", "CPU of embreex' tracing", "rms error"]
-    print(machine())
-    for name, scene in scenes(sys.argv[1:]).items():
+    options = start(__doc__, files={"nargs": "*", "help": "scenes; by default the core of Tokyo or a city"})
+    header = "job | wall ms {:.0f} | CPU ms {:.0f} | CPU of embreex' tracing {:.2f} | rms error {:.4f}"
+    for name, scene in load_scenes(options.files).items():
         camera = view(scene, SIZE)
         reference = embree(scene, camera)
         rows = ours(scene, camera, reference)

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import json
 import sys
-import tempfile
-import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -13,7 +11,8 @@ from typing import Any
 import numpy as np
 
 import nearfar as nf
-from benchmarks.harness.timing import ahead_of_others
+from benchmarks.harness.report import folder_or_temporary
+from benchmarks.harness.timing import ahead_of_others, forget_peak, resident, timed
 from nearfar import _core
 
 ENOUGH = 3.0
@@ -85,18 +84,17 @@ def child(reader: str, path: Path) -> None:
     """Load a file several times and print the times and memory."""
     read = READERS[reader]
     _warm(read, path.suffix)
-    Path("/proc/self/clear_refs").write_text("5")
-    before = _status("VmRSS")
+    forget_peak()
+    before = resident()
     seconds: list[float] = []
     loaded = None
     with ahead_of_others():
         while not seconds or (len(seconds) < 5 and sum(seconds) < ENOUGH):
             loaded = None
-            started = time.perf_counter()
-            loaded = read(path)
-            seconds.append(time.perf_counter() - started)
+            loaded, spent = timed(read, path)
+            seconds.append(spent.wall)
             if len(seconds) == 1:
-                growth = _status("VmHWM") - before
+                growth = resident("VmHWM") - before
     print(json.dumps({"seconds": min(seconds), "growth": growth, "size": scene_size(loaded)}))
 
 
@@ -104,19 +102,14 @@ def _warm(read: Callable[[Path], Any], suffix: str) -> None:
     """Load a triangle, so that modules are imported before memory is measured."""
     import trimesh
 
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / f"triangle{suffix}"
+    with folder_or_temporary() as folder:
+        path = folder / f"triangle{suffix}"
         mesh = trimesh.Trimesh(np.eye(3), [[0, 1, 2]], process=False)
         written = mesh.export(None if suffix == ".gltf" else path, file_type=suffix[1:])
         if suffix == ".gltf":
             for name, content in written.items():
-                (Path(folder) / name.replace("model.gltf", path.name)).write_bytes(content)
+                (folder / name.replace("model.gltf", path.name)).write_bytes(content)
         read(path)
-
-
-def _status(key: str) -> int:
-    lines = Path("/proc/self/status").read_text(encoding="ascii").splitlines()
-    return 1024 * int(next(line for line in lines if line.startswith(key)).split()[1])
 
 
 def scene_size(scene: Any) -> int:

@@ -8,10 +8,7 @@ vertices, faces, normals, texture coordinates, colours, numbers of materials and
 from __future__ import annotations
 
 import gzip
-import json
-import subprocess
 import sys
-import tempfile
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -20,7 +17,9 @@ from typing import Any
 import numpy as np
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness import scenes
+from benchmarks.harness.process import run_module
+from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.harness.tokyo import whole
 from benchmarks.scene._reader import READERS
 from nearfar._base import data, glb
@@ -29,16 +28,8 @@ from tests.support.exporters import Case
 from tests.support.exporters_run import EXPORTERS
 from tests.support.reader_cases import no_exporters
 
-FILES = (
-    "objects/gltf/Duck.glb",
-    "objects/gltf/FlightHelmet/FlightHelmet.gltf",
-    "interior/garage/garage.gltf",
-    "city/manhattan_deckgl/manhattan_core.glb",
-    "city/tokyo23/tokyo_core_lod1.glb",
-    "objects/armadillo.obj",
-    "objects/bun_zipper.ply",
-    "objects/dragon/dragon_vrip_res2.ply.gz",
-)
+FILES = ("Duck", "FlightHelmet", "garage", "Manhattan core", "Tokyo core", "armadillo", "bunny")
+DRAGON = "objects/dragon/dragon_vrip_res2.ply.gz"
 PACKED = {"quantised": (), "meshopt": ("-c",)}
 """Settings of gltfpack for variants of a city."""
 
@@ -60,49 +51,41 @@ class Reading:
 
 
 def main() -> None:
-    print(machine(), "\n")
+    start(__doc__)
     rows = []
-    with tempfile.TemporaryDirectory() as folder:
-        for name, path in files(Path(folder)):
+    with folder_or_temporary() as folder:
+        for name, path in files(folder):
             found = {reader: _measured(reader, path) for reader in READERS}
-            rows.append([name, f"{path.stat().st_size / 1e6:.1f}", *_row(found)])
-            print(" | ".join(rows[-1]), file=sys.stderr, flush=True)
+            rows.append([name, path.stat().st_size / 1e6, *_row(found)])
+            print(rows[-1], file=sys.stderr, flush=True)
             if path.is_relative_to(folder):
                 path.unlink()
-    header = [
-        "file",
-        "MB",
-        "nearfar, s",
-        "trimesh, s",
-        "pygltflib, s",
-        "Open3D, s",
-        "trimesh / nearfar",
-        "memory / scene",
-    ]
-    print(table("Loading", [*header, "trimesh's memory"], rows))
+    times = (f"{reader}, s {{:.3f}}" for reader in READERS)
+    columns = ("trimesh / nearfar {:.1f}", "memory / scene {:.2f}", "trimesh's memory {:.2f}")
+    print(table("Loading", ["file", "MB {:.1f}", *times, *columns], rows))
 
 
-def _row(found: dict[str, Reading | None]) -> list[str]:
+def _row(found: dict[str, Reading | None]) -> list[object]:
     ours, peer = found["nearfar"], found["trimesh"]
     assert ours is not None
-    ratio = "–" if peer is None else f"{peer.seconds / ours.seconds:.1f}"
-    memory = ["–" if r is None or ours.size < SMALL else f"{r.growth / ours.size:.2f}" for r in (ours, peer)]
-    return [*("–" if reading is None else f"{reading.seconds:.3f}" for reading in found.values()), ratio, *memory]
+    ratio = "–" if peer is None else peer.seconds / ours.seconds
+    memory = ["–" if r is None or ours.size < SMALL else r.growth / ours.size for r in (ours, peer)]
+    return [*("–" if reading is None else reading.seconds for reading in found.values()), ratio, *memory]
 
 
 # files ----------------------------------------------------------------------------------------------------------------
 def files(folder: Path) -> Iterator[tuple[str, Path]]:
     """Yield names and paths of files, made one after the other."""
     for name in FILES:
-        path = data.find(name)
+        path = scenes.path_of(name)
         if path is None:
             print(f"{name} is not there\n")
-        elif path.suffix == ".gz":
-            unpacked = folder / path.stem
-            unpacked.write_bytes(gzip.decompress(path.read_bytes()))
-            yield unpacked.name, unpacked
         else:
             yield path.name, path
+    if (packed := data.find(DRAGON)) is not None:
+        unpacked = folder / packed.stem
+        unpacked.write_bytes(gzip.decompress(packed.read_bytes()))
+        yield unpacked.name, unpacked
     yield from _meshes(folder)
     yield from _cities(folder)
     arrays = whole()
@@ -143,19 +126,11 @@ def _cities(folder: Path) -> Iterator[tuple[str, Path]]:
 
 def _one_mesh(path: Path, vertices: Any, faces: Any) -> Path:
     writer = glb.Writer()
-    corners = faces.reshape(-1)
-    numbers = [writer.accessor(writer.view(rows), rows, 0) for rows in (vertices, corners)]
+    numbers = [writer.accessor(writer.view(rows), rows, 0) for rows in (vertices, faces.reshape(-1))]
     primitive = {"attributes": {"POSITION": numbers[0]}, "indices": numbers[1]}
-    path.write_bytes(
-        writer.encode(
-            {
-                "asset": {"version": "2.0"},
-                "scenes": [{"nodes": [0]}],
-                "nodes": [{"mesh": 0, "name": "Tokyo"}],
-                "meshes": [{"primitives": [primitive]}],
-            }
-        )
-    )
+    document: dict[str, Any] = {"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}]}
+    document |= {"nodes": [{"mesh": 0, "name": "Tokyo"}], "meshes": [{"primitives": [primitive]}]}
+    path.write_bytes(writer.encode(document))
     return path
 
 
@@ -163,13 +138,11 @@ def _measured(reader: str, path: Path) -> Reading | None:
     """Measure a reader in a separate process; None if it does not read the file."""
     if reader == "pygltflib" and path.suffix not in (".glb", ".gltf"):
         return None
-    command = [sys.executable, "-m", "benchmarks.scene._reader", reader, str(path)]
-    process = subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
-    if process.returncode:
-        reason = process.stderr.strip().splitlines()[-1:] or [f"status {process.returncode}"]
-        print(f"{reader} does not read {path.name}: {reason[0]}\n")
+    try:
+        return Reading(**run_module("benchmarks.scene._reader", reader, path, seconds=SECONDS))
+    except RuntimeError as error:
+        print(f"{reader} does not read {path.name}: {error}\n")
         return None
-    return Reading(**json.loads(process.stdout.splitlines()[-1]))
 
 
 if __name__ == "__main__":

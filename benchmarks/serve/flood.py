@@ -1,11 +1,7 @@
-"""Latency for other clients during a flood of region requests: of a file, and of a new client's first ring.
-
-python -m benchmarks.serve.flood [--quick]
-"""
+"""Latency for other clients during a flood of region requests: of a file, and of a new client's first ring."""
 
 from __future__ import annotations
 
-import argparse
 import http.client
 import itertools
 import json
@@ -18,15 +14,18 @@ from contextlib import contextmanager
 from typing import Any
 from urllib.parse import urlsplit
 
-import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness import scenes
+from benchmarks.harness.report import start, table
+from benchmarks.harness.timing import timed
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
 from nearfar.stream._on_demand import OnDemand
 
 ADDRESSES, CLIENTS = 8, 6
 """Number of addresses of the flood, and of concurrent requests per address: more than the four allowed to wait."""
-HEADER = ["", "file, median ms", "file, 99th percentile ms", "first ring, median s", "refused", "accepted"]
+HEADER = (
+    " | file, median ms {:.1f} | file, 99th percentile ms {:.1f} | first ring, median s {:.2f} | refused | accepted"
+)
 
 
 @contextmanager
@@ -70,17 +69,16 @@ def _ask(url: str, address: str, places: Iterator[int], refused: Any, accepted: 
         line.close()
 
 
-def file_times(url: str, count: int) -> list[float]:
-    """Milliseconds of requests for a file of the page, each over a new connection."""
-    found = []
-    for _ in range(count):
-        start = time.perf_counter()
+def file_time(url: str) -> float:
+    """Milliseconds of a request for a file of the page over a new connection."""
+
+    def ask() -> None:
         line = http.client.HTTPConnection(urlsplit(url).netloc, timeout=300)
         line.request("GET", "/page.css")
         line.getresponse().read()
         line.close()
-        found.append(1000 * (time.perf_counter() - start))
-    return found
+
+    return timed(ask)[1].ms
 
 
 def first_ring(url: str, number: int) -> float:
@@ -97,26 +95,19 @@ def first_ring(url: str, number: int) -> float:
     return taken
 
 
-def measured(url: str, first: int) -> list[str]:
+def measure(url: str, first: int) -> list[float]:
     """Cells of a row: times of a file, and of five new clients."""
     rings = [first_ring(url, number) for number in range(first, first + 5)]
-    times = file_times(url, 300)
-    high = statistics.quantiles(times, n=100)[98]
-    return [f"{statistics.median(times):.1f}", f"{high:.1f}", f"{statistics.median(rings):.2f}"]
+    times = [file_time(url) for _ in range(300)]
+    return [statistics.median(times), statistics.quantiles(times, n=100)[98], statistics.median(rings)]
 
 
 def main() -> None:
-    """Parse the arguments and run."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="a small city")
-    arguments = parser.parse_args()
-    scene = nf.datasets.city(blocks=3, detail=0) if arguments.quick else nf.datasets.city()
-    print(machine())
-    rows = []
+    scene, rows = scenes.city(start(__doc__, "--quick").quick), []
     with Server({"": Site.of_scene(OnDemand(scene), None)}) as server:
-        rows.append(["alone", *measured(server.url, 0), "0", "0"])
+        rows.append(["alone", *measure(server.url, 0), 0, 0])
         with flood(server.url) as (refused, accepted):
-            rows.append(["beside the flood", *measured(server.url, 5), str(refused.value), str(accepted.value)])
+            rows.append(["beside the flood", *measure(server.url, 5), refused.value, accepted.value])
     print(table(f"{ADDRESSES} addresses with {CLIENTS} requests each at once", HEADER, rows))
 
 

@@ -1,27 +1,25 @@
 """Requests per second, times and memory of the server and of nginx: the same files, generator and machine.
 
-python -m benchmarks.serve.load [--quick] [--rounds N]
-
 Needs wrk on the PATH, and compares with nginx if that is installed, too. Generator and server share the machine's
 cores. Memory is reported after each round of loads.
 """
 
 from __future__ import annotations
 
-import argparse
 import hashlib
 import re
 import shutil
 import socket
 import subprocess
 import sys
-import tempfile
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import folder_or_temporary, start, table
+from benchmarks.harness.timing import resident
 
 SMALL, TYPICAL = ("small.bin", 5_000), ("typical.bin", 300_000)
 """Names and bytes of files: a ring's list of texels, and a ring's geometry."""
@@ -32,7 +30,8 @@ ASKED = {
 }
 CONNECTIONS = (100, 1000)
 SECONDS = 8
-HEADER = ["", "server", "connections", "requests/s", "MB/s", "median ms", "99th percentile ms", "errors"]
+HEADER = " | server | connections | requests/s {:,.0f} | MB/s {:,.0f} | median ms {:.1f} | 99th percentile ms {:.1f}"
+HEADER += " | errors"
 
 NEARFAR = """
 import sys
@@ -90,11 +89,10 @@ def answers(port: int) -> bool:
         return line.connect_ex(("127.0.0.1", port)) == 0
 
 
-def resident(process: int) -> float:
+def megabytes(process: int) -> float:
     """Memory in megabytes of a process and its children."""
     children = Path(f"/proc/{process}/task/{process}/children").read_text().split()
-    texts = [Path(f"/proc/{each}/status").read_text() for each in (process, *children)]
-    return sum(int(re.findall(r"VmRSS:\s+(\d+)", text)[0]) for text in texts) / 1000
+    return sum(resident(process=each) for each in [str(process), *children]) / 1.024e6
 
 
 def load(url: str, connections: int, seconds: int, part: str | None) -> tuple[float, float, float, float, int]:
@@ -117,54 +115,47 @@ def load(url: str, connections: int, seconds: int, part: str | None) -> tuple[fl
     return int(count) / float(taken), rate, milliseconds(50), milliseconds(99), errors
 
 
-def row(url: str, server: str, what: str, connections: int, seconds: int) -> list[str]:
+def row(url: str, server: str, what: str, connections: int, seconds: int) -> list[Any]:
     """Cells of a load's row."""
     file, part = ASKED[what]
-    rate, megabytes, middle, high, errors = load(f"{url}files/{file}", connections, seconds, part)
-    return [
-        *(what, server, str(connections)),
-        *(f"{rate:,.0f}", f"{megabytes:,.0f}", f"{middle:.1f}", f"{high:.1f}", str(errors)),
-    ]
+    return [what, server, connections, *load(f"{url}files/{file}", connections, seconds, part)]
 
 
 def run(folder: Path, seconds: int, rounds: int) -> None:
     """Load the servers in turn, and print the table and memory."""
     servers = {"nearfar": nearfar, **({"nginx": nginx} if shutil.which("nginx") else {})}
-    rows: list[list[str]] = []
-    memory: list[list[str]] = []
+    rows: list[list[Any]] = []
+    memory: list[list[Any]] = []
     for name, server in servers.items():
         with server(folder) as (url, process):
             load(f"{url}files/{SMALL[0]}", 10, 1, None)
-            sizes = [resident(process)]
+            sizes = [megabytes(process)]
             for number in range(rounds):
                 found = [row(url, name, what, connections, seconds) for what in ASKED for connections in CONNECTIONS]
                 rows += [] if number else found
-                sizes.append(resident(process))
-            memory.append([name, *(f"{size:.0f}" for size in (sizes[0], *sizes[1:2], max(sizes), sizes[-1]))])
+                sizes.append(megabytes(process))
+            memory.append([name, *sizes[:2], max(sizes), sizes[-1]])
     order = list(ASKED)
-    print(table("Load", HEADER, sorted(rows, key=lambda cells: (order.index(cells[0]), int(cells[2])))))
-    print(table("Memory", ["server", "MB before", "after a round", "most", f"after {rounds}"], memory))
+    rows.sort(key=lambda cells: (order.index(cells[0]), cells[2]))
+    print(table("Load", HEADER, rows))
+    header = f"server | MB before {{:.0f}} | after a round {{:.0f}} | most {{:.0f}} | after {rounds} {{:.0f}}"
+    print(table("Memory", header, memory))
     if "nginx" not in servers:
         print("nginx is not on the PATH: nothing to compare with")
 
 
 def main() -> None:
-    """Parse the arguments and run."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="a second for each figure")
-    parser.add_argument("--rounds", type=int, default=1, help="rounds of loads; rates are those of the first one")
-    arguments = parser.parse_args()
+    rounds = (1, "rounds of loads; rates are those of the first one")
+    options = start(__doc__, "--quick", rounds=rounds)
     if not shutil.which("wrk"):
         sys.exit("wrk: expected it on the PATH")
-    print(machine())
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
+    with folder_or_temporary() as folder:
         (folder / "files").mkdir()
         for file, count in (SMALL, TYPICAL):
             (folder / "files" / file).write_bytes(hashlib.shake_128(file.encode()).digest(count))
         # nginx's workers run as another user if root starts it.
         folder.chmod(0o755)
-        run(folder, 1 if arguments.quick else SECONDS, arguments.rounds)
+        run(folder, 1 if options.quick else SECONDS, options.rounds)
 
 
 if __name__ == "__main__":

@@ -1,14 +1,9 @@
-"""Seconds from a request for a new centre until its rings are available, for one client and for two at once.
-
-python -m benchmarks.serve.on_demand [--quick | --tokyo]
-"""
+"""Seconds from a request for a new centre until its rings are available, for one client and for two at once."""
 
 from __future__ import annotations
 
-import argparse
 import http.client
 import json
-import resource
 import statistics
 import time
 from collections.abc import Callable
@@ -16,17 +11,18 @@ from concurrent.futures import ThreadPoolExecutor
 from urllib.parse import urlsplit
 
 import numpy as np
-import psutil
 
 import nearfar as nf
-from benchmarks.harness import tokyo
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness import scenes, tokyo
+from benchmarks.harness.report import start, table
+from benchmarks.harness.timing import resident, timed
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
 from nearfar.stream._on_demand import OnDemand
 from nearfar.stream._radii import PUBLISHED
 
-HEADER = ["", "ring 0, coarse", "last ring, coarse", "ring 0", "last ring", "kB, coarse", "kB after it"]
+HEADER = " | ring 0, coarse {:.2f} | last ring, coarse {:.2f} | ring 0 {:.2f} | last ring {:.2f} | kB, coarse {:,.0f}"
+HEADER += " | kB after it {:,.0f}"
 
 Place = tuple[float, float, float]
 
@@ -70,14 +66,14 @@ def ask(url: str, place: Place) -> tuple[Times, tuple[int, int]]:
     while line := answer.readline():
         told = json.loads(line)
         for name in told.get("files", ()):
-            sizes[told["stage"]] += len(fetched(url, name))
+            sizes[told["stage"]] += len(fetch(url, name))
         if told["event"] == "ring":
             came[told["stage"], told["ring"]] = time.perf_counter() - start
     last = len(PUBLISHED)
     return tuple(came[key] for key in ((0, 0), (0, last), (1, 0), (1, last))), (sizes[0], sizes[1])
 
 
-def fetched(url: str, name: str) -> bytes:
+def fetch(url: str, name: str) -> bytes:
     """Content of a file over a new connection, since the server closes idle ones."""
     files = http.client.HTTPConnection(urlsplit(url).netloc)
     files.request("GET", f"/{name}")
@@ -86,29 +82,25 @@ def fetched(url: str, name: str) -> bytes:
     return content
 
 
-def row(name: str, found: list[tuple[Times, tuple[int, int]]]) -> list[str]:
+def row(name: str, found: list[tuple[Times, tuple[int, int]]]) -> list[object]:
     """Medians over requests."""
-    seconds = [statistics.median(values) for values in zip(*(times for times, _ in found), strict=True)]
-    sizes = [statistics.median(values) / 1e3 for values in zip(*(bytes_ for _, bytes_ in found), strict=True)]
-    return [name, *(f"{value:.2f}" for value in seconds), *(f"{value:,.0f}" for value in sizes)]
+    seconds = (statistics.median(values) for values in zip(*(times for times, _ in found), strict=True))
+    sizes = (statistics.median(values) / 1e3 for values in zip(*(sizes for _, sizes in found), strict=True))
+    return [name, *seconds, *sizes]
 
 
-def measured(name: str, load: Callable[[], nf.Scene], places: tuple[Place, ...]) -> list[list[str]]:
+def measure(name: str, load: Callable[[], nf.Scene], places: tuple[Place, ...]) -> list[list[object]]:
     """Rows of a scene: one client after the other, then two at once; no place is requested twice."""
-    start = time.perf_counter()
-    maker = OnDemand(load(), radii=PUBLISHED)
-    nf.cast_rays(maker.scene, np.array([[0.0, 1.7, 0.0]]), np.array([[0.0, -1.0, 0.0]]))
-    seconds = time.perf_counter() - start
+    maker, made = timed(lambda: OnDemand(load(), radii=PUBLISHED))
+    _, tree = timed(nf.cast_rays, maker.scene, np.array([[0.0, 1.7, 0.0]]), np.array([[0.0, -1.0, 0.0]]))
     name = f"{name}, {maker.scene.triangle_count / 1e6:.1f} M triangles"
     with Server({"": Site.of_scene(maker, None)}) as server, ThreadPoolExecutor(2) as pool:
         half = len(places) // 2
         alone = [ask(server.url, place) for place in places[:half]]
         pairs = zip(places[half::2], places[half + 1 :: 2], strict=True)
         both = [found for pair in pairs for found in pool.map(lambda place: ask(server.url, place), pair)]
-    memory, peak = psutil.Process().memory_info().rss / 1e9, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6
-    print(
-        f"{name}: there with its trees after {seconds:.1f} s; {memory:.1f} GB at the end, {peak:.1f} GB at most so far"
-    )
+    print(f"{name}: there with its trees after {made.wall + tree.wall:.1f} s")
+    print(f"{resident() / 1e9:.1f} GB at the end, {resident('VmHWM') / 1e9:.1f} GB at most so far")
     for place, (times, _) in zip(places, alone + both, strict=True):
         print(f"  {place}: {', '.join(f'{value:.2f}' for value in times)} s", flush=True)
     return [row(name, alone), row(f"{name}, two clients at once", both)]
@@ -116,27 +108,21 @@ def measured(name: str, load: Callable[[], nf.Scene], places: tuple[Place, ...])
 
 def whole_of_tokyo() -> nf.Scene:
     """Load Tokyo with each building as an object; SystemExit without the data."""
-    arrays = tokyo.with_buildings()
-    if arrays is None:
+    scene = tokyo.scene_of_buildings()
+    if scene is None:
         raise SystemExit("--tokyo: expected NEARFAR_DATA to name a folder of data beside tools/tokyo.py")
-    return nf.Scene.from_arrays(arrays[0], arrays[1], face_object=arrays[2])
+    return scene
 
 
 def main() -> None:
-    """Print the table."""
-    parse = argparse.ArgumentParser(description=__doc__)
-    scenes = parse.add_mutually_exclusive_group()
-    scenes.add_argument("--quick", action="store_true", help="a small city alone")
-    scenes.add_argument("--tokyo", action="store_true", help="the whole of Tokyo alone, 29.8 million triangles")
-    given = parse.parse_args()
-    print(machine(), flush=True)
+    given = start(__doc__, "--quick", tokyo=(bool, "the whole of Tokyo alone, 29.8 million triangles"))
     if given.tokyo:
-        rows = measured("whole of Tokyo", whole_of_tokyo, WARDS)
+        rows = measure("whole of Tokyo", whole_of_tokyo, WARDS)
     elif given.quick:
-        rows = measured("city, small", lambda: nf.datasets.city(blocks=3, detail=0), STREETS[:4])
+        rows = measure("city, small", lambda: scenes.city(quick=True), STREETS[:4])
     else:
-        rows = measured("city", lambda: nf.datasets.city(blocks=12, detail=2), STREETS)
-        rows += measured("city", lambda: nf.datasets.city(blocks=9, detail=3), STREETS)
+        rows = measure("city", lambda: nf.datasets.city(blocks=12, detail=2), STREETS)
+        rows += measure("city", lambda: nf.datasets.city(blocks=9, detail=3), STREETS)
     print(table("seconds from the request, maps of 6 × 1024², 4 samples", HEADER, rows))
 
 

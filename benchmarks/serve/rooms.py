@@ -1,14 +1,12 @@
 """Rooms: round trips, residence, CPU, memory and bytes of users, also over a slow link, during attacks, and for hours.
 
-python -m benchmarks.serve.rooms [users] [link] [attacks] [hour] [--seconds N] [--by WAY]
-
 Builds the examples `rooms_load` and `link` of rust/serve. Users and server share the machine's cores. `link` needs
 Linux and root: it creates two network namespaces and carries packets between them with a delay and losses.
 """
 
 from __future__ import annotations
 
-import argparse
+import itertools
 import json
 import os
 import subprocess
@@ -17,7 +15,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from benchmarks.harness.timing import ahead_of_others, machine, table
+from benchmarks.harness.report import start, table
+from benchmarks.harness.timing import ahead_of_others
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "release" / "examples"
@@ -33,15 +32,14 @@ HOUR_RATE, HOUR_SECONDS, STAY_SECONDS = 10, 360, 6
 """An hour in a tenth of its time: poses ten times as often, and users who come and go each minute of that hour."""
 
 Figures = dict[str, Any]
-HEADER = [
-    "round trip, median ms",
-    "99 %",
-    "user to user, median ms",
-    "99 %",
-    "residence, 99 % within ms",
-    "share within 1.02 ms",
-]
-COSTS = ["cores", "µs a pose", "kB a user", "B up a pose", "closed form", "B down a pose", "closed form"]
+HEADER = (
+    "round trip, median ms {:.2f} | 99 % {:.2f} | user to user, median ms {:.2f} | 99 % {:.2f}"
+    " | residence, 99 % within ms {:.3f} | share within 1.02 ms {:.4f}"
+)
+COSTS = (
+    "cores {:.2f} | µs a pose {:.0f} | kB a user {:.0f} | B up a pose {:.1f} | closed form | B down a pose {:.1f}"
+    " | closed form"
+)
 
 
 def load(users: int, hertz: float, seconds: float, *options: str, inside: str | None = None) -> Figures:
@@ -54,24 +52,17 @@ def load(users: int, hertz: float, seconds: float, *options: str, inside: str | 
     return told
 
 
-def times(figures: Figures) -> list[str]:
-    """Format the columns of HEADER."""
-    shown = [
-        f"{figures[name][part] or float('nan'):.2f}" for name in ("round_trip", "way") for part in ("median", "99")
-    ]
-    residence = figures["residence"]
-    return [*shown, f"{residence['99']:.3f}", f"{residence['share_within_1.02']:.4f}"]
+def times(figures: Figures) -> list[float]:
+    """Columns of HEADER."""
+    shown = [figures[name][part] or float("nan") for name in ("round_trip", "way") for part in ("median", "99")]
+    return [*shown, figures["residence"]["99"], figures["residence"]["share_within_1.02"]]
 
 
-def costs(figures: Figures) -> list[str]:
-    """Format the columns of COSTS."""
-    counts = (
-        f"{figures['cores']:.2f}",
-        f"{figures['microseconds_per_pose']:.0f}",
-        f"{figures['kilobytes_per_user']:.0f}",
-    )
-    sides = [(f"{figures[f'bytes_{side}']:.1f}", f"{figures[f'closed_form_{side}']}") for side in ("up", "down")]
-    return [*counts, *sides[0], *sides[1]]
+def costs(figures: Figures) -> list[float]:
+    """Columns of COSTS."""
+    names = ("cores", "microseconds_per_pose", "kilobytes_per_user")
+    sides = (f"{name}_{side}" for side in ("up", "down") for name in ("bytes", "closed_form"))
+    return [figures[name] for name in (*names, *sides)]
 
 
 @contextmanager
@@ -89,38 +80,37 @@ def link(loss: float) -> Iterator[list[str]]:
         running.stdin.close()
 
 
-def by_users(seconds: float, way: list[str]) -> None:
+def measure_users(seconds: float, way: list[str]) -> None:
     """Measure users on loopback."""
     rows = []
     for users in USERS:
         figures = load(users, HERTZ, seconds, *way)
-        rows.append([str(users), f"{figures['poses_per_second']:.1f}", *times(figures), *costs(figures)])
-    print(table("Users", ["users", "poses/s each", *HEADER, *COSTS], rows))
+        rows.append([users, figures["poses_per_second"], *times(figures), *costs(figures)])
+    print(table("Users", f"users | poses/s each {{:.1f}} | {HEADER} | {COSTS}", rows))
 
 
-def by_loss(seconds: float, way: list[str]) -> None:
+def measure_losses(seconds: float, way: list[str]) -> None:
     """Measure users behind a link that loses packets."""
     rows = []
-    for users in LINK_USERS:
-        for loss in LOSSES:
-            with link(loss) as options:
-                figures = load(users, HERTZ, seconds, *options, *way, inside=FAR[0])
-            rows.append([str(users), str(loss), *times(figures), f"{figures['unsettled']:.0f}"])
+    for users, loss in itertools.product(LINK_USERS, LOSSES):
+        with link(loss) as options:
+            figures = load(users, HERTZ, seconds, *options, *way, inside=FAR[0])
+        rows.append([users, loss, *times(figures), figures["unsettled"]])
     title = f"A link of {DELAY_MS} ms and {MBIT} Mb/s in each direction"
-    print(table(title, ["users", "loss %", *HEADER, "unsettled"], rows))
+    print(table(title, f"users | loss % | {HEADER} | unsettled {{:.0f}}", rows))
 
 
-def by_attack(seconds: float, way: list[str]) -> None:
+def measure_attacks(seconds: float, way: list[str]) -> None:
     """Measure users while eight others misbehave in the group of the first four."""
     rows = []
     for attack in ("nobody", *ATTACKS, "nobody"):
         options = [] if attack == "nobody" else ["--attack", attack]
         figures = load(ATTACKED_USERS, HERTZ, seconds, *options, *way)
-        rows.append([attack, *times(figures), f"{figures['unsettled']:.0f}"])
-    print(table("Attacks", ["meanwhile", *HEADER, "unsettled"], rows))
+        rows.append([attack, *times(figures), figures["unsettled"]])
+    print(table("Attacks", f"meanwhile | {HEADER} | unsettled {{:.0f}}", rows))
 
 
-def by_hour(way: list[str]) -> None:
+def measure_hour(way: list[str]) -> None:
     """Measure the server's memory over an hour of eight users."""
     options = ["--stay", str(STAY_SECONDS), *way]
     figures = load(8, HOUR_RATE * HERTZ, HOUR_SECONDS, *options)
@@ -129,21 +119,20 @@ def by_hour(way: list[str]) -> None:
 
 
 def main() -> None:
-    """Print the requested tables."""
-    parser = argparse.ArgumentParser()
-    parser.add_argument("parts", nargs="*", choices=["users", "link", "attacks", "hour", []])
-    parser.add_argument("--seconds", type=float, default=8.0)
-    parser.add_argument("--by", choices=["websocket", "datagrams"], default="websocket")
-    arguments = parser.parse_args()
+    arguments = start(
+        __doc__,
+        parts={"nargs": "*", "choices": ["users", "link", "attacks", "hour", []]},
+        seconds=8.0,
+        by={"choices": ["websocket", "datagrams"], "default": "websocket"},
+    )
     command = ["cargo", "build", "--release", "--quiet", "-p", "nearfar-serve", "--examples"]
     subprocess.run(command, cwd=ROOT, check=True)
-    print(machine(), "\n")
     parts = arguments.parts or ["users", "link", "attacks", "hour"]
-    for name, measure in {"users": by_users, "link": by_loss, "attacks": by_attack}.items():
+    for name, measure in {"users": measure_users, "link": measure_losses, "attacks": measure_attacks}.items():
         if name in parts:
             measure(arguments.seconds, ["--by", arguments.by])
     if "hour" in parts:
-        by_hour(["--by", arguments.by])
+        measure_hour(["--by", arguments.by])
 
 
 if __name__ == "__main__":

@@ -1,18 +1,14 @@
-"""Error of hybrid stereo pictures by headset, plane and depth, and the time to make a rig.
-
-python -m benchmarks.stereo.rig [--quick] [--plots out/bench]
-"""
+"""Error of hybrid stereo pictures by headset, plane and depth, and the time to make a rig."""
 
 from __future__ import annotations
 
-import argparse
 import math
 from pathlib import Path
 
 import numpy as np
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import save_figure, start, subplots, table
 from nearfar.hmd import Eye
 from nearfar.stereo import HybridRig, mono_plane_for
 
@@ -28,14 +24,15 @@ PAPER = HybridRig(
 
 def errors() -> str:
     """Table of the maximum horizontal error of infinitely far points, and of planes for a pixel and for a bend."""
-    rows = [["the paper's Vive, 1344 px, 64 mm", *(f"{PAPER.with_plane(m).max_error():.2f}" for m in PLANES), "", ""]]
+    paper = (PAPER.with_plane(m).max_error() for m in PLANES)
+    rows: list[list[object]] = [["the paper's Vive, 1344 px, 64 mm", *paper, None, None]]
     for name in nf.hmd.names():
         hmd = nf.hmd.get(name)
-        found = [HybridRig.of(hmd, mono_plane=m).max_error() for m in PLANES]
+        found = (HybridRig.of(hmd, mono_plane=m).max_error() for m in PLANES)
         planes = mono_plane_for(hmd=hmd, error_px=1.0), mono_plane_for(hmd=hmd, kink_deg=0.5)
-        text = f"{name}, {hmd.render_size[0]} px, {hmd.ipd * 1000:.0f} mm"
-        rows.append([text, *(f"{error:.2f}" for error in found), *(f"{plane:.1f}" for plane in planes)])
-    header = ["headset", *(f"m = {m:g} m" for m in PLANES), "m for 1 px", "m for a bend of 0.5°"]
+        rows.append([f"{name}, {hmd.render_size[0]} px, {hmd.ipd * 1000:.0f} mm", *found, *planes])
+    planes_of = ("m for 1 px {:.1f}", "m for a bend of 0.5° {:.1f}")
+    header = ["headset", *(f"m = {m:g} m {{:.2f}}" for m in PLANES), *planes_of]
     return table("Greatest error in pixels, to the side, of infinitely far points", header, rows)
 
 
@@ -52,21 +49,13 @@ def times(repeat: int) -> str:
         "its three cameras": lambda: rig.cameras((0.0, 1.7, 0.0)),
         "its greatest error": rig.max_error,
     }
-    rows = []
-    for name, job in jobs.items():
-        best = min(timeit.repeat(job, number=repeat, repeat=5)) / repeat
-        rows.append([name, f"{best * 1e6:.1f}"])
-    return table("Time, one thread", ["job", "microseconds"], rows)
+    rows = [(name, 1e6 * min(timeit.repeat(job, number=repeat, repeat=5)) / repeat) for name, job in jobs.items()]
+    return table("Time, one thread", "job | microseconds {:.1f}", rows)
 
 
 def draw(path: Path) -> None:
     """Draw the error by depth for several planes, and the error of each pixel of an eye, as figure 2 of the paper."""
-    import matplotlib as mpl
-
-    mpl.use("agg")
-    from matplotlib import pyplot as plt
-
-    figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4), layout="constrained")
+    figure, (left, right) = subplots(1, 2, figsize=(11, 4))
     depths = np.geomspace(1.0, 1000.0, 400)
     for plane in PLANES:
         rig = PAPER.with_plane(plane)
@@ -79,21 +68,14 @@ def draw(path: Path) -> None:
     shown = right.imshow(np.linalg.norm(field, axis=-1), cmap="viridis")
     right.set(xticks=[], yticks=[], title="left eye, m = 8 m, infinitely far points")
     figure.colorbar(shown, ax=right, label="error, pixels")
-    figure.savefig(path, dpi=100)
-    plt.close(figure)
+    save_figure(figure, path)
 
 
 def main() -> None:
-    """Print the tables and draw the plot."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="fewer repetitions")
-    parser.add_argument("--plots", type=Path, help="folder for plots")
-    arguments = parser.parse_args()
-    print(machine(), end="\n\n")
+    arguments = start(__doc__, "--quick", "--plots")
     print(errors())
     print(times(20 if arguments.quick else 2000))
     if arguments.plots is not None:
-        arguments.plots.mkdir(parents=True, exist_ok=True)
         draw(arguments.plots / "stereo_error.png")
 
 

@@ -1,13 +1,10 @@
-"""The decisions printed in Fink et al. (2019) between hybrid and plain stereo, with binomial tests.
-
-python -m benchmarks.stereo.study
-"""
+"""The decisions printed in Fink et al. (2019) between hybrid and plain stereo, with binomial tests."""
 
 from __future__ import annotations
 
 import math
 
-from benchmarks.harness.timing import table
+from benchmarks.harness.report import table
 
 DECISIONS = {"SPHERES": (175, 277), "LANDSCAPE": (162, 297), "BEAMS": (147, 304)}
 """Number of times that hybrid and plain stereo were taken for plain stereo, by scene."""
@@ -37,16 +34,16 @@ def association() -> tuple[float, float]:
 
 
 def main() -> None:
-    """Print the table."""
     both = tuple(map(sum, zip(*DECISIONS.values(), strict=True)))
     assert sum(both) == PAIRS - INVALID
     rows = []
     for name, (hybrid, stereo) in {**DECISIONS, "all": (both[0], both[1])}.items():
         count = hybrid + stereo
         low, high = interval(hybrid, count)
-        shares = f"{100 * hybrid / count:.1f} %", f"{100 * low:.1f} to {100 * high:.1f} %"
-        rows.append([name, str(hybrid), str(stereo), *shares, f"{binomial(hybrid, count):.1e}"])
-    header = ["scene", "hybrid", "stereo", "share of hybrid", "95 %", "p if both were equally likely"]
+        shares = 100 * hybrid / count, (100 * low, 100 * high)
+        rows.append([name, hybrid, stereo, *shares, binomial(hybrid, count)])
+    header = "scene | hybrid | stereo | share of hybrid {:.1f} % | 95 % {:.1f} to {:.1f} %"
+    header += " | p if both were equally likely {:.1e}"
     print(table(f"Decisions of {SUBJECTS} subjects", header, rows))
     chi, phi = association()
     print(f"Scene and decision: χ² = {chi:.2f}, p = {math.exp(-chi / 2):.2f}, φ = {phi:.3f}")

@@ -1,18 +1,14 @@
-"""Temporal anti-aliasing: error against 64 samples for still and moving heads and for single frames; frame time.
-
-python -m benchmarks.stereo.temporal [--quick]
-"""
+"""Temporal anti-aliasing: error against 64 samples for still and moving heads and for single frames; frame time."""
 
 from __future__ import annotations
 
-import argparse
-import time
 from typing import Any
 
 import numpy as np
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import start, table
+from benchmarks.harness.timing import timed
 
 HEAD = (0.0, 1.7, 0.0)
 STEPS = {"still": 0.0, "1 cm": 0.01, "3 cm": 0.03}
@@ -32,30 +28,21 @@ def measure(name: str, scene: nf.Scene, size: tuple[int, int]) -> str:
     settings: dict[str, Any] = {"backend": "cpu", "channels": ("color",)}
     rows = []
     for motion, step in STEPS.items():
-        smooth, seconds = nf.stereo.TemporalAntialiasing(), float("inf")
-        for number in range(COUNT):
-            position = np.add(HEAD, (step * number, 0.0, 0.0))
-            started = time.perf_counter()
-            frame = smooth.render(rig, scene, position, **settings)
-            seconds = min(seconds, time.perf_counter() - started)
-        truth = rig.render(scene, position, samples=64, **settings)
-        row = [motion, f"{error(frame, truth):.2f}", f"{seconds:.3f}"]
+        smooth, places = nf.stereo.TemporalAntialiasing(), [np.add(HEAD, (step * n, 0.0, 0.0)) for n in range(COUNT)]
+        found = [timed(smooth.render, rig, scene, position, **settings) for position in places]
+        truth = rig.render(scene, places[-1], samples=64, **settings)
+        row: list[object] = [motion, error(found[-1][0], truth), min(time.wall for _, time in found)]
         for samples in (1, 4, 8):
-            started = time.perf_counter()
-            once = rig.render(scene, position, samples=samples, **settings)
-            row += [f"{error(once, truth):.2f}", f"{time.perf_counter() - started:.3f}"]
+            once, time = timed(rig.render, scene, places[-1], samples=samples, **settings)
+            row += [error(once, truth), time.wall]
         rows.append(row)
-    single = (f"{samples} samples{unit}" for samples in (1, 4, 8) for unit in ("", ", s"))
-    header = ["head", "temporal, RMSE in codes", "s", *single]
+    header = "head | temporal, RMSE in codes {:.2f} | s {:.3f}"
+    header += "".join(f" | {samples} samples {{:.2f}} | {samples} samples, s {{:.3f}}" for samples in (1, 4, 8))
     return table(f"Temporal anti-aliasing, {name}, {size[0]} × {size[1]} pixels an eye", header, rows)
 
 
 def main() -> None:
-    """Print the tables."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="small pictures")
-    arguments = parser.parse_args()
-    print(machine(), end="\n\n")
+    arguments = start(__doc__, "--quick")
     size = (120, 126) if arguments.quick else (600, 630)
     for name, scene in (("beams", nf.datasets.beams()), ("city", nf.datasets.city())):
         print(measure(name, scene, size), flush=True)

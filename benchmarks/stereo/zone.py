@@ -1,11 +1,7 @@
-"""Zones against planes: the bend of a beam from pixel to pixel, the error, and the time of a frame.
-
-python -m benchmarks.stereo.zone [--quick] [--plots out/bench]
-"""
+"""Zones against planes: the bend of a beam from pixel to pixel, the error, and the time of a frame."""
 
 from __future__ import annotations
 
-import argparse
 from functools import partial
 from pathlib import Path
 
@@ -13,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.timing import best, machine, table
+from benchmarks.harness.report import save_figure, start, subplots, table
+from benchmarks.harness.timing import best
 from benchmarks.stereo.rig import PAPER
 
 PLANE = 3.0
@@ -76,22 +73,17 @@ def measure(size: tuple[int, int], repeat: int) -> str:
     for rig in (base, *(base.with_plane((PLANE, end)) for end in ENDS)):
         taken = best(partial(rig.render, scene, HEAD, backend="cpu", channels=("color",)), repeat=repeat)
         end = f"{PLANE:g} to {rig.planes[1]:g}" if rig.has_zone else f"{PLANE:g}"
-        rows.append([end, f"{rig.max_error():.1f}", f"{greatest_turn(rig):.3f}", f"{taken.wall:.2f}"])
-    turn = "greatest turn of a beam in ten pixels, degrees"
-    header = ["plane or zone, m", "greatest error, px", turn, "frame of beams, s"]
+        rows.append([end, rig.max_error(), greatest_turn(rig), taken.wall])
+    header = "plane or zone, m | greatest error, px {:.1f} | greatest turn of a beam in ten pixels, degrees {:.3f}"
+    header += " | frame of beams, s {:.2f}"
     return table(f"Zones, {size[0]} × {size[1]} pixels an eye", header, rows)
 
 
 def draw(path: Path) -> None:
     """Draw the beam through a plane and through a zone, and the errors of both."""
-    import matplotlib as mpl
-
-    mpl.use("agg")
-    from matplotlib import pyplot as plt
-
     scene, base = beam(), nf.stereo.HybridRig(left=PAPER.left, right=PAPER.right, mono_plane=PLANE, size=PAPER.size)
     zone = base.with_plane((PLANE, 12.0))
-    figure, axes = plt.subplots(1, 3, figsize=(11, 4), layout="constrained", width_ratios=(1, 1, 1.2))
+    figure, axes = subplots(1, 3, figsize=(11, 4), width_ratios=(1, 1, 1.2))
     for axis, rig, title in ((axes[0], base, "a plane at 3 m"), (axes[1], zone, "a zone from 3 to 12 m")):
         picture = rig.render(scene, HEAD, samples=8, backend="cpu", channels=("color",)).left.to_image()
         height, width = picture.shape[:2]
@@ -104,20 +96,13 @@ def draw(path: Path) -> None:
     axes[2].set(xlabel="depth, metres", ylabel="greatest error, pixels", title="Paper's Vive, 1344 pixels")
     axes[2].legend()
     axes[2].grid(alpha=0.3)
-    figure.savefig(path, dpi=90)
-    plt.close(figure)
+    save_figure(figure, path, dpi=90)
 
 
 def main() -> None:
-    """Print the table and draw the picture."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="small pictures, once")
-    parser.add_argument("--plots", type=Path, help="folder for plots")
-    arguments = parser.parse_args()
-    print(machine(), end="\n\n")
+    arguments = start(__doc__, "--quick", "--plots")
     print(measure((168, 189) if arguments.quick else PAPER.size, 1 if arguments.quick else 3))
     if arguments.plots is not None:
-        arguments.plots.mkdir(parents=True, exist_ok=True)
         draw(arguments.plots / "stereo_zone.png")
 
 

@@ -53,13 +53,13 @@ def quality(
         rows = []
         for name in STRATEGIES:
             line = nf.stream.simulate(bundle, link=link, strategy=name, head_path=eye, duration=end)
-            rows.append(filled(line, measure_pictures(thinned(line), own, path, every=end)))
+            rows.append(fill(line, measure_pictures(thin(line), own, path, every=end)))
         for kind, values in found.items():
             values.append([mean_over_time(row["time"], row[kind], end) for row in rows])
     return {kind: np.array(values) for kind, values in found.items()}
 
 
-def thinned(line: nf.stream.Timeline) -> nf.stream.Timeline:
+def thin(line: nf.stream.Timeline) -> nf.stream.Timeline:
     """Keep of vis1 the first two states, every fourth portion, and the last two states (last portion and map)."""
     if line.strategy != "vis1":
         return line
@@ -68,7 +68,7 @@ def thinned(line: nf.stream.Timeline) -> nf.stream.Timeline:
     return replace(line, frames={name: values[keep] for name, values in line.frames.items()})
 
 
-def filled(line: nf.stream.Timeline, found: dict[str, Any]) -> dict[str, Any]:
+def fill(line: nf.stream.Timeline, found: dict[str, Any]) -> dict[str, Any]:
     """Interpolate the omitted portions linearly in their numbers."""
     if line.strategy != "vis1":
         return found

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
+import numpy as np
+
 import nearfar as nf
+from benchmarks.harness.timing import best
 from benchmarks.stream._near import Near, Place, one_scene
 from nearfar import _core
 from nearfar.stream._radii import PUBLISHED
@@ -41,7 +42,7 @@ def loadings(place: Place, bundle: nf.stream.Bundle) -> tuple[list[Loading], flo
     A vertex takes 32 bytes (position, normal and texture coordinates in float32), a triangle 12.
     """
     maps = sum(row["color"] + row["range"] for row in bundle.summary())
-    decode_maps = least(lambda: bundle.map(bundle.count))
+    decode_maps = best(lambda: bundle.map(bundle.count), repeat=3, warm=False).wall
     found = []
     for instanced in (True, False):
         rings = nf.stream.assign(place.make(instanced=instanced), center=place.center, radii=PUBLISHED)
@@ -49,7 +50,7 @@ def loadings(place: Place, bundle: nf.stream.Bundle) -> tuple[list[Loading], flo
             near = min((Near.encode(rings, compressed=compressed) for _ in range(2)), key=lambda near: near.seconds)
             name = f"{'instances' if instanced else 'copies'}, {'meshopt' if compressed else 'plain'}"
             sent = sum(near.bytes_by_ring(images=False)) + sum(near.bytes_by_ring(images=True))
-            seconds = least(partial(loaded, near))
+            seconds = best(partial(loaded, near), repeat=3, warm=False).wall
             found.append(Loading(name, near.seconds, sent, maps, seconds, decode_maps))
     return found, expanded(near)
 
@@ -66,27 +67,16 @@ def expanded(near: Near) -> float:
     return count / 1e6
 
 
-def least(job: Callable[[], object], repeat: int = 3) -> float:
-    """Least seconds of several runs."""
-    found = []
-    for _ in range(repeat):
-        start = time.perf_counter()
-        job()
-        found.append(time.perf_counter() - start)
-    return min(found)
+HEADER = (
+    "geometry | kB {:,.0f} | encode, s {:.2f} | decode, s {:.2f} | 50 Mbit/s, s {:.2f} | 100 Mbit/s, s {:.2f}"
+    " | ratio at 50 {:.2f} | at 100 {:.2f}"
+)
 
 
-def rows(found: list[Loading]) -> list[list[str]]:
+def rows(found: list[Loading]) -> list[list[object]]:
     """Make a row for each encoding; the last columns are loading times relative to the first encoding's."""
-    first = found[0]
+    totals = [[each.total(rate) for rate in RATES] for each in found]
     return [
-        [
-            each.name,
-            f"{each.geometry / 1e3:,.0f}",
-            f"{each.encode:.2f}",
-            f"{each.decode_geometry:.2f}",
-            *(f"{each.total(rate):.2f}" for rate in RATES),
-            *(f"{each.total(rate) / first.total(rate):.2f}" for rate in RATES),
-        ]
-        for each in found
+        [each.name, each.geometry / 1e3, each.encode, each.decode_geometry, *own, *np.divide(own, totals[0])]
+        for each, own in zip(found, totals, strict=True)
     ]

@@ -1,10 +1,15 @@
-"""Times of one load of the page: from its own marks, and from the browser's resource timing."""
+"""Times of one load of the page: by its own marks and the browser's resource timing; and of its requests alone.
+
+Requests alone are those of the same files in the same order by the same browser, without decoding and drawing.
+"""
 
 from __future__ import annotations
 
 import time
 from dataclasses import dataclass
 from typing import Any
+
+import numpy as np
 
 import nearfar as nf
 from benchmarks.harness.loads import Network
@@ -120,3 +125,90 @@ def _loaded(told: dict[str, Any], steps: Plan, strategy: Strategy, last: int) ->
     }
     own = [file for file in told["files"] if file["begin"] >= start]
     return Loaded(**times, bytes=sum(file["bytes"] for file in own), protocol=manifest["protocol"], page=start / 1e3)
+
+
+# requests alone -------------------------------------------------------------------------------------------------------
+# Six at a time, with the next step's requested ahead, as in web/src/show/loader.ts.
+REPLAY = """async (steps) => {
+  const begin = performance.now();
+  const times = {};
+  const waiting = [];
+  let open = 0;
+  const next = () => {
+    while (open < 6 && waiting.length) {
+      open++;
+      waiting.shift()();
+    }
+  };
+  const fetched = async (name) => {
+    await new Promise((done) => { waiting.push(done); next(); });
+    const answer = await fetch(name);
+    if (!answer.ok) throw new Error(`${name}: ${answer.status}`);
+    await answer.arrayBuffer();
+    times[name] = (performance.now() - begin) / 1000;
+    open--;
+    next();
+  };
+  const asked = new Map();
+  const get = (name) => {
+    if (!asked.has(name)) asked.set(name, fetched(name));
+    return asked.get(name);
+  };
+  await get('manifest.json');
+  for (const [place, step] of steps.entries()) {
+    const own = step.asked.map(get);
+    const after = steps[place + 1];
+    if (after?.isAhead) after.files.forEach(get);
+    await Promise.all(own);
+  }
+  return times;
+}"""
+
+
+# A file that fits into a packet, fetched repeatedly.
+TRIPS = """async (name) => {
+  const times = [];
+  for (let trip = 0; trip < 21; trip++) {
+    const begin = performance.now();
+    await (await fetch(name, { cache: 'no-store' })).arrayBuffer();
+    times.push(performance.now() - begin);
+  }
+  return times;
+}"""
+
+
+def by_stage(times: dict[str, float], steps: Plan, strategy: Strategy) -> dict[str, float]:
+    """Time of the last file of each stage."""
+    rings = stages(strategy, len(steps.radii))
+    return {name: max(times[file] for file in files_until(steps, ring)) for name, ring in rings.items()}
+
+
+def round_trip(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle) -> float:
+    """Milliseconds from a request to its short response on the idle link, including browser and server."""
+    files = bundle._manifest["files"]
+    least = min(files, key=lambda name: int(files[name]["bytes"]))
+    with way.page(chromium, SIZE) as page:
+        page.goto(f"{url}NOTHING")
+        return float(np.median(page.evaluate(TRIPS, least)))
+
+
+def requests(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, strategy: Strategy) -> dict[str, float]:
+    """Seconds from the request of the manifest until the files of each stage had arrived."""
+    steps = plan(bundle, strategy)
+    given = [{"asked": step.requests, "files": step.files, "isAhead": step.is_ahead} for step in steps.steps]
+    with way.page(chromium, SIZE) as page:
+        # An address of the server without scripts; the connection stays open.
+        page.goto(f"{url}NOTHING")
+        times = page.evaluate(REPLAY, given)
+    return by_stage(times, steps, strategy)
+
+
+def simulated_requests(
+    bundle: nf.stream.Bundle, link: nf.stream.Link, strategy: Strategy, seed: int
+) -> dict[str, float]:
+    """The same for a simulated load from `nearfar serve`, without decoding."""
+    line = nf.stream.simulate(bundle, link=link, strategy=strategy, gzip=True, seed=seed)
+    # The first connection is already open.
+    times = dict(zip(line.files, (line.file_times - link.handshake * link.rtt).tolist(), strict=True))
+    steps = plan(bundle, strategy)
+    return by_stage(times, steps, strategy)

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import shutil
 import subprocess
-import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 import nearfar as nf
+from benchmarks.harness.timing import timed
 from nearfar import _core
 from nearfar.stream._decode import join_rings, ring_scene
 from nearfar.stream._encode import Files, Geometry, TextureFiles, Textures
@@ -39,15 +41,20 @@ class Place:
     """Positions of users relative to the centre, metres."""
 
 
+def large_city(quick: bool, *, instanced: bool = True) -> nf.Scene:
+    """The procedural city with 35.6 million triangles, or a small one."""
+    return nf.datasets.city(blocks=3 if quick else 9, detail=1 if quick else 3, instanced=instanced)
+
+
+def street_center() -> Point:
+    """The user's eye in the middle of the city's avenue."""
+    (x, _, z), _ = nf.datasets.street_view()
+    return x, EYE_HEIGHT, z
+
+
 def places(quick: bool) -> list[Place]:
     """The city at two centres, on a crossing and beside a park, and the factory."""
-
-    def city(*, instanced: bool = True) -> nf.Scene:
-        return nf.datasets.city(blocks=3 if quick else 9, detail=1 if quick else 3, instanced=instanced)
-
-    def factory(*, instanced: bool = True) -> nf.Scene:
-        return nf.datasets.factory(detail=1 if quick else 3, instanced=instanced)
-
+    city, factory = partial(large_city, quick), partial(nf.datasets.factory, detail=1 if quick else 3)
     x, _, z = nf.datasets.factory_view()[0]
     users = ((-1.0, 0.0, 0.0), (0.0, 0.0, 2.0))
     return [
@@ -55,6 +62,22 @@ def places(quick: bool) -> list[Place]:
         Place("city, beside a park", city, (-42.0, EYE_HEIGHT, -64.0), users),
         Place("factory", factory, (x, EYE_HEIGHT, z), ((-0.5, 0.0, 0.0), (1.0, 0.0, 0.0))),
     ]
+
+
+def exporter(
+    scene: nf.Scene, groups: NDArray[np.uint16], count: int, *, named: bool, images: bool, compressed: bool
+) -> _core.Export:
+    """Exporter of groups of objects, with names or without, and with addresses of images, which are never read."""
+    names = list(scene.object_names) if named else []
+    addresses = [f"{number}.webp" if images else None for number in range(scene._core.texture_count)]
+    return _core.Export(scene._core, groups, count, names=names, images=addresses, step=STEP, compressed=compressed)
+
+
+def one_file(scene: nf.Scene, *, images: bool = False, compressed: bool = False) -> bytes:
+    """The whole scene as one file, without names and images."""
+    groups = np.zeros(len(scene.object_names) + 1, np.uint16)
+    export = exporter(scene, groups, 1, named=False, images=images, compressed=compressed)
+    return bytes(export.glb(0, uris=[None] * len(export.shared()))[0])
 
 
 def whole_textures(scene: nf.Scene, quality: int | None) -> Textures:
@@ -75,11 +98,15 @@ class Near:
 
     @classmethod
     def encode(cls, rings: nf.stream.Rings, *, compressed: bool, quality: int | None = 90) -> Near:
-        start = time.perf_counter()
-        files, textures = Files(), whole_textures(rings.scene, quality)
-        settings = nf.stream.ExportSettings(step=STEP, compression="meshopt" if compressed else None)
-        entries = list(Geometry(rings, files, textures, settings).groups("ring"))
-        return cls(rings, files, entries, time.perf_counter() - start)
+        files = Files()
+
+        def encode() -> list[dict[str, Any]]:
+            textures = whole_textures(rings.scene, quality)
+            settings = nf.stream.ExportSettings(step=STEP, compression="meshopt" if compressed else None)
+            return list(Geometry(rings, files, textures, settings).groups("ring"))
+
+        entries, spent = timed(encode)
+        return cls(rings, files, entries, spent.wall)
 
     def names(self, ring: int, *, images: bool) -> set[str]:
         """Names of a ring's files: textures, or the others."""
@@ -112,12 +139,11 @@ def one_scene(scenes: Sequence[nf.Scene | None], moving: nf.Scene | None = None)
     return join_rings(moving, [(f"ring {ring}", scene) for ring, scene in enumerate(scenes, 1) if scene is not None])
 
 
-def client_scene(scenes: Sequence[nf.Scene | None], env: nf.EnvMap, moving: nf.Scene | None) -> nf.ReducedScene:
-    """Dynamic objects and all rings in front of the last map, as a client shows them."""
-    near = one_scene(scenes, moving)
+def in_front_of_map(near: nf.Scene, env: nf.EnvMap, morph: str = "cylinder") -> nf.ReducedScene:
+    """Whole objects in front of a map."""
     zones = nf.partition(near, center=env.center, r1=0.7 * PUBLISHED[-1], r2=PUBLISHED[-1])
     counts = {**zones.summary(), "rays": 0}
-    return nf.ReducedScene(near, zones, env, morph="cylinder", boundary="r2", counts=counts, is_whole=False)
+    return nf.ReducedScene(near, zones, env, morph=morph, boundary="r2", counts=counts, is_whole=False)
 
 
 def gltfpack(folder: Path, name: str, *options: str) -> Path | None:
@@ -158,9 +184,8 @@ class Packed:
 def in_one_file(rings: nf.stream.Rings, folder: Path, *options: str) -> tuple[int, bytes | None]:
     """Bytes of all rings as one plain file, in which a mesh is stored once, and gltfpack's version of it."""
     scene, codes = rings.scene, rings.codes()
-    images: list[str | None] = [None] * len(_core.scene_parts(scene._core)["textures"])
     groups = np.where((codes >= 1) & (codes <= rings.count), 1, 0).astype(np.uint16)
-    export = _core.Export(scene._core, groups, 2, names=[], images=images, step=STEP, compressed=False)
+    export = exporter(scene, groups, 2, named=False, images=False, compressed=False)
     data, _ = export.glb(1, uris=[None] * len(export.shared()))
     (folder / "one.glb").write_bytes(data)
     made = gltfpack(folder, "one.glb", "-mi", *options)

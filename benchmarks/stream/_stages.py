@@ -1,23 +1,19 @@
-"""Seconds and memory of the stages of an export, in a separate process; prints them as JSON.
-
-python -m benchmarks.stream._stages PLACE INSTANCED SAMPLES QUICK
-"""
+"""Seconds and memory of the stages of an export, in a separate process; prints them as JSON."""
 
 from __future__ import annotations
 
 import json
-import subprocess
 import sys
-import tempfile
-import time
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
-import psutil
 
 import nearfar as nf
+from benchmarks.harness.process import run_module
+from benchmarks.harness.report import folder_or_temporary
+from benchmarks.harness.timing import Result, resident, timed
 from benchmarks.stream._near import Place, places, whole_textures
 from nearfar import _core
 from nearfar.stream import _store
@@ -25,16 +21,12 @@ from nearfar.stream._encode import Files, Geometry, encode_maps, scale_of
 from nearfar.stream._notes import findings_of
 from nearfar.stream._radii import PUBLISHED
 
-Result = TypeVar("Result")
 FACE_SIZE = 1024
 
 
 def measured(place: int, *, instanced: bool, samples: int, quick: bool) -> dict[str, Any]:
     """Run this file for a place in a new process."""
-    numbers = [str(int(value)) for value in (place, instanced, samples, quick)]
-    command = [sys.executable, "-m", "benchmarks.stream._stages", *numbers]
-    found: dict[str, Any] = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
-    return found
+    return dict(run_module("benchmarks.stream._stages", *map(int, (place, instanced, samples, quick))))
 
 
 class Watch:
@@ -45,9 +37,8 @@ class Watch:
         self.cpu: dict[str, float] = {}
 
     def __call__(self, name: str, job: Callable[[], Result]) -> Result:
-        wall, cpu = time.perf_counter(), time.process_time()
-        result = job()
-        self.wall[name], self.cpu[name] = time.perf_counter() - wall, time.process_time() - cpu
+        result, spent = timed(job)
+        self.wall[name], self.cpu[name] = spent.wall, spent.cpu
         return result
 
 
@@ -71,7 +62,7 @@ def stages(place: Place, *, instanced: bool, samples: int, folder: Path) -> dict
 
     watch("encode geometry", geometry)
     watch("write", lambda: _store.write(folder / "bundle", {**files.content, _store.MANIFEST: b"{}"}))
-    peak = most_resident()
+    peak = resident("VmHWM")
     watch("one map", lambda: one_map(rings, samples))
     return {
         "wall": watch.wall,
@@ -91,17 +82,6 @@ def one_map(rings: nf.stream.Rings, samples: int) -> None:
     _core.bake_rings(rings.scene._core, **settings, range=True, object_id=False, count=0, report=lambda *_: None)
 
 
-def resident() -> int:
-    """Resident memory of this process, bytes."""
-    return int(psutil.Process().memory_info().rss)
-
-
-def most_resident() -> int:
-    """Peak memory of this process, bytes; `getrusage` would include its parent's, too."""
-    status = Path("/proc/self/status").read_text()
-    return 1024 * int(next(line.split()[1] for line in status.splitlines() if line.startswith("VmHWM")))
-
-
 def arrays(scene: nf.Scene) -> int:
     """Bytes of a scene's arrays; meshes of equal counts and bounds count as one shared by several placements."""
     parts = _core.scene_parts(scene._core)
@@ -115,31 +95,23 @@ WORK = ("search tree", "assign", "findings", "bake", "encode maps", "encode geom
 """Stages of an export of a scene that was just loaded."""
 
 
-def row(name: str, found: dict[str, Any], whole: float) -> list[str]:
+def row(name: str, found: dict[str, Any], whole: float) -> list[object]:
     """CPU seconds of the stages, their sum in CPU and wall seconds, and rays and CPU of all maps relative to one."""
     wall, cpu = found["wall"], found["cpu"]
-    return [
-        name,
-        *(f"{cpu[stage]:.2f}" for stage in WORK),
-        f"{sum(cpu[stage] for stage in WORK):.1f}",
-        f"{sum(wall[stage] for stage in WORK):.1f}",
-        f"{whole:.1f}",
-        f"{found['rays']:.2f}",
-        f"{cpu['bake'] / cpu['one map']:.2f}",
-    ]
+    sums = (sum(spent[stage] for stage in WORK) for spent in (cpu, wall))
+    return [name, *(cpu[stage] for stage in WORK), *sums, whole, found["rays"], cpu["bake"] / cpu["one map"]]
 
 
-def memory_row(name: str, found: dict[str, Any]) -> list[str]:
+def memory_row(name: str, found: dict[str, Any]) -> list[object]:
     """GB, and the peak as a multiple of the scene with its search tree."""
     sizes = [found[key] / 1e9 for key in ("arrays", "loaded", "with tree", "peak")]
-    return [name, f"{found['triangles']:,}", *(f"{size:.2f}" for size in sizes), f"{sizes[3] / sizes[2]:.2f}"]
+    return [name, found["triangles"], *sizes, sizes[3] / sizes[2]]
 
 
 def main() -> None:
     place, instanced, samples, quick = map(int, sys.argv[1:])
-    with tempfile.TemporaryDirectory() as folder:
-        chosen = places(bool(quick))[place]
-        found = stages(chosen, instanced=bool(instanced), samples=samples, folder=Path(folder))
+    with folder_or_temporary() as folder:
+        found = stages(places(bool(quick))[place], instanced=bool(instanced), samples=samples, folder=folder)
     print(json.dumps(found))
 
 

@@ -3,35 +3,19 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 import nearfar as nf
+from benchmarks.harness.report import save_figure, subplots
 
 COLORS = {"vis0": "C3", "vis1": "C1", "clovr": "C0", "clovrd": "C2"}
 Lines = dict[str, nf.stream.Timeline]
 
 
-def pyplot() -> Any:
-    """Return matplotlib.pyplot without a screen."""
-    import matplotlib as mpl
-
-    mpl.use("agg")
-    from matplotlib import pyplot
-
-    return pyplot
-
-
-def save(figure: Any, path: Path) -> None:
-    """Write a figure and close it."""
-    figure.savefig(path, dpi=70)
-    pyplot().close(figure)
-
-
 def quality(path: Path, places: dict[str, Lines]) -> None:
     """Fig. 4: OVC, OFC and continuity by the share of loaded geometry."""
-    figure, grid = pyplot().subplots(3, len(places), figsize=(3.6 * len(places), 7), layout="constrained",
+    figure, grid = subplots(3, len(places), figsize=(3.6 * len(places), 7), layout="constrained",
                                       sharex=True, sharey="row", squeeze=False)  # fmt: skip
     for column, (place, lines) in zip(grid.T, places.items(), strict=True):
         for name, line in lines.items():
@@ -46,7 +30,7 @@ def quality(path: Path, places: dict[str, Lines]) -> None:
     for axes, label in zip(grid[:, 0], ("OVC", "OFC", "1 − continuity"), strict=True):
         axes.set(ylabel=label)
     grid[0, 0].legend(fontsize="small")
-    save(figure, path)
+    save_figure(figure, path, dpi=70)
 
 
 def times(path: Path, places: dict[str, Lines], others: dict[str, dict[str, list[float]]]) -> None:
@@ -54,7 +38,7 @@ def times(path: Path, places: dict[str, Lines], others: dict[str, dict[str, list
 
     `others` contains those of vis0 and vis1 by place.
     """
-    figure, grid = pyplot().subplots(1, 1 + len(places), figsize=(3.6 + 2.7 * len(places), 3.8), layout="constrained")
+    figure, grid = subplots(1, 1 + len(places), figsize=(3.6 + 2.7 * len(places), 3.8), layout="constrained")
     left = grid[0]
     width = 0.8 / len(COLORS)
     for number, name in enumerate(COLORS):
@@ -74,12 +58,12 @@ def times(path: Path, places: dict[str, Lines], others: dict[str, dict[str, list
         axes.set(title=place, xlabel="R in metres", ylim=(0.0, None))
     grid[1].set(ylabel="seconds until all within R is there")
     grid[1].legend(fontsize="small")
-    save(figure, path)
+    save_figure(figure, path, dpi=70)
 
 
 def rates(path: Path, places: dict[str, Lines], limit: float) -> None:
     """Fig. 8: estimated frames per second while loading."""
-    figure, grid = pyplot().subplots(1, len(places), figsize=(3.4 * len(places), 3), layout="constrained",
+    figure, grid = subplots(1, len(places), figsize=(3.4 * len(places), 3), layout="constrained",
                                       sharey=True, squeeze=False)  # fmt: skip
     for axes, (place, lines) in zip(grid[0], places.items(), strict=True):
         end = max(lines[name].total for name in lines) + 1.0
@@ -89,4 +73,4 @@ def rates(path: Path, places: dict[str, Lines], limit: float) -> None:
         axes.set(title=place, xlabel="seconds", xlim=(0.0, end))
     grid[0, 0].set(ylabel="frames a second, estimated", ylim=(0.0, limit * 1.05))
     grid[0, 0].legend(fontsize="small")
-    save(figure, path)
+    save_figure(figure, path, dpi=70)

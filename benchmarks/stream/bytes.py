@@ -1,22 +1,31 @@
-"""Bytes, quality, seconds and memory of bundles, plain GLB, gltfpack, whole maps and scenes without instances.
-
-python -m benchmarks.stream.bytes [--quick] [--plots out/bench]; gltfpack on the path adds its columns.
-"""
+"""Bytes, quality, seconds and memory of bundles, plain GLB, gltfpack, whole maps and scenes without instances."""
 
 from __future__ import annotations
 
-import argparse
-import tempfile
-import time
 import zlib
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
-from benchmarks.stream import _encoder, _instances, _quality, _stages
-from benchmarks.stream._near import Near, Packed, Place, client_scene, error, in_one_file, places
+from benchmarks.harness.report import folder_or_temporary, save_figure, start, subplots, table
+from benchmarks.harness.timing import best, timed
+from benchmarks.stream import _instances, _stages
+from benchmarks.stream._near import (
+    Near,
+    Packed,
+    Place,
+    error,
+    exporter,
+    in_front_of_map,
+    in_one_file,
+    one_scene,
+    places,
+)
 from benchmarks.stream.maps import whole_range
 from nearfar.stream import _map_files as codec
 from nearfar.stream._radii import PUBLISHED
@@ -26,13 +35,6 @@ PEERS = (("-c",), ("-cz",), ("-c", "-vpf"))
 
 Measured = dict[str, list[int]]
 """Bytes of each ring from 0 on by column."""
-
-
-def export(scene: nf.Scene, folder: Path, place: Place, **settings: Any) -> tuple[nf.stream.Bundle, float]:
-    """Export a bundle; return it, and the seconds taken."""
-    start = time.perf_counter()
-    bundle = nf.stream.export(scene, folder, center=place.center, radii=PUBLISHED, **settings)
-    return bundle, time.perf_counter() - start
 
 
 def whole_maps(bundle: nf.stream.Bundle) -> list[int]:
@@ -63,15 +65,12 @@ def sizes(bundle: nf.stream.Bundle, near: Near, plain: Near, packed: dict[str, l
 
 def sizes_table(place: Place, near: Near, measured: Measured) -> str:
     """Table with a row for each ring, and their sums."""
-    loads = [None, *near.rings.summary()]
-    rows = []
-    for ring in range(near.rings.count + 1):
-        load = loads[ring]
-        head = ["0", ""] if load is None else [f"{load['radius']:g}", f"{load['triangles']:,}"]
-        rows.append([*head, *(f"{column[ring] / 1e3:,.0f}" for column in measured.values())])
-    triangles = sum(load["triangles"] for load in loads[1:-1] if load is not None)
-    rows.append(["all", f"{triangles:,}", *(f"{sum(column) / 1e3:,.0f}" for column in measured.values())])
-    return table(f"{place.name}: kB", ["ring, m", "triangles", *measured], rows)
+    rings = [(ring["radius"], ring["triangles"]) for ring in near.rings.summary()[: near.rings.count]]
+    columns = np.array([*measured.values()]) / 1e3
+    heads = [(0, None), *rings, ("all", sum(triangles for _, triangles in rings))]
+    rows = [[*head, *sizes] for head, sizes in zip(heads, [*columns.T, columns.sum(axis=1)], strict=True)]
+    header = ["ring, m {:g}", "triangles {:,}", *(f"{name} {{:,.0f}}" for name in measured)]
+    return table(f"{place.name}: kB", header, rows)
 
 
 def print_one_file(rings: nf.stream.Rings, folder: Path) -> None:
@@ -87,18 +86,18 @@ def print_one_file(rings: nf.stream.Rings, folder: Path) -> None:
 def errors_table(place: Place, rings: nf.stream.Rings, decoded: dict[str, Any]) -> str:
     """Table of the maximum position errors of each ring in millimetres."""
     rows = [
-        [name, *(f"{error(rings, ring, scene) * 1e3:.2f}" for ring, scene in enumerate(scenes, 1))]
+        [name, *(error(rings, ring, scene) * 1e3 for ring, scene in enumerate(scenes, 1))]
         for name, scenes in decoded.items()
     ]
-    return table(
-        f"{place.name}: greatest error of a corner, mm", ["", *(f"{radius:g} m" for radius in PUBLISHED)], rows
-    )
+    header = ["", *(f"{radius:g} m {{:.2f}}" for radius in PUBLISHED)]
+    return table(f"{place.name}: greatest error of a corner, mm", header, rows)
 
 
 def sizes_and_quality(place: Place, folder: Path) -> tuple[Measured, list[Any]]:
     """Print the tables of bytes, errors, pictures and instances of a place."""
     scene = place.make()
-    bundle, seconds = export(scene, folder / "bundle", place)
+    export = partial(nf.stream.export, scene, center=place.center, radii=PUBLISHED)
+    bundle, spent = timed(export, folder / "bundle")
     rings = nf.stream.assign(scene, center=place.center, radii=PUBLISHED)
     near, plain = (Near.encode(rings, compressed=compressed, quality=None) for compressed in (True, False))
     (folder / "plain").mkdir()
@@ -109,36 +108,76 @@ def sizes_and_quality(place: Place, folder: Path) -> tuple[Measured, list[Any]]:
     measured = sizes(bundle, published, plain, {name: both[0] for name, both in packed.items()})
     print(sizes_table(place, near, measured))
     squeezed = sum(len(zlib.compress(data)) for name, data in near.files.content.items() if not name.endswith("webp"))
-    print(f"geometry after zlib {squeezed / 1e3:,.0f} kB; the bundle with manifest and tileset took {seconds:.1f} s\n")
+    print(
+        f"geometry after zlib {squeezed / 1e3:,.0f} kB; the bundle with manifest and tileset took {spent.wall:.1f} s\n"
+    )
     print_one_file(rings, folder)
     decoded = {"bundle": near.scenes(), **{name: both[1] for name, both in packed.items()}}
     print(errors_table(place, rings, decoded))
     lossless: dict[str, Any] = {"compression": None, "quality": None, "range_error": 1e-6, "step": 1e-6}
-    reference, _ = export(scene, folder / "lossless", place, **lossless)
+    reference = export(folder / "lossless", **lossless)
     base, last = reference.at(reference.count), reference.map(reference.count)
     compared = {"bundle": bundle.at(bundle.count)}
-    compared |= {
-        f"{name}: geometry alone": client_scene(scenes, last, bundle._moving) for name, scenes in decoded.items()
-    }
-    header = ["", "PSNR", "SSIM", "least PSNR", "least SSIM", "PSNR to the truth", "SSIM"]
-    print(table(f"{place.name}: pictures", header, _quality.rows(place, scene, base, compared)))
+    for name, parts in decoded.items():
+        compared[f"{name}: geometry alone"] = in_front_of_map(one_scene(parts, bundle._moving), last)
+    print(table(f"{place.name}: pictures", PICTURES, picture_rows(place, scene, base, compared)))
     del base, compared, decoded, packed, found
     loadings, expanded = _instances.loadings(place, bundle)
     print(f"near part {expanded:.0f} MB plain with copies; maps {loadings[0].maps / 1e3:,.0f} kB, "
           f"decoded in {loadings[0].decode_maps:.2f} s\n")  # fmt: skip
-    header = ["geometry", "kB", "encode, s", "decode, s", "50 Mbit/s, s", "100 Mbit/s, s", "ratio at 50", "at 100"]
-    print(table(f"{place.name}: loading", header, _instances.rows(loadings)))
+    print(table(f"{place.name}: loading", _instances.HEADER, _instances.rows(loadings)))
     return measured, loadings
+
+
+FOV, SIZE = nf.Fov.symmetric(90, 1.6), (640, 400)
+"""Field of view and size of the views."""
+TURNS = (0.4, 2.0, 3.5, 5.1)
+"""Viewing directions of a user, radians."""
+
+
+def cameras(place: Place) -> Iterator[nf.Camera]:
+    """Views of users beside the centre."""
+    for user in place.users:
+        eye = np.add(place.center, user)
+        for turn in TURNS:
+            target = np.add(eye, (np.cos(turn), 0.03, np.sin(turn)))
+            yield nf.Camera.look_at(eye, target, fov=FOV, size=SIZE)
+
+
+PICTURES = (
+    " | PSNR {:.2f} | SSIM {:.4f} | least PSNR {:.1f} | least SSIM {:.4f} | PSNR to the truth {:.2f} | SSIM {:.4f}"
+)
+
+
+def picture_rows(
+    place: Place, truth: nf.Scene, base: nf.ReducedScene, others: Mapping[str, nf.ReducedScene]
+) -> list[list[object]]:
+    """PSNR and SSIM of all pictures, in sRGB codes: mean and least against the base, mean against the truth."""
+    sources = {"without loss": base, **others}
+    against_base: dict[str, list[tuple[float, float]]] = {name: [] for name in sources}
+    against_truth: dict[str, list[tuple[float, float]]] = {name: [] for name in sources}
+    for camera in cameras(place):
+        true = nf.render(truth, camera).to_image()
+        pictures = {name: nf.render(source, camera).to_image() for name, source in sources.items()}
+        for name, picture in pictures.items():
+            against_truth[name].append(similarity(true, picture))
+            if name != "without loss":
+                against_base[name].append(similarity(pictures["without loss"], picture))
+    found: list[list[object]] = []
+    for name, own in against_base.items():
+        known = [*np.mean(own, axis=0), *np.min(own, axis=0)] if own else [None] * 4
+        found.append([name, *known, *np.mean(against_truth[name], axis=0)])
+    return found
+
+
+def similarity(reference: NDArray[np.uint8], test: NDArray[np.uint8]) -> tuple[float, float]:
+    """PSNR in dB and SSIM."""
+    return nf.psnr(reference, test, data_range=255), nf.ssim(reference, test, data_range=255)
 
 
 def draw(path: Path, found: Sequence[tuple[Place, Measured, list[Any]]]) -> None:
     """Draw bytes of rings and loading times, a column for each place."""
-    import matplotlib as mpl
-
-    mpl.use("agg")
-    from matplotlib import pyplot as plt
-
-    figure, grid = plt.subplots(2, len(found), figsize=(4.4 * len(found), 6.4), layout="constrained", squeeze=False)
+    figure, grid = subplots(2, len(found), figsize=(4.4 * len(found), 6.4), layout="constrained", squeeze=False)
     colors = {name: f"C{number}" for number, name in enumerate(found[-1][1])}
     for column, (place, measured, loadings) in enumerate(found):
         axes = grid[0, column]
@@ -156,50 +195,71 @@ def draw(path: Path, found: Sequence[tuple[Place, Measured, list[Any]]]) -> None
         axes.invert_yaxis()
     grid[0, -1].legend(fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
     grid[1, -1].legend(fontsize=8)
-    figure.savefig(path, dpi=90)
-    plt.close(figure)
+    save_figure(figure, path, dpi=90)
 
 
 def speed_and_memory(quick: bool, samples: int) -> None:
     """Print the tables of stages, memory and the encoder's speed."""
     seconds, memory, speeds = [], [], []
+    stages = partial(_stages.measured, samples=samples, quick=quick)
     for number, place in enumerate(places(quick)):
         scene = place.make()
-        with tempfile.TemporaryDirectory() as folder:
-            _, whole = export(scene, Path(folder) / "bundle", place, samples=samples)
-        found = _stages.measured(number, instanced=True, samples=samples, quick=quick)
-        seconds.append(_stages.row(place.name, found, whole))
+        with folder_or_temporary() as folder:
+            settings: dict[str, Any] = {"center": place.center, "radii": PUBLISHED, "samples": samples}
+            _, whole = timed(nf.stream.export, scene, folder / "bundle", **settings)
+        found = stages(number, instanced=True)
+        seconds.append(_stages.row(place.name, found, whole.wall))
         memory.append(_stages.memory_row(place.name, found))
         for name, instanced in (("", True), (", copies", False)):
-            copies = place.make(instanced=instanced)
-            rings = nf.stream.assign(copies, center=place.center, radii=PUBLISHED)
-            speeds.append(_encoder.row(place.name + name, rings))
-    memory.append(
-        _stages.memory_row("city, crossing, copies", _stages.measured(0, instanced=False, samples=samples, quick=quick))
-    )
+            rings = nf.stream.assign(place.make(instanced=instanced), center=place.center, radii=PUBLISHED)
+            speeds.append(encoder_row(place.name + name, rings))
+    memory.append(_stages.memory_row("city, crossing, copies", stages(0, instanced=False)))
     title = f"CPU seconds of stages, maps of 6 × {_stages.FACE_SIZE}², {samples} samples"
-    sums = ["sum", "their wall time", "export, wall", "rays : one map", "bake : one map"]
-    print(table(title, ["", *_stages.WORK, *sums], seconds))
-    print(table("memory, GB", ["", "triangles", "arrays", "loaded", "with tree", "peak", "peak : with tree"], memory))
-    print(table("encoder of geometry", _encoder.HEADER, speeds))
+    sums = ("sum", "their wall time", "export, wall")
+    columns = [f"{stage} {{:.2f}}" for stage in _stages.WORK] + [f"{name} {{:.1f}}" for name in sums]
+    print(table(title, ["", *columns, "rays : one map {:.2f}", "bake : one map {:.2f}"], seconds))
+    kinds = ("arrays", "loaded", "with tree", "peak", "peak : with tree")
+    print(table("memory, GB", ["", "triangles {:,}", *(f"{kind} {{:.2f}}" for kind in kinds)], memory))
+    print(table("encoder of geometry", ENCODER, speeds))
+
+
+ENCODER = (
+    " | MB in {:.1f} | gathered, CPU ms {:.0f} | and encoded {:.0f} | MB/s a core, all {:.0f} | encoding alone {:.0f}"
+)
+
+
+def encoder_row(name: str, rings: nf.stream.Rings) -> list[object]:
+    """MB of the compressed arrays, CPU milliseconds, MB/s per core.
+
+    The time of compression alone is the difference to the same files without it, which copy their arrays, with longer
+    normals: a few milliseconds too little. It is not shown if it is less than a tenth of the total.
+    """
+    raw = encode(rings, compressed=True)
+    plain, packed = (best(partial(encode, rings, compressed=compressed), repeat=5).cpu for compressed in (False, True))
+    megabytes, alone = raw / 1e6, packed - plain
+    speed = megabytes / alone if alone > 0.1 * packed else "–"
+    return [name, megabytes, 1e3 * plain, 1e3 * packed, megabytes / packed, speed]
+
+
+def encode(rings: nf.stream.Rings, *, compressed: bool) -> int:
+    """Encode the rings' files; return the bytes of their arrays before compression."""
+    export = exporter(rings.scene, rings.codes(), rings.count + 2, named=True, images=True, compressed=compressed)
+    shared = export.shared()
+    uris: list[str | None] = [f"{number}.bin" for number in range(len(shared))]
+    files = [export.glb(ring, uris=uris) for ring in range(1, rings.count + 1)]
+    return sum(facts["raw_bytes"] for facts in [*(facts for *_, facts in shared), *(facts for _, facts in files)])
 
 
 def main() -> None:
-    """Print the tables and draw the plot."""
-    parse = argparse.ArgumentParser(description=__doc__)
-    parse.add_argument("--quick", action="store_true", help="smaller scenes")
-    parse.add_argument("--plots", type=Path, help="folder for plots")
-    parse.add_argument("--samples", type=int, default=4, help="of the maps whose baking is timed")
-    arguments = parse.parse_args()
-    print(machine(), flush=True)
-    speed_and_memory(arguments.quick, arguments.samples)
+    samples = (4, "of the maps whose baking is timed")
+    options = start(__doc__, "--quick", "--plots", samples=samples)
+    speed_and_memory(options.quick, options.samples)
     found = []
-    for place in places(arguments.quick):
-        with tempfile.TemporaryDirectory() as folder:
-            found.append((place, *sizes_and_quality(place, Path(folder))))
-    if arguments.plots:
-        arguments.plots.mkdir(parents=True, exist_ok=True)
-        draw(arguments.plots / "stream_bytes.png", found)
+    for place in places(options.quick):
+        with folder_or_temporary() as folder:
+            found.append((place, *sizes_and_quality(place, folder)))
+    if options.plots:
+        draw(options.plots / "stream_bytes.png", found)
 
 
 if __name__ == "__main__":

@@ -1,16 +1,12 @@
 """CloVR's (2024) sphere collection by simulated users, compared with the printed figures.
 
-python -m benchmarks.stream.collect [--quick] [--pairs NUMBER] [--real] [--plots out/bench]
-
 --real also lets them play on a server of this machine, which takes as long as the trials do.
 """
 
 from __future__ import annotations
 
-import argparse
 import asyncio
 import multiprocessing
-import os
 import statistics
 from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
@@ -20,8 +16,7 @@ from pathlib import Path
 import numpy as np
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
-from benchmarks.stream import _collect_plot as plot
+from benchmarks.harness.report import save_figure, start, subplots, table
 from nearfar.serve._rooms import Rooms
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
@@ -77,19 +72,13 @@ def figures(name: str, outcomes: Sequence[Outcome], trips: np.ndarray | None = N
     )
 
 
-def modelled(name: str, settings: Settings, person: Person, pairs: int) -> Figures:
+def simulate_groups(name: str, settings: Settings, person: Person, pairs: int) -> Figures:
     """Simulate pairs of groups, each with its own clock, spheres and people."""
-    return figures(
-        name,
-        [
-            outcome
-            for seed in range(pairs)
-            for outcome in simulate(replace(settings, seed=seed), person=person, groups=GROUPS, seed=seed)
-        ],
-    )
+    each = (simulate(replace(settings, seed=n), person=person, groups=GROUPS, seed=n) for n in range(pairs))
+    return figures(name, [outcome for outcomes in each for outcome in outcomes])
 
 
-def calibrated(uncalibrated: Figures) -> Person:
+def calibrate(uncalibrated: Figures) -> Person:
     """People whose search times make easy spheres take the printed time; nothing else is fitted."""
     return Person(search=max(PRINTED.seconds[0][0] - uncalibrated.seconds[0][0], 0.0))
 
@@ -124,16 +113,14 @@ def real(settings: Settings, person: Person) -> Figures:
 
 def show(found: Sequence[Figures]) -> None:
     """Print the table of the paper's figures."""
-    rows = [["spheres of a trial", *(_pair(each.spheres, 1) for each in found)]]
+    rows: list[list[object]] = [["spheres of a trial", *("{:.1f} ± {:.1f}".format(*each.spheres) for each in found)]]
     for number, level in enumerate(LEVELS):
-        rows.append([f"seconds, {level}", *(_pair(each.seconds[number], 2) for each in found)])
+        rows.append([f"seconds, {level}", *("{:.2f} ± {:.2f}".format(*each.seconds[number]) for each in found)])
     for number, level in enumerate(LEVELS):
         both = (f"{each.misses[number]:.2f} / {each.trial_misses[number]:.1f}" for each in found[1:])
         rows.append([f"misses, {level}: of a sphere / of a trial", f"{PRINTED.misses[number]}", *both])
     rows.append(["r of seconds and misses", *(f"{each.r:.3f}" for each in found)])
-    trips = [
-        "" if each.round_trip is None else "{:.1f} ± {:.1f}, at most {:.0f}".format(*each.round_trip) for each in found
-    ]
+    trips = (each.round_trip and "{:.1f} ± {:.1f}, at most {:.0f}".format(*each.round_trip) for each in found)
     rows.append(["round trip, ms", *trips])
     print(table("Sphere collection", ["", *(each.name for each in found)], rows))
 
@@ -142,28 +129,47 @@ def _moments(values: Sequence[float]) -> tuple[float, float]:
     return statistics.mean(values), statistics.stdev(values)
 
 
-def _pair(moments: tuple[float, float], digits: int) -> str:
-    return f"{moments[0]:.{digits}f} ± {moments[1]:.{digits}f}"
+COLORS = ("0.35", "C0", "C1", "C2")
+
+
+def draw(path: Path, names: Sequence[str], rows: Sequence[Figures]) -> None:
+    """Seconds with their deviations, and misses, by level; the first row is the paper's."""
+    figure, (left, right) = subplots(1, 2, figsize=(9, 3.6))
+    width = 0.8 / len(rows)
+    for number, (row, color) in enumerate(zip(rows, COLORS, strict=False)):
+        at = np.arange(len(names)) + (number - 0.5 * (len(rows) - 1)) * width
+        means, deviations = zip(*row.seconds, strict=True)
+        # Bars of deviations end at 0, as times do.
+        below = np.minimum(deviations, means)
+        left.bar(at, means, width, yerr=(below, deviations), color=color, capsize=3, label=row.name)
+        right.bar(at, row.misses, width, color=color)
+    for axes, label in ((left, "seconds of a sphere, ± one deviation"), (right, "misses of a sphere")):
+        axes.set_xticks(range(len(names)), names)
+        axes.set(ylabel=label)
+    right.set(title="of a sphere or a trial: the paper does not say", ylim=(0.0, None))
+    right.title.set_fontsize("small")
+    left.set(ylim=(0.0, None))
+    left.legend(fontsize="small", loc="upper left")
+    save_figure(figure, path, dpi=70)
 
 
 def main() -> None:
-    """Print the table, and draw it if a folder is named."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--quick", action="store_true", help="trials of 30 s")
-    parser.add_argument("--pairs", type=int, default=8, help="pairs of groups of the model")
-    parser.add_argument("--real", action="store_true", help="also on a server, in real time")
-    parser.add_argument("--plots", type=Path, default=os.environ.get("NEARFAR_BENCH_OUT"), help="folder of the plot")
-    chosen = parser.parse_args()
+    chosen = start(
+        __doc__,
+        "--quick",
+        "--plots",
+        pairs=(8, "pairs of groups of the model"),
+        real=(bool, "also on a server, in real time"),
+    )
     settings = Settings(duration=30.0, rest=1.0) if chosen.quick else Settings()
-    print(machine())
-    plain = modelled("model, literature alone", settings, Person(), chosen.pairs)
-    person = calibrated(plain)
-    found = [PRINTED, plain, modelled(f"model, {person.search:.2f} s of search", settings, person, chosen.pairs)]
+    plain = simulate_groups("model, literature alone", settings, Person(), chosen.pairs)
+    person = calibrate(plain)
+    found = [PRINTED, plain, simulate_groups(f"model, {person.search:.2f} s of search", settings, person, chosen.pairs)]
     if chosen.real:
         found.append(real(settings, person))
     show(found)
     if chosen.plots is not None:
-        plot.levels(Path(chosen.plots) / "collect.png", LEVELS, found)
+        draw(chosen.plots / "collect.png", LEVELS, found)
 
 
 if __name__ == "__main__":

@@ -1,23 +1,20 @@
-"""Bytes saved in a bundle by cutting textures by distance and by levels of detail, and the change of pictures.
-
-python -m benchmarks.stream.detail
-"""
+"""Bytes saved in a bundle by cutting textures by distance and by levels of detail, and the change of pictures."""
 
 from __future__ import annotations
 
 import math
-import tempfile
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness import scenes
+from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.lod.scene import model, places
 from nearfar._base import data
 
-HELMET = "objects/gltf/FlightHelmet/FlightHelmet.gltf"
 HEIGHT = 0.8
 """Height of the displayed model, metres."""
 
@@ -39,7 +36,7 @@ def parts_of(bundle: nf.stream.Bundle) -> set[str]:
     return {name for ring in rings for name in (ring["geometry"], *ring["parts"]) if name is not None}
 
 
-def cut(scene: nf.Scene, distance: float, folder: Path) -> list[str]:
+def cut(scene: nf.Scene, distance: float, folder: Path) -> list[float]:
     """Bytes of the helmet's textures whole and cut, and the change of its picture for the nearest user."""
     center = (0.0, 0.4, distance)
     whole, small = (
@@ -47,53 +44,43 @@ def cut(scene: nf.Scene, distance: float, folder: Path) -> list[str]:
         for name, value in (("whole", None), ("cut", PIXELS))
     )
     degrees = 2.0 * math.degrees(math.atan(HEIGHT / 2.0 / (distance - REACH)))
-    view = nf.Camera.look_at(
-        (0.0, 0.4, distance - REACH),
-        (0.0, 0.36, 0.0),
-        fov=nf.Fov.symmetric(degrees),
-        size=(round(PIXELS * degrees),) * 2,
-    )
-    pictures = [bundle.at(2, RADII[0]).render(view, samples=16) for bundle in (whole, small)]
+    size, fov = (round(PIXELS * degrees),) * 2, nf.Fov.symmetric(degrees)
+    view = nf.Camera.look_at((0.0, 0.4, distance - REACH), (0.0, 0.36, 0.0), fov=fov, size=size)
+    one, other = (bundle.at(2, RADII[0]).render(view, samples=16) for bundle in (whole, small))
     before, after = bytes_of(whole, "webp"), bytes_of(small, "webp")
-    quality = [f"{nf.psnr(*pictures):.1f}", f"{nf.ssim(*pictures):.5f}"]
-    return [f"{distance:g}", f"{before / 1e3:.1f}", f"{after / 1e3:.1f}", f"{1 - after / before:.0%}", *quality]
+    return [distance, before / 1e3, after / 1e3, 1 - after / before, nf.psnr(one, other), float(nf.ssim(one, other))]
 
 
-def in_room(folder: Path) -> list[str]:
-    """Bytes of the textures of the room, whole and cut."""
-    room, center = nf.datasets.room(), (0.0, 1.6, 0.0)
-    sizes = []
-    for value in (None, PIXELS):
-        bundle = nf.stream.export(room, folder / "room", center=center, **SETTINGS, pixels_per_degree=value)
-        sizes.append(f"{bytes_of(bundle, 'webp') / 1e3:.1f}")
-    return sizes
+def in_room(folder: Path) -> list[float]:
+    """Kilobytes of the textures of the room, whole and cut."""
+    export = partial(nf.stream.export, nf.datasets.room(), folder / "room", center=(0.0, 1.6, 0.0), **SETTINGS)
+    return [bytes_of(export(pixels_per_degree=value), "webp") / 1e3 for value in (None, PIXELS)]
 
 
-def levels(folder: Path) -> list[list[str]]:
+def levels(folder: Path) -> list[list[object]]:
     """Triangles and bytes of a thousand objects in a ball of 20 m, by selection method."""
     random = np.random.default_rng(0)
     models = [model(seed) for seed in range(8)]
     placed = places(random)
     scene = nf.lod.place(models, np.arange(len(placed)) % len(models), placed)
-    rows = []
+    rows: list[list[object]] = []
     for lod in (None, "depth"):
         bundle = nf.stream.export(scene, folder / "balls", center=(0.0, 0.0, 0.0), **SETTINGS, lod=lod)
         drawn = sum(row["triangles"] for row in bundle.summary())
         size = sum(len(bundle.read(name)) for name in parts_of(bundle))
-        rows.append([str(lod), f"{drawn:,}", f"{size / 1e6:.2f}"])
+        rows.append([str(lod), drawn, size / 1e6])
     return rows
 
 
 def main() -> None:
-    print(machine())
-    with tempfile.TemporaryDirectory() as folder:
-        place = Path(folder)
-        helmet = nf.Scene.load(data.require(HELMET))
-        rows = [cut(helmet, distance, place) for distance in DISTANCES]
-        header = ["metres", "textures, kB", "cut, kB", "saved", "PSNR, dB", "SSIM"]
+    start(__doc__)
+    with folder_or_temporary() as folder:
+        helmet = nf.Scene.load(data.require(scenes.FILES["FlightHelmet"]))
+        rows = [cut(helmet, distance, folder) for distance in DISTANCES]
+        header = "metres {:g} | textures, kB {:.1f} | cut, kB {:.1f} | saved {:.0%} | PSNR, dB {:.1f} | SSIM {:.5f}"
         print(table("FlightHelmet's textures", header, rows))
-        print(table("textures of the room, kB", ["whole", "cut"], [in_room(place)]))
-        print(table("levels", ["lod", "triangles", "geometry, MB"], levels(place)))
+        print(table("textures of the room, kB", "whole {:.1f} | cut {:.1f}", [in_room(folder)]))
+        print(table("levels", "lod | triangles {:,} | geometry, MB {:.2f}", levels(folder)))
 
 
 if __name__ == "__main__":

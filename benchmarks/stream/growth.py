@@ -1,12 +1,7 @@
-"""Visual continuity of pictures while rings arrive and grow, at 72 Hz, against hard switches and a walk's truth.
-
-python -m benchmarks.stream.growth [--quick] [--plots FOLDER]
-"""
+"""Visual continuity of pictures while rings arrive and grow, at 72 Hz, against hard switches and a walk's truth."""
 
 from __future__ import annotations
 
-import argparse
-import tempfile
 import warnings
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -16,15 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import folder_or_temporary, save_figure, start, subplots, table
+from benchmarks.stream._near import EYE_HEIGHT
 from nearfar.stream._radii import PUBLISHED
 
 RATE, WALK = 72.0, 1.4
 """Pictures per second; speed of a walking user in metres per second."""
 BESIDE = 1.0
 """Distance of the user from the centre, metres."""
-EYE_HEIGHT = 1.3
-"""Height of the user's eyes in CloVR (2024), metres."""
 FINEST = 1e-6
 """1 − SSIM below which the axis of the plot is linear."""
 FOV, SIZE = nf.Fov.symmetric(90, 1.6), (640, 400)
@@ -125,25 +119,20 @@ def cases(city: City, quick: bool) -> Iterator[Case]:
 def measure(case: Case, pairs: int) -> Measured:
     """Measure the continuity of consecutive pictures, of pairs at equal intervals."""
     step = 1.0 / RATE
-    starts = np.linspace(0.0, max(case.seconds - step, 0.0), pairs if case.seconds else 1)
+    moments = np.linspace(0.0, max(case.seconds - step, 0.0), pairs if case.seconds else 1)
     found, folded = [], 0
-    for start in starts:
+    for moment in moments:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            pair = [case.picture(start), case.picture(start + step)]
+            pair = [case.picture(moment), case.picture(moment + step)]
         found.append(next(nf.visual_continuity(pair)))
         folded += sum(frame.stats.get("fold_margin", 1.0) < 0.0 for frame in pair)
-    return Measured(case, starts / max(case.seconds, step), np.array(found), folded)
+    return Measured(case, moments / max(case.seconds, step), np.array(found), folded)
 
 
 def draw(measured: list[Measured], folder: Path) -> None:
     """Draw 1 − SSIM by the share of the duration; for switches, which take no time, across the whole width."""
-    import matplotlib as mpl
-
-    mpl.use("Agg")
-    from matplotlib import pyplot
-
-    figure, axes = pyplot.subplots(1, 2, figsize=(11, 6), sharey=True, layout="constrained")
+    figure, axes = subplots(1, 2, figsize=(11, 6), sharey=True)
     for axis, word in ((axes[0], "ring 1"), (axes[1], "ring 5")):
         shown = [one for one in measured if word in one.case.name or "truth" in one.case.name]
         lengths = sorted({one.case.seconds for one in shown if "truth" not in one.case.name})
@@ -163,28 +152,22 @@ def draw(measured: list[Measured], folder: Path) -> None:
         axis.legend(fontsize=8, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2)
     axes[0].set_ylabel(f"1 − SSIM of a picture with the next, {RATE:g} Hz")
     folder.mkdir(parents=True, exist_ok=True)
-    figure.savefig(folder / "stream_growth.png", dpi=100)
+    save_figure(figure, folder / "stream_growth.png")
 
 
 def main() -> None:
-    parse = argparse.ArgumentParser(description=__doc__)
-    parse.add_argument("--quick", action="store_true", help="a smaller city, smaller maps, fewer pairs")
-    parse.add_argument("--plots", type=Path)
-    given = parse.parse_args()
-    print(machine())
-    with tempfile.TemporaryDirectory() as folder:
-        city = City(Path(folder), given.quick)
+    given = start(__doc__, "--quick", "--plots")
+    with folder_or_temporary() as folder:
+        city = City(folder, given.quick)
         print(f"{city.scene.triangle_count:,} triangles, user {BESIDE:g} m beside the centre")
         measured = []
         for case in cases(city, given.quick):
             one = measure(case, 3 if given.quick else 8)
             measured.append(one)
             print(f"{case.name}: {one.continuity.min():.5f}", flush=True)
-    rows = [
-        [one.case.name, f"{one.continuity.min():.5f}", f"{one.continuity.mean():.5f}", f"{one.folded}"]
-        for one in measured
-    ]
-    print(table("continuity of consecutive pictures", ["change", "least", "mean", "folded pictures"], rows))
+    rows = [(one.case.name, one.continuity.min(), one.continuity.mean(), one.folded) for one in measured]
+    header = "change | least {:.5f} | mean {:.5f} | folded pictures"
+    print(table("continuity of consecutive pictures", header, rows))
     if given.plots is not None:
         draw(measured, given.plots)
 

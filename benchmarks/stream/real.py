@@ -1,7 +1,5 @@
 """The four strategies over a real link, by the page in Chromium, compared with their simulation.
 
-python -m benchmarks.stream.real [--quick] [--repeat N] [--loss SHARE ...] [--link-only] [--place WORD] [--json FILE]
-
 The city and the factory at two centres each, 50 Mbit/s, 20 ms. For each load: when the complete picture, the first near
 geometry and everything had been received, were ready (decoded, on the GPU) and were shown, since the request of the
 manifest. Decoding and drawing are done in software here, and take longer than the link. The link is therefore also
@@ -12,10 +10,9 @@ round trip of a short request, which exceeds the link's own by the time of brows
 
 from __future__ import annotations
 
-import argparse
 import json
 import os
-import tempfile
+import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass, replace
@@ -28,10 +25,10 @@ import numpy as np
 import nearfar as nf
 from benchmarks.harness.link import no_link
 from benchmarks.harness.loads import Network, network
-from benchmarks.harness.timing import ahead_of_others, machine, table
-from benchmarks.stream._loaded import Loaded, load
+from benchmarks.harness.report import folder_or_temporary, start, table
+from benchmarks.harness.timing import ahead_of_others
+from benchmarks.stream._loaded import Loaded, load, requests, round_trip, simulated_requests
 from benchmarks.stream._near import EYE_HEIGHT, Place, places
-from benchmarks.stream._requests import requests, round_trip, simulated_requests
 from nearfar.stream._strategies import Strategy
 
 LINK = nf.stream.Link(50, rtt_ms=20, http=1, handshake=1)
@@ -77,7 +74,7 @@ def content(link: nf.stream.Link) -> nf.stream.Link:
     return replace(link, mbps=link.mbps * CONTENT)
 
 
-def simulated(
+def simulate_stages(
     bundle: nf.stream.Bundle, link: nf.stream.Link, strategy: Strategy, seed: int, *, decode_mbs: float
 ) -> dict[str, float]:
     """Seconds until each stage is ready in a simulation, on an open connection."""
@@ -87,13 +84,13 @@ def simulated(
     return {name: float(getattr(line, name)) - link.handshake * link.rtt for name in STAGES}
 
 
-def decoding(bundle: nf.stream.Bundle, loads: list[Loaded]) -> float:
+def fit_decoding(bundle: nf.stream.Bundle, loads: list[Loaded]) -> float:
     """Megabytes per second with which a simulation over the fast link takes as long as the loads by clovrd."""
     goal = float(np.median([one.total["ready"] for one in loads]))
     low, high = 0.01, 1e4
     for _ in range(30):
         middle = (low * high) ** 0.5
-        slow = simulated(bundle, FAST, "clovrd", 0, decode_mbs=middle)["total"] > goal
+        slow = simulate_stages(bundle, FAST, "clovrd", 0, decode_mbs=middle)["total"] > goal
         low, high = (middle, high) if slow else (low, middle)
     return float((low * high) ** 0.5)
 
@@ -104,12 +101,12 @@ def median_of_seeds(job: Callable[[int], dict[str, float]], loss: float) -> dict
     return {name: float(np.median([run[name] for run in runs])) for name in runs[0]}
 
 
-def measured_decoding(bundle: nf.stream.Bundle, repeat: int) -> float:
+def measure_decoding(bundle: nf.stream.Bundle, repeat: int) -> float:
     """Megabytes per second of decoding, uploads and frames, from loads over the fast link."""
     with open_connection(FAST, bundle) as (way, chromium, url):
         # The first load of a browser also compiles its shaders.
         loads = [load(way, chromium, url, bundle, "clovrd") for _ in range(repeat + 1)][1:]
-    return decoding(bundle, loads)
+    return fit_decoding(bundle, loads)
 
 
 @contextmanager
@@ -159,70 +156,67 @@ def loads(place: str, bundle: nf.stream.Bundle, loss: float, repeat: int, mbs: f
                 loss,
                 strategy,
                 real=[{name: getattr(one, name) for name in STAGES} for one in found],
-                simulated=median_of_seeds(partial(simulated, bundle, link, strategy, decode_mbs=mbs), loss),
+                simulated=median_of_seeds(partial(simulate_stages, bundle, link, strategy, decode_mbs=mbs), loss),
                 megabytes=float(np.median([one.bytes for one in found])) / 1e6,
             )
 
 
-def of_the_link(found: list[Outcome]) -> str:
+def link_table(found: list[Outcome]) -> str:
     """Table of the link alone."""
     rows = []
     for one in found:
-        row = [one.place, f"{one.loss:.0%}", one.strategy]
-        for name in STAGES:
-            real, ours = one.median(name, "received"), one.simulated[name]
-            row += [f"{real:.3f}", f"{ours:.3f}", f"{ours / real:.2f}"]
-        rows.append(row)
-    stages = [f"{name}{kind}" for name in ("picture", "first ring", "all") for kind in (", real", ", sim.", ", ratio")]
-    title = "Seconds until the files were there, requests alone"
-    return table(title, ["", "lost", "", *stages], rows)
+        pairs = [(one.median(name, "received"), one.simulated[name]) for name in STAGES]
+        times = (value for real, ours in pairs for value in (real, ours, ours / real))
+        rows.append([one.place, one.loss, one.strategy, *times])
+    kinds = (", real {:.3f}", ", sim. {:.3f}", ", ratio {:.2f}")
+    stages = (f"{name}{kind}" for name in ("picture", "first ring", "all") for kind in kinds)
+    return table("Seconds until the files were there, requests alone", ["", "lost {:.0%}", "", *stages], rows)
 
 
-def of_the_page(found: list[Outcome]) -> str:
+def page_table(found: list[Outcome]) -> str:
     """Table of the page."""
-    rows = []
+    rows: list[list[object]] = []
     for one in found:
-        row = [one.place, f"{one.loss:.0%}", one.strategy, f"{one.megabytes:.2f}"]
+        rows.append([one.place, one.loss, one.strategy, one.megabytes])
         for name in STAGES:
-            row.append(" / ".join(f"{one.median(name, kind):.2f}" for kind in KINDS))
-            row.append(f"{one.simulated[name]:.2f} ({one.simulated[name] / one.median(name, 'ready'):.2f})")
-        rows.append(row)
-    header = ["", "lost", "", "MB", "picture", "sim.", "first ring", "sim.", "all", "sim."]
+            rows[-1].append(tuple(one.median(name, kind) for kind in KINDS))
+            rows[-1].append((one.simulated[name], one.simulated[name] / one.median(name, "ready")))
+    header = " | lost {:.0%} |  | MB {:.2f}"
+    for name in ("picture", "first ring", "all"):
+        header += f" | {name} {{:.2f}} / {{:.2f}} / {{:.2f}} | sim. {{:.2f}} ({{:.2f}})"
     title = "Seconds until received / ready / shown, and simulated until ready with its ratio to real"
     return table(title, header, rows)
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="small scenes")
-    parser.add_argument("--repeat", type=int, default=5, help="loads of each; the medians are printed")
-    parser.add_argument("--loss", type=float, nargs="+", default=[0.0, 0.01], help="shares of packets that are lost")
-    parser.add_argument("--link-only", action="store_true", help="requests without the page")
-    parser.add_argument("--place", default="", help="places whose names have this in them, such as factory")
-    parser.add_argument("--json", type=Path, help="file for all figures")
-    given = parser.parse_args()
+    given = start(
+        __doc__,
+        "--quick",
+        repeat=(5, "loads of each; the medians are printed"),
+        loss=([0.0, 0.01], "shares of packets that are lost"),
+        link_only=(bool, "requests without the page"),
+        place=("", "places whose names have this in them, such as factory"),
+        json=(Path, "file for all figures"),
+    )
     if reason := no_link():
-        parser.error(reason)
-    print(machine())
+        sys.exit(reason)
     alone, whole = list[Outcome](), list[Outcome]()
-    for place in all_places(given.quick):
-        if given.place not in place.name:
-            continue
-        with tempfile.TemporaryDirectory() as name:
-            bundle = nf.stream.export(place.make(), Path(name) / "bundle", center=place.center, by_footprint=True)
+    for place in (place for place in all_places(given.quick) if given.place in place.name):
+        with folder_or_temporary() as folder:
+            bundle = nf.stream.export(place.make(), folder / "bundle", center=place.center, by_footprint=True)
             for loss in given.loss:
                 alone += requests_alone(place.name, bundle, loss, given.repeat)
             if not given.link_only:
-                mbs = measured_decoding(bundle, given.repeat)
+                mbs = measure_decoding(bundle, given.repeat)
                 for loss in given.loss:
                     whole += loads(place.name, bundle, loss, given.repeat, mbs)
         print(f"1-minute load of the machine: {os.getloadavg()[0]:.1f}", flush=True)
         if given.json:
             figures = {"requests": [asdict(one) for one in alone], "page": [asdict(one) for one in whole]}
             given.json.write_text(json.dumps(figures, indent=1) + "\n")
-    print(of_the_link(alone))
+    print(link_table(alone))
     if whole:
-        print(of_the_page(whole))
+        print(page_table(whole))
 
 
 if __name__ == "__main__":

@@ -1,12 +1,7 @@
-"""Objects visible to a user beside the centre, ring by ring, and as geometry by falling footprint (vis1), by bytes.
-
-python -m benchmarks.stream.seen [--quick] [--plots out/bench]
-"""
+"""Objects visible to a user beside the centre, ring by ring, and as geometry by falling footprint (vis1), by bytes."""
 
 from __future__ import annotations
 
-import argparse
-import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -14,22 +9,18 @@ from typing import Any
 import numpy as np
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import folder_or_temporary, save_figure, start, subplots, table
+from benchmarks.stream._near import exporter, in_front_of_map, large_city, street_center
 from benchmarks.stream.maps import whole_range
-from nearfar import _core
 from nearfar.stream import _map_files as codec
 from nearfar.stream._encode import scale_of
 from nearfar.stream._radii import PUBLISHED
 
-EYE_HEIGHT = 1.3
-"""Height of the user's eyes in CloVR (2024), metres."""
 TEXELS = 3
 """Texels of maps along a pixel of the pictures in which objects are counted: odd, so that a pixel's centre is a texel's
 centre. Between texels, the outlines of all objects would move by half a texel."""
 PARTS = 8
 """Number of parts of the geometry, with equal numbers of objects, after which vis1 is counted."""
-STEP = 2.0**-10
-"""Step of positions in metres, as in bundles."""
 
 Point = tuple[float, float, float]
 Row = tuple[str, int, float, float]
@@ -42,19 +33,12 @@ def faces_of(source: Any, eye: Point, size: int) -> Any:
     return np.concatenate([nf.render(source, view, channels=("object_id",)).require("object_id") for view in views])
 
 
-def in_front_of_map(near: nf.Scene, env: nf.EnvMap, center: Point, morph: str) -> nf.ReducedScene:
-    """Return whole objects in front of a map."""
-    zones = nf.partition(near, center=center, r1=0.7 * PUBLISHED[-1], r2=PUBLISHED[-1])
-    counts = {**zones.summary(), "rays": 0}
-    return nf.ReducedScene(near, zones, env, morph=morph, boundary="r2", counts=counts, is_whole=False)
-
-
 def clovr(scene: nf.Scene, maps: nf.stream.RingMaps, sent: list[int], size: int, user: Point) -> Iterator[Row]:
     """Yield the rows of ring after ring."""
     center = maps.rings.center
     truth = faces_of(scene, user, size)
     moving = scene.subset(objects=maps.rings.objects(0))
-    still = in_front_of_map(moving, maps.map(0), center, "cylinder").with_growth(0.0)
+    still = in_front_of_map(moving, maps.map(0)).with_growth(0.0)
     yield "ring 0", sent[0], *nf.object_completion(truth, faces_of(still, user, size))
     for ring, radius in enumerate(maps.rings.radii, 1):
         reduced = nf.reduce(scene, center=center, r1=0.7 * radius, r2=radius, unit="object", morph="cylinder",
@@ -73,9 +57,7 @@ def vis1(scene: nf.Scene, maps: nf.stream.RingMaps, map_bytes: int, size: int, u
     part = np.arange(len(order)) * PARTS // len(order)
     groups = np.zeros(len(scene.object_names) + 1, np.uint16)
     groups[order] = part + 1
-    names = list(scene.object_names)
-    nothing: list[str | None] = [None] * len(_core.scene_parts(scene._core)["textures"])
-    export = _core.Export(scene._core, groups, PARTS + 1, names=names, images=nothing, step=STEP, compressed=True)
+    export = exporter(scene, groups, PARTS + 1, named=True, images=False, compressed=True)
     shared = export.shared()
     uris: list[str | None] = [f"{number}.bin" for number in range(len(shared))]
     first = [min(users - {0}, default=0) for users in (set(groups) for _, groups, _ in shared)]
@@ -85,7 +67,7 @@ def vis1(scene: nf.Scene, maps: nf.stream.RingMaps, map_bytes: int, size: int, u
         sent += sum(len(data) for (data, _, _), group in zip(shared, first, strict=True) if group == number)
         shown = scene.subset(objects=[scene.object_names[place] for place in order[part < number]])
         yield f"vis1, {number}/{PARTS} of geometry", sent, *nf.object_completion(truth, faces_of(shown, user, size))
-    whole = in_front_of_map(shown, maps.map(last), center, "none")
+    whole = in_front_of_map(shown, maps.map(last), "none")
     picture = faces_of(whole, user, size)
     yield "vis1 with its map", sent + map_bytes, *nf.object_completion(truth, picture)
 
@@ -107,12 +89,7 @@ def map_bytes(maps: nf.stream.RingMaps, size: int) -> int:
 
 def draw(path: Path, found: dict[float, tuple[list[Row], list[Row]]]) -> None:
     """Draw OVC and OFC against bytes, a column for each place of the user."""
-    import matplotlib as mpl
-
-    mpl.use("agg")
-    from matplotlib import pyplot as plt
-
-    figure, grid = plt.subplots(2, len(found), figsize=(4.6 * len(found), 6), layout="constrained", squeeze=False)
+    figure, grid = subplots(2, len(found), figsize=(4.6 * len(found), 6), layout="constrained", squeeze=False)
     for column, (away, listed) in enumerate(found.items()):
         for rows, name, marker in zip(listed, ("rings", "vis1"), "os", strict=True):
             for axes, place in zip(grid[:, column], (2, 3), strict=True):
@@ -120,24 +97,15 @@ def draw(path: Path, found: dict[float, tuple[list[Row], list[Row]]]) -> None:
         grid[0, column].set(title=f"user {away:g} m beside the centre", ylabel="OVC" if not column else "")
         grid[1, column].set(xlabel="MB received", ylabel="OFC" if not column else "")
     grid[0, 0].legend()
-    figure.savefig(path, dpi=90)
-    plt.close(figure)
+    save_figure(figure, path, dpi=90)
 
 
 def main() -> None:
-    """Print the tables and draw the plot."""
-    parse = argparse.ArgumentParser(description=__doc__)
-    parse.add_argument("--quick", action="store_true", help="a smaller city and smaller pictures")
-    parse.add_argument("--plots", type=Path, help="folder for plots")
-    arguments = parse.parse_args()
-    quick, size = arguments.quick, 128 if arguments.quick else 512
-    scene = nf.datasets.city(blocks=3, detail=1) if quick else nf.datasets.city(blocks=9, detail=3)
-    eye, _ = nf.datasets.street_view()
-    center = (eye[0], EYE_HEIGHT, eye[2])
-    print(machine())
+    options = start(__doc__, "--quick", "--plots")
+    scene, center, size = large_city(options.quick), street_center(), 128 if options.quick else 512
     print(f"{scene.triangle_count:,} triangles, objects in all directions, 6 × {size}² pixels")
-    with tempfile.TemporaryDirectory() as folder:
-        bundle = nf.stream.export(scene, Path(folder) / "bundle", center=center, radii=PUBLISHED)
+    with folder_or_temporary() as folder:
+        bundle = nf.stream.export(scene, folder / "bundle", center=center, radii=PUBLISHED)
         sent = sent_by_ring(bundle)
     rings = nf.stream.assign(scene, center=center, radii=PUBLISHED)
     maps = nf.stream.bake_maps(rings, face_size=TEXELS * size, object_id=True)
@@ -147,13 +115,12 @@ def main() -> None:
         user = (center[0] - away, center[1], center[2])
         truth = nf.object_completion(faces_of(scene, user, size), faces_of(scene, center, size))
         found[away] = list(clovr(scene, maps, sent, size, user)), list(vis1(scene, maps, last, size, user))
-        rows = [["truth at O", "", *(f"{share:.3f}" for share in truth)]]
-        for name, count, ovc, ofc in (*found[away][0], *found[away][1]):
-            rows.append([name, f"{count / 1e6:.2f}", f"{ovc:.3f}", f"{ofc:.3f}"])
-        print(table(f"a user {away:g} m beside O", ["picture", "MB", "OVC", "OFC"], rows))
-    if arguments.plots:
-        arguments.plots.mkdir(parents=True, exist_ok=True)
-        draw(arguments.plots / "stream_seen.png", found)
+        shown = (*found[away][0], *found[away][1])
+        rows: list[list[object]] = [["truth at O", None, *truth]]
+        rows += [[name, count / 1e6, ovc, ofc] for name, count, ovc, ofc in shown]
+        print(table(f"a user {away:g} m beside O", "picture | MB {:.2f} | OVC {:.3f} | OFC {:.3f}", rows))
+    if options.plots:
+        draw(options.plots / "stream_seen.png", found)
 
 
 if __name__ == "__main__":

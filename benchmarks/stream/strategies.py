@@ -1,20 +1,17 @@
-"""The four strategies of CloVR (2024) simulated: times, visible objects, and tests of the differences.
-
-python -m benchmarks.stream.strategies [--quick] [--place NUMBER] [--part NAME] [--gzip] [--plots out/bench]
-"""
+"""The four strategies of CloVR (2024) simulated: times, visible objects, and tests of the differences."""
 
 from __future__ import annotations
 
-import argparse
 import math
-import tempfile
-import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+import numpy as np
+
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import folder_or_temporary, start, table
+from benchmarks.harness.timing import timed
 from benchmarks.stream import _comparison, _strategy_plots as plots
 from benchmarks.stream._near import EYE_HEIGHT, Place, places
 from nearfar.stream._client_pictures import Pictures, SceneParts
@@ -40,7 +37,7 @@ class Case:
     bundle: nf.stream.Bundle
 
 
-def exported(quick: bool, chosen: int | None, folder: Path) -> list[Case]:
+def export_places(quick: bool, chosen: int | None, folder: Path) -> list[Case]:
     """Export four places, or one of them; the second centre of the factory is 30 m along the hall."""
     listed = places(quick)
     x, _, z = listed[-1].center
@@ -52,12 +49,12 @@ def exported(quick: bool, chosen: int | None, folder: Path) -> list[Case]:
 def export(place: Place, folder: Path, quick: bool, *, instanced: bool = True) -> Case:
     """Export a place's bundle; without instances also without compression."""
     scene = place.make(instanced=instanced)
-    bundle = written(scene, place, folder, PUBLISHED, quick, compression="meshopt" if instanced else None)
+    bundle = write_bundle(scene, place, folder, PUBLISHED, quick, compression="meshopt" if instanced else None)
     name = place.name if instanced else f"{place.name}, copies, plain"
     return Case(replace(place, name=name), scene, bundle)
 
 
-def written(
+def write_bundle(
     scene: nf.Scene, place: Place, folder: Path, radii: Sequence[float], quick: bool, **settings: str | None
 ) -> nf.stream.Bundle:
     """Write a bundle with given radii."""
@@ -87,8 +84,8 @@ def by_radius(case: Case, link: nf.stream.Link, gzip: bool, quick: bool) -> dict
     strategies: tuple[Strategy, ...] = ("vis0", "vis1")
     found: dict[str, list[float]] = {name: [] for name in strategies}
     for count in range(1, len(PUBLISHED) + 1):
-        with tempfile.TemporaryDirectory() as folder:
-            bundle = written(case.scene, case.place, Path(folder) / "bundle", PUBLISHED[:count], quick)
+        with folder_or_temporary() as folder:
+            bundle = write_bundle(case.scene, case.place, folder / "bundle", PUBLISHED[:count], quick)
             for name in strategies:
                 found[name].append(nf.stream.simulate(bundle, link=link, strategy=name, gzip=gzip).total)
     return found
@@ -98,20 +95,15 @@ def print_times(cases: list[Case], link: nf.stream.Link, gzip: bool) -> None:
     """Print the times of all strategies at all places."""
     rows = []
     for case in cases:
-        start = time.perf_counter()
-        lines = lines_of(case, link, gzip)
-        took = time.perf_counter() - start
+        lines, took = timed(lines_of, case, link, gzip)
         for name, line in lines.items():
-            sent, ends = f"{line.received[-1, 1] / 1e6:.2f}", (line.picture, line.first_ring, line.total, line.grown)
-            rows.append([case.place.name, name, sent, *(f"{end:.2f}" for end in ends)])
-        rows[-1].append(f"{took:.2f}")
-    header = ["place", "strategy", "MB", "picture, s", "near geometry", "all", "grown", "real s of the four"]
+            ends = line.picture, line.first_ring, line.total, line.grown
+            rows.append([case.place.name, name, line.received[-1, 1] / 1e6, *ends, None])
+        rows[-1][-1] = took.wall
+    columns = ("MB", "picture, s", "near geometry", "all", "grown", "real s of the four")
+    header = ["place", "strategy", *(f"{name} {{:.2f}}" for name in columns)]
     packed = ", compressed" if gzip else ""
-    print(
-        table(
-            f"{MBPS:g} Mb/s, {link.rtt_ms:g} ms, loss {link.loss:g}{packed}", header, [[*row, ""][:8] for row in rows]
-        )
-    )
+    print(table(f"{MBPS:g} Mb/s, {link.rtt_ms:g} ms, loss {link.loss:g}{packed}", header, rows))
 
 
 def print_seen(cases: list[Case], lines: dict[str, plots.Lines], size: int, every: float) -> dict[str, plots.Lines]:
@@ -129,17 +121,15 @@ def print_seen(cases: list[Case], lines: dict[str, plots.Lines], size: int, ever
         }
         pictures = Pictures(parts, by_footprint=False)
         limit = nf.object_completion(pictures.truth(eye).objects, pictures.truth((x, y, z)).objects)
-        rows.append([case.place.name, "truth at the centre", *(f"{share:.3f}" for share in limit), "", "", ""])
+        rows.append([case.place.name, "truth at the centre", *limit, None, None, None])
         for name, line in own.items():
             seen = line.pictures
             # Since the first picture.
-            later = [
-                value for when, value in zip(seen["time"], seen["continuity"], strict=True) if when > line.picture + 0.1
-            ]
-            first = [f"{seen[kind][1]:.3f}" for kind in ("ovc", "ofc")]
-            last = [f"{seen[kind][-1]:.3f}" for kind in ("ovc", "ofc")]
-            rows.append([case.place.name, name, *first, *last, f"{min(later, default=math.nan):.5f}"])
-    header = ["place", "strategy", "first OVC", "OFC", "last OVC", "OFC", "least continuity after the picture"]
+            later = seen["continuity"][np.array(seen["time"]) > line.picture + 0.1]
+            shares = (seen[kind][place] for place in (1, -1) for kind in ("ovc", "ofc"))
+            rows.append([case.place.name, name, *shares, min(later, default=math.nan)])
+    header = "place | strategy | first OVC {:.3f} | OFC {:.3f} | last OVC {:.3f} | OFC {:.3f}"
+    header += " | least continuity after the picture {:.5f}"
     print(table("a user 1 m to the left of the centre", header, rows))
     return found
 
@@ -150,43 +140,38 @@ def print_comparison(cases: list[Case], link: nf.stream.Link, size: tuple[int, i
     for case in cases:
         parts = SceneParts.bake(case.scene, case.bundle, _comparison.camera_of(case.bundle.center, 0.0, size), 16)
         for kind, values in _comparison.quality(case.bundle, parts, link, size).items():
-            means = [
-                f"{mean:.3f} ± {spread:.3f}" for mean, spread in zip(values.mean(0), values.std(0, ddof=1), strict=True)
-            ]
+            means = zip(values.mean(0), values.std(0, ddof=1), strict=True)
             chi, p, pairs = _comparison.significance(values)
-            rows.append([case.place.name, kind.upper(), *means, f"{chi:.1f}", f"{p:.1e}"])
+            rows.append([case.place.name, kind.upper(), *means, chi, p])
             for pair in pairs:
                 sure = "yes" if pair.p < _comparison.ALPHA else "no"
-                tests.append(
-                    [case.place.name, kind.upper(), " – ".join(pair.names), f"{pair.z:.2f}", f"{pair.p:.5f}", sure]
-                )
-    print(table("means while loading, 20 users 2 m off", ["place", "", *STRATEGIES, "Friedman χ²(3)", "p"], rows))
-    print(table("Wilcoxon", ["place", "", "pair", "Z", "p", f"p < {_comparison.ALPHA:.5f}"], tests))
+                tests.append([case.place.name, kind.upper(), " – ".join(pair.names), pair.z, pair.p, sure])
+    means_of = (f"{name} {{:.3f}} ± {{:.3f}}" for name in STRATEGIES)
+    header = ["place", "", *means_of, "Friedman χ²(3) {:.1f}", "p {:.1e}"]
+    print(table("means while loading, 20 users 2 m off", header, rows))
+    print(table("Wilcoxon", f"place |  | pair | Z {{:.2f}} | p {{:.5f}} | p < {_comparison.ALPHA:.5f}", tests))
 
 
 def main() -> None:
-    """Print the tables and draw the plots."""
-    parse = argparse.ArgumentParser(description=__doc__)
-    parse.add_argument("--quick", action="store_true", help="smaller scenes and pictures")
-    parse.add_argument("--place", type=int, choices=range(4), help="one of the four places")
-    parse.add_argument("--part", choices=PARTS, help="one part of the tables")
-    parse.add_argument("--gzip", action="store_true", help="from a server that compresses, as nearfar's does")
-    parse.add_argument("--plots", type=Path, help="folder for plots")
-    arguments = parse.parse_args()
-    quick, plots_to, gzip = arguments.quick, arguments.plots, arguments.gzip
-    parts = PARTS if arguments.part is None else (arguments.part,)
-    print(machine())
+    options = start(
+        __doc__,
+        "--quick",
+        "--plots",
+        place={"type": int, "choices": range(4), "help": "one of the four places"},
+        part={"default": None, "choices": PARTS, "help": "one part of the tables"},
+        gzip=(bool, "from a server that compresses, as nearfar's does"),
+    )
+    quick, plots_to, gzip = options.quick, options.plots, options.gzip
+    parts = PARTS if options.part is None else (options.part,)
     link = nf.stream.Link(MBPS, rtt_ms=RTT)
-    if plots_to:
-        plots_to.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory() as folder:
-        cases = exported(quick, arguments.place, Path(folder))
+    with folder_or_temporary() as folder:
+        cases = export_places(quick, options.place, folder)
         lines = {case.place.name: lines_of(case, link, gzip) for case in cases}
         if "times" in parts:
             for other in (nf.stream.Link(MBPS), link, nf.stream.Link(MBPS, rtt_ms=RTT, loss=0.001)):
                 print_times(cases, other, gzip)
-            if arguments.place in (None, 2):
-                print_times([export(places(quick)[2], Path(folder) / "plain", quick, instanced=False)], link, gzip)
+            if options.place in (None, 2):
+                print_times([export(places(quick)[2], folder / "plain", quick, instanced=False)], link, gzip)
             if plots_to:
                 others = {case.place.name: by_radius(case, link, gzip, quick) for case in cases}
                 plots.times(plots_to / "strategies_times.png", lines, others)

@@ -1,10 +1,8 @@
-"""Surfaces split for the growth of a cylinder morph: triangles, and the greatest error as a share of the bound.
-
-python -m benchmarks.tessellate.growth
-"""
+"""Surfaces split for the growth of a cylinder morph: triangles, and the greatest error as a share of the bound."""
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -12,7 +10,8 @@ import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.timing import best, machine, table
+from benchmarks.harness.report import start, table
+from benchmarks.harness.timing import best
 from benchmarks.tessellate.tessellate import PIXEL, VIEW, plane
 
 NEAR, REACH, TOLERANCE = 0.7, 1.0, 4.0
@@ -40,7 +39,7 @@ def surfaces() -> dict[str, trimesh.Trimesh]:
     return {"ground, 200 m wide": plane(100.0), **walls, "roof 4 to 12 m above the eye": roof}
 
 
-def worst(triangles: Array, stages: tuple[float, float, float]) -> float:
+def greatest_error(triangles: Array, stages: tuple[float, float, float]) -> float:
     """Greatest error in pixels at ten points of each triangle, for 40 users and stages, most of them at the borders."""
     least, greatest, weakest = stages
     random = np.random.default_rng(1)
@@ -63,31 +62,27 @@ def worst(triangles: Array, stages: tuple[float, float, float]) -> float:
     return error / PIXEL
 
 
-def rows_of(stages: tuple[float, float, float]) -> list[list[str]]:
+def rows_of(stages: tuple[float, float, float]) -> list[list[object]]:
     least, greatest, weakest = stages
-    rows = []
+    rows: list[list[object]] = []
     for name, mesh in surfaces().items():
         settings: dict[str, Any] = {"center": CENTER, "r1": NEAR * greatest, "r2": greatest, "user_region": REACH}
         settings |= {"kind": "cylinder", "radius": least, "strength": weakest}
-
-        def job(mesh: trimesh.Trimesh = mesh, settings: dict[str, Any] = settings) -> trimesh.Trimesh:
-            return nf.tessellate(mesh, **settings, tolerance_px=TOLERANCE, camera=VIEW)
-
+        job = partial(nf.tessellate, mesh, **settings, tolerance_px=TOLERANCE, camera=VIEW)
         triangles = np.asarray(job().triangles)
         if weakest < 1.0:
             rho = np.hypot(*np.moveaxis((triangles - CENTER)[..., [0, 2]], -1, 0))
             bound = triangles[(rho > EXEMPT).all(axis=1)]
         else:
             bound = triangles
-        error = worst(bound, stages)
-        seconds = best(job, repeat=1).wall
-        rows.append([name, f"{len(triangles):,}", f"{error:.2f}", f"{error / TOLERANCE:.2f}", f"{seconds:.2f}"])
+        error = greatest_error(bound, stages)
+        rows.append([name, len(triangles), error, error / TOLERANCE, best(job, repeat=1).wall])
     return rows
 
 
 def main() -> None:
-    print(machine())
-    header = ["surface", "triangles", "greatest error, px", "of the bound", "s"]
+    start(__doc__)
+    header = "surface | triangles {:,} | greatest error, px {:.2f} | of the bound {:.2f} | s {:.2f}"
     for name, stages in STAGES.items():
         title = f"Two triangles split for R of {name}, users within {REACH:g} m, to {TOLERANCE:g} px"
         print(table(title, header, rows_of(stages)))

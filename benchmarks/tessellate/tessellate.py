@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import argparse
-import time
 from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
@@ -14,8 +12,9 @@ import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.timing import best, machine, table
-from nearfar._base import data
+from benchmarks.harness import scenes
+from benchmarks.harness.report import start, subplots, table
+from benchmarks.harness.timing import best, timed
 
 R1, R2, REACH = 30.0, 50.0, 5.0
 VIEW = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90, 16 / 9), size=(1920, 1080))
@@ -69,8 +68,9 @@ def by_length() -> str:
         triangles = grid(length)
         error = misses(triangles, center, eyes)
         error = error[error > 0]
-        rows.append([f"{length:g}", f"{len(triangles):,}", f"{error.max():.2f}", f"{np.percentile(error, 95):.2f}"])
-    header = ["leg, m", "triangles of 120 m × 120 m", "greatest error, px", "95th percentile of those that bend"]
+        rows.append([length, len(triangles), error.max(), np.percentile(error, 95)])
+    header = "leg, m {:g} | triangles of 120 m × 120 m {:,} | greatest error, px {:.2f}"
+    header += " | 95th percentile of those that bend {:.2f}"
     return table("Vertex morph of ground without tessellation, users within 5 m", header, rows)
 
 
@@ -79,15 +79,14 @@ def plane(extent: float) -> trimesh.Trimesh:
     return trimesh.Trimesh(corners, [[0, 1, 2], [0, 2, 3]], process=False)
 
 
-def scenes(quick: bool) -> Iterator[tuple[str, nf.Scene, Array]]:
+def surfaces(quick: bool) -> Iterator[tuple[str, nf.Scene, Array]]:
     """Yield two triangles, procedural streets, and Tokyo if its data exist."""
     yield "two triangles of ground, 8 km wide", nf.Scene.from_trimesh(plane(4000.0)), np.array([0.3, 1.7, 0.2])
     city = nf.datasets.city(blocks=4 if quick else 12, seed=0, detail=2)
     low, high = city.bounds
     yield "procedural city", city, np.array([(low[0] + high[0]) / 2, 1.7, (low[2] + high[2]) / 2])
-    path = data.find("city/tokyo23/tokyo_core_lod1.glb")
-    if path is not None and not quick:
-        yield "tokyo_core_lod1", nf.Scene.load(path), np.array([275.0, 1.7, -60.7])
+    for name, scene in scenes.present(*([] if quick else ["Tokyo core"])):
+        yield name, scene, np.array([275.0, 1.7, -60.7])
 
 
 def touching(scene: nf.Scene, center: Array) -> Array:
@@ -99,36 +98,20 @@ def touching(scene: nf.Scene, center: Array) -> Array:
 
 def scenes_by_tolerance(quick: bool) -> str:
     """Table of triangles, time and measured error of each scene by tolerance."""
-    rows = []
-    for name, scene, center in scenes(quick):
+    rows: list[list[object]] = []
+    for name, scene, center in surfaces(quick):
         eyes = users(center, 4 if quick else 12)
         before = misses(touching(scene, center), center, eyes).max()
-        rows.append([name, "none", f"{scene.triangle_count:,}", "", "", f"{before:.1f}", ""])
+        rows.append([name, "none", scene.triangle_count, None, None, f"{before:.1f}", None])
+        settings: dict[str, Any] = {"center": tuple(center), "radii": (R1, R2), "stages": None, "reach": REACH}
         for pixels in TOLERANCES:
-            job = partial(
-                nf._core.tessellate_scene,
-                scene._core,
-                center=tuple(center),
-                radii=(R1, R2),
-                stages=None,
-                reach=REACH,
-                tolerance=pixels * PIXEL,
-            )
+            job = partial(nf._core.tessellate_scene, scene._core, **settings, tolerance=pixels * PIXEL)
             split, counts = job()
-            timing = best(job, repeat=3)
             error = misses(touching(scene._derived(split, scene._rest), center), center, eyes).max()
-            rows.append(
-                [
-                    name,
-                    f"{pixels:g}",
-                    f"{counts['after']:,}",
-                    f"{counts['split']:,} of {counts['examined']:,}",
-                    f"{timing.wall * 1e3:.0f}",
-                    f"{error:.3f}",
-                    f"{error / pixels:.2f}",
-                ]
-            )
-    header = ["scene", "tolerance, px", "triangles", "split of examined", "ms", "greatest error, px", "of the bound"]
+            numbers = counts["after"], (counts["split"], counts["examined"]), best(job, repeat=3).ms
+            rows.append([name, pixels, *numbers, error, error / pixels])
+    header = "scene | tolerance, px {:g} | triangles {:,} | split of examined {:,} of {:,} | ms {:.0f}"
+    header += " | greatest error, px {:.3f} | of the bound {:.2f}"
     return table(f"Tessellation, users within {REACH:g} m, r₁ = {R1:g}, r₂ = {R2:g} m", header, rows)
 
 
@@ -137,37 +120,27 @@ def against_peer(quick: bool) -> tuple[str, dict[str, list[tuple[int, float]]]]:
     center = np.array([0.3, 1.7, 0.2])
     eyes = users(center, 6)
     mesh = plane(60.0)
-    rows: list[list[str]] = []
+    rows: list[list[object]] = []
     curves: dict[str, list[tuple[int, float]]] = {"nearfar": [], "subdivide_to_size": []}
     for pixels in (1.0, 4.0) if quick else (0.5, 1.0, 2.0, 4.0):
         settings: dict[str, Any] = {"center": center, "r1": R1, "r2": R2, "user_region": REACH, "camera": VIEW}
-        started = time.perf_counter()
-        ours = nf.tessellate(mesh, tolerance_px=pixels, **settings)
-        wall = time.perf_counter() - started
+        ours, spent = timed(nf.tessellate, mesh, tolerance_px=pixels, **settings)
         error = float(misses(np.asarray(ours.triangles), center, eyes).max())
         curves["nearfar"].append((len(ours.faces), error))
-        rows.append([f"nearfar, {pixels:g} px", f"{len(ours.faces):,}", f"{wall * 1e3:.0f}", f"{error:.3f}"])
+        rows.append([f"nearfar, {pixels:g} px", len(ours.faces), spent.ms, error])
     for longest in (8.0, 4.0, 2.0) if quick else (8.0, 4.0, 2.0, 1.0, 0.5, 0.25):
-        started = time.perf_counter()
-        vertices, faces = trimesh.remesh.subdivide_to_size(mesh.vertices, mesh.faces, max_edge=longest, max_iter=30)
-        wall = time.perf_counter() - started
+        peer: dict[str, Any] = {"max_edge": longest, "max_iter": 30}
+        (vertices, faces), spent = timed(trimesh.remesh.subdivide_to_size, mesh.vertices, mesh.faces, **peer)
         error = float(misses(np.asarray(vertices[faces]), center, eyes).max())
         curves["subdivide_to_size"].append((len(faces), error))
-        rows.append(
-            [f"trimesh subdivide_to_size, {longest:g} m", f"{len(faces):,}", f"{wall * 1e3:.0f}", f"{error:.3f}"]
-        )
-    header = ["method", "triangles", "ms", "greatest error, px"]
+        rows.append([f"trimesh subdivide_to_size, {longest:g} m", len(faces), spent.ms, error])
+    header = "method | triangles {:,} | ms {:.0f} | greatest error, px {:.3f}"
     return table("Ground of 120 m × 120 m, two triangles, users within 5 m", header, rows), curves
 
 
 def draw(curves: dict[str, list[tuple[int, float]]], path: Path) -> None:
     """Plot the error by the number of triangles."""
-    import matplotlib as mpl
-
-    mpl.use("agg")
-    from matplotlib import pyplot as plt
-
-    figure, axes = plt.subplots(figsize=(6, 4))
+    figure, axes = subplots(figsize=(6, 4))
     for name, points in curves.items():
         axes.loglog(*zip(*points, strict=True), marker="o", label=name)
     axes.set(xlabel="triangles", ylabel="greatest error, px", title="Ground of two triangles, users within 5 m")
@@ -178,11 +151,7 @@ def draw(curves: dict[str, list[tuple[int, float]]], path: Path) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="small sizes")
-    parser.add_argument("--plot", type=Path, help="where to draw the error by the number of triangles")
-    arguments = parser.parse_args()
-    print(machine(), end="\n\n")
+    arguments = start(__doc__, "--quick", plot=(Path, "where to draw the error by the number of triangles"))
     print(by_length())
     print(scenes_by_tolerance(arguments.quick))
     text, curves = against_peer(arguments.quick)

@@ -1,7 +1,5 @@
 """Milliseconds per frame of the page's main thread for decoding and uploads while a bundle loads.
 
-python -m benchmarks.view.frames [--quick] [--scene FILE] [--repeat N]
-
 Chromium's trace gives wall and CPU time of the main thread between marks around the uploads of each frame and around
 the responses of workers since the previous frame. Drawing is not included. If other programs run, or if the GPU is a
 process on the same cores, wall time includes their share.
@@ -9,9 +7,6 @@ process on the same cores, wall time includes their share.
 
 from __future__ import annotations
 
-import argparse
-import json
-import tempfile
 from pathlib import Path
 from typing import Any
 
@@ -20,7 +15,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.harness.loads import network
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import folder_or_temporary, start, table
 from tests.support.browser import open_page, started, wait_for_ring, wait_until
 
 LINK = nf.stream.Link(50, rtt_ms=20)
@@ -92,35 +87,29 @@ def frames(marks: list[dict[str, Any]]) -> NDArray[np.float64]:
     return np.asarray(rows[rows[:, 0] > 0.1])
 
 
-def row(name: str, values: NDArray[np.float64]) -> list[str]:
+def row(name: str, values: NDArray[np.float64]) -> list[object]:
     """Count, median, 99th percentile, maximum, and number above `MAX`."""
-    over = int((values > MAX).sum())
-    return [name, f"{len(values)}", *(f"{np.percentile(values, p):.2f}" for p in (50, 99, 100)), f"{over}"]
+    return [name, len(values), *np.percentile(values, (50, 99, 100)), int((values > MAX).sum())]
 
 
 def main() -> None:
-    """Print the table."""
-    parse = argparse.ArgumentParser(description=__doc__)
-    parse.add_argument("--quick", action="store_true", help="a smaller city")
-    parse.add_argument("--scene", type=Path, help="another scene, seen from 1 m beside its middle")
-    parse.add_argument("--repeat", type=int, default=3, help="loads")
-    arguments = parse.parse_args()
-    print(machine(), flush=True)
-    scene, center = nf.datasets.city(blocks=2 if arguments.quick else 3, detail=0 if arguments.quick else 2), CENTER
-    if arguments.scene:
-        scene = nf.Scene.load(arguments.scene)
+    scene_of = (Path, "another scene, seen from 1 m beside its middle")
+    options = start(__doc__, "--quick", scene=scene_of, repeat=(3, "loads"))
+    if options.scene:
+        scene = nf.Scene.load(options.scene)
         x, y, z = scene.bounds.mean(axis=0)
         center = (x + 1.0, y, z)
-    with tempfile.TemporaryDirectory() as folder, network(LINK, real=False) as way:
-        nf.stream.export(scene, Path(folder) / "bundle", center=center)
-        nf.view.write_page(Path(folder) / "bundle")
-        last = len(json.loads((Path(folder) / "bundle" / "manifest.json").read_text())["regions"][0]["rings"]) - 1
-        with way.served(Path(folder)) as url:
-            loads = [frames(trace(f"{url}bundle/", last)) for _ in range(arguments.repeat)]
-    header = ["", "frames", "median", "99 %", "most", f"above {MAX:g} ms"]
-    all_ = np.concatenate(loads)
-    rows = [row("wall", all_[:, 0]), row("CPU of the main thread", all_[:, 1])]
-    print(table(f"ms a frame for decoding and uploads, {arguments.repeat} loads", header, rows))
+    else:
+        scene, center = nf.datasets.city(blocks=2 if options.quick else 3, detail=0 if options.quick else 2), CENTER
+    with folder_or_temporary() as folder, network(LINK, real=False) as way:
+        bundle = nf.stream.export(scene, folder / "bundle", center=center)
+        nf.view.write_page(folder / "bundle")
+        with way.served(folder) as url:
+            loads = [frames(trace(f"{url}bundle/", bundle.count)) for _ in range(options.repeat)]
+    wall, cpu = np.concatenate(loads).T
+    header = f" | frames | median {{:.2f}} | 99 % {{:.2f}} | most {{:.2f}} | above {MAX:g} ms"
+    title = f"ms a frame for decoding and uploads, {options.repeat} loads"
+    print(table(title, header, [row("wall", wall), row("CPU of the main thread", cpu)]))
 
 
 if __name__ == "__main__":

@@ -1,7 +1,5 @@
 """Seconds until a scene is on the screen over a link of 50 Mbit/s and 20 ms: the page, one GLB, and 3D Tiles.
 
-python -m benchmarks.view.load [--quick] [--repeat N] [--throttle]
-
 All three run in the same headless Chromium, over a shaped link between two network namespaces if possible, else with
 Chromium's own throttle. Files come from Python's own server without compression. The page shows the whole scene; one
 GLB contains all of it, with a node for each copy; the tileset contains the near part only.
@@ -9,12 +7,11 @@ GLB contains all of it, with a node for each copy; the tileset contains the near
 
 from __future__ import annotations
 
-import argparse
 import json
 import os
 import shutil
 import subprocess
-import tempfile
+import sys
 import time
 from functools import partial
 from pathlib import Path
@@ -24,8 +21,8 @@ import numpy as np
 
 import nearfar as nf
 from benchmarks.harness.loads import Network, network
-from benchmarks.harness.timing import machine, table
-from nearfar import _core
+from benchmarks.harness.report import folder_or_temporary, start, table
+from benchmarks.stream._near import exporter
 from tests.support.reader_cases import SECONDS
 
 CHECKOUT = Path(__file__).resolve().parents[2]
@@ -53,18 +50,8 @@ SCRIPT = """() => performance.getEntriesByType('resource').find((entry) => /page
 def one_glb(scene: nf.Scene) -> bytes:
     """Encode the whole scene as a plain GLB with a node for each copy."""
     groups = np.ones(len(scene.object_names) + 1, np.uint16)
-    export = _core.Export(
-        scene._core,
-        groups,
-        3,
-        names=list(scene.object_names),
-        images=[None] * scene._core.texture_count,
-        step=2.0**-10,
-        compressed=False,
-        report=lambda *_: None,
-    )
-    data, _ = export.glb(1, uris=[None] * len(export.shared()), report=lambda *_: None)
-    return bytes(data)
+    export = exporter(scene, groups, 3, named=True, images=False, compressed=False)
+    return bytes(export.glb(1, uris=[None] * len(export.shared()))[0])
 
 
 def write_script(name: str, path: Path) -> None:
@@ -120,17 +107,16 @@ def peer_times(way: Network, chromium: Any, url: str) -> dict[str, float]:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="a small city")
-    parser.add_argument("--repeat", type=int, default=3, help="loads of each; the medians are printed")
-    parser.add_argument("--throttle", action="store_true", help="Chromium's own throttle instead of a shaped link")
-    given = parser.parse_args()
+    given = start(
+        __doc__,
+        "--quick",
+        repeat=(3, "loads of each; the medians are printed"),
+        throttle=(bool, "Chromium's own throttle instead of a shaped link"),
+    )
     if not (READERS.is_dir() and shutil.which("node")):
-        parser.error("`npm ci --prefix tests/readers` has not run")
-    scene = nf.datasets.city(blocks=3, detail=1 if given.quick else 2)
-    print(machine())
-    with tempfile.TemporaryDirectory() as name, network(LINK, real=False if given.throttle else None) as way:
-        folder = Path(name)
+        sys.exit("`npm ci --prefix tests/readers` has not run")
+    scene, rows = nf.datasets.city(blocks=3, detail=1 if given.quick else 2), []
+    with folder_or_temporary() as folder, network(LINK, real=False if given.throttle else None) as way:
         sizes = prepare(scene, folder)
         print(way.name)
         with way.served(folder) as url, way.browser(url) as chromium:
@@ -141,13 +127,13 @@ def main() -> None:
                 "one GLB in three.js": ("glb", partial(peer, url + "?glb")),
                 "3d-tiles-renderer, near part": ("tiles", partial(peer, url + "?tiles")),
             }
-            rows = []
             for label, (kind, job) in jobs.items():
                 runs = [job() for _ in range(given.repeat)]
-                times = [float(np.median([run[part] for run in runs])) for part in ("script", "first", "last")]
-                rows.append([label, f"{sizes[kind] / 1e6:.2f}", *(f"{seconds:.2f}" for seconds in times)])
+                times = (np.median([run[part] for run in runs]) for part in ("script", "first", "last"))
+                rows.append([label, sizes[kind] / 1e6, *times])
     title = f"{scene.triangle_count:,} triangles, seconds from navigation; ring 0 has {sizes['ring 0'] / 1e6:.2f} MB"
-    print(table(title, ["", "MB", "script there", "first complete picture", "all"], rows))
+    header = " | MB {:.2f} | script there {:.2f} | first complete picture {:.2f} | all {:.2f}"
+    print(table(title, header, rows))
 
 
 if __name__ == "__main__":

@@ -1,7 +1,5 @@
 """Bytes that a server sends to pages of one room, with and without exchange of files between pages.
 
-python -m benchmarks.view.peers [--quick] [--bundle FOLDER] [--pages N …]
-
 Pages of one headless Chromium on this machine, each with a separate cache, load all files of a bundle: that of the
 procedural city, or one in a folder. They start together, or each after the previous one has finished. Bytes of files
 are those of the requests. All bytes are counted by the server as it sends them, with scripts, styles and manifests;
@@ -10,9 +8,8 @@ some are compressed. Seconds are since navigation; all pages share the cores of 
 
 from __future__ import annotations
 
-import argparse
+import itertools
 import re
-import tempfile
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
@@ -22,7 +19,7 @@ from urllib.request import urlopen
 import numpy as np
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.view.load import CENTER, WATCH
 from nearfar.serve._rooms import Rooms
 from nearfar.serve._server import Server
@@ -77,32 +74,31 @@ def loads(chromium: Any, folder: Path, count: int, way: str) -> Loads:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="a small city")
-    parser.add_argument("--bundle", type=Path, help="the folder of a bundle, instead of the city")
-    parser.add_argument("--pages", type=int, nargs="+", default=[1, 2, 4, 8], help="numbers of pages")
-    given = parser.parse_args()
-    print(machine())
-    with tempfile.TemporaryDirectory() as name:
+    given = start(
+        __doc__,
+        "--quick",
+        bundle=(Path, "the folder of a bundle, instead of the city"),
+        pages=([1, 2, 4, 8], "numbers of pages"),
+    )
+    with folder_or_temporary() as temporary:
         folder = given.bundle
         if folder is None:
-            folder = Path(name) / "bundle"
+            folder = temporary / "bundle"
             nf.stream.export(nf.datasets.city(blocks=3, detail=1 if given.quick else 2), folder, center=CENTER)
         size = nf.stream.open(folder).nbytes
         rows = []
-        for count in given.pages:
-            for way in WAYS:
-                if way == "in turns" and count == 1:
-                    continue
-                # A browser becomes slower after drawing for long.
-                with started() as chromium:
-                    found = loads(chromium, folder, count, way)
-                numbers = [f"{value / 1e6:.2f}" for value in (found.files, found.all, found.exchanged)]
-                rows.append([str(count), way, numbers[0], f"{found.files / size:.2f}", *numbers[1:]])
-                rows[-1] += [f"{found.first:.1f}", f"{found.slowest:.1f}"]
-                print(rows[-1], flush=True)
-    header = ["pages", "files from", "MB of files", "of one page's", "all MB", "MB among pages", "first picture, s"]
-    print(table(f"a bundle of {size / 1e6:.2f} MB", [*header, "the slowest, s"], rows))
+        for count, way in itertools.product(given.pages, WAYS):
+            if way == "in turns" and count == 1:
+                continue
+            # A browser becomes slower after drawing for long.
+            with started() as chromium:
+                found = loads(chromium, folder, count, way)
+            sent = found.files / 1e6, found.files / size, found.all / 1e6, found.exchanged / 1e6
+            rows.append([count, way, *sent, found.first, found.slowest])
+            print(rows[-1], flush=True)
+    header = "pages | files from | MB of files {:.2f} | of one page's {:.2f} | all MB {:.2f} | MB among pages {:.2f}"
+    header += " | first picture, s {:.1f} | the slowest, s {:.1f}"
+    print(table(f"a bundle of {size / 1e6:.2f} MB", header, rows))
 
 
 if __name__ == "__main__":

@@ -1,8 +1,5 @@
 """Frames per second of the page and of whole scenes in plain three.js, after loading and while a bundle loads.
 
-python -m benchmarks.view.rates [--quick] [--place WORD] [--parts PART …] [--seconds S] [--json FILE] [--pictures DIR]
-    [--folder DIR]
-
 The city and the factory at two centres each. After loading, a head turns once, level, a metre beside the centre (the
 city) or half a metre (the factory): frames as displayed by the browser, at most 60 per second, and frames that are
 drawn, waited for and not displayed. Whole scenes are one GLB without textures, from the user's place at the first
@@ -14,11 +11,8 @@ names the renderer. Each turn has a separate browser, and pictures are taken aft
 
 from __future__ import annotations
 
-import argparse
 import json
-import tempfile
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from functools import partial
 from pathlib import Path
@@ -28,7 +22,7 @@ import numpy as np
 
 import nearfar as nf
 from benchmarks.harness.loads import Network, network
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import folder_or_temporary, make_folder, start, table
 from benchmarks.stream._near import Place
 from benchmarks.stream.real import LINK, STRATEGIES, all_places
 from benchmarks.view._loading import Loading, loading
@@ -164,87 +158,60 @@ def rate(values: Sequence[float]) -> str:
     return f"{np.mean(values):.1f} ± {np.std(values):.1f}"
 
 
-def of_turns(seen: list[Seen]) -> str:
+def turns_table(seen: list[Seen]) -> str:
     """Table of turns."""
-    rows = [
-        [
-            one.place,
-            one.drawn,
-            one.size,
-            rate(one.turn.shown),
-            rate(one.turn.waited),
-            f"{one.turn.script:.2f}",
-            f"{one.turn.triangles / 1e6:.2f}",
-        ]
-        for one in seen
-    ]
-    header = ["", "", "pixels", "shown", "drawn and waited for", "ms of script", "M triangles drawn"]
+    rows = []
+    for one in seen:
+        turn = one.turn
+        numbers = rate(turn.shown), rate(turn.waited), turn.script, turn.triangles / 1e6
+        rows.append([one.place, one.drawn, one.size, *numbers])
+    header = " |  | pixels | shown | drawn and waited for | ms of script {:.2f} | M triangles drawn {:.2f}"
     return table("Frames a second after loading, mean ± sd of a turn's sectors", header, rows)
 
 
-def of_loads(loads: list[Load]) -> str:
+def loads_table(loads: list[Load]) -> str:
     """Table of loads."""
-    rows = [
-        [
-            one.place,
-            one.strategy,
-            f"{one.load.picture:.2f}",
-            f"{one.load.seconds:.2f}",
-            rate(one.load.rates),
-            f"{min(one.load.rates):.0f}",
-            f"{one.load.longest:.0f}",
-        ]
-        for one in loads
-    ]
-    header = ["", "", "first picture, s", "all, s", "frames a second", "least in half a second", "longest frame, ms"]
-    return table("Frames while loading", header, rows)
-
-
-@contextmanager
-def folder_of(given: Path | None) -> Iterator[Path]:
-    """Yield the folder that was named, or a temporary one."""
-    if given is None:
-        with tempfile.TemporaryDirectory() as name:
-            yield Path(name)
-    else:
-        given.mkdir(parents=True, exist_ok=True)
-        yield given
+    rows = []
+    for one in loads:
+        load = one.load
+        numbers = load.picture, load.seconds, rate(load.rates), min(load.rates), load.longest
+        rows.append([one.place, one.strategy, *numbers])
+    header = " |  | first picture, s {:.2f} | all, s {:.2f} | frames a second | least in half a second {:.0f}"
+    return table("Frames while loading", header + " | longest frame, ms {:.0f}", rows)
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="small scenes and pictures")
-    parser.add_argument("--place", default="", help="places whose names have this in them, such as factory")
-    parser.add_argument("--parts", nargs="+", choices=("reduced", "whole", "loading"), help="by default all of them")
-    parser.add_argument("--seconds", type=float, default=6.0, help="of a turn; half of it where frames are waited for")
-    parser.add_argument("--folder", type=Path, help="folder that keeps bundles and scenes for the next run")
-    parser.add_argument("--pictures", type=Path, help="folder for pictures of each page")
-    parser.add_argument("--json", type=Path, help="file for all figures")
-    given = parser.parse_args()
-    parts = given.parts or ("reduced", "whole", "loading")
-    print(machine(), flush=True)
-    if given.pictures:
-        given.pictures.mkdir(parents=True, exist_ok=True)
-    with folder_of(given.folder) as folder:
+    given = start(
+        __doc__,
+        "--quick",
+        place=("", "places whose names have this in them, such as factory"),
+        parts={"default": ["reduced", "whole", "loading"], "nargs": "+", "choices": ("reduced", "whole", "loading")},
+        seconds=(6.0, "of a turn; half of it where frames are waited for"),
+        folder=(Path, "folder that keeps bundles and scenes for the next run"),
+        pictures=(make_folder, "folder for pictures of each page"),
+        json=(Path, "file for all figures"),
+    )
+    with folder_or_temporary(given.folder) as folder:
         run = Run(Files(folder), given.pictures, given.seconds, quick=given.quick)
         firsts = set[object]()
         for place in all_places(given.quick):
-            is_first = place.make not in firsts
-            firsts.add(place.make)
+            kind = place.name.partition(",")[0]
+            is_first = kind not in firsts
+            firsts.add(kind)
             if given.place not in place.name:
                 continue
-            if "reduced" in parts:
+            if "reduced" in given.parts:
                 run.reduced(place)
-            if "whole" in parts and is_first:
+            if "whole" in given.parts and is_first:
                 run.whole(place)
-            if "loading" in parts:
+            if "loading" in given.parts:
                 run.loading(place)
             if given.json:
                 given.json.write_text(json.dumps(run.figures(), indent=1) + "\n")
     if run.seen:
-        print(of_turns(run.seen))
+        print(turns_table(run.seen))
     if run.loads:
-        print(of_loads(run.loads))
+        print(loads_table(run.loads))
 
 
 if __name__ == "__main__":

@@ -1,19 +1,16 @@
 """Memory and resources held by the page during an hour in a room, on a simulated clock.
 
-python -m benchmarks.view.rooms [--quick]
-
 Eight others send poses at 72 Hz; users join, leave and speak, pointers are switched on and off, users are muted, and
 the connection is lost once a minute. One frame of 36 is drawn. Bytes are the page's own objects after a collection.
 """
 
 from __future__ import annotations
 
-import argparse
 import tempfile
 from pathlib import Path
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import start, table
 from nearfar.serve._rooms import Rooms
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
@@ -25,11 +22,8 @@ COUNTED = ("geometries", "textures", "programs", "Buffer", "Texture")
 
 
 def main() -> None:
-    """Print the table."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--quick", action="store_true", help="two minutes instead of an hour")
-    seconds = QUICK if parser.parse_args().quick else HOUR
-    rows: list[list[str]] = []
+    seconds = QUICK if start(__doc__, "--quick").quick else HOUR
+    rows: list[list[object]] = []
     with tempfile.TemporaryDirectory() as folder, started() as program:
         bundle = Path(folder) / "bundle"
         scene = nf.datasets.city(blocks=2, detail=1)
@@ -38,11 +32,9 @@ def main() -> None:
             url = f"{server.url}?aa=0&strategy=clovrd&room=hour&datagrams=off"
             with used(program, url, 1) as page:
                 for part, held in enumerate(use(page, seconds), 1):
-                    counts = [str(held.objects[name]) for name in COUNTED]
-                    minutes = f"{part * seconds / 600:.1f}"
-                    rows.append([minutes, f"{held.poses:,}", f"{held.heap / 1e6:.2f}", *counts])
-    print(machine())
-    print(table("A page in a room", ["minutes", "poses of others", "heap, MB", *COUNTED], rows))
+                    counts = (held.objects[name] for name in COUNTED)
+                    rows.append([part * seconds / 600, held.poses, held.heap / 1e6, *counts])
+    print(table("A page in a room", ["minutes {:.1f}", "poses of others {:,}", "heap, MB {:.2f}", *COUNTED], rows))
 
 
 if __name__ == "__main__":

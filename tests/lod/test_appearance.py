@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 import nearfar as nf
-from benchmarks.harness import compare
+from benchmarks.harness.report import FOLDER
 from benchmarks.lod import _appearance, _correction, _material, appearance
 from benchmarks.lod._appearance import QUICK
 from benchmarks.lod._material import AMBIENT, BASE, FINER, LIGHTS, NEUTRAL, Material, Shape
@@ -259,7 +259,7 @@ def test_everything_is_printed_and_drawn(
 ) -> None:
     need("matplotlib")
     monkeypatch.setattr("sys.argv", ["lod_appearance.py", "--quick"])
-    monkeypatch.setenv(compare.FOLDER, str(tmp_path))
+    monkeypatch.setenv(FOLDER, str(tmp_path))
 
     def fail_after_quick(plan: object, shapes: Any) -> dict[str, Array]:
         assert plan is QUICK

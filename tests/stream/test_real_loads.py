@@ -9,8 +9,7 @@ import pytest
 
 import nearfar as nf
 from benchmarks.harness.loads import Network, network
-from benchmarks.stream._loaded import files_until, load, plan, stages
-from benchmarks.stream._requests import requests, simulated_requests
+from benchmarks.stream._loaded import files_until, load, plan, requests, simulated_requests, stages
 from nearfar.stream._simulate import transfer_size
 from nearfar.stream._strategies import Strategy
 from tests.support import need

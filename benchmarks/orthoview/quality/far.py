@@ -1,24 +1,22 @@
 """A far forest, whose trees cover a few pixels each: geometry with many samples against orthoviews with one.
 
-    python -m benchmarks.orthoview.quality.far --out FOLDER --trees FOLDER
-
 The truth has 16 × 16 samples a pixel. The tree is built once, in some minutes, and stored in --trees.
 """
 
 from __future__ import annotations
 
-import argparse
-import tempfile
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
 import nearfar as nf
-from benchmarks.harness.timing import best, machine, table
+from benchmarks.harness.report import folder_or_temporary, start, table
+from benchmarks.harness.timing import best
 from benchmarks.orthoview import _sheets
 from benchmarks.orthoview._worlds import FOV, PICTURE, World
 
@@ -36,32 +34,25 @@ Picture = NDArray[np.uint8]
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--trees", type=Path, help="folder for the tree; by default one that is removed")
-    parser.add_argument("--out", type=Path, help="folder for the picture")
-    parser.add_argument("--repeat", type=int, default=2)
-    given = parser.parse_args()
-    print(machine(), "\n")
+    given = start(__doc__, "--trees", "--out", repeat=2)
     whole = nf.datasets.forest(trees=TREES)
     half = SIDE / 2
     world = World("far forest", whole.query, (-half, -40.0, -half), SIDE, 120.0, CELL)
-    with tempfile.TemporaryDirectory() as folder:
-        tree = built(world, given.trees or Path(folder))
+    with folder_or_temporary(given.trees) as folder:
+        tree = build(world, folder)
         camera = nf.Camera.look_at(EYE, TARGET, fov=FOV, size=PICTURE)
         clip = nf.Clip(box=tree.bounds)
         print(f"{world.scene.triangle_count:,} triangles; {tree.held['bytes'] / 1e6:.0f} MB of views\n")
         truth = nf.render(world.scene, camera, clip=clip, samples=TRUTH, channels=("color",)).to_image()
-        ways = methods(world, tree, camera, clip)
         rows, panels = [], [("truth, 16 × 16 samples", truth)]
-        for name, draw in ways.items():
+        for name, draw in methods(world, tree, camera, clip).items():
             picture = draw()
-            found = quality(truth, picture)
+            psnr, ssim = (float(measure(truth, picture, data_range=255)) for measure in (nf.psnr, nf.ssim))
             timing = best(draw, repeat=given.repeat)
-            seconds = [f"{timing.wall:.2f}", f"{timing.cpu:.2f}"]
-            rows.append([name, *seconds, f"{found[0]:.1f}", f"{found[1]:.3f}"])
+            rows.append([name, timing.wall, timing.cpu, psnr, ssim])
             if name in SHOWN:
-                panels.append((f"{name}\n{timing.cpu:.2f} CPU s, {found[0]:.1f} dB, SSIM {found[1]:.3f}", picture))
-        print(table("A far forest", ["way", "s", "CPU s", "PSNR, dB", "SSIM"], rows))
+                panels.append((f"{name}\n{timing.cpu:.2f} CPU s, {psnr:.1f} dB, SSIM {ssim:.3f}", picture))
+        print(table("A far forest", "way | s {:.2f} | CPU s {:.2f} | PSNR, dB {:.1f} | SSIM {:.3f}", rows))
         print(dict(tree.render(camera, channels=("color",)).stats))
     if given.out is not None:
         save(panels, given.out / "orthoview_far.jpg")
@@ -70,7 +61,7 @@ def main() -> None:
 SHOWN = ("geometry, 4 × 4 samples", f"geometry, {LARGE[0]} × {LARGE[1]} reduced", "orthoviews, one sample")
 
 
-def built(world: World, folder: Path) -> nf.orthoview.OrthoTree:
+def build(world: World, folder: Path) -> nf.orthoview.OrthoTree:
     """Build the tree, unless the folder contains it, without geometry, since nothing is near."""
     path = folder / "far-forest.zarr"
     return nf.orthoview.build(world.scene, path, cell=CELL, aabb=world.box, size=256, directions=9, geometry=False)
@@ -81,39 +72,29 @@ def methods(
 ) -> dict[str, Callable[[], Picture]]:
     """Methods of drawing the picture, by name."""
 
-    def geometry(samples: int) -> Callable[[], Picture]:
-        return lambda: nf.render(
-            world.scene, camera, clip=clip, samples=samples, channels=("color",), backend="cpu"
-        ).to_image()
-
-    def large() -> Picture:
-        frame = nf.render(world.scene, replace(camera, size=LARGE), clip=clip, channels=("color",), backend="cpu")
-        return reduced(frame)
+    def geometry(samples: int, size: tuple[int, int] = PICTURE) -> nf.Frame:
+        how: dict[str, Any] = {"clip": clip, "samples": samples, "channels": ("color",), "backend": "cpu"}
+        return nf.render(world.scene, replace(camera, size=size), **how)
 
     def orthoviews(samples: int, error: float = 1.0) -> Callable[[], Picture]:
         return lambda: tree.render(camera, samples=samples, error_px=error, channels=("color",)).to_image()
 
     return {
-        "geometry, one sample": geometry(1),
-        SHOWN[0]: geometry(16),
-        SHOWN[1]: large,
+        "geometry, one sample": lambda: geometry(1).to_image(),
+        SHOWN[0]: lambda: geometry(16).to_image(),
+        SHOWN[1]: lambda: average(geometry(1, LARGE)),
         SHOWN[2]: orthoviews(1),
         "orthoviews, 4 × 4 samples": orthoviews(16),
         "orthoviews, 4 × 4 samples, half the error": orthoviews(16, 0.5),
     }
 
 
-def reduced(frame: nf.Frame) -> Picture:
+def average(frame: nf.Frame) -> Picture:
     """Average linear light over each pixel of the smaller picture."""
     channels = [Image.fromarray(channel) for channel in np.moveaxis(frame.require("color"), -1, 0)]
     smaller = [np.asarray(channel.resize(PICTURE, Image.Resampling.BOX)) for channel in channels]
     camera = replace(frame.camera, size=PICTURE)
     return nf.Frame(camera, color=np.stack(smaller, axis=-1)).to_image()
-
-
-def quality(truth: Picture, picture: Picture) -> tuple[float, float]:
-    """PSNR and SSIM."""
-    return nf.psnr(truth, picture, data_range=255), float(nf.ssim(truth, picture, data_range=255))
 
 
 def save(panels: list[tuple[str, Picture]], path: Path) -> None:

@@ -1,7 +1,5 @@
 """Time of a frame of geometry and of a tree, by the extent of the world: loaded and drawn first, and once more.
 
-    python -m benchmarks.orthoview.quality.frames TREE --tiles FOLDER --out FOLDER
-
 TREE is a store of the whole of Tokyo with geometry, and the folder has its tiles. Worlds end at a square around the
 eye, for which `benchmarks.orthoview.flights growth` counts bytes. Each frame is drawn in a separate process.
 """
@@ -9,9 +7,9 @@ eye, for which `benchmarks.orthoview.flights growth` counts bytes. Each frame is
 from __future__ import annotations
 
 import argparse
+import itertools
 import json
 import resource
-import subprocess
 import sys
 import time
 from collections.abc import Callable
@@ -22,7 +20,9 @@ from typing import Any
 import numpy as np
 
 import nearfar as nf
-from benchmarks.harness.timing import best, machine, table
+from benchmarks.harness.process import run_module
+from benchmarks.harness.report import save_figure, start, subplots, table
+from benchmarks.harness.timing import best
 from benchmarks.orthoview.flights import FOV, PICTURE, START
 from nearfar._camera.shot import Shot
 from nearfar.orthoview._cut import Settings
@@ -43,57 +43,42 @@ Row = dict[str, Any]
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("tree", help="store of the whole of Tokyo")
-    parser.add_argument("--tiles", required=True, help="folder of its tiles, which nf.write_tiles wrote")
-    parser.add_argument("--out", type=Path, help="folder for the plot")
-    parser.add_argument("--sides", type=float, nargs="*", default=SIDES, help="kilometres")
-    parser.add_argument("--ways", nargs="*", default=WAYS, help=f"of {', '.join(WAYS)}")
-    parser.add_argument("--found", type=Path, help="file of findings, which a later run goes on with")
-    parser.add_argument("--one", help=argparse.SUPPRESS)
-    given = parser.parse_args()
+    given = start(
+        __doc__,
+        "tree",
+        "--out",
+        tiles={"type": str, "required": True, "help": "folder of its tiles, which nf.write_tiles wrote"},
+        sides=(list(SIDES), "kilometres"),
+        ways=(list(WAYS), f"of {', '.join(WAYS)}"),
+        found=(Path, "file of findings, which a later run goes on with"),
+        one=str,
+    )
     if given.one:
-        print(json.dumps(measured(given.tree, given.tiles, json.loads(given.one))))
+        print(json.dumps(measure(given.tree, given.tiles, json.loads(given.one))))
         return
-    print(machine(), "\n")
     kept = given.found is not None and given.found.is_file()
     rows: list[Row] = json.loads(given.found.read_text()) if kept else []
-    for side in given.sides:
-        for way in given.ways:
-            if not any((row["side"], row["way"]) == (side, way) for row in rows):
-                rows.append({"side": side, "way": way, **in_process(given, side, way)})
-                print(rows[-1], file=sys.stderr, flush=True)
-                if given.found is not None:
-                    given.found.write_text(json.dumps(rows))
+    for side, way in itertools.product(given.sides, given.ways):
+        if not any((row["side"], row["way"]) == (side, way) for row in rows):
+            rows.append({"side": side, "way": way, **run_separately(given, side, way)})
+            print(rows[-1], file=sys.stderr, flush=True)
+            if given.found is not None:
+                given.found.write_text(json.dumps(rows))
     print(report(rows))
     if given.out is not None:
         plot(rows, given.out)
 
 
-def in_process(given: argparse.Namespace, side: float, way: str) -> Row:
+def run_separately(given: argparse.Namespace, side: float, way: str) -> Row:
     """Draw in a separate process; return the reason if it fails."""
-    job = json.dumps({"side": side, "way": way})
-    command = [
-        sys.executable,
-        "-m",
-        "benchmarks.orthoview.quality.frames",
-        given.tree,
-        "--tiles",
-        given.tiles,
-        "--one",
-        job,
-    ]
+    arguments = given.tree, "--tiles", given.tiles, "--one", json.dumps({"side": side, "way": way})
     try:
-        process = subprocess.run(command, capture_output=True, text=True, check=False, timeout=LIMIT)
-    except subprocess.TimeoutExpired:
-        return {"failed": f"not done after {LIMIT} s"}
-    if process.returncode:
-        return {"failed": (process.stderr.strip().splitlines() or [f"ended with {process.returncode}"])[-1]}
-    found: Row = json.loads(process.stdout)
-    return found
+        return dict(run_module("benchmarks.orthoview.quality.frames", *arguments, seconds=LIMIT))
+    except RuntimeError as error:
+        return {"failed": str(error)}
 
 
-def measured(tree: str, tiles: str, job: Row) -> Row:
+def measure(tree: str, tiles: str, job: Row) -> Row:
     """Seconds of the first frame, and of the next ones."""
     half = 500.0 * (WHOLE if job["side"] == SIDES[-1] else job["side"])
     began, busy = time.perf_counter(), time.process_time()
@@ -151,33 +136,20 @@ def report(rows: list[Row]) -> str:
     """Table with a row for each world and method."""
     lines = []
     for row in rows:
-        name = [f"{row['side']:g}", row["way"]]
+        name = row["side"], row["way"]
         if "failed" in row:
-            lines.append([*name, "", row["failed"], "", *("" for _ in EYES)])
+            lines.append([*name, None, row["failed"], None, *(None for _ in EYES)])
             continue
-        triangles = f"{row['triangles']:,}" if "triangles" in row else ""
-        seconds = f"{row['first'][0]:.1f} ({row['first'][1]:.1f})"
-        again = [f"{1e3 * row[name][0]:.0f} ({1e3 * row[name][1]:.0f})" for name in EYES]
-        lines.append([*name, triangles, seconds, f"{row['memory'] / 1e9:.2f}", *again])
-    header = [
-        "side, km",
-        "way",
-        "triangles",
-        "first frame, s (CPU)",
-        "memory, GB",
-        *(f"{name}, ms (CPU)" for name in EYES),
-    ]
-    return table("Frames", header, lines)
+        again = [(1e3 * row[name][0], 1e3 * row[name][1]) for name in EYES]
+        lines.append([*name, row.get("triangles"), tuple(row["first"]), row["memory"] / 1e9, *again])
+    eyes = (f"{name}, ms (CPU) {{:.0f}} ({{:.0f}})" for name in EYES)
+    first = ["side, km {:g}", "way", "triangles {:,}", "first frame, s (CPU) {:.1f} ({:.1f})", "memory, GB {:.2f}"]
+    return table("Frames", [*first, *eyes], lines)
 
 
 def plot(rows: list[Row], out: Path) -> None:
     """Plot seconds by the world's side, both axes logarithmic."""
-    import matplotlib as mpl
-
-    mpl.use("agg")
-    from matplotlib import pyplot as plt
-
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6), layout="constrained")
+    figure, (left, right) = subplots(1, 2, figsize=(9, 3.6))
     labels = dict(zip(WAYS, ("geometry, rays", "geometry, rasters (software)", "orthoviews"), strict=True))
     for way, label in labels.items():
         found = [row for row in rows if row["way"] == way and "failed" not in row]
@@ -190,9 +162,7 @@ def plot(rows: list[Row], out: Path) -> None:
         axes.minorticks_off()
         axes.grid(alpha=0.3)
     left.legend(fontsize="small")
-    out.mkdir(parents=True, exist_ok=True)
-    figure.savefig(out / "orthoview_frames.png", dpi=110)
-    plt.close(figure)
+    save_figure(figure, out / "orthoview_frames.png", dpi=110)
 
 
 if __name__ == "__main__":

@@ -1,14 +1,11 @@
 """Holes in pictures of Tokyo from the air: their places, their causes, and their number with other choices of views.
 
-    python -m benchmarks.orthoview.quality.holes --tiles FOLDER --trees FOLDER --out FOLDER
-
 A hole is a pixel that shows nothing where the truth shows a surface. Its cause is found by searching for the surface in
 the views of the cell that contains it.
 """
 
 from __future__ import annotations
 
-import argparse
 import sys
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -18,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.orthoview import _sheets
 from benchmarks.orthoview._quality import SAMPLES, Truth, shown_by
 from benchmarks.orthoview._worlds import World, forest, landscape, open_tree, tokyo
@@ -50,39 +47,39 @@ Choice = Callable[[nf.orthoview.OrthoTree, nf.Camera], OrthoCut]
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--tiles", help="folder of tiles of the whole of Tokyo, which nf.write_tiles wrote")
-    parser.add_argument("--trees", type=Path, required=True, help="folder for the trees")
-    parser.add_argument("--out", type=Path, help="folder for the picture")
-    parser.add_argument("--worlds", nargs="*", default=["Tokyo", "forest", "landscape"], help="of the choices")
-    given = parser.parse_args()
-    print(machine(), "\n")
+    given = start(__doc__, "--tiles", "--trees", "--out", worlds=(["Tokyo", "forest", "landscape"], "of the choices"))
     city = tokyo(given.tiles)
-    tree = open_tree(city.build(given.trees), DIRECTIONS)
-    all_views = open_tree(city.build(given.trees), 26)
+    with folder_or_temporary(given.trees) as trees:
+        print(causes_table(city, trees, given.out))
+        title = f"Tokyo from {PLACES} other places, {VIEWS} views"
+        header = "directions | higher by {}° | holes, % {:.2f} | at most {:.2f}"
+        print(table(title, header, other_place_rows(city, trees)))
+        worlds = [world for world in (city, forest(), landscape()) if world.name in given.worlds]
+        rows = [row for world in worlds for row in choice_rows(world, trees)]
+    header = "place | views | thousand splats {:.0f} | holes, % {:.2f} | PSNR, dB {:.1f} | SSIM {:.3f}"
+    print(table("Choices of views", header, rows))
+
+
+def causes_table(city: World, trees: Path, out: Path | None) -> str:
+    """Table of holes by cause and surface, and a picture of them."""
+    tree, all_views = (open_tree(city.build(trees), count) for count in (DIRECTIONS, 26))
     counts = np.zeros((len(CAUSES), len(SURFACES)))
     surfaces, panels = 0, []
     for number, camera in enumerate(city.from_air()):
-        truth = nf.render(
-            city.scene, camera, clip=nf.Clip(box=tree.bounds), channels=("color", "range", "position", "normal")
-        )
-        frame = render_choice(tree, camera, lifted(0))
+        channels = ("color", "range", "position", "normal")
+        truth = nf.render(city.scene, camera, clip=nf.Clip(box=tree.bounds), channels=channels)
+        frame = render_choice(tree, camera, raise_direction(0))
         cause, kind = causes(tree, all_views, truth, frame)
         surfaces += int(np.isfinite(truth.require("range")).sum())
         for n in range(len(CAUSES)):
             counts[n] += [((cause == n) & (kind == k)).sum() for k in range(len(SURFACES))]
         panels.append((f"Tokyo, from the air {number + 1}", colored(truth, cause)))
-    shares = 100 * counts / surfaces
-    rows = [[name, *(f"{x:.2f}" for x in row), f"{row.sum():.2f}"] for name, row in zip(CAUSES, shares, strict=True)]
-    rows.append(["all", *(f"{x:.2f}" for x in shares.sum(axis=0)), f"{shares.sum():.2f}"])
-    print(table("Holes, % of surfaces, by what shows them", ["shown by", *SURFACES, "all"], rows))
-    if given.out is not None:
-        _sheets.save_panels(panels, 2, given.out / "orthoview_holes.png")
-    header = ["directions", "higher by", "holes, %", "at most"]
-    print(table(f"Tokyo from {PLACES} other places, {VIEWS} views", header, elsewhere(city, given.trees)))
-    worlds = [world for world in (city, forest(), landscape()) if world.name in given.worlds]
-    rows = [row for world in worlds for row in of_choices(world, given.trees)]
-    print(table("Choices of views", ["place", "views", "thousand splats", "holes, %", "PSNR, dB", "SSIM"], rows))
+    if out is not None:
+        _sheets.save_panels(panels, 2, out / "orthoview_holes.png")
+    shares = 100 * np.vstack([counts, counts.sum(axis=0)]) / surfaces
+    rows = [[name, *row, row.sum()] for name, row in zip((*CAUSES, "all"), shares, strict=True)]
+    header = ["shown by", *(f"{name} {{:.2f}}" for name in (*SURFACES, "all"))]
+    return table("Holes, % of surfaces, by what shows them", header, rows)
 
 
 def render_choice(tree: nf.orthoview.OrthoTree, camera: nf.Camera, choose: Choice, samples: int = 1) -> nf.Frame:
@@ -142,7 +139,7 @@ def colored(truth: nf.Frame, cause: NDArray[np.int64]) -> NDArray[np.uint8]:
     return picture
 
 
-def lifted(degrees: float, views: int = VIEWS) -> Choice:
+def raise_direction(degrees: float, views: int = VIEWS) -> Choice:
     """Choose the views nearest to the viewer's direction raised by an angle."""
     return lambda tree, camera: tree.cut(camera, views=views, lift_deg=degrees)
 
@@ -158,29 +155,28 @@ def with_top(tree: nf.orthoview.OrthoTree, camera: nf.Camera) -> OrthoCut:
     return replace(cut, directions=np.array(several, np.int8))
 
 
-def of_choices(world: World, trees: Path) -> list[list[str]]:
+def choice_rows(world: World, trees: Path) -> list[list[object]]:
     """Rows of holes and quality by the choice of views."""
     tree = open_tree(world.build(trees), DIRECTIONS)
-    rows = []
+    rows: list[list[object]] = []
     for place, cameras in (("air", world.from_air()), ("ground", world.from_ground())):
         truths = [Truth(world, camera, tree.bounds) for camera in cameras]
         for name, choose in CHOICES.items():
-            found = np.mean([measured(tree, truth, choose) for truth in truths], axis=0)
-            numbers = [f"{found[0]:.0f}", f"{found[1]:.2f}", f"{found[2]:.1f}", f"{found[3]:.3f}"]
-            rows.append([f"{world.name}, {place}", name, *numbers])
+            found = np.mean([measure(tree, truth, choose) for truth in truths], axis=0)
+            rows.append([f"{world.name}, {place}", name, *found])
             print(rows[-1], file=sys.stderr, flush=True)
     return rows
 
 
 CHOICES: dict[str, Choice] = {
-    "3 nearest": lifted(0),
-    **{f"3 nearest to {angle}° higher": lifted(angle) for angle in (10, 20, 30, 45)},
+    "3 nearest": raise_direction(0),
+    **{f"3 nearest to {angle}° higher": raise_direction(angle) for angle in (10, 20, 30, 45)},
     "2 nearest, and the top": with_top,
-    **{f"{views} nearest": lifted(0, views) for views in (4, 5, MAX_VIEWS)},
+    **{f"{views} nearest": raise_direction(0, views) for views in (4, 5, MAX_VIEWS)},
 }
 
 
-def elsewhere(world: World, trees: Path) -> list[list[str]]:
+def other_place_rows(world: World, trees: Path) -> list[list[float]]:
     """Rows of holes from other places in the air, by directions and by the angle."""
     draw = np.random.default_rng(0)
     eyes, targets = (draw.uniform(0, 1, (PLACES, 3)) for _ in range(2))
@@ -188,22 +184,22 @@ def elsewhere(world: World, trees: Path) -> list[list[str]]:
     eyes = low + eyes * [world.side, 300.0, world.side] + [0.0, 0.3 * world.height, 0.0]
     targets = low + targets * [world.side, 0.0, world.side]
     cameras = [world.camera(eye, target) for eye, target in zip(eyes, targets, strict=True)]
-    rows = []
+    rows: list[list[float]] = []
     for directions in (DIRECTIONS, 13):
         tree = open_tree(world.build(trees), directions)
         truths = [Truth(world, camera, tree.bounds) for camera in cameras]
         for angle in (0, 20, 30, 45):
             shares = []
             for truth in truths:
-                found = render_choice(tree, truth.camera, lifted(angle)).require("range")
+                found = render_choice(tree, truth.camera, raise_direction(angle)).require("range")
                 is_there = np.isfinite(truth.range)
                 shares.append(100 * float((is_there & ~np.isfinite(found)).sum() / max(is_there.sum(), 1)))
-            rows.append([str(directions), f"{angle}°", f"{np.mean(shares):.2f}", f"{np.max(shares):.2f}"])
+            rows.append([directions, angle, float(np.mean(shares)), max(shares)])
             print(rows[-1], file=sys.stderr, flush=True)
     return rows
 
 
-def measured(tree: nf.orthoview.OrthoTree, truth: Truth, choose: Choice) -> list[float]:
+def measure(tree: nf.orthoview.OrthoTree, truth: Truth, choose: Choice) -> list[float]:
     """Thousands of splats in the picture, holes in percent of the surfaces, PSNR and SSIM."""
     frame = render_choice(tree, truth.camera, choose)
     is_there = np.isfinite(truth.range)

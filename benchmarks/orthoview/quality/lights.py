@@ -1,7 +1,5 @@
 """Other lights: the splats of one cut shaded by three lights, against the same shading of ray-traced truth.
 
-    python -m benchmarks.orthoview.quality.lights --out FOLDER --trees FOLDER
-
 Views contain normals, and colours without light. A client that has drawn these for a picture, and its distances, can
 thus shade it by any light without further data. By day the formula is that of all renderers; at night lamps light the
 streets, without shadows.
@@ -9,18 +7,15 @@ streets, without shadows.
 
 from __future__ import annotations
 
-import argparse
-import tempfile
-import time
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import folder_or_temporary, start, table
+from benchmarks.harness.timing import timed
 from benchmarks.orthoview import _sheets
 from benchmarks.orthoview._worlds import World
 from nearfar import _core
@@ -90,36 +85,29 @@ LIGHTS = (
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--trees", type=Path, help="folder for the tree; by default one that is removed")
-    parser.add_argument("--out", type=Path, help="folder for the picture")
-    given = parser.parse_args()
-    print(machine(), "\n")
+    given = start(__doc__, "--trees", "--out")
     city, half = nf.datasets.city(blocks=BLOCKS), SIDE / 2
     world = World("city", city.query, (-half, -4.0, -half), SIDE, 110.0, CELL)
     heads = lamps(city)
     fov = nf.Fov.symmetric(50, SIZE[0] / SIZE[1])
     camera = nf.Camera.look_at(EYE, TARGET, fov=fov, size=(GRID * SIZE[0], GRID * SIZE[1]))
-    with tempfile.TemporaryDirectory() as folder:
-        tree = nf.orthoview.open(world.build(given.trees or Path(folder), DIRECTIONS))
+    with folder_or_temporary(given.trees) as folder:
+        tree = nf.orthoview.open(world.build(folder, DIRECTIONS))
         truth = nf.render(world.scene, camera, clip=nf.Clip(box=tree.bounds), channels=("color", *CHANNELS))
         # A pixel of a view is as wide as a pixel of the picture, not as one of its samples.
         views = tree.render(camera, error_px=GRID, channels=("color", *CHANNELS))
         read = tree._viewer.views.read_bytes
         rows, pictures = [], []
         for light in LIGHTS:
-            reference = shaded(truth, light, heads)
-            began = time.perf_counter()
-            picture = shaded(views, light, heads)
-            seconds = time.perf_counter() - began
-            psnr, ssim = nf.psnr(reference, picture, data_range=255), nf.ssim(reference, picture, data_range=255)
-            again = tree._viewer.views.read_bytes - read
-            rows.append([light.name, f"{psnr:.1f}", f"{float(ssim):.3f}", f"{again}", f"{1e3 * seconds:.0f}"])
-            pictures.append((reference, picture, f"{light.name}\n{psnr:.1f} dB, SSIM {float(ssim):.3f}"))
-        day = nf.psnr(encoded(truth.require("color")), shaded(truth, LIGHTS[0], heads), data_range=255)
+            reference = shade(truth, light, heads)
+            picture, spent = timed(shade, views, light, heads)
+            psnr, ssim = (float(measure(reference, picture, data_range=255)) for measure in (nf.psnr, nf.ssim))
+            rows.append([light.name, psnr, ssim, tree._viewer.views.read_bytes - read, spent.ms])
+            pictures.append((reference, picture, f"{light.name}\n{psnr:.1f} dB, SSIM {ssim:.3f}"))
+        day = nf.psnr(encode(truth.require("color")), shade(truth, LIGHTS[0], heads), data_range=255)
         print(f"{read / 1e6:.1f} MB of views are read once; {dict(views.stats)}")
         print(f"the truth by day and the picture of nf.render: {day:.1f} dB\n")
-    print(table("Other lights", ["light", "PSNR, dB", "SSIM", "bytes read", "shaded in, ms"], rows))
+    print(table("Other lights", "light | PSNR, dB {:.1f} | SSIM {:.3f} | bytes read | shaded in, ms {:.0f}", rows))
     if given.out is not None:
         panels = [(f"truth, {light.name}", pictures[n][0]) for n, light in enumerate(LIGHTS)]
         panels += [(f"orthoviews, {title}", picture) for _, picture, title in pictures]
@@ -133,7 +121,7 @@ def lamps(city: nf.Scene) -> NDArray[np.float64]:
     return np.array([poses[name][:3, :3] @ HEAD + poses[name][:3, 3] for name in names])
 
 
-def shaded(frame: nf.Frame, light: Light, heads: NDArray[np.float64]) -> NDArray[np.uint8]:
+def shade(frame: nf.Frame, light: Light, heads: NDArray[np.float64]) -> NDArray[np.uint8]:
     """Shade a frame's surfaces by a light, sRGB, one pixel for GRID × GRID samples."""
     _, rays = frame.camera.rays()
     linear = background(rays.astype(np.float32), light)
@@ -147,7 +135,7 @@ def shaded(frame: nf.Frame, light: Light, heads: NDArray[np.float64]) -> NDArray
     if any(light.lamp):
         bright += np.array(light.lamp, np.float32) * from_lamps(points, n, heads)[:, None]
     linear[is_there] = frame.require("albedo")[is_there] * bright
-    return encoded(linear)
+    return encode(linear)
 
 
 def from_lamps(points: NDArray[np.float64], normals: Floats, heads: NDArray[np.float64]) -> Floats:
@@ -169,7 +157,7 @@ def background(rays: Floats, light: Light) -> Floats:
     return sky
 
 
-def encoded(linear: Floats) -> NDArray[np.uint8]:
+def encode(linear: Floats) -> NDArray[np.uint8]:
     """Average the samples of each pixel, as sRGB."""
     blocks = np.minimum(linear, 1).reshape(SIZE[1], GRID, SIZE[0], GRID, 3)
     mean = np.ascontiguousarray(blocks.mean(axis=(1, 3)), np.float32)

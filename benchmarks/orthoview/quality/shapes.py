@@ -1,7 +1,6 @@
 """Shapes of splats compared: a tree in front of a wall, 70° away from the direction of the view that shows them.
 
     python -m benchmarks.orthoview.quality.shapes --out FOLDER                   # one view of a cell of 10 m
-    python -m benchmarks.orthoview.quality.shapes --tiles FOLDER --trees FOLDER  # trees, with ellipses alone
 
 Surfaces that the view does not show do not count: shares are of the samples of the picture whose surfaces it shows;
 PSNR and SSIM are of pixels all of whose samples show these or the sky.
@@ -9,7 +8,6 @@ PSNR and SSIM are of pixels all of whose samples show these or the sky.
 
 from __future__ import annotations
 
-import argparse
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -21,9 +19,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.timing import machine, table
+from benchmarks.harness.report import start, table
 from benchmarks.orthoview import _quality as seen, _sheets, _splats
-from benchmarks.orthoview._leaves import Leaf, layout_of
+from benchmarks.orthoview._leaves import Leaf, axes_of, layout_of, metres_of
 from benchmarks.orthoview._worlds import World, forest, landscape, open_tree, tokyo
 from benchmarks.orthoview.quality import _shapes
 from nearfar import _core
@@ -54,14 +52,9 @@ Shape = Callable[[_splats.Pixels, nf.Camera], _shapes.Sides]
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--out", type=Path, help="folder for the picture")
-    parser.add_argument("--tiles", help="folder of tiles of the whole of Tokyo, which nf.write_tiles wrote")
-    parser.add_argument("--trees", type=Path, help="folder of the trees of benchmarks.orthoview.pictures")
-    given = parser.parse_args()
-    print(machine(), "\n")
+    given = start(__doc__, "--out", "--tiles", "--trees")
     if given.trees is not None:
-        print(of_trees([tokyo(given.tiles), forest(), landscape()], given.trees))
+        print(tree_table([tokyo(given.tiles), forest(), landscape()], given.trees))
         return
     leaf, layout = tree_and_wall(), layout_of()
     views, number = leaf.views(layout), layout.directions.index(FRONT)
@@ -73,16 +66,16 @@ def main() -> None:
         found = truth.compared(color, depth)
         rows.append([name, *found.cells()])
         panels.append((f"{name}\n{found.psnr:.1f} dB, {found.holes:.1f} % holes", found.picture))
-    print(table(f"{len(pixels.middle):,} splats", ["shape", *HEADER], rows))
-    kernel = truth.compared(*of_kernel(leaf, views, number, truth.fine))
+    print(table(f"{len(pixels.middle):,} splats", f"shape | {HEADER.replace('%', '% {:.1f}')}", rows))
+    kernel = truth.compared(*kernel_picture(leaf, views, number, truth.fine))
     ours = truth.compared(*_shapes.rasterize(pixels, shapes(views, number)["ours"](pixels, truth.fine), truth.fine))
-    print(f"ours, by the kernel of tree.render: {', '.join(kernel.cells())}")
+    print(f"ours, by the kernel of tree.render: {', '.join(f'{value:.3g}' for value in kernel.cells())}")
     print(f"both pictures of ours: {nf.psnr(kernel.picture, ours.picture, data_range=255):.1f} dB\n")
     if given.out is not None:
         _sheets.save_panels(panels, 3, given.out / "orthoview_shapes.png", scale=2)
 
 
-def of_trees(worlds: list[World], trees: Path) -> str:
+def tree_table(worlds: list[World], trees: Path) -> str:
     """Compare pictures from the air by `tree.render` with surfels only, none of them larger at borders."""
     rows = []
     for world in worlds:
@@ -91,12 +84,11 @@ def of_trees(worlds: list[World], trees: Path) -> str:
         for views in (1, 3):
             for name, decoded in (("ours", _codec.decoded), ("ellipses", _surfels)):
                 with mock.patch.object(_codec, "decoded", decoded):
-                    found = seen.mean([seen.compared(truth, tree, seen.Setting(views)) for truth in shown])
-                shares = (found.holes, found.through, found.before, found.false)
-                numbers = [f"{found.psnr:.1f}", f"{found.ssim:.3f}", *(f"{100 * share:.2f}" for share in shares)]
-                rows.append([f"{world.name}, air", str(views), name, *numbers])
+                    found = seen.mean([seen.compare(truth, tree, seen.Setting(views)) for truth in shown])
+                shares = (100 * share for share in (found.holes, found.through, found.before, found.false))
+                rows.append([f"{world.name}, air", views, name, found.psnr, found.ssim, *shares])
                 print(rows[-1], file=sys.stderr, flush=True)
-    return table("Pictures of trees", ["place", "views", "splats", *HEADER], rows)
+    return table("Pictures of trees", f"place | views | splats | {HEADER.replace('%', '% {:.2f}')}", rows)
 
 
 def _surfels(*arguments: Any, decoded: Callable[..., Any] = _codec.decoded) -> Any:
@@ -168,13 +160,12 @@ class Findings:
     false: float
     """Share of sky samples that show a splat."""
 
-    def cells(self) -> list[str]:
+    def cells(self) -> tuple[float, ...]:
         """Cells of a table below `HEADER`."""
-        shares = (self.holes, self.too_far, self.too_near, self.false)
-        return [f"{self.psnr:.1f}", f"{self.ssim:.3f}", *(f"{share:.1f}" for share in shares)]
+        return self.psnr, self.ssim, self.holes, self.too_far, self.too_near, self.false
 
 
-HEADER = ["PSNR, dB", "SSIM", "holes, %", "too far, %", "too near, %", "false, %"]
+HEADER = "PSNR, dB {:.1f} | SSIM {:.3f} | holes, % | too far, % | too near, % | false, %"
 
 
 @dataclass(frozen=True)
@@ -201,13 +192,13 @@ class Truth:
     @property
     def picture(self) -> NDArray[np.uint8]:
         """Picture of averaged samples, sRGB."""
-        return reduced(self.frame.require("color"))
+        return average(self.frame.require("color"))
 
     def compared(self, color: NDArray[np.uint8], depth: Floats) -> Findings:
         """Compare a picture of the same samples."""
         is_there = np.isfinite(depth)
         linear = to_linear(color / 255.0)
-        picture = reduced(np.where(is_there[..., None], linear, self.sky))
+        picture = average(np.where(is_there[..., None], linear, self.sky))
         _, along = self.fine.rays()
         middle = along[along.shape[0] // 2, along.shape[1] // 2]
         truth = self.frame.require("range") * (along @ (middle / np.linalg.norm(middle)))
@@ -227,14 +218,13 @@ class Truth:
 
 def visible_in_view(points: NDArray[Any], leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int) -> Bools:
     """Whether one view of a leaf shows world points (H, W, 3)."""
-    axes, extents = (np.array(values) for values in _core.orthoview_axes(layout.directions[number]))
-    extents = extents * leaf.side
-    codes = views.depths()[number, ..., 0].astype(float)
-    depth = np.where(codes > 0, (codes - 0.5) * extents[2] / layout.steps, np.inf)
-    return seen.shown_by(points, axes, extents, leaf.box.mean(axis=0), depth)
+    axes, extents = axes_of(layout.directions[number], leaf.side)
+    return seen.shown_by(points, axes, extents, leaf.box.mean(axis=0), metres_of(views, number, layout, leaf.side))
 
 
-def of_kernel(leaf: Leaf, views: _core.OrthoViews, number: int, fine: nf.Camera) -> tuple[NDArray[np.uint8], Floats]:
+def kernel_picture(
+    leaf: Leaf, views: _core.OrthoViews, number: int, fine: nf.Camera
+) -> tuple[NDArray[np.uint8], Floats]:
     """Picture of one view by the kernel of `tree.render`."""
     splats = _core.OrthoSplats(views, number, views.connected(CONNECTED), (leaf.corner, leaf.side))
     settings = Shot(cameras=(fine,), channels=("color", "range")).settings
@@ -251,7 +241,7 @@ def blocks(samples: NDArray[Any]) -> NDArray[Any]:
     return samples.reshape(height // GRID, GRID, width // GRID, GRID, *samples.shape[2:])
 
 
-def reduced(linear: NDArray[Any]) -> NDArray[np.uint8]:
+def average(linear: NDArray[Any]) -> NDArray[np.uint8]:
     """Average samples to a picture, sRGB."""
     mean = np.ascontiguousarray(blocks(linear).mean(axis=(1, 3)), np.float32)
     return _core.encode_srgb(mean.ravel()).reshape(mean.shape)
